@@ -1,0 +1,51 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shared.h"
+#include "depth_mapping.glsl"
+#include "octahedral.glsl"
+
+layout(constant_id = 0) const uint kDepthForm = kDepthFormLinear;
+layout(constant_id = 3) const uint kWide = 0u;
+
+layout(set = 0, binding = 0, std430) readonly buffer Records { DrawRecord records[]; };
+layout(push_constant) uniform Push { CascadePush cascade; };
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec2 inNormal;
+layout(location = 2) in vec2 inUv;
+layout(location = 3) in vec4 inColor;
+
+layout(location = 0) out vec3 outNormal;
+layout(location = 1) out vec2 outUv;
+layout(location = 2) out vec4 outColor;
+layout(location = 3) out float outAhead;
+layout(location = 4) flat out uint outObject;
+layout(location = 5) flat out uint outMaterial;
+
+void main() {
+    DrawRecord record = records[gl_InstanceIndex];
+    float x = dot(record.right.xyz, inPosition) + record.right.w;
+    float y = dot(record.up.xyz, inPosition) + record.up.w;
+    float ahead = dot(record.ahead.xyz, inPosition) + record.ahead.w;
+    gl_Position = clipPosition(kDepthForm, x, y, ahead, cascade);
+    vec2 inside = clipDistances(ahead, cascade);
+    if (kWide != 0u) {
+        // The fragment shader cuts wide draws; here only what lies behind the camera must go.
+        inside = vec2(gl_Position.w - 0.5 * (cascade.anchorView + cascade.nearAhead), 1.0);
+    }
+    gl_ClipDistance[0] = inside.x;
+    gl_ClipDistance[1] = inside.y;
+
+    // Normals turn by the cofactor matrix: right under non-uniform scale, and mirrored ones come out mirrored.
+    vec3 back = -record.ahead.xyz;
+    vec3 normal = decodeOctahedral(inNormal);
+    vec3 turned = vec3(dot(cross(record.up.xyz, back), normal), dot(cross(back, record.right.xyz), normal),
+                       dot(cross(record.right.xyz, record.up.xyz), normal));
+    float mirrored = dot(cross(record.right.xyz, record.up.xyz), back);
+    outNormal = mirrored < 0.0 ? -turned : turned;
+    outUv = inUv;
+    outColor = inColor;
+    outAhead = ahead;
+    outObject = record.object;
+    outMaterial = record.material;
+}

@@ -1,0 +1,93 @@
+// Constants and struct layouts that C++ and GLSL share. Every struct is laid out the same by std430 and by
+// C++.
+#ifndef CDR_SHADERS_SHARED_H
+#define CDR_SHADERS_SHARED_H
+
+#ifdef __cplusplus
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace cdr::shaders {
+using uint = std::uint32_t;
+using vec2 = glm::vec2;
+using vec4 = glm::vec4;
+#define CDR_CONST inline constexpr uint
+#else
+#define CDR_CONST const uint
+#endif
+
+// How the vertex shader forms clip z; specialisation constant 0.
+CDR_CONST kDepthFormLinear = 0u;      // one row of a projection matrix: standard, reversed, anchored
+CDR_CONST kDepthFormLog = 1u;         // logarithm per vertex
+CDR_CONST kDepthFormLogFragment = 2u; // logarithm per fragment
+
+// Materials' flags.
+CDR_CONST kMaterialUnlit = 1u;
+
+// The id buffer holds the object index plus one in its low bits and the cascade above; 0 is background.
+CDR_CONST kIdBits = 24u;
+CDR_CONST kIdMask = 0xffffffu;
+
+// Most cascades, depth::kMaxCascades.
+CDR_CONST kCascadeSlots = 64u;
+
+// One draw: object to view space, relative to the cascade's anchor plane. 64 bytes, one cache line.
+struct DrawRecord {
+    vec4 right;  // row of (view * basis) in xyz, translation in w: view-space x
+    vec4 up;     // the same for view-space y
+    vec4 ahead;  // the same for the view distance beyond the anchor: w - anchorView, formed in float64
+    uint object; // object index + 1
+    uint material;
+    uint pad0;
+    uint pad1;
+};
+
+struct MaterialRecord {
+    vec4 baseColorFactor; // linear
+    uint flags;
+    float alphaCutoff;
+    uint pad0;
+    uint pad1;
+};
+
+// What a cascade's draws share; push constants.
+struct CascadePush {
+    float anchorView; // depth::ClipTerms, rounded
+    float depthScale;
+    float depthOffset;
+    float nearAhead; // the clip range, relative to the anchor plane
+    float farAhead;
+    float projectionX; // 1 / (aspect * tan(fovY / 2))
+    float projectionY; // -1 / tan(fovY / 2): Vulkan's y points down
+    uint cascade;
+};
+
+// A point light in view space; every coordinate is a float and the rest that float left out of the float64.
+struct LightRecord {
+    vec4 position;     // x, y, view distance, half distance
+    vec4 positionRest; // the rest of x, y and view distance
+    vec4 color;        // linear
+};
+
+// What the shading pass needs, followed by the lights.
+struct ShadingHeader {
+    vec4 ambient;
+    vec4 background;
+    vec2 rayScale; // view-space x and y per unit of view distance at the right and top edges of the picture
+    uint lightCount;
+    uint pad0;
+    vec2 anchors[kCascadeSlots]; // each cascade's anchor plane as a float and its rest
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(DrawRecord) == 64);
+static_assert(sizeof(MaterialRecord) == 32);
+static_assert(sizeof(CascadePush) == 32);
+static_assert(sizeof(LightRecord) == 48);
+static_assert(sizeof(ShadingHeader) == 48 + 8 * kCascadeSlots);
+} // namespace cdr::shaders
+#endif
+
+#undef CDR_CONST
+#endif

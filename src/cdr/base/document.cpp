@@ -1,0 +1,36 @@
+#include "build_info.h"
+
+#include <cdr/base/document.h>
+#include <cdr/base/file.h>
+
+#include <iostream>
+#include <thread>
+
+namespace cdr::base {
+
+BuildInfo buildInfo() {
+    return {.version = CDR_VERSION, .commit = CDR_COMMIT};
+}
+
+nlohmann::ordered_json makeDocument(const std::string& command, const DocumentDevice& device,
+                                    nlohmann::ordered_json options) {
+    const BuildInfo build = buildInfo();
+    return {{"command", command},
+            {"version", build.version},
+            {"commit", build.commit},
+            {"device", {{"name", device.name}, {"driver", device.driver}, {"api", device.api}}},
+            {"host", {{"cpus", std::thread::hardware_concurrency()}}},
+            {"options", std::move(options)},
+            {"results", nlohmann::ordered_json::array()}};
+}
+
+void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_json& document) {
+    const std::string text = document.dump(2) + "\n";
+    if (path == "-") {
+        std::cout << text << std::flush;
+        return;
+    }
+    writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+} // namespace cdr::base

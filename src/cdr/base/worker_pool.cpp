@@ -1,0 +1,85 @@
+#include <cdr/base/error.h>
+#include <cdr/base/worker_pool.h>
+
+#include <atomic>
+#include <exception>
+#include <string>
+
+namespace cdr::base {
+
+struct WorkerPool::Batch {
+    Batch(const Job& batchBody, std::size_t batchJobs) : body(batchBody), jobs(batchJobs) {}
+
+    const Job& body;
+    const std::size_t jobs;
+    std::atomic<std::size_t> next{0};
+    std::mutex errorMutex;
+    std::size_t errorJob = static_cast<std::size_t>(-1);
+    std::exception_ptr error;
+
+    void work(std::size_t worker) {
+        for (std::size_t job = next++; job < jobs; job = next++) {
+            try {
+                body(job, worker);
+            } catch (...) {
+                const std::lock_guard lock(errorMutex);
+                if (job < errorJob) {
+                    errorJob = job;
+                    error = std::current_exception();
+                }
+            }
+        }
+    }
+};
+
+WorkerPool::WorkerPool(std::size_t threads) {
+    if (threads < 1 || threads > kMaxThreads) {
+        throw InputError("threads must be 1 to " + std::to_string(kMaxThreads) + ", not " +
+                         std::to_string(threads));
+    }
+    m_threads.reserve(threads - 1);
+    for (std::size_t worker = 1; worker < threads; ++worker) {
+        m_threads.emplace_back([this, worker](const std::stop_token& stop) { serve(stop, worker); });
+    }
+}
+
+WorkerPool::~WorkerPool() = default;
+
+void WorkerPool::run(std::size_t jobs, const Job& body) {
+    Batch batch(body, jobs);
+    // One job needs no second thread; waking one would only cost.
+    const bool shared = jobs > 1 && !m_threads.empty();
+    if (shared) {
+        const std::lock_guard lock(m_mutex);
+        m_batch = &batch;
+        ++m_batchNumber;
+        m_busyWorkers = m_threads.size();
+        m_batchPosted.notify_all();
+    }
+    batch.work(0);
+    if (shared) {
+        std::unique_lock lock(m_mutex);
+        m_workersIdle.wait(lock, [this] { return m_busyWorkers == 0; });
+        m_batch = nullptr;
+    }
+    if (batch.error) {
+        std::rethrow_exception(batch.error);
+    }
+}
+
+void WorkerPool::serve(const std::stop_token& stop, std::size_t worker) {
+    std::size_t served = 0;
+    std::unique_lock lock(m_mutex);
+    while (m_batchPosted.wait(lock, stop, [&] { return m_batch != nullptr && m_batchNumber != served; })) {
+        served = m_batchNumber;
+        Batch& batch = *m_batch;
+        lock.unlock();
+        batch.work(worker);
+        lock.lock();
+        if (--m_busyWorkers == 0) {
+            m_workersIdle.notify_one();
+        }
+    }
+}
+
+} // namespace cdr::base

@@ -1,0 +1,93 @@
+#include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
+#include <cdr/depth/mapping.h>
+
+#include <cmath>
+
+namespace cdr::depth {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> kNames{"standard",     "reversed", "log",
+                                                 "log-fragment", "anchored", "anchored-reversed"};
+
+} // namespace
+
+std::string_view nameOf(Mapping mapping) {
+    return kNames[static_cast<std::size_t>(mapping)];
+}
+
+Mapping parseMapping(std::string_view name) {
+    for (const Mapping mapping : kMappings) {
+        if (nameOf(mapping) == name) {
+            return mapping;
+        }
+    }
+    throw base::InputError(base::unknownName("depth mapping", name, kNames));
+}
+
+Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index) {
+    Cascade range = cascades[index];
+    if (index + 1 < cascades.size()) {
+        range.farView += isAnchored(mapping) ? 1e-4 * (range.farView - range.nearView)
+                         : isLog(mapping)    ? 1e-4 * range.farView
+                                             : 1e-6 * range.farView;
+    }
+    return range;
+}
+
+DepthRange depthRange(Mapping mapping, const Cascades& cascades, std::size_t index) {
+    const Cascade clip = clipRange(mapping, cascades, index);
+    const bool open = mapping == Mapping::reversed && index + 1 == cascades.size();
+    return {.mapping = mapping,
+            .nearView = clip.nearView,
+            .farView = open ? std::nullopt : std::optional(clip.farView)};
+}
+
+double zNdcAt(const DepthRange& range, double distanceView) {
+    const ClipTerms terms = clipTerms(range);
+    const double offsetView = distanceView - terms.anchorView;
+    if (isLog(range.mapping)) {
+        return std::log(offsetView * terms.scale) * terms.offset;
+    }
+    return (terms.scale * offsetView + terms.offset) / distanceView;
+}
+
+double distanceViewAt(const DepthRange& range, double zNdc) {
+    const double n = range.nearView;
+    if (isLog(range.mapping)) {
+        return n * std::exp(zNdc * std::log(*range.farView / n));
+    }
+    if (!range.farView) {
+        return n / zNdc;
+    }
+    const double f = *range.farView;
+    // Both forms solve 1/w as a blend of 1/n and 1/f.
+    const double towardsFar = isReversed(range.mapping) ? 1.0 - zNdc : zNdc;
+    return n * f / (f - towardsFar * (f - n));
+}
+
+ClipTerms clipTerms(const DepthRange& range) {
+    const double n = range.nearView;
+    if (!range.farView) {
+        return {.anchorView = 0.0, .scale = 0.0, .offset = n};
+    }
+    const double f = *range.farView;
+    const double depth = f - n;
+    switch (range.mapping) {
+    case Mapping::standard:
+        return {.anchorView = 0.0, .scale = f / depth, .offset = -f * n / depth};
+    case Mapping::reversed:
+        return {.anchorView = 0.0, .scale = -n / depth, .offset = n * f / depth};
+    case Mapping::log:
+    case Mapping::logFragment:
+        return {.anchorView = 0.0, .scale = 1.0 / n, .offset = 1.0 / std::log(f / n)};
+    case Mapping::anchored:
+        return {.anchorView = n, .scale = f / depth, .offset = 0.0};
+    case Mapping::anchoredReversed:
+        return {.anchorView = f, .scale = -n / depth, .offset = 0.0};
+    }
+    throw base::RunError("depth mapping out of range");
+}
+
+} // namespace cdr::depth

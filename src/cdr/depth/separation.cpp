@@ -1,0 +1,118 @@
+#include <cdr/base/error.h>
+#include <cdr/depth/separation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cdr::depth {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Depth falls off as c/w for every linear mapping; this is that c.
+double hyperbolaScale(const DepthRange& range) {
+    return range.farView ? *range.farView * range.nearView / (*range.farView - range.nearView)
+                         : range.nearView;
+}
+
+/// Solves c/w - c/(w + gap) = step for the gap.
+double hyperbolicGap(double c, double step, double distanceView) {
+    const double left = c - distanceView * step;
+    return left > 0.0 ? distanceView * distanceView * step / left : kInfinity;
+}
+
+/// The cascade that holds a distance; the last one's far plane counts as inside.
+const Cascade* findCascade(const Cascades& cascades, double distanceView) {
+    const auto found = std::find_if(cascades.begin(), cascades.end(),
+                                    [&](const Cascade& cascade) { return cascade.contains(distanceView); });
+    if (found != cascades.end()) {
+        return &*found;
+    }
+    return !cascades.empty() && distanceView == cascades.back().farView ? &cascades.back() : nullptr;
+}
+
+/// Bisects to the distance in [low, high] where `reached` turns from `lowState` to its opposite.
+double bisect(const std::function<bool(double)>& reached, double low, double high) {
+    const bool lowState = reached(low);
+    for (int i = 0; i < 200 && std::nextafter(low, high) < high; ++i) {
+        const double middle = 0.5 * (low + high);
+        (reached(middle) == lowState ? low : high) = middle;
+    }
+    return high;
+}
+
+} // namespace
+
+double separationView(const DepthRange& range, DepthFormat format, double distanceView) {
+    const double step = depthStep(format, zNdcAt(range, distanceView));
+    if (isLog(range.mapping)) {
+        return distanceView * std::expm1(step * std::log(*range.farView / range.nearView));
+    }
+    return hyperbolicGap(hyperbolaScale(range), step, distanceView);
+}
+
+double separationView(Mapping mapping, const Cascades& cascades, DepthFormat format, double distanceView) {
+    const Cascade* cascade = findCascade(cascades, distanceView);
+    if (cascade == nullptr) {
+        return kInfinity;
+    }
+    const bool open = mapping == Mapping::reversed && cascade == &cascades.back();
+    const DepthRange range{.mapping = mapping,
+                           .nearView = cascade->nearView,
+                           .farView = open ? std::nullopt : std::optional(cascade->farView)};
+    return separationView(range, format, distanceView);
+}
+
+double thesisSeparationView(Mapping mapping, const Cascades& cascades, int bits, double distanceView) {
+    const Cascade* cascade = findCascade(cascades, distanceView);
+    if (cascade == nullptr) {
+        return kInfinity;
+    }
+    const double n = cascade->nearView;
+    const double f = cascade->farView;
+    if (mapping == Mapping::standard) {
+        // Baker's form looks towards the camera: w - c / (c/w + step).
+        const double c = f * n / (f - n);
+        const double step = std::exp2(-bits);
+        return distanceView * distanceView * step / (c + distanceView * step);
+    }
+    if (mapping == Mapping::log) {
+        return distanceView * std::expm1(std::log(f / n) / (std::exp2(bits) - 1.0));
+    }
+    throw base::InputError("the thesis gives separations for standard and log alone");
+}
+
+std::optional<Crossing> findCrossing(const std::function<double(double)>& curve, double separation,
+                                     double nearView, double farView) {
+    // A cascade spans a ratio of 1.01 at the very least, so this grid steps into each.
+    constexpr int kSteps = 200'000;
+    const auto reached = [&](double w) { return curve(w) >= separation; };
+    const auto grid = [&](int i) {
+        return i == kSteps ? farView
+                           : nearView * std::pow(farView / nearView, static_cast<double>(i) / kSteps);
+    };
+    int first = -1;
+    int last = -1;
+    for (int i = 0; i <= kSteps; ++i) {
+        const bool here = reached(grid(i));
+        if (here && first < 0) {
+            first = i;
+        }
+        if (!here) {
+            last = i;
+        }
+    }
+    if (first < 0) {
+        return std::nullopt;
+    }
+    Crossing crossing;
+    crossing.reachedFirstView = first == 0 ? nearView : bisect(reached, grid(first - 1), grid(first));
+    crossing.heldLastView = last < 0         ? nearView
+                            : last == kSteps ? farView
+                                             : bisect(reached, grid(last), grid(last + 1));
+    return crossing;
+}
+
+} // namespace cdr::depth

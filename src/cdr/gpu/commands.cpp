@@ -1,0 +1,74 @@
+#include <cdr/base/error.h>
+#include <cdr/gpu/commands.h>
+
+#include <limits>
+
+namespace cdr::gpu {
+
+CommandPool::CommandPool(const Device& device, vk::CommandBufferLevel level, const std::string& name)
+    : m_device(device.handle()),
+      m_level(level),
+      m_pool(m_device.createCommandPoolUnique(
+          {.flags = vk::CommandPoolCreateFlagBits::eTransient, .queueFamilyIndex = device.queueFamily()})) {
+    device.setName(*m_pool, name);
+}
+
+void CommandPool::reset() {
+    m_device.resetCommandPool(*m_pool);
+    m_used = 0;
+}
+
+vk::CommandBuffer CommandPool::next() {
+    if (m_used == m_buffers.size()) {
+        m_buffers.push_back(
+            m_device
+                .allocateCommandBuffers({.commandPool = *m_pool, .level = m_level, .commandBufferCount = 1})
+                .front());
+    }
+    return m_buffers[m_used++];
+}
+
+void submitAndWait(const Device& device, vk::CommandBuffer commands) {
+    const vk::UniqueFence fence = device.handle().createFenceUnique({});
+    const vk::CommandBufferSubmitInfo buffer{.commandBuffer = commands};
+    device.queue().submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &buffer},
+                           *fence);
+    const vk::Result result =
+        device.handle().waitForFences(*fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+    vk::resultCheck(result, "vkWaitForFences");
+}
+
+void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>& record) {
+    CommandPool pool(device, vk::CommandBufferLevel::ePrimary, "one-time pool");
+    const vk::CommandBuffer commands = pool.next();
+    commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    record(commands);
+    commands.end();
+    submitAndWait(device, commands);
+}
+
+vk::ImageMemoryBarrier2 imageBarrier(vk::Image image, vk::ImageAspectFlags aspect,
+                                     vk::PipelineStageFlags2 srcStage, vk::AccessFlags2 srcAccess,
+                                     vk::PipelineStageFlags2 dstStage, vk::AccessFlags2 dstAccess,
+                                     vk::ImageLayout oldLayout, vk::ImageLayout newLayout) {
+    return {.srcStageMask = srcStage,
+            .srcAccessMask = srcAccess,
+            .dstStageMask = dstStage,
+            .dstAccessMask = dstAccess,
+            .oldLayout = oldLayout,
+            .newLayout = newLayout,
+            .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+            .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+            .image = image,
+            .subresourceRange = {aspect, 0, 1, 0, 1}};
+}
+
+void pipelineBarrier(vk::CommandBuffer commands, const std::vector<vk::ImageMemoryBarrier2>& images,
+                     const std::vector<vk::MemoryBarrier2>& memory) {
+    commands.pipelineBarrier2({.memoryBarrierCount = static_cast<std::uint32_t>(memory.size()),
+                               .pMemoryBarriers = memory.data(),
+                               .imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size()),
+                               .pImageMemoryBarriers = images.data()});
+}
+
+} // namespace cdr::gpu

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cdr/gpu/device.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cdr::gpu {
+
+/// A command pool of one thread and one frame slot. Buffers are handed out in turn and taken back all at once
+/// by reset(): resetting a pool whole costs little, freeing buffers one by one does not (Khronos
+/// Vulkan-Samples, command_buffer_usage).
+class CommandPool {
+  public:
+    CommandPool(const Device& device, vk::CommandBufferLevel level, const std::string& name);
+
+    /// Takes back every buffer handed out. None may be pending on the device.
+    void reset();
+    /// A buffer in the initial state; valid until the next reset().
+    vk::CommandBuffer next();
+
+  private:
+    vk::Device m_device;
+    vk::CommandBufferLevel m_level;
+    vk::UniqueCommandPool m_pool;
+    std::vector<vk::CommandBuffer> m_buffers;
+    std::size_t m_used = 0;
+};
+
+/// Submits a command buffer and waits for the device to finish it.
+/// base::RunError when the device is lost.
+void submitAndWait(const Device& device, vk::CommandBuffer commands);
+
+/// Records commands once, submits them and waits: for uploads, not for frames.
+void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>& record);
+
+/// One image barrier in the synchronization2 form.
+vk::ImageMemoryBarrier2 imageBarrier(vk::Image image, vk::ImageAspectFlags aspect,
+                                     vk::PipelineStageFlags2 srcStage, vk::AccessFlags2 srcAccess,
+                                     vk::PipelineStageFlags2 dstStage, vk::AccessFlags2 dstAccess,
+                                     vk::ImageLayout oldLayout, vk::ImageLayout newLayout);
+
+/// Puts barriers into a command buffer as one dependency.
+void pipelineBarrier(vk::CommandBuffer commands, const std::vector<vk::ImageMemoryBarrier2>& images,
+                     const std::vector<vk::MemoryBarrier2>& memory = {});
+
+} // namespace cdr::gpu

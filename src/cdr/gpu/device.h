@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cdr/gpu/instance.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+struct VmaAllocator_T;
+
+namespace cdr::gpu {
+
+/// What a device is and how it fits, for people and for JSON.
+struct DeviceInfo {
+    std::string name;
+    std::string driver;                    ///< driver name and its version text
+    std::string api;                       ///< "1.3.230"
+    std::string kind;                      ///< "cpu", "integrated", "discrete", "virtual" or "other"
+    std::uint32_t index = 0;               ///< as --device takes it
+    std::vector<std::string> missing;      ///< why cdr cannot use it; empty when it can
+    std::vector<std::string> depthFormats; ///< of d16, d24, d32f
+    std::uint32_t queues = 0;              ///< in the family cdr would use
+    std::uint32_t maxImageSide = 0;
+    std::uint64_t maxStorageBufferBytes = 0;
+    double timestampPeriodNs = 0.0;
+};
+
+/// Every device of the instance, in the loader's order.
+std::vector<DeviceInfo> listDevices(const Instance& instance);
+
+/// Handles of a device that somebody else made and keeps.
+///
+/// It must have been created for Vulkan 1.3 with dynamicRendering, synchronization2, depthClamp and
+/// shaderClipDistance on, and the queue must do graphics and compute. The maker destroys it after the
+/// gpu::Device that borrows it.
+struct BorrowedDevice {
+    vk::Instance instance;
+    vk::PhysicalDevice physical;
+    vk::Device device;
+    vk::Queue queue;
+    std::uint32_t queueFamily = 0;
+    bool hasDebugNames = false; ///< the instance has VK_EXT_debug_utils
+};
+
+/// A logical device with one queue and a memory allocator. Frees what it made itself, and borrows the rest.
+class Device {
+  public:
+    /// @param choice index ("0") or part of a name, case aside; empty takes the best usable one: discrete,
+    /// integrated,
+    ///        virtual, then CPU. base::InputError, naming each device and why it was refused, when none fits.
+    Device(const Instance& instance, const std::string& choice);
+    explicit Device(const BorrowedDevice& borrowed);
+
+    vk::Device handle() const { return m_device; }
+    vk::PhysicalDevice physical() const { return m_physical; }
+    vk::Queue queue() const { return m_queue; }
+    std::uint32_t queueFamily() const { return m_queueFamily; }
+    VmaAllocator_T* allocator() const { return m_allocator.get(); }
+    const DeviceInfo& info() const { return m_info; }
+
+    /// The Vulkan format for optimally tiled depth attachments that holds `bits` (16, 24 or 32 for float).
+    /// base::InputError, naming what the device has, when it lacks one.
+    vk::Format depthFormat(int bits) const;
+
+    /// Names an object for captures and validation messages; does nothing without VK_EXT_debug_utils.
+    template <typename Handle>
+    void setName(Handle handle, const std::string& name) const {
+        setObjectName(Handle::objectType, reinterpret_cast<std::uint64_t>(typename Handle::CType(handle)),
+                      name);
+    }
+    /// Opens and closes a labelled region in a command buffer, for captures.
+    void beginLabel(vk::CommandBuffer commands, const char* label) const;
+    void endLabel(vk::CommandBuffer commands) const;
+
+  private:
+    struct AllocatorDeleter {
+        void operator()(VmaAllocator_T* allocator) const;
+    };
+    void finish(vk::Instance instance, bool hasDebugNames);
+    void setObjectName(vk::ObjectType type, std::uint64_t handle, const std::string& name) const;
+
+    vk::PhysicalDevice m_physical;
+    vk::UniqueDevice m_owned; ///< empty when borrowed
+    vk::Device m_device;
+    std::uint32_t m_queueFamily = 0;
+    vk::Queue m_queue;
+    DeviceInfo m_info;
+    PFN_vkSetDebugUtilsObjectNameEXT m_setName = nullptr;
+    PFN_vkCmdBeginDebugUtilsLabelEXT m_beginLabel = nullptr;
+    PFN_vkCmdEndDebugUtilsLabelEXT m_endLabel = nullptr;
+    std::unique_ptr<VmaAllocator_T, AllocatorDeleter> m_allocator;
+};
+
+} // namespace cdr::gpu

@@ -1,0 +1,118 @@
+#include "device_query.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace cdr::gpu {
+
+namespace {
+
+std::string kindOf(vk::PhysicalDeviceType type) {
+    switch (type) {
+    case vk::PhysicalDeviceType::eCpu:
+        return "cpu";
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+        return "integrated";
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+        return "discrete";
+    case vk::PhysicalDeviceType::eVirtualGpu:
+        return "virtual";
+    default:
+        return "other";
+    }
+}
+
+std::string versionText(std::uint32_t version) {
+    return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
+                       VK_API_VERSION_PATCH(version));
+}
+
+std::vector<std::string> missingFrom(vk::PhysicalDevice physical) {
+    std::vector<std::string> missing;
+    if (physical.getProperties().apiVersion < VK_API_VERSION_1_3) {
+        // The feature structs below exist from 1.3 on, so nothing more can be asked.
+        return {"Vulkan 1.3"};
+    }
+    const auto features =
+        physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
+    const auto& core = features.get<vk::PhysicalDeviceFeatures2>().features;
+    const auto& v13 = features.get<vk::PhysicalDeviceVulkan13Features>();
+    for (const auto& [has, name] :
+         {std::pair{v13.dynamicRendering, "dynamicRendering"},
+          std::pair{v13.synchronization2, "synchronization2"}, std::pair{core.depthClamp, "depthClamp"},
+          std::pair{core.shaderClipDistance, "shaderClipDistance"}}) {
+        if (!has) {
+            missing.emplace_back(name);
+        }
+    }
+    if (!findQueueFamily(physical)) {
+        missing.emplace_back("a queue that does graphics and compute");
+    }
+    return missing;
+}
+
+} // namespace
+
+std::optional<std::uint32_t> findQueueFamily(vk::PhysicalDevice physical) {
+    constexpr auto kNeeded = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
+    const auto families = physical.getQueueFamilyProperties();
+    for (std::uint32_t i = 0; i < families.size(); ++i) {
+        if ((families[i].queueFlags & kNeeded) == kNeeded) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<vk::Format> findDepthFormat(vk::PhysicalDevice physical, int bits) {
+    using Candidates = std::vector<vk::Format>;
+    const Candidates candidates = bits == 16 ? Candidates{vk::Format::eD16Unorm}
+                                  : bits == 24
+                                      ? Candidates{vk::Format::eX8D24UnormPack32, vk::Format::eD24UnormS8Uint}
+                                      : Candidates{vk::Format::eD32Sfloat};
+    for (const vk::Format format : candidates) {
+        if (physical.getFormatProperties(format).optimalTilingFeatures &
+            vk::FormatFeatureFlagBits::eDepthStencilAttachment) {
+            return format;
+        }
+    }
+    return std::nullopt;
+}
+
+DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
+    const auto properties =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
+    const auto& core = properties.get<vk::PhysicalDeviceProperties2>().properties;
+    const auto& driver = properties.get<vk::PhysicalDeviceDriverProperties>();
+    DeviceInfo info;
+    info.name = core.deviceName.data();
+    info.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
+    info.api = versionText(core.apiVersion);
+    info.kind = kindOf(core.deviceType);
+    info.index = index;
+    info.missing = missingFrom(physical);
+    for (const auto& [bits, name] : {std::pair{16, "d16"}, std::pair{24, "d24"}, std::pair{32, "d32f"}}) {
+        if (findDepthFormat(physical, bits)) {
+            info.depthFormats.emplace_back(name);
+        }
+    }
+    if (const auto family = findQueueFamily(physical)) {
+        info.queues = physical.getQueueFamilyProperties()[*family].queueCount;
+    }
+    info.maxImageSide = core.limits.maxImageDimension2D;
+    info.maxStorageBufferBytes = core.limits.maxStorageBufferRange;
+    info.timestampPeriodNs = static_cast<double>(core.limits.timestampPeriod);
+    return info;
+}
+
+std::vector<DeviceInfo> listDevices(const Instance& instance) {
+    std::vector<DeviceInfo> infos;
+    for (const vk::PhysicalDevice physical : instance.handle().enumeratePhysicalDevices()) {
+        infos.push_back(describe(physical, static_cast<std::uint32_t>(infos.size())));
+    }
+    return infos;
+}
+
+} // namespace cdr::gpu

@@ -1,0 +1,105 @@
+#include <cdr/base/error.h>
+#include <cdr/gpu/instance.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace cdr::gpu {
+
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+bool hasLayer(const char* name) {
+    const auto layers = vk::enumerateInstanceLayerProperties();
+    return std::any_of(layers.begin(), layers.end(),
+                       [&](const auto& layer) { return std::strcmp(layer.layerName, name) == 0; });
+}
+
+bool hasExtension(const char* name) {
+    const auto extensions = vk::enumerateInstanceExtensionProperties();
+    return std::any_of(extensions.begin(), extensions.end(), [&](const auto& extension) {
+        return std::strcmp(extension.extensionName, name) == 0;
+    });
+}
+
+VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                         VkDebugUtilsMessageTypeFlagsEXT,
+                                         const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
+    static_cast<ValidationLog*>(log)->add(data->pMessage ? data->pMessage : "(no text)");
+    return VK_FALSE;
+}
+
+VkDebugUtilsMessengerCreateInfoEXT messengerInfo(ValidationLog& log) {
+    return {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
+            .pNext = nullptr,
+            .flags = 0,
+            .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
+                               VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
+            .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
+                           VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT,
+            .pfnUserCallback = onMessage,
+            .pUserData = &log};
+}
+
+} // namespace
+
+void ValidationLog::add(std::string message) {
+    const std::lock_guard lock(m_mutex);
+    m_messages.push_back(std::move(message));
+}
+
+std::vector<std::string> ValidationLog::messages() const {
+    const std::lock_guard lock(m_mutex);
+    return m_messages;
+}
+
+std::size_t ValidationLog::count() const {
+    const std::lock_guard lock(m_mutex);
+    return m_messages.size();
+}
+
+void Instance::MessengerDeleter::operator()(VkDebugUtilsMessengerEXT messenger) const {
+    const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+        instance.getProcAddr("vkDestroyDebugUtilsMessengerEXT"));
+    destroy(instance, messenger, nullptr);
+}
+
+Instance::Instance(const InstanceOptions& options) : m_validation(std::make_unique<ValidationLog>()) {
+    if (vk::enumerateInstanceVersion() < VK_API_VERSION_1_3) {
+        throw base::RunError("the Vulkan loader is older than 1.3; install a newer libvulkan1");
+    }
+    if (options.validate && !hasLayer(kValidationLayer)) {
+        throw base::InputError(
+            "--validate needs the Khronos validation layer; install vulkan-validationlayers");
+    }
+    std::vector<const char*> extensions = options.extensions;
+    m_hasDebugUtils = hasExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    if (m_hasDebugUtils) {
+        extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    }
+    const vk::ApplicationInfo application{.pApplicationName = "cdr", .apiVersion = VK_API_VERSION_1_3};
+    const auto messenger = messengerInfo(*m_validation);
+    constexpr std::array kEnabled{vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
+    const vk::ValidationFeaturesEXT features{.pNext = &messenger,
+                                             .enabledValidationFeatureCount = kEnabled.size(),
+                                             .pEnabledValidationFeatures = kEnabled.data()};
+    m_instance = vk::createInstanceUnique({
+        .pNext = options.validate ? &features : nullptr,
+        .pApplicationInfo = &application,
+        .enabledLayerCount = options.validate ? 1u : 0u,
+        .ppEnabledLayerNames = &kValidationLayer,
+        .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+        .ppEnabledExtensionNames = extensions.data(),
+    });
+    if (options.validate && m_hasDebugUtils) {
+        const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+            m_instance->getProcAddr("vkCreateDebugUtilsMessengerEXT"));
+        VkDebugUtilsMessengerEXT handle = VK_NULL_HANDLE;
+        const auto result = static_cast<vk::Result>(create(*m_instance, &messenger, nullptr, &handle));
+        vk::resultCheck(result, "vkCreateDebugUtilsMessengerEXT");
+        m_messenger = Messenger(handle, MessengerDeleter{*m_instance});
+    }
+}
+
+} // namespace cdr::gpu

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace cdr::gpu {
+
+/// Collects what the validation layers say; any thread may report. A test that renders fails unless it stays
+/// empty.
+class ValidationLog {
+  public:
+    void add(std::string message);
+    std::vector<std::string> messages() const;
+    std::size_t count() const;
+
+  private:
+    mutable std::mutex m_mutex;
+    std::vector<std::string> m_messages;
+};
+
+struct InstanceOptions {
+    /// Turn on the Khronos validation layer with synchronisation validation. base::InputError when it is not
+    /// installed.
+    bool validate = false;
+    /// Instance extensions a window system asks for.
+    std::vector<const char*> extensions;
+};
+
+/// The Vulkan loader's instance. base::RunError when there is no loader or no Vulkan 1.3.
+class Instance {
+  public:
+    explicit Instance(const InstanceOptions& options = {});
+
+    vk::Instance handle() const { return *m_instance; }
+    bool hasDebugNames() const { return m_hasDebugUtils; }
+    /// Empty unless validation is on and has something to say.
+    const ValidationLog& validation() const { return *m_validation; }
+
+  private:
+    struct MessengerDeleter {
+        vk::Instance instance;
+        void operator()(VkDebugUtilsMessengerEXT messenger) const;
+    };
+    using Messenger = std::unique_ptr<VkDebugUtilsMessengerEXT_T, MessengerDeleter>;
+
+    // Declared before the handles that write to it, so it outlives them.
+    std::unique_ptr<ValidationLog> m_validation;
+    bool m_hasDebugUtils = false;
+    vk::UniqueInstance m_instance;
+    Messenger m_messenger;
+};
+
+} // namespace cdr::gpu

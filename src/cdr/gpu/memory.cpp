@@ -1,0 +1,122 @@
+#include <cdr/base/error.h>
+#include <cdr/gpu/memory.h>
+
+#include <fmt/format.h>
+#include <vk_mem_alloc.h>
+#include <vulkan/vulkan_format_traits.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace cdr::gpu {
+
+namespace {
+
+void check(VkResult result, const char* call, const std::string& name, std::uint64_t bytes) {
+    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
+        throw base::RunError(fmt::format("{}: out of memory for {} ({} bytes)", call, name, bytes));
+    }
+    vk::resultCheck(static_cast<vk::Result>(result), call);
+}
+
+VmaAllocationCreateInfo allocationInfo(MemoryUse use) {
+    VmaAllocationCreateInfo info{};
+    info.usage = VMA_MEMORY_USAGE_AUTO;
+    if (use == MemoryUse::hostWrites) {
+        info.flags =
+            VMA_ALLOCATION_CREATE_MAPPED_BIT | VMA_ALLOCATION_CREATE_HOST_ACCESS_SEQUENTIAL_WRITE_BIT;
+    } else if (use == MemoryUse::hostReads) {
+        info.flags = VMA_ALLOCATION_CREATE_MAPPED_BIT | VMA_ALLOCATION_CREATE_HOST_ACCESS_RANDOM_BIT;
+    }
+    return info;
+}
+
+} // namespace
+
+void AllocationDeleter::operator()(VkBuffer buffer) const {
+    vmaDestroyBuffer(allocator, buffer, allocation);
+}
+
+void AllocationDeleter::operator()(VkImage image) const {
+    vmaDestroyImage(allocator, image, allocation);
+}
+
+Buffer::Buffer(const Device& device, std::size_t bytes, vk::BufferUsageFlags usage, MemoryUse use,
+               const std::string& name)
+    : m_bytes(bytes) {
+    // Vulkan has no buffers of no bytes; an empty scene still gets its buffers.
+    const vk::BufferCreateInfo bufferInfo{.size = std::max<std::size_t>(bytes, 4), .usage = usage};
+    const VmaAllocationCreateInfo memory = allocationInfo(use);
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VmaAllocation allocation = nullptr;
+    VmaAllocationInfo info{};
+    check(vmaCreateBuffer(device.allocator(), &static_cast<const VkBufferCreateInfo&>(bufferInfo), &memory,
+                          &buffer, &allocation, &info),
+          "vmaCreateBuffer", name, bytes);
+    m_buffer = {buffer, AllocationDeleter{device.allocator(), allocation}};
+    m_mapped = info.pMappedData;
+    device.setName(handle(), name);
+}
+
+void Buffer::flush() const {
+    check(vmaFlushAllocation(m_buffer.get_deleter().allocator, m_buffer.get_deleter().allocation, 0,
+                             VK_WHOLE_SIZE),
+          "vmaFlushAllocation", "a buffer", m_bytes);
+}
+
+void Buffer::invalidate() const {
+    check(vmaInvalidateAllocation(m_buffer.get_deleter().allocator, m_buffer.get_deleter().allocation, 0,
+                                  VK_WHOLE_SIZE),
+          "vmaInvalidateAllocation", "a buffer", m_bytes);
+}
+
+Image::Image(const Device& device, const ImageOptions& options, const std::string& name)
+    : m_options(options) {
+    const vk::ImageCreateInfo imageInfo{.imageType = vk::ImageType::e2D,
+                                        .format = options.format,
+                                        .extent = {options.extent.width, options.extent.height, 1},
+                                        .mipLevels = 1,
+                                        .arrayLayers = 1,
+                                        .usage = options.usage};
+    const VmaAllocationCreateInfo memory = allocationInfo(MemoryUse::deviceOnly);
+    VkImage image = VK_NULL_HANDLE;
+    VmaAllocation allocation = nullptr;
+    const std::uint64_t bytes =
+        std::uint64_t{options.extent.width} * options.extent.height * vk::blockSize(options.format);
+    check(vmaCreateImage(device.allocator(), &static_cast<const VkImageCreateInfo&>(imageInfo), &memory,
+                         &image, &allocation, nullptr),
+          "vmaCreateImage", name, bytes);
+    m_image = {image, AllocationDeleter{device.allocator(), allocation}};
+    m_view = device.handle().createImageViewUnique({.image = image,
+                                                    .viewType = vk::ImageViewType::e2D,
+                                                    .format = options.format,
+                                                    .subresourceRange = range()});
+    device.setName(handle(), name);
+    device.setName(*m_view, name + " view");
+}
+
+std::uint64_t freeDeviceBytes(const Device& device) {
+    const VkPhysicalDeviceMemoryProperties* memory = nullptr;
+    vmaGetMemoryProperties(device.allocator(), &memory);
+    std::array<VmaBudget, VK_MAX_MEMORY_HEAPS> budgets{};
+    vmaGetHeapBudgets(device.allocator(), budgets.data());
+    std::uint64_t most = 0;
+    for (std::uint32_t heap = 0; heap < memory->memoryHeapCount; ++heap) {
+        if (memory->memoryHeaps[heap].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) {
+            const VmaBudget& budget = budgets[heap];
+            most = std::max<std::uint64_t>(most, budget.budget - std::min(budget.usage, budget.budget));
+        }
+    }
+    return most;
+}
+
+void requireDeviceBytes(const Device& device, std::uint64_t bytes, const std::string& what) {
+    const std::uint64_t available = freeDeviceBytes(device);
+    if (bytes > available) {
+        throw base::RunError(fmt::format("{} needs {:.1f} MiB of device memory, {:.1f} MiB are free on {}",
+                                         what, static_cast<double>(bytes) / 0x1p20,
+                                         static_cast<double>(available) / 0x1p20, device.info().name));
+    }
+}
+
+} // namespace cdr::gpu

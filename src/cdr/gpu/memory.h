@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cdr/gpu/device.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+
+struct VmaAllocation_T;
+
+namespace cdr::gpu {
+
+/// Where a buffer lives and who touches it.
+enum class MemoryUse {
+    deviceOnly, ///< written by transfers and shaders
+    hostWrites, ///< mapped, written once and in order by the CPU, read by the device
+    hostReads,  ///< mapped, cached, written by the device, read by the CPU
+};
+
+/// Frees a buffer or an image together with its memory.
+struct AllocationDeleter {
+    VmaAllocator_T* allocator = nullptr;
+    VmaAllocation_T* allocation = nullptr;
+    void operator()(VkBuffer buffer) const;
+    void operator()(VkImage image) const;
+};
+
+/// A buffer and its memory, freed together. Empty when default-made.
+class Buffer {
+  public:
+    Buffer() = default;
+    Buffer(const Device& device, std::size_t bytes, vk::BufferUsageFlags usage, MemoryUse use,
+           const std::string& name);
+
+    vk::Buffer handle() const { return m_buffer.get(); }
+    std::size_t size() const { return m_bytes; }
+    /// Start of the mapping; null for MemoryUse::deviceOnly.
+    void* mapped() const { return m_mapped; }
+    /// The mapping as values; the buffer must hold `count` of them.
+    template <typename T>
+    std::span<T> as(std::size_t count) const {
+        return {static_cast<T*>(m_mapped), count};
+    }
+    /// Makes host writes visible to the device, or device writes to the host, where memory is not coherent.
+    void flush() const;
+    void invalidate() const;
+
+  private:
+    std::unique_ptr<VkBuffer_T, AllocationDeleter> m_buffer;
+    void* m_mapped = nullptr;
+    std::size_t m_bytes = 0;
+};
+
+struct ImageOptions {
+    vk::Extent2D extent;
+    vk::Format format = vk::Format::eUndefined;
+    vk::ImageUsageFlags usage;
+    vk::ImageAspectFlags aspect = vk::ImageAspectFlagBits::eColor;
+};
+
+/// A 2D image with one level, its memory and its view, freed together. Empty when default-made.
+class Image {
+  public:
+    Image() = default;
+    Image(const Device& device, const ImageOptions& options, const std::string& name);
+
+    vk::Image handle() const { return m_image.get(); }
+    vk::ImageView view() const { return *m_view; }
+    const ImageOptions& options() const { return m_options; }
+    vk::ImageSubresourceRange range() const { return {m_options.aspect, 0, 1, 0, 1}; }
+
+  private:
+    ImageOptions m_options;
+    std::unique_ptr<VkImage_T, AllocationDeleter> m_image;
+    vk::UniqueImageView m_view;
+};
+
+/// Device-local bytes that are still free, as the driver budgets them.
+std::uint64_t freeDeviceBytes(const Device& device);
+
+/// base::RunError, naming both figures, when `bytes` for `what` exceed what is free. Call before allocating.
+void requireDeviceBytes(const Device& device, std::uint64_t bytes, const std::string& what);
+
+} // namespace cdr::gpu

@@ -1,0 +1,160 @@
+#include <cdr/gpu/pipeline.h>
+
+#include <array>
+#include <numeric>
+
+namespace cdr::gpu {
+
+namespace {
+
+vk::UniqueShaderModule makeModule(const Device& device, std::span<const std::uint32_t> spirv) {
+    return device.handle().createShaderModuleUnique({.codeSize = spirv.size_bytes(), .pCode = spirv.data()});
+}
+
+/// Constants 0, 1, ... laid out one after the other.
+struct Specialization {
+    std::vector<vk::SpecializationMapEntry> entries;
+    vk::SpecializationInfo info;
+
+    explicit Specialization(const std::vector<std::uint32_t>& constants) {
+        for (std::uint32_t i = 0; i < constants.size(); ++i) {
+            entries.push_back({.constantID = i, .offset = 4 * i, .size = 4});
+        }
+        info = {.mapEntryCount = static_cast<std::uint32_t>(entries.size()),
+                .pMapEntries = entries.data(),
+                .dataSize = constants.size() * 4,
+                .pData = constants.data()};
+    }
+};
+
+} // namespace
+
+vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options) {
+    const vk::UniqueShaderModule vertex = makeModule(device, options.vertexSpirv);
+    const vk::UniqueShaderModule fragment = makeModule(device, options.fragmentSpirv);
+    const Specialization constants(options.constants);
+    const std::array stages{
+        vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eVertex,
+                                          .module = *vertex,
+                                          .pName = "main",
+                                          .pSpecializationInfo = &constants.info},
+        vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eFragment,
+                                          .module = *fragment,
+                                          .pName = "main",
+                                          .pSpecializationInfo = &constants.info},
+    };
+    const vk::PipelineVertexInputStateCreateInfo vertexInput{
+        .vertexBindingDescriptionCount = static_cast<std::uint32_t>(options.bindings.size()),
+        .pVertexBindingDescriptions = options.bindings.data(),
+        .vertexAttributeDescriptionCount = static_cast<std::uint32_t>(options.attributes.size()),
+        .pVertexAttributeDescriptions = options.attributes.data()};
+    const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
+    const bool hasDepth = options.depthFormat != vk::Format::eUndefined;
+    const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
+    const vk::PipelineRasterizationStateCreateInfo raster{.depthClampEnable = hasDepth, .lineWidth = 1.0f};
+    const vk::PipelineMultisampleStateCreateInfo multisample{};
+    const vk::PipelineDepthStencilStateCreateInfo depth{
+        .depthTestEnable = hasDepth, .depthWriteEnable = hasDepth, .depthCompareOp = options.depthCompare};
+    const std::vector<vk::PipelineColorBlendAttachmentState> blends(
+        options.colorFormats.size(),
+        {.colorWriteMask = vk::ColorComponentFlagBits::eR | vk::ColorComponentFlagBits::eG |
+                           vk::ColorComponentFlagBits::eB | vk::ColorComponentFlagBits::eA});
+    const vk::PipelineColorBlendStateCreateInfo blend{
+        .attachmentCount = static_cast<std::uint32_t>(blends.size()), .pAttachments = blends.data()};
+    constexpr std::array kDynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor,
+                                  vk::DynamicState::eCullMode, vk::DynamicState::eFrontFace};
+    const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = kDynamic.size(),
+                                                     .pDynamicStates = kDynamic.data()};
+    const vk::PipelineRenderingCreateInfo rendering{
+        .colorAttachmentCount = static_cast<std::uint32_t>(options.colorFormats.size()),
+        .pColorAttachmentFormats = options.colorFormats.data(),
+        .depthAttachmentFormat = options.depthFormat};
+    auto [result, pipeline] =
+        device.handle().createGraphicsPipelineUnique({}, {.pNext = &rendering,
+                                                          .stageCount = stages.size(),
+                                                          .pStages = stages.data(),
+                                                          .pVertexInputState = &vertexInput,
+                                                          .pInputAssemblyState = &assembly,
+                                                          .pViewportState = &viewport,
+                                                          .pRasterizationState = &raster,
+                                                          .pMultisampleState = &multisample,
+                                                          .pDepthStencilState = &depth,
+                                                          .pColorBlendState = &blend,
+                                                          .pDynamicState = &dynamic,
+                                                          .layout = options.layout});
+    vk::resultCheck(result, "vkCreateGraphicsPipelines");
+    device.setName(*pipeline, options.name);
+    return std::move(pipeline);
+}
+
+vk::UniquePipelineLayout makePipelineLayout(const Device& device,
+                                            const std::vector<vk::DescriptorSetLayout>& sets,
+                                            const std::vector<vk::PushConstantRange>& constants,
+                                            const std::string& name) {
+    auto layout = device.handle().createPipelineLayoutUnique(
+        {.setLayoutCount = static_cast<std::uint32_t>(sets.size()),
+         .pSetLayouts = sets.data(),
+         .pushConstantRangeCount = static_cast<std::uint32_t>(constants.size()),
+         .pPushConstantRanges = constants.data()});
+    device.setName(*layout, name);
+    return layout;
+}
+
+vk::UniqueDescriptorSetLayout makeSetLayout(const Device& device,
+                                            const std::vector<vk::DescriptorType>& types,
+                                            vk::ShaderStageFlags stages, const std::string& name) {
+    std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    for (const vk::DescriptorType type : types) {
+        bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
+                            .descriptorType = type,
+                            .descriptorCount = 1,
+                            .stageFlags = stages});
+    }
+    auto layout = device.handle().createDescriptorSetLayoutUnique(
+        {.bindingCount = static_cast<std::uint32_t>(bindings.size()), .pBindings = bindings.data()});
+    device.setName(*layout, name);
+    return layout;
+}
+
+vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, std::uint32_t sets, std::uint32_t perSet,
+                                            const std::vector<vk::DescriptorType>& types) {
+    std::vector<vk::DescriptorPoolSize> sizes;
+    for (const vk::DescriptorType type : types) {
+        sizes.push_back({.type = type, .descriptorCount = sets * perSet});
+    }
+    return device.handle().createDescriptorPoolUnique(
+        {.maxSets = sets,
+         .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
+         .pPoolSizes = sizes.data()});
+}
+
+vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, vk::DescriptorSetLayout layout) {
+    return device.handle()
+        .allocateDescriptorSets({.descriptorPool = pool, .descriptorSetCount = 1, .pSetLayouts = &layout})
+        .front();
+}
+
+void writeBufferBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
+                        vk::DescriptorType type, vk::Buffer buffer) {
+    const vk::DescriptorBufferInfo info{.buffer = buffer, .range = VK_WHOLE_SIZE};
+    device.handle().updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
+                                                                .dstBinding = binding,
+                                                                .descriptorCount = 1,
+                                                                .descriptorType = type,
+                                                                .pBufferInfo = &info},
+                                         {});
+}
+
+void writeImageBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
+                       vk::DescriptorType type, vk::ImageView view, vk::Sampler sampler) {
+    const vk::DescriptorImageInfo info{
+        .sampler = sampler, .imageView = view, .imageLayout = vk::ImageLayout::eShaderReadOnlyOptimal};
+    device.handle().updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
+                                                                .dstBinding = binding,
+                                                                .descriptorCount = 1,
+                                                                .descriptorType = type,
+                                                                .pImageInfo = &info},
+                                         {});
+}
+
+} // namespace cdr::gpu

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cdr/gpu/device.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cdr::gpu {
+
+/// What a graphics pipeline is made from; viewport, scissor, cull mode and front face stay dynamic.
+struct GraphicsPipelineOptions {
+    std::string name;
+    std::span<const std::uint32_t> vertexSpirv;
+    std::span<const std::uint32_t> fragmentSpirv;
+    /// Specialisation constants 0, 1, ... of both stages.
+    std::vector<std::uint32_t> constants;
+    vk::PipelineLayout layout;
+    std::vector<vk::VertexInputBindingDescription> bindings;
+    std::vector<vk::VertexInputAttributeDescription> attributes;
+    std::vector<vk::Format> colorFormats;
+    vk::Format depthFormat =
+        vk::Format::eUndefined; ///< undefined: no depth test; else depth is tested, written and clamped
+    vk::CompareOp depthCompare = vk::CompareOp::eLessOrEqual;
+};
+
+vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options);
+
+vk::UniquePipelineLayout makePipelineLayout(const Device& device,
+                                            const std::vector<vk::DescriptorSetLayout>& sets,
+                                            const std::vector<vk::PushConstantRange>& constants,
+                                            const std::string& name);
+
+/// A descriptor set layout whose binding i has the i-th type, one descriptor each.
+vk::UniqueDescriptorSetLayout makeSetLayout(const Device& device,
+                                            const std::vector<vk::DescriptorType>& types,
+                                            vk::ShaderStageFlags stages, const std::string& name);
+
+/// A pool with room for `sets` descriptor sets that hold `perSet` of each descriptor type named.
+vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, std::uint32_t sets, std::uint32_t perSet,
+                                            const std::vector<vk::DescriptorType>& types);
+
+vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, vk::DescriptorSetLayout layout);
+
+/// Points a binding at a whole buffer, or at an image that shaders read.
+void writeBufferBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
+                        vk::DescriptorType type, vk::Buffer buffer);
+void writeImageBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
+                       vk::DescriptorType type, vk::ImageView view, vk::Sampler sampler);
+
+} // namespace cdr::gpu

@@ -1,0 +1,3 @@
+// The one translation unit that holds the allocator's implementation.
+#define VMA_IMPLEMENTATION
+#include <vk_mem_alloc.h>

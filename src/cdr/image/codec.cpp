@@ -1,0 +1,58 @@
+#include "codec_jpeg.h"
+#include "codec_limits.h"
+#include "codec_png.h"
+
+#include <cdr/base/error.h>
+#include <cdr/base/file.h>
+#include <cdr/image/codec.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace cdr::image {
+
+namespace {
+
+std::string lowerCase(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+} // namespace
+
+void requireDecodableSize(std::uint64_t width, std::uint64_t height, const std::string& name) {
+    if (width == 0 || height == 0) {
+        throw base::InputError(fmt::format("{}: the picture has no pixels", name));
+    }
+    if (width > kMaxDecodedSide || height > kMaxDecodedSide || width * height > kMaxDecodedPixels) {
+        throw base::InputError(fmt::format("{}: {}x{} pixels is over the limit of {} a side and {} in all",
+                                           name, width, height, kMaxDecodedSide, kMaxDecodedPixels));
+    }
+}
+
+ImageRgba8 decodeImage(std::span<const std::uint8_t> encoded, const std::string& name) {
+    if (looksLikePng(encoded)) {
+        return decodePng(encoded, name);
+    }
+    if (looksLikeJpeg(encoded)) {
+        return decodeJpeg(encoded, name);
+    }
+    throw base::InputError(fmt::format("{}: neither PNG nor JPEG", name));
+}
+
+void writeImage(const std::filesystem::path& path, const ImageRgba8& image) {
+    const std::string extension = lowerCase(path.extension().string());
+    if (extension == ".png") {
+        base::writeFile(path, encodePng(image));
+    } else if (extension == ".tga") {
+        base::writeFile(path, encodeTga(image));
+    } else {
+        throw base::InputError(
+            fmt::format("{}: cannot write '{}' pictures, use .png or .tga", path.string(), extension));
+    }
+}
+
+} // namespace cdr::image

@@ -1,0 +1,110 @@
+#include "codec_png.h"
+
+#include "codec_limits.h"
+
+#include <cdr/base/error.h>
+#include <cdr/image/codec.h>
+
+#include <fmt/format.h>
+#include <spng.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <memory>
+
+namespace cdr::image {
+
+namespace {
+
+constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+
+/// Deflate cannot expand further than this, so a picture that claims more is damaged before it is allocated.
+constexpr std::uint64_t kMaxDeflateRatio = 1032;
+
+/// Text, profiles and other side chunks that we do not use may take this much memory together.
+constexpr std::size_t kMaxChunkBytes = 16u << 20;
+
+constexpr int kCompressionLevel = 6;
+
+using Context = std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)>;
+
+Context makeContext(int flags) {
+    Context context(spng_ctx_new(flags), &spng_ctx_free);
+    if (!context) {
+        throw base::RunError("PNG: out of memory");
+    }
+    return context;
+}
+
+void requireDecoded(int error, const std::string& name) {
+    if (error != SPNG_OK) {
+        throw base::InputError(fmt::format("{}: damaged PNG: {}", name, spng_strerror(error)));
+    }
+}
+
+void requireEncoded(int error) {
+    if (error != SPNG_OK) {
+        throw base::RunError(fmt::format("PNG: cannot encode: {}", spng_strerror(error)));
+    }
+}
+
+void requirePlausible(const spng_ihdr& header, std::size_t encodedBytes, const std::string& name) {
+    requireDecodableSize(header.width, header.height, name);
+    constexpr std::array<std::uint64_t, 7> kChannels{1, 1, 3, 1, 2, 1, 4};
+    const std::uint64_t bits = kChannels.at(header.color_type) * header.bit_depth * header.width;
+    const std::uint64_t filtered = header.height * (1 + bits / 8);
+    if (filtered / kMaxDeflateRatio > encodedBytes) {
+        throw base::InputError(fmt::format("{}: damaged PNG: {} bytes cannot hold {}x{} pixels", name,
+                                           encodedBytes, header.width, header.height));
+    }
+}
+
+} // namespace
+
+bool looksLikePng(std::span<const std::uint8_t> encoded) {
+    return encoded.size() >= kSignature.size() &&
+           std::equal(kSignature.begin(), kSignature.end(), encoded.begin());
+}
+
+ImageRgba8 decodePng(std::span<const std::uint8_t> encoded, const std::string& name) {
+    const Context context = makeContext(0);
+    requireDecoded(spng_set_png_buffer(context.get(), encoded.data(), encoded.size()), name);
+    requireDecoded(spng_set_chunk_limits(context.get(), kMaxChunkBytes, kMaxChunkBytes), name);
+    spng_ihdr header{};
+    requireDecoded(spng_get_ihdr(context.get(), &header), name);
+    requirePlausible(header, encoded.size(), name);
+    ImageRgba8 image(header.width, header.height);
+    requireDecoded(spng_decode_image(context.get(), image.pixels.data(), image.pixels.size() * sizeof(Rgba8),
+                                     SPNG_FMT_RGBA8, SPNG_DECODE_TRNS),
+                   name);
+    // Reads on to the end, so that a file cut off after its last pixel is noticed too.
+    requireDecoded(spng_decode_chunks(context.get()), name);
+    return image;
+}
+
+std::vector<std::uint8_t> encodePng(const ImageRgba8& image) {
+    if (image.pixels.empty()) {
+        throw base::InputError("PNG: the picture has no pixels");
+    }
+    const Context context = makeContext(SPNG_CTX_ENCODER);
+    spng_ihdr header{};
+    header.width = image.width;
+    header.height = image.height;
+    header.bit_depth = 8;
+    header.color_type = SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
+    requireEncoded(spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1));
+    requireEncoded(spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, kCompressionLevel));
+    requireEncoded(spng_set_ihdr(context.get(), &header));
+    requireEncoded(spng_encode_image(context.get(), image.pixels.data(), image.pixels.size() * sizeof(Rgba8),
+                                     SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE));
+    std::size_t size = 0;
+    int error = SPNG_OK;
+    const std::unique_ptr<void, decltype(&std::free)> bytes(spng_get_png_buffer(context.get(), &size, &error),
+                                                            &std::free);
+    requireEncoded(error);
+    const auto* first = static_cast<const std::uint8_t*>(bytes.get());
+    return {first, first + size};
+}
+
+} // namespace cdr::image

@@ -1,0 +1,117 @@
+#include <cdr/base/error.h>
+#include <cdr/measure/tile_bins.h>
+#include <cdr/measure/truth.h>
+#include <cdr/measure/visible_instances.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace cdr::measure {
+
+namespace {
+
+bool isNearer(double distanceA, std::uint32_t idA, double distanceB, std::uint32_t idB) {
+    return distanceA < distanceB || (distanceA == distanceB && idA < idB);
+}
+
+/// Enters a visible hit. Whatever the order of hits, the pixel ends up the same.
+void enterHit(TruthPixel& pixel, double distanceView, std::uint32_t id) {
+    if (id == pixel.id) {
+        pixel.distanceView = std::min(pixel.distanceView, distanceView);
+    } else if (isNearer(distanceView, id, pixel.distanceView, pixel.id)) {
+        pixel.secondId = pixel.id;
+        pixel.secondDistanceView = pixel.distanceView;
+        pixel.id = id;
+        pixel.distanceView = distanceView;
+    } else if (isNearer(distanceView, id, pixel.secondDistanceView, pixel.secondId)) {
+        pixel.secondId = id;
+        pixel.secondDistanceView = distanceView;
+    }
+}
+
+void castInstance(const VisibleInstance& instance, const PixelRect& pixels, const PixelSlopes& slopes,
+                  const scene::Camera& camera, TruthImage& truth) {
+    for (std::uint32_t y = pixels.top; y < pixels.bottom; ++y) {
+        for (std::uint32_t x = pixels.left; x < pixels.right; ++x) {
+            TruthPixel& pixel = truth.at(x, y);
+            if (instance.nearestView > pixel.secondDistanceView) {
+                continue;
+            }
+            const ViewRange range{camera.nearView, std::min(camera.farView, pixel.secondDistanceView)};
+            const double hit = instance.shape->nearest(instance.camera.ray(slopes.x[x], slopes.y[y]),
+                                                       instance.doubleSided, range);
+            if (hit < kNoHit) {
+                enterHit(pixel, hit, instance.id);
+            }
+        }
+    }
+}
+
+/// Beyond this view distance nothing changes the tile any more.
+double farthestSecond(const PixelRect& pixels, const TruthImage& truth) {
+    double farthest = 0.0;
+    for (std::uint32_t y = pixels.top; y < pixels.bottom; ++y) {
+        for (std::uint32_t x = pixels.left; x < pixels.right; ++x) {
+            farthest = std::max(farthest, truth.at(x, y).secondDistanceView);
+        }
+    }
+    return farthest;
+}
+
+void castTile(std::span<const VisibleInstance> nearestFirst, std::span<const std::uint32_t> members,
+              const PixelRect& tile, const PixelSlopes& slopes, const scene::Camera& camera,
+              TruthImage& truth) {
+    // Often enough to end early, seldom enough to cost nothing.
+    constexpr std::size_t kCheckEvery = 8;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const VisibleInstance& instance = nearestFirst[members[i]];
+        if (i % kCheckEvery == kCheckEvery - 1 && instance.nearestView > farthestSecond(tile, truth)) {
+            return;
+        }
+        castInstance(instance, intersection(tile, instance.pixels), slopes, camera, truth);
+    }
+}
+
+} // namespace
+
+TruthCaster::TruthCaster(const scene::Scene& scene, base::WorkerPool& workers) : m_scene(&scene) {
+    std::vector<std::optional<Shape>> shapes(scene.meshes.size());
+    workers.run(shapes.size(),
+                [&](std::size_t mesh, std::size_t) { shapes[mesh].emplace(scene.meshes[mesh]); });
+    m_shapes.reserve(shapes.size());
+    for (std::optional<Shape>& shape : shapes) {
+        m_shapes.push_back(std::move(*shape));
+    }
+}
+
+TruthImage TruthCaster::cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
+                             base::WorkerPool& workers) const {
+    scene::requireUsable(camera);
+    if (width == 0 || height == 0) {
+        throw base::InputError("truth: a picture needs at least one pixel");
+    }
+    const std::vector<VisibleInstance> nearestFirst =
+        visibleInstances(*m_scene, m_shapes, camera, width, height, workers);
+    std::vector<PixelRect> rects;
+    rects.reserve(nearestFirst.size());
+    for (const VisibleInstance& instance : nearestFirst) {
+        rects.push_back(instance.pixels);
+    }
+    const TileBins bins(width, height, rects);
+    const PixelSlopes slopes = pixelSlopes(camera, width, height);
+    TruthImage truth(width, height);
+    workers.run(bins.tiles(), [&](std::size_t tile, std::size_t) {
+        castTile(nearestFirst, bins.members(tile), bins.pixels(tile), slopes, camera, truth);
+    });
+    return truth;
+}
+
+TruthImage castTruth(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
+                     std::uint32_t height, base::WorkerPool& workers) {
+    return TruthCaster(scene, workers).cast(camera, width, height, workers);
+}
+
+} // namespace cdr::measure

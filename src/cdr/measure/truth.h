@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cdr/base/worker_pool.h>
+#include <cdr/image/image.h>
+#include <cdr/measure/shape.h>
+#include <cdr/scene/camera.h>
+#include <cdr/scene/scene.h>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace cdr::measure {
+
+/// What a perfect renderer sees through one pixel's centre. Of surfaces at the same distance to the last bit
+/// the one with the lower object index counts as nearer.
+struct TruthPixel {
+    std::uint32_t id = 0;       ///< object index + 1 of the nearest surface; 0 is background
+    std::uint32_t secondId = 0; ///< the nearest surface of another object along the same ray; 0 if none
+    /// View distance of the nearest surface; infinity for background.
+    double distanceView = std::numeric_limits<double>::infinity();
+    /// View distance of the second; infinity if none.
+    double secondDistanceView = std::numeric_limits<double>::infinity();
+
+    bool operator==(const TruthPixel&) const = default;
+};
+
+using TruthImage = image::Raster<TruthPixel>;
+
+/// Casts one float64 ray through every pixel centre, in each object's own space so it stays exact far away.
+/// Shares no code with the renderer's projection.
+///
+/// Visible is what lies within the camera's [near, far], both ends included, and is not the back of a
+/// single-sided material; behind an invisible surface the object's next one counts. Fronts are
+/// counter-clockwise in object space, so a mirroring basis keeps the same faces in front. Every alpha mode
+/// counts as opaque. An instance whose basis is flat (no inverse) is invisible.
+///
+/// Prepares the scene's meshes once, for any number of pictures.
+class TruthCaster {
+  public:
+    /// @param scene must outlive the caster, its meshes unchanged; instances may change.
+    /// base::InputError when a mesh is unsound.
+    TruthCaster(const scene::Scene& scene, base::WorkerPool& workers);
+
+    /// The picture of width x height pixels; its bits do not depend on the number of workers.
+    /// base::InputError when the camera is not usable, the picture has no pixels, or an instance is not
+    /// finite or refers to a mesh, material or object that cannot be.
+    TruthImage cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
+                    base::WorkerPool& workers) const;
+
+  private:
+    const scene::Scene* m_scene;
+    std::vector<Shape> m_shapes; ///< per mesh
+};
+
+/// One picture by a TruthCaster of its own.
+TruthImage castTruth(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
+                     std::uint32_t height, base::WorkerPool& workers);
+
+} // namespace cdr::measure

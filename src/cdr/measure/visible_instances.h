@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cdr/base/worker_pool.h>
+#include <cdr/measure/object_ray.h>
+#include <cdr/measure/screen_bounds.h>
+#include <cdr/measure/shape.h>
+#include <cdr/scene/camera.h>
+#include <cdr/scene/scene.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cdr::measure {
+
+/// An instance that may cover pixels, ready for rays.
+struct VisibleInstance {
+    const Shape* shape = nullptr;
+    bool doubleSided = false;
+    std::uint32_t id = 0; ///< object index + 1
+    double nearestView = 0.0;
+    PixelRect pixels;
+    PlacedCamera camera;
+};
+
+/// The instances that may cover pixels of the picture, by nearest view distance, then by instance index.
+/// base::InputError when an instance is not finite or refers to a mesh, material or object that cannot be.
+/// @param shapes one per mesh of the scene; must outlive the result.
+std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::span<const Shape> shapes,
+                                              const scene::Camera& camera, std::uint32_t width,
+                                              std::uint32_t height, base::WorkerPool& workers);
+
+} // namespace cdr::measure

@@ -1,0 +1,106 @@
+#include <cdr/base/error.h>
+#include <cdr/measure/wrong_pixels.h>
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+namespace cdr::measure {
+
+namespace {
+
+constexpr image::Rgba8 kWrong{255, 0, 0, 255};
+constexpr image::Rgba8 kWrongOnEdge{255, 165, 0, 255};
+
+template <typename A, typename B>
+void requireSameSize(const image::Raster<A>& a, const image::Raster<B>& b, const char* what) {
+    if (a.width != b.width || a.height != b.height) {
+        throw base::InputError(
+            fmt::format("{}: {}x{} differs from {}x{}", what, a.width, a.height, b.width, b.height));
+    }
+}
+
+bool isInner(const TruthImage& truth, std::uint32_t x, std::uint32_t y) {
+    if (x == 0 || y == 0 || x + 1 >= truth.width || y + 1 >= truth.height) {
+        return false;
+    }
+    const std::uint32_t id = truth.at(x, y).id;
+    if (id == 0) {
+        return false;
+    }
+    for (std::uint32_t j = y - 1; j <= y + 1; ++j) {
+        for (std::uint32_t i = x - 1; i <= x + 1; ++i) {
+            if (truth.at(i, j).id != id) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Half as bright and without hue, so that only the marks have colour.
+image::Rgba8 dimmed(const image::Rgba8& color) {
+    // Rec. 709 luma in 1/512, which halves it.
+    const unsigned luma = (109u * color[0] + 366u * color[1] + 37u * color[2]) / 1024u;
+    const auto grey = static_cast<std::uint8_t>(luma);
+    return {grey, grey, grey, 255};
+}
+
+} // namespace
+
+WrongPixels& WrongPixels::operator+=(const WrongPixels& other) {
+    pixels += other.pixels;
+    wrong += other.wrong;
+    edgeWrong += other.edgeWrong;
+    overlapPixels += other.overlapPixels;
+    overlapWrong += other.overlapWrong;
+    return *this;
+}
+
+image::Raster<std::uint8_t> innerMask(const TruthImage& truth) {
+    image::Raster<std::uint8_t> mask(truth.width, truth.height);
+    for (std::uint32_t y = 0; y < truth.height; ++y) {
+        for (std::uint32_t x = 0; x < truth.width; ++x) {
+            mask.at(x, y) = isInner(truth, x, y) ? 1 : 0;
+        }
+    }
+    return mask;
+}
+
+WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth) {
+    requireSameSize(ids, truth, "wrong pixels: the id image's size");
+    const image::Raster<std::uint8_t> inner = innerMask(truth);
+    WrongPixels count;
+    for (std::size_t i = 0; i < ids.pixels.size(); ++i) {
+        const bool wrong = ids.pixels[i] != truth.pixels[i].id;
+        if (!inner.pixels[i]) {
+            count.edgeWrong += wrong;
+            continue;
+        }
+        ++count.pixels;
+        count.wrong += wrong;
+        if (truth.pixels[i].secondId != 0) {
+            ++count.overlapPixels;
+            count.overlapWrong += wrong;
+        }
+    }
+    return count;
+}
+
+image::ImageRgba8 heatMap(const image::ImageU32& ids, const TruthImage& truth,
+                          const image::ImageRgba8& picture) {
+    requireSameSize(ids, truth, "heat map: the id image's size");
+    requireSameSize(picture, truth, "heat map: the picture's size");
+    const image::Raster<std::uint8_t> inner = innerMask(truth);
+    image::ImageRgba8 map(truth.width, truth.height);
+    for (std::size_t i = 0; i < map.pixels.size(); ++i) {
+        if (ids.pixels[i] == truth.pixels[i].id) {
+            map.pixels[i] = dimmed(picture.pixels[i]);
+        } else {
+            map.pixels[i] = inner.pixels[i] ? kWrong : kWrongOnEdge;
+        }
+    }
+    return map;
+}
+
+} // namespace cdr::measure

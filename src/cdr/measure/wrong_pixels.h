@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cdr/image/image.h>
+#include <cdr/measure/truth.h>
+
+#include <cstdint>
+
+namespace cdr::measure {
+
+/// How a rendered id image compares with the truth.
+///
+/// An inner pixel is one whose true id is an object's (not background) and is shared by its eight neighbours;
+/// pixels at the picture's border have no eight neighbours and are not inner. Elsewhere rasterisation rules
+/// decide, not depth.
+struct WrongPixels {
+    std::uint64_t pixels = 0;        ///< inner pixels
+    std::uint64_t wrong = 0;         ///< inner pixels whose rendered id differs from the true id
+    std::uint64_t edgeWrong = 0;     ///< all other pixels that differ
+    std::uint64_t overlapPixels = 0; ///< inner pixels with a second object behind the first
+    std::uint64_t overlapWrong = 0;  ///< those of them that are wrong
+
+    double fraction() const {
+        return pixels ? static_cast<double>(wrong) / static_cast<double>(pixels) : 0.0;
+    }
+    double overlapFraction() const {
+        return overlapPixels ? static_cast<double>(overlapWrong) / static_cast<double>(overlapPixels) : 0.0;
+    }
+    WrongPixels& operator+=(const WrongPixels& other);
+};
+
+/// Per pixel: 1 where the truth is an object's and its eight neighbours share the id, else 0.
+image::Raster<std::uint8_t> innerMask(const TruthImage& truth);
+
+/// Compares ids (object index + 1) of one size; base::InputError when the sizes differ.
+WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth);
+
+/// The heat map: red (255, 0, 0) where wrong off edges, orange (255, 165, 0) where wrong on edges, else the
+/// picture as grey at half its brightness. Opaque. base::InputError when the sizes differ.
+image::ImageRgba8 heatMap(const image::ImageU32& ids, const TruthImage& truth,
+                          const image::ImageRgba8& picture);
+
+} // namespace cdr::measure

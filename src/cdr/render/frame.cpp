@@ -1,0 +1,47 @@
+#include <cdr/render/frame.h>
+#include <cdr/shaders/shared.h>
+
+#include <glm/gtc/packing.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace cdr::render {
+
+std::uint32_t Frame::id(std::uint32_t x, std::uint32_t y) const {
+    return idAndCascade.at(x, y) & shaders::kIdMask;
+}
+
+std::uint32_t Frame::cascade(std::uint32_t x, std::uint32_t y) const {
+    return idAndCascade.at(x, y) >> shaders::kIdBits;
+}
+
+double Frame::distanceView(std::uint32_t x, std::uint32_t y) const {
+    if (id(x, y) == 0) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return anchorsView[cascade(x, y)] + static_cast<double>(ahead.at(x, y));
+}
+
+glm::vec3 Frame::normalView(std::uint32_t x, std::uint32_t y) const {
+    if (id(x, y) == 0) {
+        return glm::vec3(0.0f);
+    }
+    const glm::vec2 p = glm::unpackSnorm2x16(normal.at(x, y));
+    glm::vec3 n(p, 1.0f - std::abs(p.x) - std::abs(p.y));
+    if (n.z < 0.0f) {
+        const float nx = n.x;
+        n.x = (1.0f - std::abs(n.y)) * (n.x >= 0.0f ? 1.0f : -1.0f);
+        n.y = (1.0f - std::abs(nx)) * (n.y >= 0.0f ? 1.0f : -1.0f);
+    }
+    return glm::normalize(n);
+}
+
+image::ImageU32 Frame::ids() const {
+    image::ImageU32 ids(idAndCascade.width, idAndCascade.height);
+    std::transform(idAndCascade.pixels.begin(), idAndCascade.pixels.end(), ids.pixels.begin(),
+                   [](std::uint32_t value) { return value & shaders::kIdMask; });
+    return ids;
+}
+
+} // namespace cdr::render

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cdr/depth/cascade.h>
+#include <cdr/image/image.h>
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::render {
+
+/// Where a frame's time went. Record and execute are never added up.
+struct FrameTimes {
+    double cullMs = 0.0;
+    double splitMs = 0.0;
+    double binMs = 0.0;
+    double recordMs = 0.0;  ///< CPU writing commands
+    double executeMs = 0.0; ///< from submit until the device has finished
+};
+
+struct FrameStats {
+    std::size_t visible = 0;  ///< instances in at least one cascade
+    std::size_t draws = 0;    ///< with those that straddle a boundary counted once per cascade
+    double duplication = 1.0; ///< draws per visible instance
+    FrameTimes times;
+};
+
+/// One rendered frame on the host. Pixels run from the top left.
+struct Frame {
+    depth::Cascades cascades;        ///< nearest first
+    std::vector<double> anchorsView; ///< each cascade's anchor plane, 0 where the mapping is not anchored
+    image::ImageRgba8 color;         ///< sRGB
+    image::ImageU32 normal;          ///< view space, octahedral, two snorm16
+    image::ImageFloat ahead;         ///< view distance beyond the pixel's cascade's anchor plane
+    image::ImageU32 idAndCascade;    ///< shaders::kIdBits
+    FrameStats stats;
+
+    std::uint32_t width() const { return color.width; }
+    std::uint32_t height() const { return color.height; }
+
+    /// Object index + 1, 0 for background.
+    std::uint32_t id(std::uint32_t x, std::uint32_t y) const;
+    /// The cascade that drew the pixel; 0 for background.
+    std::uint32_t cascade(std::uint32_t x, std::uint32_t y) const;
+    /// Metric view distance in float64: anchor plane plus what the pixel holds; infinity for background.
+    double distanceView(std::uint32_t x, std::uint32_t y) const;
+    /// Unit normal in view space; zero for background.
+    glm::vec3 normalView(std::uint32_t x, std::uint32_t y) const;
+
+    image::ImageU32 ids() const;
+};
+
+} // namespace cdr::render

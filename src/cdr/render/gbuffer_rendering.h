@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cdr/render/gbuffer.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <span>
+
+namespace cdr::render {
+
+/// How a rendering scope over a G-buffer and a depth buffer begins.
+struct GBufferScope {
+    const GBuffer& gbuffer;
+    const gpu::Image& depth;
+    bool clearColor = true; ///< else what earlier scopes drew stays
+    bool reversedDepth = false;
+};
+
+/// Makes the images attachments, waiting for whoever used them before in this queue. Contents are lost.
+void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope);
+
+/// Lets a further scope over the same images follow one that ended.
+void chainGBufferScopes(vk::CommandBuffer primary, const GBufferScope& scope);
+
+/// One rendering scope that clears depth, runs the secondaries and stores the colours.
+void runGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope,
+                     std::span<const vk::CommandBuffer> secondaries);
+
+} // namespace cdr::render

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cdr/base/worker_pool.h>
+#include <cdr/depth/technique.h>
+#include <cdr/gpu/memory.h>
+#include <cdr/render/gpu_scene.h>
+#include <cdr/scene/bin.h>
+#include <cdr/shaders/shared.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace cdr::render {
+
+/// A contiguous range of one cascade's draws.
+struct DrawJob {
+    std::size_t cascade = 0;
+    base::IndexRange draws; ///< into scene::DrawLists::instance
+};
+
+/// What the draws of one cascade share, on the CPU side.
+struct CascadeDraws {
+    double anchorView = 0.0;
+    shaders::CascadePush push{};
+    /// Slice of the depth range that the cascade owns: all of it, or a share under one-pass.
+    float minDepth = 0.0f;
+    float maxDepth = 1.0f;
+};
+
+/// The pipelines of one technique over one scene, and how its draws are recorded.
+class GeometryPass {
+  public:
+    GeometryPass(const gpu::Device& device, const GpuScene& scene, const depth::Technique& technique);
+
+    /// A descriptor set (0) for a buffer of draw records; the pool must hold two storage buffers per set.
+    vk::DescriptorSet makeRecordSet(const gpu::Device& device, vk::DescriptorPool pool, vk::Buffer records,
+                                    const GpuScene& scene) const;
+
+    /// Everything recording one job reads.
+    struct Recording {
+        const scene::Scene& scene;
+        const scene::Camera& camera;
+        const scene::DrawLists& lists;
+        std::span<const CascadeDraws> cascades;
+        std::span<shaders::DrawRecord> records; ///< mapped, one per draw of `lists`
+        vk::DescriptorSet recordSet;
+        vk::Extent2D extent;
+    };
+
+    /// Writes the records of a job's draws and their commands. `commands` is a secondary in the recording
+    /// state with rendering inherited. Takes no lock and allocates nothing.
+    void record(vk::CommandBuffer commands, const DrawJob& job, const Recording& recording) const;
+
+    vk::Format depthFormat() const { return m_depthFormat; }
+    /// Instances that span more than this share of their distance are drawn wide: cut, and for log given
+    /// their depth, per fragment. Infinity for none.
+    double wideSpan(std::size_t cascades) const;
+
+  private:
+    struct Pipelines {
+        /// By MaterialState: textured + 2 * masked; empty where the scene has no such material.
+        std::array<vk::UniquePipeline, 4> variants;
+    };
+    Pipelines makePipelines(const gpu::Device& device, bool wide) const;
+    void beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade, const Recording& recording) const;
+
+    const GpuScene& m_scene;
+    depth::Mapping m_mapping;
+    vk::Format m_depthFormat;
+    vk::UniqueDescriptorSetLayout m_recordLayout;
+    vk::UniquePipelineLayout m_layout;
+    Pipelines m_compact;
+    Pipelines m_wide;
+    PFN_vkCmdDrawIndexed m_drawIndexed;
+};
+
+} // namespace cdr::render

@@ -1,0 +1,137 @@
+#include <cdr/gpu/pipeline.h>
+#include <cdr/gpu/upload.h>
+#include <cdr/render/gpu_scene.h>
+#include <cdr/shaders/shared.h>
+
+#include <glm/gtc/packing.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace cdr::render {
+
+namespace {
+
+/// A vertex as the device reads it: 28 bytes.
+struct PackedVertex {
+    glm::vec3 position;
+    std::uint32_t normal; ///< octahedral, two snorm16
+    glm::vec2 uv;
+    glm::u8vec4 color;
+};
+static_assert(sizeof(PackedVertex) == 28);
+
+/// shaders/octahedral.glsl says where this comes from.
+glm::vec2 encodeOctahedral(const glm::vec3& n) {
+    const float sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+    if (!(sum > 0.0f)) {
+        return glm::vec2(0.0f);
+    }
+    const glm::vec2 p(n.x / sum, n.y / sum);
+    if (n.z >= 0.0f) {
+        return p;
+    }
+    return {(1.0f - std::abs(p.y)) * (p.x >= 0.0f ? 1.0f : -1.0f),
+            (1.0f - std::abs(p.x)) * (p.y >= 0.0f ? 1.0f : -1.0f)};
+}
+
+vk::UniqueSampler makeSampler(const gpu::Device& device, bool repeatU, bool repeatV) {
+    const auto mode = [](bool repeat) {
+        return repeat ? vk::SamplerAddressMode::eRepeat : vk::SamplerAddressMode::eClampToEdge;
+    };
+    return device.handle().createSamplerUnique({.magFilter = vk::Filter::eLinear,
+                                                .minFilter = vk::Filter::eLinear,
+                                                .addressModeU = mode(repeatU),
+                                                .addressModeV = mode(repeatV)});
+}
+
+std::uint64_t predictBytes(const scene::Scene& scene) {
+    std::uint64_t bytes = scene.materials.size() * sizeof(shaders::MaterialRecord);
+    for (const scene::Mesh& mesh : scene.meshes) {
+        bytes += mesh.vertices.size() * sizeof(PackedVertex) + mesh.indices.size() * sizeof(std::uint32_t);
+    }
+    for (const scene::Texture& texture : scene.textures) {
+        bytes += texture.pixels.pixels.size() * sizeof(image::Rgba8);
+    }
+    return bytes;
+}
+
+} // namespace
+
+GpuScene::GpuScene(const gpu::Device& device, const scene::Scene& scene) {
+    gpu::requireDeviceBytes(device, predictBytes(scene), "scene " + scene.name);
+    uploadMeshes(device, scene);
+    uploadTextures(device, scene);
+    uploadMaterials(device, scene);
+}
+
+void GpuScene::uploadMeshes(const gpu::Device& device, const scene::Scene& scene) {
+    std::vector<PackedVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    for (const scene::Mesh& mesh : scene.meshes) {
+        m_meshes.push_back({.firstIndex = static_cast<std::uint32_t>(indices.size()),
+                            .indexCount = static_cast<std::uint32_t>(mesh.indices.size()),
+                            .vertexOffset = static_cast<std::int32_t>(vertices.size())});
+        indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
+        for (const scene::Vertex& vertex : mesh.vertices) {
+            vertices.push_back({vertex.position, glm::packSnorm2x16(encodeOctahedral(vertex.normal)),
+                                vertex.uv, vertex.color});
+        }
+    }
+    m_vertices = gpu::uploadBuffer(device, std::as_bytes(std::span(vertices)),
+                                   vk::BufferUsageFlagBits::eVertexBuffer, "scene vertices");
+    m_indices = gpu::uploadBuffer(device, std::as_bytes(std::span(indices)),
+                                  vk::BufferUsageFlagBits::eIndexBuffer, "scene indices");
+}
+
+void GpuScene::uploadMaterials(const gpu::Device& device, const scene::Scene& scene) {
+    constexpr auto kType = vk::DescriptorType::eCombinedImageSampler;
+    m_textureLayout = gpu::makeSetLayout(device, {kType}, vk::ShaderStageFlagBits::eFragment, "texture set");
+    m_pool = gpu::makeDescriptorPool(device, static_cast<std::uint32_t>(scene.materials.size()), 1, {kType});
+    std::vector<shaders::MaterialRecord> records;
+    for (const scene::Material& material : scene.materials) {
+        records.push_back({.baseColorFactor = material.baseColorFactor,
+                           .flags = material.unlit ? shaders::kMaterialUnlit : 0,
+                           .alphaCutoff = material.alphaCutoff,
+                           .pad0 = 0,
+                           .pad1 = 0});
+        // Untextured materials read the white pixel, so that every pipeline has a valid set 1.
+        const std::size_t texture =
+            material.baseColorTexture.value_or(static_cast<std::uint32_t>(scene.textures.size()));
+        const vk::DescriptorSet set = gpu::allocateSet(device, *m_pool, *m_textureLayout);
+        gpu::writeImageBinding(device, set, 0, kType, m_textures[texture].view(), *m_samplers[texture]);
+        m_materialStates.push_back({.textured = material.baseColorTexture.has_value(),
+                                    .masked = material.alphaMode == scene::AlphaMode::mask,
+                                    .doubleSided = material.doubleSided,
+                                    .textureSet = set});
+    }
+    m_materials = gpu::uploadBuffer(device, std::as_bytes(std::span(records)),
+                                    vk::BufferUsageFlagBits::eStorageBuffer, "scene materials");
+}
+
+void GpuScene::uploadTextures(const gpu::Device& device, const scene::Scene& scene) {
+    const auto upload = [&](const image::ImageRgba8& pixels, const std::string& name) {
+        m_textures.push_back(gpu::uploadImage(device, {pixels.width, pixels.height},
+                                              vk::Format::eR8G8B8A8Srgb,
+                                              std::as_bytes(std::span(pixels.pixels)), name));
+    };
+    for (const scene::Texture& texture : scene.textures) {
+        upload(texture.pixels, "texture " + texture.name);
+        m_samplers.push_back(makeSampler(device, texture.repeatU, texture.repeatV));
+    }
+    upload(image::ImageRgba8(1, 1, {255, 255, 255, 255}), "white texture");
+    m_samplers.push_back(makeSampler(device, true, true));
+}
+
+vk::VertexInputBindingDescription GpuScene::vertexBinding() {
+    return {.binding = 0, .stride = sizeof(PackedVertex), .inputRate = vk::VertexInputRate::eVertex};
+}
+
+std::vector<vk::VertexInputAttributeDescription> GpuScene::vertexAttributes() {
+    return {{0, 0, vk::Format::eR32G32B32Sfloat, offsetof(PackedVertex, position)},
+            {1, 0, vk::Format::eR16G16Snorm, offsetof(PackedVertex, normal)},
+            {2, 0, vk::Format::eR32G32Sfloat, offsetof(PackedVertex, uv)},
+            {3, 0, vk::Format::eR8G8B8A8Unorm, offsetof(PackedVertex, color)}};
+}
+
+} // namespace cdr::render

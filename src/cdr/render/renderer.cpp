@@ -1,0 +1,200 @@
+#include <cdr/base/error.h>
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/renderer.h>
+#include <cdr/render/view_transform.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace cdr::render {
+
+namespace {
+
+enum ReadbackIndex : std::size_t { colorCopy, normalCopy, aheadCopy, idCopy, kCopies };
+
+/// Milliseconds since the last call.
+class Stopwatch {
+  public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double, std::milli>(now - std::exchange(m_last, now)).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
+};
+
+vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options) {
+    const std::uint32_t most = device.info().maxImageSide;
+    for (const std::uint32_t side : {options.width, options.height}) {
+        if (side < 1 || side > most) {
+            throw base::InputError(fmt::format("size {}x{}: each side must be 1 to {} pixels on {}",
+                                               options.width, options.height, most, device.info().name));
+        }
+    }
+    const vk::Extent2D extent{options.width, options.height};
+    constexpr std::uint64_t kDepthBytes = 4;
+    gpu::requireDeviceBytes(device,
+                            GBuffer::predictBytes(extent) + ShadingPass::predictBytes(extent) +
+                                std::uint64_t{extent.width} * extent.height * (kDepthBytes + 4 * kCopies),
+                            fmt::format("a {}x{} picture", extent.width, extent.height));
+    return extent;
+}
+
+std::vector<double> anchorsOf(const std::vector<CascadeDraws>& cascades) {
+    std::vector<double> anchors;
+    for (const CascadeDraws& cascade : cascades) {
+        anchors.push_back(cascade.anchorView);
+    }
+    return anchors;
+}
+
+} // namespace
+
+struct Renderer::Staged {
+    const scene::Camera& camera;
+    Lens lens;
+    depth::Cascades cascades;
+    std::vector<CascadeDraws> draws;
+};
+
+Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
+                   const RenderOptions& options)
+    : m_device(device),
+      m_scene(scene),
+      m_gpuScene(gpuScene),
+      m_options(options),
+      m_extent(checkedExtent(device, options)),
+      m_aspect(static_cast<double>(options.width) / static_cast<double>(options.height)),
+      m_workers(options.threads),
+      m_geometry(device, gpuScene, options.technique),
+      m_targets(makeTargets(device, options.targets,
+                            {.extent = m_extent,
+                             .depthFormat = m_geometry.depthFormat(),
+                             .reversedDepth = depth::isReversed(options.technique.mapping)})),
+      m_shading(device, scene, m_targets->gbuffer(), m_extent),
+      m_readback(device, m_extent, kCopies),
+      m_recorder(device, options.threads, "frame"),
+      m_primaryPool(device, vk::CommandBufferLevel::ePrimary, "frame") {}
+
+Renderer::Staged Renderer::stage(const scene::Camera& camera, FrameStats& stats) {
+    Stopwatch watch;
+    scene::cullSpheres(m_scene.instances, camera, m_aspect, m_workers, m_visible);
+    stats.times.cullMs = watch.lap();
+
+    Staged staged{.camera = camera,
+                  .lens = lensOf(camera, m_aspect),
+                  .cascades = depth::makeCascades(m_options.technique.split, camera.nearView, camera.farView),
+                  .draws = {}};
+    depth::Cascades clipRanges;
+    for (std::size_t i = 0; i < staged.cascades.size(); ++i) {
+        clipRanges.push_back(depth::clipRange(m_options.technique.mapping, staged.cascades, i));
+        const depth::ClipTerms terms = clipTerms(depthRange(m_options.technique.mapping, staged.cascades, i));
+        const Targets::DepthSlice slice = m_targets->depthSlice(i, staged.cascades.size());
+        staged.draws.push_back(
+            {.anchorView = terms.anchorView,
+             .push = makeCascadePush(terms, clipRanges[i], staged.lens, static_cast<std::uint32_t>(i)),
+             .minDepth = slice.min,
+             .maxDepth = slice.max});
+    }
+    stats.times.splitMs = watch.lap();
+
+    scene::binByDistance(m_visible, clipRanges, m_geometry.wideSpan(staged.cascades.size()), m_workers,
+                         m_lists);
+    stats.times.binMs = watch.lap();
+    stats.visible = m_lists.visible;
+    stats.draws = m_lists.draws();
+    stats.duplication = m_lists.duplication();
+    return staged;
+}
+
+void Renderer::growRecords(std::size_t draws) {
+    const std::size_t capacity = m_records.size() / sizeof(shaders::DrawRecord);
+    if (m_recordSet && draws <= capacity) {
+        return;
+    }
+    // Half as many again, so that a camera that turns does not make a new buffer at every frame.
+    const std::size_t bytes = std::max<std::size_t>(draws + draws / 2, 1024) * sizeof(shaders::DrawRecord);
+    if (bytes > m_device.info().maxStorageBufferBytes) {
+        throw base::RunError(fmt::format("{} draws need a {} byte buffer, {} allows {}", draws, bytes,
+                                         m_device.info().name, m_device.info().maxStorageBufferBytes));
+    }
+    m_records = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eStorageBuffer,
+                            gpu::MemoryUse::hostWrites, "draw records");
+    m_recordPool = gpu::makeDescriptorPool(m_device, 1, 2, {vk::DescriptorType::eStorageBuffer});
+    m_recordSet = m_geometry.makeRecordSet(m_device, *m_recordPool, m_records.handle(), m_gpuScene);
+}
+
+vk::CommandBuffer Renderer::recordPrimary(std::size_t cascades) {
+    m_primaryPool.reset();
+    const vk::CommandBuffer primary = m_primaryPool.next();
+    primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    m_targets->record(primary, m_recorder, cascades);
+    m_shading.record(primary);
+    recordReadback(primary);
+    primary.end();
+    return primary;
+}
+
+void Renderer::recordReadback(vk::CommandBuffer primary) const {
+    const GBuffer& gbuffer = m_targets->gbuffer();
+    std::vector<vk::ImageMemoryBarrier2> barriers;
+    for (const GBuffer::Attachment attachment : {GBuffer::normal, GBuffer::ahead, GBuffer::id}) {
+        barriers.push_back(gpu::imageBarrier(
+            gbuffer.image(attachment).handle(), vk::ImageAspectFlagBits::eColor,
+            vk::PipelineStageFlagBits2::eFragmentShader, vk::AccessFlagBits2::eShaderSampledRead,
+            vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
+            vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal));
+    }
+    m_device.beginLabel(primary, "read-back");
+    gpu::pipelineBarrier(primary, barriers);
+    m_readback.recordCopy(primary, m_shading.picture(), colorCopy);
+    m_readback.recordCopy(primary, gbuffer.image(GBuffer::normal), normalCopy);
+    m_readback.recordCopy(primary, gbuffer.image(GBuffer::ahead), aheadCopy);
+    m_readback.recordCopy(primary, gbuffer.image(GBuffer::id), idCopy);
+    m_readback.recordHostBarrier(primary);
+    m_device.endLabel(primary);
+}
+
+Frame Renderer::render(const scene::Camera& camera) {
+    scene::requireUsable(camera);
+    FrameStats stats;
+    const Staged staged = stage(camera, stats);
+    growRecords(m_lists.draws());
+    m_shading.update(m_scene, camera, staged.lens, anchorsOf(staged.draws));
+
+    Stopwatch watch;
+    m_recorder.record(m_workers, m_geometry,
+                      {.scene = m_scene,
+                       .camera = camera,
+                       .lists = m_lists,
+                       .cascades = staged.draws,
+                       .records = m_records.as<shaders::DrawRecord>(m_lists.draws()),
+                       .recordSet = m_recordSet,
+                       .extent = m_extent});
+    m_records.flush();
+    const vk::CommandBuffer primary = recordPrimary(staged.cascades.size());
+    stats.times.recordMs = watch.lap();
+    gpu::submitAndWait(m_device, primary);
+    stats.times.executeMs = watch.lap();
+
+    Frame frame = fetch(staged);
+    frame.stats = stats;
+    return frame;
+}
+
+Frame Renderer::fetch(const Staged& staged) const {
+    Frame frame;
+    frame.cascades = staged.cascades;
+    frame.anchorsView = anchorsOf(staged.draws);
+    frame.color = m_readback.fetch<image::Rgba8>(colorCopy);
+    frame.normal = m_readback.fetch<std::uint32_t>(normalCopy);
+    frame.ahead = m_readback.fetch<float>(aheadCopy);
+    frame.idAndCascade = m_readback.fetch<std::uint32_t>(idCopy);
+    return frame;
+}
+
+} // namespace cdr::render

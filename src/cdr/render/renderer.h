@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cdr/base/worker_pool.h>
+#include <cdr/depth/technique.h>
+#include <cdr/gpu/commands.h>
+#include <cdr/render/cascade_recorder.h>
+#include <cdr/render/frame.h>
+#include <cdr/render/geometry_pass.h>
+#include <cdr/render/gpu_scene.h>
+#include <cdr/render/readback.h>
+#include <cdr/render/shading_pass.h>
+#include <cdr/render/targets.h>
+#include <cdr/scene/bin.h>
+#include <cdr/scene/cull.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace cdr::render {
+
+struct RenderOptions {
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    depth::Technique technique;
+    TargetsKind targets = TargetsKind::single;
+    std::size_t threads = 1; ///< that cull, bin and record, the caller's included
+};
+
+/// Renders a scene with one technique into one kind of targets, frame by frame.
+///
+/// Data flows one way: camera -> cull -> split -> bin -> record on workers -> execute -> shade -> Frame.
+class Renderer {
+  public:
+    /// The device, the scene and its GpuScene must outlive the renderer.
+    /// base::InputError for a picture of no or too many pixels or a depth format the device lacks;
+    /// base::RunError when its memory does not suffice, with both figures.
+    Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
+             const RenderOptions& options);
+
+    /// Renders one frame and waits for it. base::InputError for an unusable camera or split.
+    Frame render(const scene::Camera& camera);
+
+    const RenderOptions& options() const { return m_options; }
+
+  private:
+    struct Staged; ///< what the CPU stages hand on
+    Staged stage(const scene::Camera& camera, FrameStats& stats);
+    void growRecords(std::size_t draws);
+    vk::CommandBuffer recordPrimary(std::size_t cascades);
+    void recordReadback(vk::CommandBuffer primary) const;
+    Frame fetch(const Staged& staged) const;
+
+    const gpu::Device& m_device;
+    const scene::Scene& m_scene;
+    const GpuScene& m_gpuScene;
+    RenderOptions m_options;
+    vk::Extent2D m_extent;
+    double m_aspect;
+    base::WorkerPool m_workers;
+    GeometryPass m_geometry;
+    std::unique_ptr<Targets> m_targets;
+    ShadingPass m_shading;
+    Readback m_readback;
+    CascadeRecorder m_recorder;
+    gpu::CommandPool m_primaryPool;
+
+    // Kept from frame to frame so that a warm frame allocates nothing.
+    scene::VisibleList m_visible;
+    scene::DrawLists m_lists;
+    gpu::Buffer m_records;
+    vk::UniqueDescriptorPool m_recordPool;
+    vk::DescriptorSet m_recordSet;
+};
+
+} // namespace cdr::render

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cdr/render/targets.h>
+
+namespace cdr::render {
+
+/// Method 1 of the thesis: one G-buffer, cascades back to front, depth cleared between, so that nearer ones
+/// draw over farther ones.
+class SingleTargets final : public Targets {
+  public:
+    SingleTargets(const gpu::Device& device, const TargetsOptions& options);
+
+    void record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t cascades) override;
+    const GBuffer& gbuffer() const override { return m_gbuffer; }
+
+  private:
+    const gpu::Device& m_device;
+    GBuffer m_gbuffer;
+    gpu::Image m_depth;
+    bool m_reversedDepth;
+};
+
+} // namespace cdr::render

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cdr/base/worker_pool.h>
+#include <cdr/depth/cascade.h>
+#include <cdr/scene/cull.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::scene {
+
+/// What each cascade draws, nearest cascade first. Within a cascade the compact instances come first, then
+/// the wide ones, each in instance order.
+struct DrawLists {
+    std::vector<std::uint32_t> instance;
+    /// Bucket 2c holds cascade c's compact instances, bucket 2c + 1 its wide ones; bucket b is the entries
+    /// [begins[b], begins[b + 1]) of `instance`.
+    std::vector<std::size_t> begins{0};
+    std::size_t visible = 0; ///< instances in at least one cascade
+
+    std::size_t cascades() const { return begins.size() / 2; }
+    std::size_t draws() const { return begins.back(); }
+    base::IndexRange range(std::size_t cascade) const {
+        return {begins[2 * cascade], begins[2 * cascade + 2]};
+    }
+    /// Where the wide instances of a cascade begin.
+    std::size_t wideBegin(std::size_t cascade) const { return begins[2 * cascade + 1]; }
+    /// Draws per visible instance: 1 where no instance straddles a boundary.
+    double duplication() const {
+        return visible ? static_cast<double>(draws()) / static_cast<double>(visible) : 1.0;
+    }
+};
+
+/// Puts every visible instance into each cascade whose range its sphere [w - r, w + r] meets (thesis chapter
+/// 3). The same lists for any number of workers. `lists` is reused, so binning allocates nothing once warm.
+/// @param clipRanges each cascade's depth::clipRange(), nearest first.
+/// @param wideSpan an instance is wide when its sphere reaches the camera plane or 2r > wideSpan * (w - r);
+/// infinity for
+///        none. Depth that is not linear in screen space must be set per fragment on those.
+void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges, double wideSpan,
+                   base::WorkerPool& workers, DrawLists& lists);
+
+} // namespace cdr::scene

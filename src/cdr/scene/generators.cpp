@@ -1,0 +1,129 @@
+#include <cdr/base/error.h>
+#include <cdr/scene/generators.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace cdr::scene {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// Uniform doubles that are the same on every standard library, unlike std::uniform_real_distribution's.
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : m_engine(seed) {}
+
+    double uniform(double low, double high) {
+        return low + (high - low) * static_cast<double>(m_engine() >> 11) * 0x1p-53;
+    }
+    glm::dvec3 inCube(double halfSide) {
+        const double x = uniform(-halfSide, halfSide);
+        const double y = uniform(-halfSide, halfSide);
+        const double z = uniform(-halfSide, halfSide);
+        return {x, y, z};
+    }
+
+  private:
+    std::mt19937_64 m_engine;
+};
+
+/// A scene with one white material and a unit cube as its only mesh.
+Scene cubeScene(const char* name, double halfDistanceOfLight) {
+    Scene scene;
+    scene.name = name;
+    scene.meshes.push_back(makeBox(glm::vec3(0.5f)));
+    scene.materials.push_back({.name = "white", .baseColorFactor = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f)});
+    scene.lights.push_back(
+        {.position = glm::dvec3(0.0), .color = glm::vec3(1.0f), .halfDistance = halfDistanceOfLight});
+    return scene;
+}
+
+void addCube(Scene& scene, const glm::dvec3& position, float scale = 1.0f) {
+    const auto object = static_cast<std::uint32_t>(scene.instances.size());
+    addInstance(scene, 0, 0, object, position, glm::mat3(scale));
+}
+
+/// Centres of 1000 unit cubes that lie wholly within the 32^3 field of the 2AFC scene.
+std::vector<glm::dvec3> afcField(std::uint64_t seed) {
+    Random random(seed);
+    std::vector<glm::dvec3> centres(1000);
+    std::generate(centres.begin(), centres.end(), [&] { return random.inCube(15.5); });
+    return centres;
+}
+
+} // namespace
+
+StagedScene makeCubes(std::uint64_t seed) {
+    constexpr double kScale = 10.0;
+    constexpr double kDistance = 12'000.0;
+    std::vector<glm::dvec3> centres = afcField(seed);
+    std::sort(centres.begin(), centres.end(), [](const auto& a, const auto& b) { return a.z > b.z; });
+    StagedScene staged{.scene = cubeScene("cubes", 16.0 * kScale), .path = {}};
+    for (const glm::dvec3& centre : centres) {
+        addCube(staged.scene, centre * kScale, static_cast<float>(kScale));
+    }
+    const Camera lens{.fovY = 0.87 * kDegree, .nearView = 0.01, .farView = 100'000.0};
+    staged.path = stillPath(lookAt(lens, glm::dvec3(0.0, 0.0, kDistance), glm::dvec3(0.0)));
+    return staged;
+}
+
+StagedScene makeAfc(std::uint64_t seed) {
+    StagedScene staged{.scene = cubeScene("afc", 16.0), .path = {}};
+    for (const glm::dvec3& centre : afcField(seed)) {
+        addCube(staged.scene, centre);
+    }
+    const Camera lens{.fovY = 0.002 * kDegree, .nearView = 0.001, .farView = 2e6};
+    staged.path = orbitPath(lens, glm::dvec3(0.0), 1e6, 360);
+    return staged;
+}
+
+StagedScene makeRotation(std::uint64_t seed, std::uint32_t cubes) {
+    if (cubes > kMaxObjects) {
+        throw base::InputError("rotation: at most " + std::to_string(kMaxObjects) + " cubes");
+    }
+    StagedScene staged{.scene = cubeScene("rotation", 100.0), .path = {}};
+    Random random(seed);
+    for (std::uint32_t i = 0; i < cubes; ++i) {
+        addCube(staged.scene, random.inCube(200.0));
+    }
+    const Camera lens{.fovY = 60.0 * kDegree, .nearView = 0.1, .farView = 100'000.0};
+    staged.path = turnPath(lens, glm::dvec3(0.0), 360);
+    return staged;
+}
+
+double ladderSeparation(const LadderOptions& options, std::uint32_t pair) {
+    const double share = static_cast<double>(pair) / (kLadderPairs - 1);
+    return options.smallestSeparation *
+           std::pow(options.largestSeparation / options.smallestSeparation, share);
+}
+
+StagedScene makeLadder(std::uint64_t seed, const LadderOptions& options) {
+    constexpr std::uint32_t kColumns = 16;
+    StagedScene staged{.scene = cubeScene("ladder", 32.0), .path = {}};
+    staged.scene.lights.front().position = {0.0, 0.0, 64.0};
+    Random random(seed);
+    for (std::uint32_t pair = 0; pair < kLadderPairs; ++pair) {
+        const double column = pair % kColumns;
+        const double row = pair / kColumns;
+        const glm::dvec3 back(2.0 * column - 15.0, 15.0 - 2.0 * row, random.uniform(-0.5, 0.5));
+        const glm::dvec3 front = back + glm::dvec3(0.0, 0.0, ladderSeparation(options, pair));
+        const bool backFirst = random.uniform(0.0, 1.0) < 0.5;
+        addCube(staged.scene, backFirst ? back : front);
+        addCube(staged.scene, backFirst ? front : back);
+    }
+    constexpr double kHalfHeight = 18.0;
+    const Camera lens{.fovY = 2.0 * std::atan(kHalfHeight / options.distanceView),
+                      .nearView = options.nearView,
+                      .farView = options.farView};
+    const double angle = 20.0 * kDegree;
+    const glm::dvec3 eye = options.distanceView * glm::dvec3(std::sin(angle), 0.0, std::cos(angle));
+    staged.path = stillPath(lookAt(lens, eye, glm::dvec3(0.0)));
+    return staged;
+}
+
+} // namespace cdr::scene

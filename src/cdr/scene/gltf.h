@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cdr/scene/scene.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cdr::scene {
+
+/// What the importer refuses to go beyond; a file is hostile until proven otherwise.
+struct GltfLimits {
+    std::uintmax_t maxFileBytes = 1ull << 30; ///< each file read
+    std::uint64_t maxTriangles = 50'000'000;  ///< after instancing
+    std::uint32_t maxNodes = 1'000'000;
+    std::uint32_t maxNodeDepth = 1'000;
+};
+
+/// A glTF file as a scene. Objects are the nodes that carry a mesh, in the order of the file's node array;
+/// the primitives of one node share its object. No lights are added.
+struct GltfImport {
+    Scene scene;
+    std::vector<std::string> ignored; ///< one line per feature of the file that was not used
+};
+
+/// Imports static glTF 2.0 (`.gltf` with embedded or external buffers, or `.glb`). Node transforms are
+/// composed in float64; skins are drawn in bind pose. Buffers and images outside the file's folder are
+/// refused. base::InputError with one line naming the file and the fault for anything that is not sound.
+GltfImport loadGltf(const std::filesystem::path& path, const GltfLimits& limits = {});
+
+} // namespace cdr::scene

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "gltf_files.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace cdr::scene::gltf {
+
+/// Elements at even distances inside a buffer; `first` is null for elements that are zero.
+struct Strided {
+    const std::uint8_t* first = nullptr;
+    std::size_t stride = 0;
+
+    const std::uint8_t* at(std::size_t i) const { return first + i * stride; }
+};
+
+/// One accessor. Every byte that its elements can touch was checked to lie inside its buffer.
+class Accessor {
+  public:
+    Accessor(const tinygltf::Model& model, const Buffers& buffers, int index);
+
+    std::size_t count() const { return m_count; }
+    /// Components of an element: 1 for SCALAR to 4 for VEC4, 0 for matrices.
+    int components() const { return m_components; }
+    /// Whether bytes in the file back its elements, sparse ones aside.
+    bool hasData() const { return m_elements.first != nullptr; }
+    bool isSparse() const { return m_sparseCount > 0; }
+
+    /// Element `i` < count() as floats, absent components as in (0, 0, 0, 1).
+    glm::vec4 vector(std::size_t i) const;
+    /// Component 0 of element `i` < count() as an integer; the accessor must pass requireIndices().
+    std::uint32_t integer(std::size_t i) const;
+    /// Refuses an accessor that cannot hold vertex indices.
+    void requireIndices(int index) const;
+
+  private:
+    void readSparse(const tinygltf::Model& model, const Buffers& buffers, const tinygltf::Accessor& accessor,
+                    int index);
+    const std::uint8_t* element(std::size_t i) const;
+
+    std::size_t m_count = 0;
+    int m_components = 0;
+    int m_componentType = 0;
+    bool m_normalized = false;
+    Strided m_elements;
+    std::size_t m_sparseCount = 0;
+    int m_sparseIndexType = 0;
+    Strided m_sparseIndices; ///< increasing
+    Strided m_sparseElements;
+};
+
+/// A document's accessors, each checked once, when first used.
+class Accessors {
+  public:
+    /// All three must outlive this.
+    Accessors(const tinygltf::Model& model, const Buffers& buffers);
+
+    const Accessor& at(int index);
+
+  private:
+    const tinygltf::Model& m_model;
+    const Buffers& m_buffers;
+    std::vector<std::optional<Accessor>> m_checked;
+};
+
+} // namespace cdr::scene::gltf

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cdr/base/error.h>
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace cdr::scene::gltf {
+
+/// Refuses the file being imported; importGltf() puts the file's name in front of the message.
+template <typename... Args>
+[[noreturn]] void refuse(fmt::format_string<Args...> what, Args&&... args) {
+    throw base::InputError(fmt::format(what, std::forward<Args>(args)...));
+}
+
+/// The item a glTF index means; refuses an index without one. `kind` says what the items are, in the
+/// singular.
+template <typename Item>
+const Item& itemAt(const std::vector<Item>& items, int index, std::string_view kind) {
+    if (index < 0 || static_cast<std::size_t>(index) >= items.size()) {
+        refuse("{} {} does not exist, the file has {}", kind, index, items.size());
+    }
+    return items[static_cast<std::size_t>(index)];
+}
+
+/// Text from a hostile file or a library as one printable line of bounded length.
+std::string oneLine(std::string_view text);
+
+} // namespace cdr::scene::gltf

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cdr/scene/gltf.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace cdr::scene::gltf {
+
+/// loadGltf() of bytes that are already in memory. `path` is where they come from: its folder holds the files
+/// they refer to, and its name starts messages.
+GltfImport importGltf(std::span<const std::uint8_t> file, const std::filesystem::path& path,
+                      const GltfLimits& limits);
+
+} // namespace cdr::scene::gltf

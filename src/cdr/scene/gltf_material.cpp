@@ -1,0 +1,84 @@
+#include "gltf_material.h"
+
+#include "gltf_checks.h"
+
+#include <algorithm>
+
+namespace cdr::scene::gltf {
+
+namespace {
+
+AlphaMode alphaMode(const tinygltf::Material& material) {
+    if (material.alphaMode == "OPAQUE") {
+        return AlphaMode::opaque;
+    }
+    if (material.alphaMode == "MASK") {
+        return AlphaMode::mask;
+    }
+    if (material.alphaMode == "BLEND") {
+        return AlphaMode::blend;
+    }
+    refuse("material '{}': alpha mode '{}' does not exist", oneLine(material.name),
+           oneLine(material.alphaMode));
+}
+
+void noteUnusedTextures(const tinygltf::Material& material, Notes& notes) {
+    const std::string where = fmt::format("material '{}'", oneLine(material.name));
+    const auto note = [&](int index, const char* what) {
+        if (index >= 0) {
+            notes.add(fmt::format("{} textures are not used", what), where);
+        }
+    };
+    note(material.pbrMetallicRoughness.metallicRoughnessTexture.index, "metallic-roughness");
+    note(material.normalTexture.index, "normal");
+    note(material.occlusionTexture.index, "occlusion");
+    note(material.emissiveTexture.index, "emissive");
+}
+
+} // namespace
+
+MaterialImporter::MaterialImporter(const Sources& sources, Scene& scene)
+    : m_sources(sources),
+      m_scene(scene),
+      m_textures(sources, scene) {}
+
+const MaterialUse& MaterialImporter::use(int material) {
+    const auto found = m_imported.find(material);
+    return found != m_imported.end() ? found->second
+                                     : m_imported.emplace(material, import(material)).first->second;
+}
+
+MaterialUse MaterialImporter::import(int index) {
+    MaterialUse use;
+    Material material;
+    material.name = "default";
+    if (index >= 0) {
+        const tinygltf::Material& source = itemAt(m_sources.document.model.materials, index, "material");
+        material.name = source.name;
+        const std::vector<double>& factor = source.pbrMetallicRoughness.baseColorFactor;
+        for (int c = 0; c < 4; ++c) {
+            // glTF bounds the factors so; a renderer of 8-bit albedo relies on it.
+            material.baseColorFactor[c] =
+                static_cast<float>(std::clamp(factor.at(static_cast<std::size_t>(c)), 0.0, 1.0));
+        }
+        material.doubleSided = source.doubleSided;
+        material.unlit = source.extensions.contains("KHR_materials_unlit");
+        material.alphaMode = alphaMode(source);
+        material.alphaCutoff = static_cast<float>(std::max(source.alphaCutoff, 0.0));
+        setTexture(material, use.uv, source.pbrMetallicRoughness.baseColorTexture);
+        noteUnusedTextures(source, m_sources.notes);
+    }
+    use.index = static_cast<std::uint32_t>(m_scene.materials.size());
+    m_scene.materials.push_back(std::move(material));
+    return use;
+}
+
+void MaterialImporter::setTexture(Material& material, UvSource& uv, const tinygltf::TextureInfo& info) {
+    if (info.index < 0) {
+        return;
+    }
+    material.baseColorTexture = m_textures.use(info.index);
+    uv = uvSourceOf(info);
+}
+
+} // namespace cdr::scene::gltf

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "gltf_files.h"
+#include "gltf_mesh.h"
+#include "gltf_notes.h"
+
+#include <cdr/scene/scene.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace cdr::scene::gltf {
+
+/// What the importer modules share; all but the scene is read.
+struct Sources {
+    const Document& document;
+    const Buffers& buffers;
+    Files& files;
+    Notes& notes;
+};
+
+/// Imports textures into a scene when they are first used, each picture and wrapping once.
+class TextureImporter {
+  public:
+    TextureImporter(const Sources& sources, Scene& scene);
+
+    /// Index into Scene::textures of a glTF texture; nothing when only an extension supplies its picture.
+    std::optional<std::uint32_t> use(int texture);
+
+  private:
+    image::ImageRgba8 decode(int imageIndex);
+
+    Sources m_sources;
+    Scene& m_scene;
+    std::map<std::tuple<int, bool, bool>, std::uint32_t> m_imported; ///< by image and repeat flags
+    std::uint64_t m_pixels = 0;
+};
+
+/// A glTF material in the scene, and what its primitives must know of it.
+struct MaterialUse {
+    std::uint32_t index = 0; ///< into Scene::materials
+    UvSource uv;
+};
+
+/// Imports materials into a scene when they are first used, each once.
+class MaterialImporter {
+  public:
+    MaterialImporter(const Sources& sources, Scene& scene);
+
+    /// A glTF material, or for -1 glTF's default one.
+    const MaterialUse& use(int material);
+
+  private:
+    MaterialUse import(int material);
+    void setTexture(Material& material, UvSource& uv, const tinygltf::TextureInfo& info);
+
+    Sources m_sources;
+    Scene& m_scene;
+    TextureImporter m_textures;
+    std::map<int, MaterialUse> m_imported;
+};
+
+} // namespace cdr::scene::gltf

@@ -1,0 +1,202 @@
+#include "gltf_mesh.h"
+
+#include "gltf_checks.h"
+#include "gltf_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cdr::scene::gltf {
+
+namespace {
+
+constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+constexpr glm::vec3 kAnyNormal{0.0f, 0.0f, 1.0f};
+
+bool isFinite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Of length one, or nothing when the length is zero or not finite.
+std::optional<glm::vec3> normalized(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    if (!(length > 0.0) || !std::isfinite(length)) {
+        return {};
+    }
+    return glm::vec3(v / length);
+}
+
+std::uint8_t toUnorm8(float value) {
+    // The comparison also sends NaN to 0.
+    const float clamped = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
+    return static_cast<std::uint8_t>(std::lround(clamped * 255.0f));
+}
+
+/// Moves the vertices about the centre of their bounds, which is returned, and sets the radius.
+glm::dvec3 recentre(Mesh& mesh, const std::string& where) {
+    glm::dvec3 low(std::numeric_limits<double>::max());
+    glm::dvec3 high(std::numeric_limits<double>::lowest());
+    for (const Vertex& vertex : mesh.vertices) {
+        low = glm::min(low, glm::dvec3(vertex.position));
+        high = glm::max(high, glm::dvec3(vertex.position));
+    }
+    const glm::dvec3 centre = (low + high) * 0.5;
+    double farthest = 0.0;
+    for (Vertex& vertex : mesh.vertices) {
+        vertex.position = glm::vec3(glm::dvec3(vertex.position) - centre);
+        farthest = std::max(farthest, glm::length(glm::dvec3(vertex.position)));
+    }
+    mesh.boundingRadius = static_cast<float>(farthest);
+    if (static_cast<double>(mesh.boundingRadius) < farthest) {
+        mesh.boundingRadius = std::nextafter(mesh.boundingRadius, std::numeric_limits<float>::infinity());
+    }
+    if (!std::isfinite(mesh.boundingRadius)) {
+        refuse("{}: its extent is over what a float32 holds", where);
+    }
+    return centre;
+}
+
+} // namespace
+
+/// The accessors a primitive's vertices come from; null where it has none.
+struct MeshImporter::Attributes {
+    const Accessor* position = nullptr;
+    const Accessor* normal = nullptr;
+    const Accessor* uv = nullptr;
+    const Accessor* color = nullptr;
+    UvSource uvSource;
+};
+
+MeshImporter::MeshImporter(Accessors& accessors, Notes& notes, std::uint64_t maxVertices)
+    : m_accessors(accessors),
+      m_notes(notes),
+      m_maxVertices(maxVertices) {}
+
+std::optional<CentredMesh> MeshImporter::import(const tinygltf::Primitive& primitive,
+                                                const UvSource& uvSource, const std::string& where) {
+    if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+        refuse("{}: mode {} does not exist", where, primitive.mode);
+    }
+    if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+        m_notes.add("points and lines are not drawn", where);
+        return {};
+    }
+    if (!primitive.targets.empty()) {
+        m_notes.add("morph targets are not applied", where);
+    }
+    const Attributes attributes = findAttributes(primitive, uvSource, where);
+    CentredMesh result;
+    result.mesh.name = where;
+    result.mesh.indices = triangleList(primitive, m_accessors, attributes.position->count(), where);
+    if (attributes.normal == nullptr) {
+        addFlat(result.mesh, attributes, where);
+    } else {
+        addShared(result.mesh, attributes, where);
+    }
+    if (result.mesh.indices.empty()) {
+        m_notes.add("a primitive has no triangles", where);
+        return {};
+    }
+    result.centre = recentre(result.mesh, where);
+    if (result.mesh.boundingRadius == 0.0f) {
+        m_notes.add("a primitive has no extent", where);
+        return {};
+    }
+    return result;
+}
+
+MeshImporter::Attributes MeshImporter::findAttributes(const tinygltf::Primitive& primitive,
+                                                      const UvSource& uvSource, const std::string& where) {
+    const auto find = [&](const std::string& name, int fewest, int most) -> const Accessor* {
+        const auto found = primitive.attributes.find(name);
+        if (found == primitive.attributes.end()) {
+            return nullptr;
+        }
+        const Accessor& accessor = m_accessors.at(found->second);
+        if (accessor.components() < fewest || accessor.components() > most) {
+            refuse("{}: {} has {} components", where, name, accessor.components());
+        }
+        return &accessor;
+    };
+    const Attributes attributes{find("POSITION", 3, 3), find("NORMAL", 3, 3),
+                                find(fmt::format("TEXCOORD_{}", uvSource.texCoord), 2, 2),
+                                find("COLOR_0", 3, 4), uvSource};
+    if (attributes.position == nullptr ||
+        (!attributes.position->hasData() && !attributes.position->isSparse())) {
+        refuse("{}: has no positions{}", where,
+               primitive.extensions.empty()
+                   ? ""
+                   : ", or only compressed ones: " + primitive.extensions.begin()->first);
+    }
+    if (!attributes.position->hasData() && attributes.position->count() > m_maxVertices) {
+        refuse("{}: {} vertices are over the limit of {}", where, attributes.position->count(),
+               m_maxVertices);
+    }
+    for (const Accessor* accessor : {attributes.normal, attributes.uv, attributes.color}) {
+        if (accessor != nullptr && accessor->count() != attributes.position->count()) {
+            refuse("{}: an attribute has {} elements for {} positions", where, accessor->count(),
+                   attributes.position->count());
+        }
+    }
+    return attributes;
+}
+
+Vertex MeshImporter::readVertex(const Attributes& attributes, std::uint32_t index, const std::string& where) {
+    Vertex vertex;
+    vertex.position = glm::vec3(attributes.position->vector(index));
+    if (!isFinite(vertex.position)) {
+        refuse("{}: the position of vertex {} is not finite", where, index);
+    }
+    if (attributes.normal != nullptr) {
+        const std::optional<glm::vec3> normal = normalized(glm::dvec3(attributes.normal->vector(index)));
+        if (!normal) {
+            m_notes.add("a normal has no direction, +z taken", where);
+        }
+        vertex.normal = normal.value_or(kAnyNormal);
+    }
+    if (attributes.uv != nullptr) {
+        vertex.uv = attributes.uvSource.apply(attributes.uv->vector(index));
+    }
+    if (attributes.color != nullptr) {
+        const glm::vec4 color = attributes.color->vector(index);
+        vertex.color = {toUnorm8(color.r), toUnorm8(color.g), toUnorm8(color.b), toUnorm8(color.a)};
+    }
+    return vertex;
+}
+
+void MeshImporter::addShared(Mesh& mesh, const Attributes& attributes, const std::string& where) {
+    if (m_newIndex.size() < attributes.position->count()) {
+        m_newIndex.resize(attributes.position->count(), kUnused);
+    }
+    std::vector<std::uint32_t> used;
+    for (std::uint32_t& index : mesh.indices) {
+        if (m_newIndex[index] == kUnused) {
+            m_newIndex[index] = static_cast<std::uint32_t>(used.size());
+            used.push_back(index);
+        }
+        index = m_newIndex[index];
+    }
+    mesh.vertices.reserve(used.size());
+    for (const std::uint32_t index : used) {
+        mesh.vertices.push_back(readVertex(attributes, index, where));
+        m_newIndex[index] = kUnused;
+    }
+}
+
+void MeshImporter::addFlat(Mesh& mesh, const Attributes& attributes, const std::string& where) {
+    mesh.vertices.reserve(mesh.indices.size());
+    for (std::uint32_t& index : mesh.indices) {
+        mesh.vertices.push_back(readVertex(attributes, index, where));
+        index = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+    }
+    for (std::size_t i = 0; i < mesh.vertices.size(); i += 3) {
+        const glm::dvec3 a(mesh.vertices[i].position);
+        const glm::dvec3 b(mesh.vertices[i + 1].position);
+        const glm::dvec3 c(mesh.vertices[i + 2].position);
+        const glm::vec3 normal = normalized(glm::cross(b - a, c - a)).value_or(kAnyNormal);
+        mesh.vertices[i].normal = mesh.vertices[i + 1].normal = mesh.vertices[i + 2].normal = normal;
+    }
+}
+
+} // namespace cdr::scene::gltf

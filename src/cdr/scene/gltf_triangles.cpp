@@ -1,0 +1,72 @@
+#include "gltf_triangles.h"
+
+#include "gltf_checks.h"
+
+namespace cdr::scene::gltf {
+
+namespace {
+
+int positionAccessor(const tinygltf::Primitive& primitive) {
+    const auto found = primitive.attributes.find("POSITION");
+    return found == primitive.attributes.end() ? -1 : found->second;
+}
+
+/// Corners drawn, before they are grouped into triangles.
+std::size_t cornerCount(const tinygltf::Primitive& primitive, Accessors& accessors) {
+    if (primitive.indices >= 0) {
+        return accessors.at(primitive.indices).count();
+    }
+    const int position = positionAccessor(primitive);
+    return position < 0 ? 0 : accessors.at(position).count();
+}
+
+/// Which corner is corner `c` of triangle `t`; the formulas are glTF's, so fronts stay fronts.
+std::size_t cornerOf(int mode, std::size_t t, std::size_t c) {
+    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
+        return t % 2 == 1 && c > 0 ? t + 3 - c : t + c;
+    }
+    if (mode == TINYGLTF_MODE_TRIANGLE_FAN) {
+        return c == 2 ? 0 : t + 1 + c;
+    }
+    return 3 * t + c;
+}
+
+} // namespace
+
+std::uint64_t triangleCount(const tinygltf::Primitive& primitive, Accessors& accessors) {
+    const std::size_t corners = cornerCount(primitive, accessors);
+    switch (primitive.mode) {
+    case TINYGLTF_MODE_TRIANGLES:
+        return corners / 3;
+    case TINYGLTF_MODE_TRIANGLE_STRIP:
+    case TINYGLTF_MODE_TRIANGLE_FAN:
+        return corners < 3 ? 0 : corners - 2;
+    default:
+        return 0;
+    }
+}
+
+std::vector<std::uint32_t> triangleList(const tinygltf::Primitive& primitive, Accessors& accessors,
+                                        std::size_t vertexCount, const std::string& where) {
+    const Accessor* indices = primitive.indices < 0 ? nullptr : &accessors.at(primitive.indices);
+    if (indices != nullptr) {
+        indices->requireIndices(primitive.indices);
+    }
+    const std::size_t triangles = triangleCount(primitive, accessors);
+    std::vector<std::uint32_t> list;
+    list.reserve(triangles * 3);
+    for (std::size_t t = 0; t < triangles; ++t) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::size_t corner = cornerOf(primitive.mode, t, c);
+            const std::uint32_t index =
+                indices == nullptr ? static_cast<std::uint32_t>(corner) : indices->integer(corner);
+            if (index >= vertexCount) {
+                refuse("{}: index {} exceeds its {} vertices", where, index, vertexCount);
+            }
+            list.push_back(index);
+        }
+    }
+    return list;
+}
+
+} // namespace cdr::scene::gltf

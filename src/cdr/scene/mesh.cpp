@@ -1,0 +1,34 @@
+#include <cdr/scene/mesh.h>
+
+namespace cdr::scene {
+
+Mesh makeBox(const glm::vec3& halfSides) {
+    Mesh mesh;
+    mesh.name = "box";
+    mesh.boundingRadius = glm::length(halfSides);
+    mesh.boxHalfSides = halfSides;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const float side : {-1.0f, 1.0f}) {
+            glm::vec3 normal(0.0f);
+            normal[axis] = side;
+            // u x v = normal, so corners in the order (-,-) (+,-) (+,+) (-,+) run counter-clockwise from
+            // outside.
+            glm::vec3 u(0.0f);
+            u[(axis + 1) % 3] = side;
+            const glm::vec3 v = glm::cross(normal, u);
+            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+            for (const glm::vec2 corner :
+                 {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
+                mesh.vertices.push_back({.position = (normal + corner.x * u + corner.y * v) * halfSides,
+                                         .normal = normal,
+                                         .uv = corner * 0.5f + 0.5f});
+            }
+            for (const std::uint32_t index : {0u, 1u, 2u, 0u, 2u, 3u}) {
+                mesh.indices.push_back(first + index);
+            }
+        }
+    }
+    return mesh;
+}
+
+} // namespace cdr::scene

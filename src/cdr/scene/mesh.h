@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cdr/image/image.h>
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::scene {
+
+struct Vertex {
+    glm::vec3 position{0.0f};           ///< object space, relative to the mesh's bounding centre
+    glm::vec3 normal{0.0f, 0.0f, 1.0f}; ///< object space, unit length
+    glm::vec2 uv{0.0f};
+    glm::u8vec4 color{255}; ///< linear, multiplies the material's base colour
+};
+
+/// An indexed triangle list. Front faces are counter-clockwise seen from outside.
+///
+/// Vertices are stored about the centre of their bounding sphere: that keeps float32 positions small, which
+/// is what bounds the smallest separation far away (DESIGN: why anchored works).
+struct Mesh {
+    std::string name;
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices; ///< three per triangle, each below vertices.size()
+    float boundingRadius = 0.0f;        ///< object space, about the origin
+    /// Half the sides when the mesh is exactly an axis-aligned box about its origin; lets the truth use
+    /// slabs.
+    std::optional<glm::vec3> boxHalfSides;
+};
+
+struct Texture {
+    std::string name;
+    image::ImageRgba8 pixels; ///< sRGB-encoded colour, linear alpha
+    bool repeatU = true;
+    bool repeatV = true;
+};
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+struct Material {
+    std::string name;
+    glm::vec4 baseColorFactor{1.0f};                 ///< linear
+    std::optional<std::uint32_t> baseColorTexture{}; ///< index into Scene::textures
+    bool doubleSided = false;
+    bool unlit = false;
+    AlphaMode alphaMode = AlphaMode::opaque;
+    float alphaCutoff = 0.5f;
+};
+
+/// A box of the given half sides about the origin, 24 vertices, flat normals, 12 triangles.
+Mesh makeBox(const glm::vec3& halfSides);
+
+} // namespace cdr::scene

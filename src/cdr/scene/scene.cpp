@@ -1,0 +1,45 @@
+#include <cdr/scene/scene.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cdr::scene {
+
+namespace {
+
+/// An upper bound of the factor by which `basis` stretches a vector: exact for orthogonal columns (rotation
+/// and scale), else the Frobenius norm.
+float largestStretch(const glm::mat3& basis) {
+    const float longest = std::max({glm::length(basis[0]), glm::length(basis[1]), glm::length(basis[2])});
+    const float skew =
+        std::max({std::abs(glm::dot(basis[0], basis[1])), std::abs(glm::dot(basis[1], basis[2])),
+                  std::abs(glm::dot(basis[2], basis[0]))});
+    if (skew <= 1e-6f * longest * longest) {
+        // The slack covers the rounding of columns that are orthogonal only nearly.
+        return longest * 1.00001f;
+    }
+    return std::sqrt(glm::dot(basis[0], basis[0]) + glm::dot(basis[1], basis[1]) +
+                     glm::dot(basis[2], basis[2]));
+}
+
+} // namespace
+
+std::uint32_t Scene::objectCount() const {
+    const auto last = std::max_element(instances.object.begin(), instances.object.end());
+    return last == instances.object.end() ? 0 : *last + 1;
+}
+
+void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::uint32_t object,
+                 const glm::dvec3& position, const glm::mat3& basis) {
+    Instances& instances = scene.instances;
+    instances.x.push_back(position.x);
+    instances.y.push_back(position.y);
+    instances.z.push_back(position.z);
+    instances.radius.push_back(scene.meshes[mesh].boundingRadius * largestStretch(basis));
+    instances.basis.push_back(basis);
+    instances.mesh.push_back(mesh);
+    instances.material.push_back(material);
+    instances.object.push_back(object);
+}
+
+} // namespace cdr::scene

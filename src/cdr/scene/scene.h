@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cdr/scene/mesh.h>
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cdr::scene {
+
+/// What the renderer draws, one entry per (object, primitive), as structure of arrays: culling and binning
+/// stream through the first four alone. Positions are world space, float64, and are the centres of the
+/// bounding spheres.
+struct Instances {
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> z;
+    std::vector<float> radius;       ///< world space, bounds the transformed mesh
+    std::vector<glm::mat3> basis;    ///< object to world, rotation and scale; exactly these float32 values
+    std::vector<std::uint32_t> mesh; ///< index into Scene::meshes
+    std::vector<std::uint32_t> material; ///< index into Scene::materials
+    /// Object index, shared by the primitives of one object. The id buffer holds it plus one; 0 is
+    /// background.
+    std::vector<std::uint32_t> object;
+
+    std::size_t size() const { return x.size(); }
+    glm::dvec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+struct PointLight {
+    glm::dvec3 position{0.0}; ///< world space
+    glm::vec3 color{1.0f};    ///< linear
+    /// Distance at which the light has fallen to half, in scene units; falls as 1 / (1 + (d /
+    /// halfDistance)^2).
+    double halfDistance = 1.0;
+};
+
+/// Everything that is drawn, and nothing about who looks at it.
+struct Scene {
+    std::string name;
+    std::vector<Mesh> meshes;
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+    std::vector<std::string> objectNames; ///< per object; may be empty for generated scenes
+    Instances instances;
+    std::vector<PointLight> lights;
+    glm::vec3 ambient{0.25f};   ///< linear, multiplies albedo
+    glm::vec3 background{0.0f}; ///< linear
+
+    std::uint32_t objectCount() const;
+};
+
+/// Most objects a scene may hold: ids are written as three bytes, 0 being background.
+inline constexpr std::uint32_t kMaxObjects = (1u << 24) - 2;
+
+/// Appends one instance; the radius follows from the mesh's and the basis' largest singular value (bounded
+/// above).
+/// @param position world space, where the mesh's origin (its bounding centre) goes.
+void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::uint32_t object,
+                 const glm::dvec3& position, const glm::mat3& basis);
+
+} // namespace cdr::scene

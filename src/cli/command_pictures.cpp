@@ -1,0 +1,121 @@
+#include "commands.h"
+#include "console.h"
+
+#include <cdr/base/error.h>
+#include <cdr/image/codec.h>
+#include <cdr/scene/open_scene.h>
+
+#include <experiments/pictures.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace cdr::cli {
+
+namespace {
+
+struct PicturesArguments {
+    experiments::PicturesOptions options;
+    std::string size = "1280x720";
+    std::filesystem::path folder = "out";
+    OutputOptions output;
+};
+
+nlohmann::ordered_json toJson(const experiments::PictureResult& result) {
+    return {{"scene", result.scene},
+            {"technique", result.technique},
+            {"fov_degrees", result.fovYDegrees},
+            {"frames", result.frames},
+            {"pixels", result.wrong.pixels},
+            {"wrong", result.wrong.wrong},
+            {"wrong_fraction", result.wrong.fraction()},
+            {"overlap_pixels", result.wrong.overlapPixels},
+            {"overlap_wrong", result.wrong.overlapWrong},
+            {"overlap_wrong_fraction", result.wrong.overlapFraction()},
+            {"edge_wrong", result.wrong.edgeWrong},
+            {"flips", result.flips}};
+}
+
+void printTable(const Console& console, const std::vector<experiments::PictureResult>& results) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& result : results) {
+        rows.push_back({result.scene, result.technique, std::to_string(result.frames),
+                        std::to_string(result.wrong.pixels), std::to_string(result.wrong.wrong),
+                        fmt::format("{:.4f} %", 100.0 * result.wrong.fraction()),
+                        fmt::format("{:.4f} %", 100.0 * result.wrong.overlapFraction())});
+    }
+    console.table(
+        {"scene", "technique", "frames", "inner pixels", "wrong", "wrong share", "where objects overlap"},
+        rows);
+}
+
+void run(const GlobalOptions& global, PicturesArguments& arguments) {
+    const PictureSize size = parseSize(arguments.size);
+    arguments.options.width = size.width;
+    arguments.options.height = size.height;
+    requireJsonWritable(arguments.output);
+    std::error_code error;
+    std::filesystem::create_directories(arguments.folder, error);
+    if (error) {
+        throw base::InputError(
+            fmt::format("{}: cannot be made: {}", arguments.folder.string(), error.message()));
+    }
+    const Session session(global);
+    const Console console(global, arguments.output);
+    const auto results = experiments::runPictures(
+        session.device(), arguments.options, [&](std::size_t done, std::size_t all, const std::string& what) {
+            console.progress(done, all, what);
+        });
+    console.endProgress();
+    session.requireSilentValidation();
+
+    const std::string device = describe(session.device());
+    for (const auto& result : results) {
+        const std::string stem = fmt::format("{}_{}", result.scene, result.technique);
+        image::writeImage(arguments.folder / (stem + ".png"), result.picture);
+        image::writeImage(arguments.folder / (stem + "_wrong.png"), result.heatMap);
+    }
+    const std::filesystem::path sheet = arguments.folder / "contact_sheet.png";
+    image::writeImage(sheet, experiments::makeContactSheet(
+                                 results, "cdr pictures: red is wrong, orange wrong on an edge; " +
+                                              session.device().info().name));
+    printTable(console, results);
+    console.line(fmt::format("\n{}; {} frames a row, seed {}; pictures in {}, all on {}", device,
+                             arguments.options.frames, arguments.options.seed, arguments.folder.string(),
+                             sheet.string()));
+
+    auto document = base::makeDocument("pictures", session.documentDevice(),
+                                       {{"width", size.width},
+                                        {"height", size.height},
+                                        {"frames", arguments.options.frames},
+                                        {"seed", arguments.options.seed}});
+    for (const auto& result : results) {
+        document["results"].push_back(toJson(result));
+    }
+    writeJson(arguments.output, document);
+}
+
+} // namespace
+
+void addPictures(CLI::App& program, const GlobalOptions& global) {
+    CLI::App* command = program.add_subcommand(
+        "pictures", "One picture per technique with its wrong pixels (Figures 6.1 to 6.3)");
+    auto arguments = std::make_shared<PicturesArguments>();
+    command->add_option("--out", arguments->folder, "Folder for the pictures")->capture_default_str();
+    command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command
+        ->add_option("--frames", arguments->options.frames, "Frames per scene, spread over its camera path")
+        ->check(CLI::Range(1u, kMaxFrames))
+        ->capture_default_str();
+    command
+        ->add_option("--threads", arguments->options.threads,
+                     "Threads that cull, bin, record and cast the truth")
+        ->capture_default_str();
+    command->add_option("--seed", arguments->options.seed, "Seed of the random scenes")
+        ->capture_default_str();
+    addJson(*command, arguments->output);
+    command->callback([&global, arguments] { run(global, *arguments); });
+}
+
+} // namespace cdr::cli

@@ -1,0 +1,253 @@
+#include "commands.h"
+#include "console.h"
+#include "sequence_name.h"
+
+#include <cdr/base/error.h>
+#include <cdr/base/file.h>
+#include <cdr/base/suggest.h>
+#include <cdr/render/renderer.h>
+#include <cdr/scene/open_scene.h>
+
+#include <experiments/aov.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <numbers>
+#include <optional>
+
+namespace cdr::cli {
+
+namespace {
+
+struct RenderArguments {
+    std::string scene;
+    std::string technique;
+    std::string depth;
+    std::string split;
+    std::string format;
+    std::string targets = "single";
+    std::size_t threads = 1;
+    std::string size = "1280x720";
+    std::uint32_t frame = 0;
+    std::uint32_t frames = 1;
+    std::string aov = "color";
+    std::string file;
+    bool hash = false;
+    std::string eye;
+    std::string target;
+    std::optional<double> fovDegrees;
+    std::optional<double> nearView;
+    std::optional<double> farView;
+    std::uint64_t seed = scene::kDefaultSeed;
+    OutputOptions output;
+};
+
+depth::Technique techniqueOf(const RenderArguments& arguments) {
+    const bool byParts = !arguments.depth.empty() || !arguments.split.empty();
+    if (byParts && !arguments.technique.empty()) {
+        throw base::InputError("give either --technique, or --depth and --split");
+    }
+    depth::Technique technique =
+        depth::parseTechnique(arguments.technique.empty() ? "reversed" : arguments.technique);
+    if (byParts) {
+        technique = depth::makeTechnique(
+            depth::parseMapping(arguments.depth.empty() ? "standard" : arguments.depth),
+            depth::parseSplit(arguments.split.empty() ? "none" : arguments.split), depth::DepthFormat::d32f);
+    }
+    if (!arguments.format.empty()) {
+        technique.format = depth::parseDepthFormat(arguments.format);
+    }
+    return technique;
+}
+
+glm::dvec3 parsePoint(const std::string& what, const std::string& text) {
+    const std::size_t first = text.find(',');
+    const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
+    if (second == std::string::npos) {
+        throw base::InputError(
+            fmt::format("{} must be three numbers x,y,z, not '{}'", what, text.substr(0, 60)));
+    }
+    return {base::parseNumber(what, text.substr(0, first)),
+            base::parseNumber(what, text.substr(first + 1, second - first - 1)),
+            base::parseNumber(what, text.substr(second + 1))};
+}
+
+/// The scene's own camera at a frame, with what the arguments override.
+scene::Camera cameraAt(const RenderArguments& arguments, const scene::CameraPath& path, std::uint32_t frame) {
+    scene::Camera camera = path.at(frame);
+    if (arguments.fovDegrees) {
+        camera.fovY = *arguments.fovDegrees * std::numbers::pi / 180.0;
+    }
+    camera.nearView = arguments.nearView.value_or(camera.nearView);
+    camera.farView = arguments.farView.value_or(camera.farView);
+    scene::requireUsable(camera);
+    if (!arguments.eye.empty() || !arguments.target.empty()) {
+        const glm::dvec3 eye = arguments.eye.empty() ? camera.position : parsePoint("--eye", arguments.eye);
+        // Without a target the view direction stays.
+        const glm::dvec3 target =
+            arguments.target.empty() ? eye - camera.back : parsePoint("--target", arguments.target);
+        camera = scene::lookAt(camera, eye, target);
+    }
+    return camera;
+}
+
+/// What can be wrong with the arguments, before anything is loaded or made.
+void checkArguments(const RenderArguments& arguments, const SequenceName& name) {
+    if (arguments.frames > 1 && !arguments.file.empty() && !name.hasNumber()) {
+        throw base::InputError(
+            fmt::format("{}: several frames need a number in the name, such as %04d", arguments.file));
+    }
+    if (!arguments.file.empty()) {
+        const std::string extension = name.at(arguments.frame).extension().string();
+        constexpr std::array<std::string_view, 3> kExtensions{".png", ".tga", ".exr"};
+        if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
+            throw base::InputError(base::unknownName("picture format", extension, kExtensions));
+        }
+        base::requireWritable(name.at(arguments.frame));
+    }
+    requireJsonWritable(arguments.output);
+}
+
+void writeOutput(const std::filesystem::path& path, const render::Frame& frame, experiments::Aov aov,
+                 const measure::TruthImage* truth) {
+    if (path.extension() == ".exr") {
+        image::writeExr(path, experiments::channelsOf(frame, aov, truth));
+    } else {
+        image::writeImage(path, experiments::pictureOf(frame, aov, truth));
+    }
+}
+
+nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth::Technique& technique,
+                                   const PictureSize& size) {
+    return {{"scene", arguments.scene},
+            {"mapping", nameOf(technique.mapping)},
+            {"split", nameOf(technique.split)},
+            {"format", nameOf(technique.format)},
+            {"width", size.width},
+            {"height", size.height},
+            {"seed", arguments.seed},
+            {"aov", arguments.aov}};
+}
+
+nlohmann::ordered_json frameJson(const render::RenderOptions& options, const render::Frame& frame,
+                                 std::uint32_t number, const std::string& hash) {
+    const render::FrameTimes& times = frame.stats.times;
+    return {{"technique", options.technique.name},
+            {"targets", nameOf(options.targets)},
+            {"threads", options.threads},
+            {"cascades", frame.cascades.size()},
+            {"draws", frame.stats.draws},
+            {"hash", hash},
+            {"frame", number},
+            {"visible", frame.stats.visible},
+            {"duplication", frame.stats.duplication},
+            {"cull_ms", times.cullMs},
+            {"bin_ms", times.binMs},
+            {"record_ms", times.recordMs},
+            {"execute_ms", times.executeMs}};
+}
+
+void run(const GlobalOptions& global, const RenderArguments& arguments) {
+    const PictureSize size = parseSize(arguments.size);
+    const experiments::Aov aov = experiments::parseAov(arguments.aov);
+    const SequenceName name(arguments.file);
+    const render::RenderOptions options{.width = size.width,
+                                        .height = size.height,
+                                        .technique = techniqueOf(arguments),
+                                        .targets = render::parseTargets(arguments.targets),
+                                        .threads = arguments.threads};
+    checkArguments(arguments, name);
+    const scene::OpenedScene opened = scene::openScene(arguments.scene, arguments.seed);
+    const scene::Scene& scene = opened.staged.scene;
+    cameraAt(arguments, opened.staged.path,
+             arguments.frame); // an unusable camera ends here, before the device is made
+
+    const Session session(global);
+    const Console console(global, arguments.output);
+    for (const std::string& note : opened.notes) {
+        console.line("ignored: " + note);
+    }
+    const render::GpuScene gpuScene(session.device(), scene);
+    render::Renderer renderer(session.device(), scene, gpuScene, options);
+    base::WorkerPool workers(arguments.threads);
+    auto document = base::makeDocument("render", session.documentDevice(),
+                                       optionsJson(arguments, options.technique, size));
+    std::vector<std::vector<std::string>> rows;
+    for (std::uint32_t number = arguments.frame; number < arguments.frame + arguments.frames; ++number) {
+        console.progress(number - arguments.frame, arguments.frames, arguments.scene);
+        const scene::Camera camera = cameraAt(arguments, opened.staged.path, number);
+        const render::Frame frame = renderer.render(camera);
+        std::optional<measure::TruthImage> truth;
+        if (aov == experiments::Aov::wrong) {
+            truth = measure::castTruth(scene, camera, size.width, size.height, workers);
+        }
+        const measure::TruthImage* truthOrNull = truth ? &*truth : nullptr;
+        session.requireSilentValidation();
+        if (!arguments.file.empty()) {
+            writeOutput(name.at(number), frame, aov, truthOrNull);
+        }
+        const std::string hash =
+            arguments.hash || arguments.output.json ? hashOf(frame, aov, truthOrNull) : "";
+        document["results"].push_back(frameJson(options, frame, number, hash));
+        rows.push_back({fmt::format("{} frame {}", arguments.scene, number), options.technique.name,
+                        std::to_string(frame.cascades.size()), std::to_string(frame.stats.draws),
+                        fmt::format("{:.2f}", frame.stats.times.recordMs),
+                        fmt::format("{:.2f}", frame.stats.times.executeMs), arguments.hash ? hash : ""});
+    }
+    console.endProgress();
+    console.table({"scene", "technique", "cascades", "draws", "record ms", "execute ms",
+                   arguments.hash ? "sha-256" : ""},
+                  rows);
+    console.line(describe(session.device()));
+    writeJson(arguments.output, document);
+}
+
+void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
+    command.add_option("--technique", arguments.technique,
+                       "Preset: standard, cdr, log, logcdr or reversed (default)");
+    command.add_option("--depth", arguments.depth,
+                       "Depth mapping, instead of a preset: standard, reversed, log, log-fragment, ...");
+    command.add_option("--split", arguments.split,
+                       "How cascades are cut: none, ratio:R, count:K or at:a,b,...");
+    command.add_option("--format", arguments.format, "Depth buffer: d16, d24 or d32f");
+    command.add_option("--targets", arguments.targets, "How cascades reach the G-buffer")
+        ->capture_default_str();
+    command.add_option("--threads", arguments.threads, "Threads that cull, bin and record")
+        ->capture_default_str();
+}
+
+void addCameraOptions(CLI::App& command, RenderArguments& arguments) {
+    command.add_option("--frame", arguments.frame, "First frame of the scene's camera path")
+        ->capture_default_str();
+    command.add_option("--frames", arguments.frames, "How many frames")
+        ->check(CLI::Range(1u, kMaxFrames))
+        ->capture_default_str();
+    command.add_option("--eye", arguments.eye, "Camera position x,y,z instead of the scene's");
+    command.add_option("--target", arguments.target, "Point x,y,z to look at");
+    command.add_option("--fov", arguments.fovDegrees, "Vertical field of view in degrees");
+    command.add_option("--near", arguments.nearView, "Near plane, view distance");
+    command.add_option("--far", arguments.farView, "Far plane, view distance");
+    command.add_option("--seed", arguments.seed, "Seed of a random scene")->capture_default_str();
+}
+
+} // namespace
+
+void addRender(CLI::App& program, const GlobalOptions& global) {
+    CLI::App* command = program.add_subcommand("render", "Render a scene into pictures");
+    auto arguments = std::make_shared<RenderArguments>();
+    command->add_option("scene", arguments->scene, "cubes, afc, rotation, ladder, or a .gltf or .glb file")
+        ->required();
+    addTechniqueOptions(*command, *arguments);
+    addCameraOptions(*command, *arguments);
+    command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--aov", arguments->aov, "Output: color, id, distance, normal, cascade or wrong")
+        ->capture_default_str();
+    command->add_option("-o,--output", arguments->file,
+                        "Picture to write: .png, .tga or .exr; %04d stands for the frame");
+    command->add_flag("--hash", arguments->hash, "Print a SHA-256 of each output's values");
+    addJson(*command, arguments->output);
+    command->callback([&global, arguments] { run(global, *arguments); });
+}
+
+} // namespace cdr::cli

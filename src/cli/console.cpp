@@ -1,0 +1,70 @@
+#include "console.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace cdr::cli {
+
+Console::Console(const GlobalOptions& global, const OutputOptions& output)
+    : m_out(output.json == "-" ? stderr : stdout),
+      m_quiet(global.quiet),
+      m_terminal(::isatty(STDERR_FILENO) != 0) {}
+
+void Console::line(const std::string& text) const {
+    if (!m_quiet) {
+        fmt::print(m_out, "{}\n", text);
+    }
+}
+
+void Console::table(const std::vector<std::string>& header,
+                    const std::vector<std::vector<std::string>>& rows) const {
+    std::vector<std::size_t> widths;
+    for (const std::string& cell : header) {
+        widths.push_back(cell.size());
+    }
+    for (const auto& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            widths[i] = std::max(widths[i], row[i].size());
+        }
+    }
+    const auto print = [&](const std::vector<std::string>& row) {
+        std::string text;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            // Names to the left, figures to the right.
+            text += i == 0 ? fmt::format("{:<{}}", row[i], widths[i])
+                           : fmt::format("  {:>{}}", row[i], widths[i]);
+        }
+        line(text);
+    };
+    print(header);
+    for (const auto& row : rows) {
+        print(row);
+    }
+}
+
+void Console::progress(std::size_t done, std::size_t all, const std::string& what) const {
+    if (m_quiet || !m_terminal || all == 0) {
+        return;
+    }
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - m_start;
+    const double left =
+        done ? passed.count() / static_cast<double>(done) * static_cast<double>(all - done) : 0.0;
+    fmt::print(stderr, "\r\x1b[K{}/{} {}, {:.0f} s left", done, all, what, left);
+    std::fflush(stderr);
+}
+
+void Console::endProgress() const {
+    if (!m_quiet && m_terminal) {
+        fmt::print(stderr, "\r\x1b[K");
+    }
+}
+
+void writeJson(const OutputOptions& output, const nlohmann::ordered_json& document) {
+    if (output.json) {
+        base::writeDocument(*output.json, document);
+    }
+}
+
+} // namespace cdr::cli

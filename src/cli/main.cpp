@@ -1,0 +1,85 @@
+#include "commands.h"
+
+#include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
+
+#include <fmt/format.h>
+#include <vulkan/vulkan.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kBadInput = 2;
+
+/// One line on standard error, whatever the message holds.
+int fail(int status, std::string message) {
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    fmt::print(stderr, "cdr: {}\n", message);
+    return status;
+}
+
+/// A mistyped command leaves CLI11 saying only that it wants one.
+std::string explainMissing(const CLI::App& program, const CLI::RequiredError& error) {
+    const std::vector<std::string> rest = program.remaining();
+    if (!program.get_subcommands().empty() || rest.empty()) {
+        return error.what();
+    }
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands({})) {
+        names.push_back(command->get_name());
+    }
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    return cdr::base::unknownName("command", rest.front(), known);
+}
+
+int run(int argc, char** argv) {
+    CLI::App program("Cascaded deferred rendering: see far without z-fighting.", "cdr");
+    program.require_subcommand(1);
+    cdr::cli::GlobalOptions global;
+    program.add_option("--device", global.device, "Vulkan device by number or part of its name");
+    program.add_flag("--validate", global.validate,
+                     "Run under the Khronos validation layer; any message is a failure");
+    program.add_flag("--quiet", global.quiet, "Print nothing but errors");
+    const cdr::base::BuildInfo build = cdr::base::buildInfo();
+    program.set_version_flag("--version", fmt::format("cdr {} ({})", build.version, build.commit));
+    cdr::cli::addDevices(program, global);
+    cdr::cli::addRender(program, global);
+    cdr::cli::addPrecision(program, global);
+    cdr::cli::addPictures(program, global);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return program.exit(success);
+    } catch (const CLI::RequiredError& error) {
+        return fail(kBadInput, explainMissing(program, error));
+    } catch (const CLI::ParseError& error) {
+        return fail(kBadInput, error.what());
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const cdr::base::InputError& error) {
+        return fail(kBadInput, error.what());
+    } catch (const vk::DeviceLostError&) {
+        return fail(kFailed, "the Vulkan device was lost; its driver crashed or was reset");
+    } catch (const vk::SystemError& error) {
+        return fail(kFailed, fmt::format("Vulkan: {}", error.what()));
+    } catch (const std::bad_alloc&) {
+        return fail(kFailed, "out of memory");
+    } catch (const std::exception& error) {
+        return fail(kFailed, error.what());
+    }
+}

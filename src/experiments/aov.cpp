@@ -1,0 +1,197 @@
+#include "aov.h"
+
+#include <cdr/base/error.h>
+#include <cdr/base/sha256.h>
+#include <cdr/base/suggest.h>
+#include <cdr/measure/wrong_pixels.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace cdr::experiments {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> kNames{"color", "id", "distance", "normal", "cascade", "wrong"};
+
+/// Tints told apart by most eyes (Okabe and Ito 2008), repeated beyond eight cascades.
+constexpr std::array<std::array<float, 3>, 8> kTints{{{0.90f, 0.62f, 0.00f},
+                                                      {0.34f, 0.71f, 0.91f},
+                                                      {0.00f, 0.62f, 0.45f},
+                                                      {0.94f, 0.89f, 0.26f},
+                                                      {0.00f, 0.45f, 0.70f},
+                                                      {0.84f, 0.37f, 0.00f},
+                                                      {0.80f, 0.47f, 0.65f},
+                                                      {0.75f, 0.75f, 0.75f}}};
+
+std::uint8_t toByte(double unit) {
+    return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(unit, 0.0, 1.0)));
+}
+
+/// A picture, pixel by pixel.
+image::ImageRgba8 paint(const render::Frame& frame,
+                        const std::function<image::Rgba8(std::uint32_t x, std::uint32_t y)>& pixel) {
+    image::ImageRgba8 picture(frame.width(), frame.height());
+    for (std::uint32_t y = 0; y < picture.height; ++y) {
+        for (std::uint32_t x = 0; x < picture.width; ++x) {
+            picture.at(x, y) = pixel(x, y);
+        }
+    }
+    return picture;
+}
+
+/// A float image, pixel by pixel.
+image::ImageFloat values(const render::Frame& frame,
+                         const std::function<double(std::uint32_t x, std::uint32_t y)>& value) {
+    image::ImageFloat image(frame.width(), frame.height());
+    for (std::uint32_t y = 0; y < image.height; ++y) {
+        for (std::uint32_t x = 0; x < image.width; ++x) {
+            image.at(x, y) = static_cast<float>(value(x, y));
+        }
+    }
+    return image;
+}
+
+image::ImageRgba8 idPicture(const render::Frame& frame) {
+    return paint(frame, [&](auto x, auto y) -> image::Rgba8 {
+        const std::uint32_t id = frame.id(x, y);
+        return {static_cast<std::uint8_t>(id), static_cast<std::uint8_t>(id >> 8),
+                static_cast<std::uint8_t>(id >> 16), 255};
+    });
+}
+
+image::ImageRgba8 distancePicture(const render::Frame& frame) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = 0.0;
+    for (std::uint32_t y = 0; y < frame.height(); ++y) {
+        for (std::uint32_t x = 0; x < frame.width(); ++x) {
+            const double w = frame.distanceView(x, y);
+            if (std::isfinite(w)) {
+                low = std::min(low, w);
+                high = std::max(high, w);
+            }
+        }
+    }
+    const double span = std::max(std::log(high / low), 1e-12);
+    return paint(frame, [&](auto x, auto y) -> image::Rgba8 {
+        const double w = frame.distanceView(x, y);
+        const std::uint8_t grey =
+            std::isfinite(w) ? toByte(1.0 - 0.9 * std::log(w / low) / span) : std::uint8_t{0};
+        return {grey, grey, grey, 255};
+    });
+}
+
+image::ImageRgba8 normalPicture(const render::Frame& frame) {
+    return paint(frame, [&](auto x, auto y) -> image::Rgba8 {
+        const glm::dvec3 n(frame.normalView(x, y));
+        return {toByte(0.5 + 0.5 * n.x), toByte(0.5 + 0.5 * n.y), toByte(0.5 + 0.5 * n.z), 255};
+    });
+}
+
+image::ImageRgba8 cascadePicture(const render::Frame& frame) {
+    return paint(frame, [&](auto x, auto y) -> image::Rgba8 {
+        if (frame.id(x, y) == 0) {
+            return {0, 0, 0, 255};
+        }
+        const image::Rgba8& color = frame.color.at(x, y);
+        const double light = 0.3 + 0.7 * std::max({color[0], color[1], color[2]}) / 255.0;
+        const auto& tint = kTints[frame.cascade(x, y) % kTints.size()];
+        return {toByte(light * static_cast<double>(tint[0])), toByte(light * static_cast<double>(tint[1])),
+                toByte(light * static_cast<double>(tint[2])), 255};
+    });
+}
+
+image::ImageRgba8 wrongPicture(const render::Frame& frame, const measure::TruthImage* truth) {
+    if (truth == nullptr) {
+        throw base::RunError("the wrong-pixel picture needs the truth");
+    }
+    return measure::heatMap(frame.ids(), *truth, frame.color);
+}
+
+std::vector<image::ExrChannel> colorChannels(const render::Frame& frame, const image::ImageRgba8& picture) {
+    std::vector<image::ExrChannel> channels;
+    for (std::size_t c = 0; c < 3; ++c) {
+        // EXR holds linear light.
+        channels.push_back({std::string(1, "RGB"[c]), values(frame, [&](auto x, auto y) {
+                                const double s = picture.at(x, y)[c] / 255.0;
+                                return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+                            })});
+    }
+    return channels;
+}
+
+} // namespace
+
+std::string_view nameOf(Aov aov) {
+    return kNames[static_cast<std::size_t>(aov)];
+}
+
+Aov parseAov(std::string_view name) {
+    const auto found = std::find(kNames.begin(), kNames.end(), name);
+    if (found == kNames.end()) {
+        throw base::InputError(base::unknownName("output", name, kNames));
+    }
+    return static_cast<Aov>(found - kNames.begin());
+}
+
+image::ImageRgba8 pictureOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth) {
+    switch (aov) {
+    case Aov::color:
+        return frame.color;
+    case Aov::id:
+        return idPicture(frame);
+    case Aov::distance:
+        return distancePicture(frame);
+    case Aov::normal:
+        return normalPicture(frame);
+    case Aov::cascade:
+        return cascadePicture(frame);
+    case Aov::wrong:
+        return wrongPicture(frame, truth);
+    }
+    throw base::RunError("output out of range");
+}
+
+std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
+                                          const measure::TruthImage* truth) {
+    switch (aov) {
+    case Aov::color:
+    case Aov::wrong:
+        return colorChannels(frame, pictureOf(frame, aov, truth));
+    case Aov::id:
+        return {{"id", values(frame, [&](auto x, auto y) { return frame.id(x, y); })}};
+    case Aov::cascade:
+        return {{"cascade", values(frame, [&](auto x, auto y) { return frame.cascade(x, y); })}};
+    case Aov::distance:
+        return {{"ahead", frame.ahead},
+                {"distance", values(frame, [&](auto x, auto y) { return frame.distanceView(x, y); })}};
+    case Aov::normal:
+        return {{"X", values(frame, [&](auto x, auto y) { return frame.normalView(x, y).x; })},
+                {"Y", values(frame, [&](auto x, auto y) { return frame.normalView(x, y).y; })},
+                {"Z", values(frame, [&](auto x, auto y) { return frame.normalView(x, y).z; })}};
+    }
+    throw base::RunError("output out of range");
+}
+
+std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth) {
+    switch (aov) {
+    case Aov::color:
+        return base::sha256Of(frame.color.pixels);
+    case Aov::wrong:
+        return base::sha256Of(wrongPicture(frame, truth).pixels);
+    case Aov::id:
+        return base::sha256Of(frame.ids().pixels);
+    case Aov::distance:
+        return base::sha256Of(frame.ahead.pixels);
+    case Aov::normal:
+        return base::sha256Of(frame.normal.pixels);
+    case Aov::cascade:
+        return base::sha256Of(frame.idAndCascade.pixels);
+    }
+    throw base::RunError("output out of range");
+}
+
+} // namespace cdr::experiments

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cdr/image/codec.h>
+#include <cdr/measure/truth.h>
+#include <cdr/render/frame.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// What a frame can be written as.
+enum class Aov : std::uint8_t {
+    color,    ///< the shaded picture, sRGB
+    id,       ///< object index + 1 as R + 256 G + 65536 B, background 0
+    distance, ///< view distance: exact in EXR; in 8 bits its logarithm, near white to far dark
+    normal,   ///< view space, (n + 1) / 2
+    cascade,  ///< one tint per cascade, times the picture's lightness
+    wrong,    ///< red where wrong off edges, orange on edges
+};
+
+std::string_view nameOf(Aov aov);
+/// base::InputError with a suggestion for an unknown name.
+Aov parseAov(std::string_view name);
+
+/// The 8-bit picture of an output. `truth` is needed for Aov::wrong alone.
+image::ImageRgba8 pictureOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth);
+
+/// The float channels of an output, for EXR: R G B of the picture for color and wrong, else the values
+/// themselves.
+std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
+                                          const measure::TruthImage* truth);
+
+/// SHA-256 of an output's values: RGBA bytes of color and wrong, else 32-bit values as the G-buffer holds
+/// them.
+std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth);
+
+} // namespace cdr::experiments

@@ -1,0 +1,91 @@
+#include "pictures.h"
+
+#include <cdr/measure/flips.h>
+#include <cdr/render/renderer.h>
+#include <cdr/scene/open_scene.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// Adds one frame of one technique to its result.
+void addFrame(const render::Frame& frame, const measure::TruthImage& truth,
+              const std::optional<measure::IdFrame>& before, PictureResult& result) {
+    const image::ImageU32 ids = frame.ids();
+    result.wrong += measure::countWrong(ids, truth);
+    if (result.frames == 0) {
+        result.picture = frame.color;
+        result.heatMap = measure::heatMap(ids, truth, frame.color);
+    }
+    if (before) {
+        result.flips += measure::countFlips(*before, {ids, truth});
+    }
+    ++result.frames;
+}
+
+/// All techniques over one scene; they share the truth of each frame.
+std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOptions& options,
+                                    const std::string& sceneName,
+                                    const std::function<void(const std::string&)>& step) {
+    const scene::StagedScene staged = scene::openScene(sceneName, options.seed).staged;
+    const render::GpuScene gpuScene(device, staged.scene);
+    base::WorkerPool workers(options.threads);
+    std::vector<std::unique_ptr<render::Renderer>> renderers;
+    std::vector<PictureResult> results;
+    std::vector<std::optional<measure::IdFrame>> before(options.techniques.size());
+    for (const depth::Technique& technique : options.techniques) {
+        renderers.push_back(
+            std::make_unique<render::Renderer>(device, staged.scene, gpuScene,
+                                               render::RenderOptions{.width = options.width,
+                                                                     .height = options.height,
+                                                                     .technique = technique,
+                                                                     .targets = render::TargetsKind::single,
+                                                                     .threads = options.threads}));
+        PictureResult result;
+        result.scene = staged.scene.name;
+        result.technique = technique.name;
+        result.fovYDegrees = staged.path.at(0).fovY * 180.0 / std::numbers::pi;
+        results.push_back(std::move(result));
+    }
+    const std::uint32_t frames = std::min(options.frames, staged.path.frames);
+    for (std::uint32_t i = 0; i < frames; ++i) {
+        const auto number = static_cast<std::uint32_t>(std::uint64_t{i} * staged.path.frames / frames);
+        const scene::Camera camera = staged.path.at(number);
+        const measure::TruthImage truth =
+            measure::castTruth(staged.scene, camera, options.width, options.height, workers);
+        for (std::size_t t = 0; t < renderers.size(); ++t) {
+            step(sceneName + " " + results[t].technique);
+            const render::Frame frame = renderers[t]->render(camera);
+            addFrame(frame, truth, before[t], results[t]);
+            before[t] = measure::IdFrame{frame.ids(), truth};
+        }
+    }
+    return results;
+}
+
+} // namespace
+
+std::vector<PictureResult> runPictures(const gpu::Device& device, const PicturesOptions& given,
+                                       const Progress& progress) {
+    PicturesOptions options = given;
+    if (options.techniques.empty()) {
+        options.techniques.assign(depth::presets().begin(), depth::presets().end());
+    }
+    const std::size_t all = options.scenes.size() * options.techniques.size() * options.frames;
+    std::size_t done = 0;
+    std::vector<PictureResult> results;
+    for (const std::string& scene : options.scenes) {
+        auto part =
+            runScene(device, options, scene, [&](const std::string& what) { progress(done++, all, what); });
+        std::move(part.begin(), part.end(), std::back_inserter(results));
+    }
+    return results;
+}
+
+} // namespace cdr::experiments

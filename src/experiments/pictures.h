@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cdr/depth/technique.h>
+#include <cdr/gpu/device.h>
+#include <cdr/image/image.h>
+#include <cdr/measure/wrong_pixels.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// Figures 6.1 to 6.3: one picture per technique, what is wrong in it beside it.
+struct PicturesOptions {
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    std::uint32_t frames = 3; ///< spread evenly over each scene's camera path; a still scene has one
+    std::size_t threads = 1;
+    std::uint64_t seed = 2013;
+    std::vector<std::string> scenes{"cubes", "afc"};
+    std::vector<depth::Technique> techniques; ///< all presets when empty
+};
+
+/// One technique over one scene.
+struct PictureResult {
+    std::string scene;
+    std::string technique;
+    double fovYDegrees = 0.0;
+    std::uint32_t frames = 0;
+    measure::WrongPixels wrong; ///< summed over the frames
+    std::uint64_t flips = 0;    ///< measure::countFlips, summed over neighbouring frames
+    image::ImageRgba8 picture;  ///< of the first frame
+    image::ImageRgba8 heatMap;  ///< of the first frame
+};
+
+/// Called before each frame with how many of all frames are done.
+using Progress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
+
+std::vector<PictureResult> runPictures(const gpu::Device& device, const PicturesOptions& options,
+                                       const Progress& progress);
+
+/// All pictures over their heat maps with captions, one column per technique, two rows per scene.
+image::ImageRgba8 makeContactSheet(const std::vector<PictureResult>& results, const std::string& title);
+
+} // namespace cdr::experiments

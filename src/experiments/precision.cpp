@@ -1,0 +1,123 @@
+#include "precision.h"
+
+#include <cdr/base/error.h>
+#include <cdr/depth/separation.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace cdr::experiments {
+
+namespace {
+
+constexpr int kThesisBits = 24;
+constexpr std::array<double, 4> kThesisSeparations{0.001, 0.01, 0.1, 1.0};
+
+/// Table 4.1, near 0.001, far 10^8.
+struct ThesisRow {
+    const char* technique;
+    std::array<double, 4> distancesView;
+};
+constexpr std::array<ThesisRow, 4> kThesisTable{{
+    {"standard", {4.096, 12.958, 41.010, 130.028}},
+    {"cdr", {129.592, 409.810, 40980.545, 129592.205}},
+    {"log", {662.386, 6623.860, 66238.604, 662386.037}},
+    {"logcdr", {2428.750, 24287.501, 242875.013, 3643125.454}},
+}};
+
+std::optional<double> thesisValue(const std::string& technique, double separation,
+                                  const PrecisionOptions& options) {
+    if (options.nearView != 0.001 || options.farView != 1e8) {
+        return std::nullopt;
+    }
+    for (const ThesisRow& row : kThesisTable) {
+        for (std::size_t i = 0; i < kThesisSeparations.size(); ++i) {
+            if (technique == row.technique && separation == kThesisSeparations[i]) {
+                return row.distancesView[i];
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+using Curve = std::function<double(double distanceView)>;
+
+PrecisionCell makeCell(const std::string& technique, const std::string& format, double separation,
+                       const Curve& curve, const PrecisionOptions& options) {
+    const auto crossing = depth::findCrossing(curve, separation, options.nearView, options.farView);
+    return {.technique = technique,
+            .format = format,
+            .separation = separation,
+            .reachedFirstView =
+                crossing ? crossing->reachedFirstView : std::numeric_limits<double>::infinity(),
+            .heldLastView = crossing ? crossing->heldLastView : options.farView,
+            .thesisView = std::nullopt};
+}
+
+/// The curve of a technique as the thesis computes it; none for techniques it does not have.
+std::optional<Curve> thesisCurve(const depth::Technique& technique, const depth::Cascades& cascades) {
+    const depth::Mapping mapping = technique.mapping;
+    if (mapping != depth::Mapping::standard && mapping != depth::Mapping::log) {
+        return std::nullopt;
+    }
+    return [=](double w) { return depth::thesisSeparationView(mapping, cascades, kThesisBits, w); };
+}
+
+void addTable(const depth::Technique& technique, const Curve& curve, const PrecisionOptions& options,
+              PrecisionResult& result) {
+    for (const double separation : options.separations) {
+        PrecisionCell cell = makeCell(technique.name, "d24", separation, curve, options);
+        cell.thesisView = thesisValue(technique.name, separation, options);
+        result.table.push_back(cell);
+    }
+}
+
+/// Figure 4.1's own grid: a tenth more at every point (Listing A.2).
+std::vector<double> figureGrid(const PrecisionOptions& options) {
+    std::vector<double> grid;
+    for (double w = options.nearView * 2.1; w < options.farView; w *= 1.1) {
+        grid.push_back(w);
+    }
+    grid.push_back(options.farView);
+    return grid;
+}
+
+} // namespace
+
+PrecisionResult runPrecision(const PrecisionOptions& options) {
+    PrecisionResult result;
+    std::vector<Curve> curves;
+    for (const depth::Technique& technique : depth::presets()) {
+        const depth::Cascades cascades =
+            depth::makeCascades(technique.split, options.nearView, options.farView);
+        const auto exact = [&](depth::DepthFormat format) -> Curve {
+            return [=, mapping = technique.mapping](double w) {
+                return depth::separationView(mapping, cascades, format, w);
+            };
+        };
+        for (const depth::DepthFormat format : depth::kDepthFormats) {
+            for (const double separation : options.separations) {
+                result.byFormat.push_back(makeCell(technique.name, std::string(nameOf(format)), separation,
+                                                   exact(format), options));
+            }
+        }
+        const std::optional<Curve> thesis = thesisCurve(technique, cascades);
+        if (thesis) {
+            addTable(technique, *thesis, options, result);
+        }
+        result.curveNames.push_back(technique.name);
+        curves.push_back(thesis ? *thesis : exact(depth::DepthFormat::d32f));
+    }
+    for (const double w : figureGrid(options)) {
+        PrecisionPoint point{.distanceView = w, .separations = {}};
+        for (const Curve& curve : curves) {
+            point.separations.push_back(curve(w));
+        }
+        result.curve.push_back(point);
+    }
+    return result;
+}
+
+} // namespace cdr::experiments

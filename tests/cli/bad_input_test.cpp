@@ -1,0 +1,127 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <ostream>
+
+namespace cdr::cli_test {
+
+namespace {
+
+struct BadInput {
+    const char* arguments;
+    const char* says; ///< a part of the message
+
+    friend std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.arguments; }
+};
+
+/// Each ends with one line, exit status 2, and nothing written.
+class BadInputTest : public testing::TestWithParam<BadInput> {};
+
+void expectRefused(const ProgramResult& result, const std::string& says) {
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_NE(result.err.find(says), std::string::npos) << result.err;
+    EXPECT_EQ(result.out, "");
+}
+
+TEST_P(BadInputTest, IsRefusedInOneLine) {
+    const TemporaryFolder folder;
+    expectRefused(runProgram(GetParam().arguments, folder.path()), GetParam().says);
+    EXPECT_TRUE(folder.isEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Arguments, BadInputTest,
+    testing::Values(
+        BadInput{"", "subcommand"}, BadInput{"rendr", "did you mean 'render'"}, BadInput{"render", "scene"},
+        BadInput{"render afc --near 5 --far 5 -o a.png", "far must be finite and beyond near"},
+        BadInput{"render afc --near 5 --far 1 -o a.png", "far must be finite and beyond near"},
+        BadInput{"render afc --near 0 -o a.png", "near must be finite and above 0"},
+        BadInput{"render afc --near=-1 -o a.png", "near must be finite and above 0"},
+        BadInput{"render afc --near nan -o a.png", "near"}, BadInput{"render afc --far inf -o a.png", "far"},
+        BadInput{"render afc --fov nan -o a.png", "field of view"},
+        BadInput{"render afc --fov 180 -o a.png", "field of view"},
+        BadInput{"render afc --eye 1,2 -o a.png", "three numbers"},
+        BadInput{"render afc --eye 1,2,inf -o a.png", "finite number"},
+        BadInput{"render afc --eye 1,2,3 --target 1,2,3 -o a.png", "same point"},
+        BadInput{"render afc --size 0x720 -o a.png", "size must be"},
+        BadInput{"render afc --size 31623x31623 -o a.png", "each side must be 1 to"},
+        BadInput{"render afc --size 1000000000x1 -o a.png", "each side must be 1 to"},
+        BadInput{"render afc --size 12 -o a.png", "size must be"},
+        BadInput{"render afc --size=-1x5 -o a.png", "size must be"},
+        BadInput{"render afc --technique reversd -o a.png", "did you mean 'reversed'"},
+        BadInput{"render afc --depth lgo -o a.png", "did you mean 'log'"},
+        BadInput{"render afc --split ratio:1 -o a.png", "split ratio must be above 1"},
+        BadInput{"render afc --technique log --depth log -o a.png", "either --technique"},
+        BadInput{"render afc --format d8 -o a.png", "unknown depth format"},
+        BadInput{"render afc --targets singel -o a.png", "did you mean 'single'"},
+        BadInput{"render afc --aov colour -o a.png", "did you mean 'color'"},
+        BadInput{"render afc --threads 0 -o a.png", "threads must be"},
+        BadInput{"render afc --threads 100000 -o a.png", "threads must be"},
+        BadInput{"render afc --frames 0 -o a.png", "frames"},
+        BadInput{"render afc --frames 2 -o a.png", "several frames need a number"},
+        BadInput{"render afc -o a%s.png", "frame number"},
+        BadInput{"render afc -o a.bmp", "unknown picture format"},
+        BadInput{"render afc -o no/such/folder/a.png", "cannot be written"},
+        BadInput{"render afc -o a.png --json no/such/folder/a.json", "cannot be written"},
+        BadInput{"render acf -o a.png", "did you mean 'afc'"},
+        BadInput{"render missing.glb -o a.png", "missing.glb"},
+        BadInput{"render . -o a.png", "unknown scene"},
+        BadInput{"--device nothing-like-this render afc -o a.png", "no usable Vulkan device matches"},
+        BadInput{"precision --near 1 --far 1", "0 < near < far"}, BadInput{"pictures --frames 0", "frames"}));
+
+/// A glTF that does not hold what it promises.
+struct BadFile {
+    const char* name;
+    const char* content;
+
+    friend std::ostream& operator<<(std::ostream& out, const BadFile& bad) { return out << bad.name; }
+};
+class BadFileTest : public testing::TestWithParam<BadFile> {};
+
+TEST_P(BadFileTest, IsRefusedInOneLine) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path().string() + "_" + GetParam().name;
+    std::ofstream(file) << GetParam().content;
+    const ProgramResult result = runProgram("render '" + file.string() + "' -o a.png", folder.path());
+    expectRefused(result, GetParam().name);
+    EXPECT_TRUE(folder.isEmpty());
+    std::filesystem::remove(file);
+}
+
+constexpr const char* kTriangle =
+    R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[0,0,0]},
+{"bufferView":1,"componentType":5125,"count":3,"type":"SCALAR"}],
+"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":12}],
+"buffers":[{"byteLength":48,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAABAAAACQAA"}]})";
+constexpr const char* kEscape =
+    R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[0,0,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"../../../../../../etc/passwd"}]})";
+
+INSTANTIATE_TEST_SUITE_P(Files, BadFileTest,
+                         testing::Values(BadFile{"empty.gltf", ""},
+                                         BadFile{"cut.gltf", "{\"asset\":{\"version\""},
+                                         BadFile{"cut.glb", "glTF\x02"}, BadFile{"index.gltf", kTriangle},
+                                         BadFile{"escape.gltf", kEscape}),
+                         [](const auto& row) {
+                             std::string name = row.param.name;
+                             std::replace(name.begin(), name.end(), '.', '_');
+                             return name;
+                         });
+
+TEST(BadInput, AnUnwritableJsonOfPicturesIsRefusedBeforeRendering) {
+    const TemporaryFolder folder;
+    expectRefused(runProgram("pictures --out p --json no/such/folder/a.json", folder.path()),
+                  "cannot be written");
+}
+
+} // namespace
+
+} // namespace cdr::cli_test

@@ -1,0 +1,166 @@
+#include "program.h"
+
+#include <cdr/base/file.h>
+#include <cdr/image/codec.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace cdr::cli_test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+image::ImageRgba8 readPicture(const fs::path& path) {
+    return image::decodeImage(base::readFile(path, 1 << 26), path.string());
+}
+
+void expectEnvelope(const json& document, const std::string& command) {
+    EXPECT_EQ(document.at("command"), command);
+    EXPECT_TRUE(document.at("version").is_string());
+    EXPECT_TRUE(document.at("commit").is_string());
+    EXPECT_TRUE(document.at("device").contains("driver"));
+    EXPECT_GE(document.at("host").at("cpus"), 1);
+    EXPECT_TRUE(document.at("options").is_object());
+    EXPECT_TRUE(document.at("results").is_array());
+}
+
+TEST(Commands, DevicesListsAUsableOne) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("devices --json d.json", folder.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "d.json"));
+    expectEnvelope(document, "devices");
+    ASSERT_FALSE(document["results"].empty());
+    EXPECT_NE(result.out.find(document["results"][0]["name"].get<std::string>()), std::string::npos);
+}
+
+TEST(Commands, PrecisionReproducesAll16CellsOfTable41) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("precision --json --curve c.csv", folder.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(result.out);
+    expectEnvelope(document, "precision");
+    int cells = 0;
+    for (const json& cell : document["results"]) {
+        if (cell.contains("thesis")) {
+            ++cells;
+            EXPECT_NEAR(cell["depth"].get<double>() / cell["thesis"].get<double>(), 1.0, 1e-3) << cell;
+        }
+    }
+    EXPECT_EQ(cells, 16);
+    EXPECT_EQ(readText(folder.path() / "c.csv").substr(0, 18), "distance,standard,");
+}
+
+TEST(Commands, PicturesWritesThemAllAndTheirNumbers) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("--validate pictures --size 320x180 --frames 2 --out p --json p.json", folder.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "p.json"));
+    expectEnvelope(document, "pictures");
+    std::set<std::string> seen;
+    for (const json& row : document["results"]) {
+        const std::string stem = row["scene"].get<std::string>() + "_" + row["technique"].get<std::string>();
+        seen.insert(stem);
+        EXPECT_GT(row["pixels"], 1000);
+        EXPECT_NEAR(row["wrong_fraction"].get<double>(),
+                    row["wrong"].get<double>() / row["pixels"].get<double>(), 1e-12);
+        const auto picture = readPicture(folder.path() / "p" / (stem + ".png"));
+        EXPECT_EQ(picture.width, 320u);
+        // Not black: a good share of the picture is lit.
+        EXPECT_GT(std::count_if(picture.pixels.begin(), picture.pixels.end(),
+                                [](const auto& p) { return p[0] > 60; }),
+                  320 * 180 / 20);
+    }
+    EXPECT_EQ(seen.size(), 10u);
+    EXPECT_EQ(readPicture(folder.path() / "p" / "contact_sheet.png").width, 5u * 328u + 8u);
+}
+
+TEST(Commands, RenderWritesEveryOutputInEveryFormat) {
+    const TemporaryFolder folder;
+    for (const char* aov : {"color", "id", "distance", "normal", "cascade", "wrong"}) {
+        for (const char* extension : {"png", "tga", "exr"}) {
+            const std::string file = std::string(aov) + "." + extension;
+            const ProgramResult result = runProgram(
+                "--quiet render cubes --size 64x36 --technique cdr --aov " + std::string(aov) + " -o " + file,
+                folder.path());
+            EXPECT_EQ(result.status, 0) << result.err;
+            EXPECT_EQ(result.out, "");
+            EXPECT_GT(fs::file_size(folder.path() / file), 100u) << file;
+        }
+    }
+}
+
+TEST(Commands, RenderIdIsObjectIndexPlusOneInThreeBytes) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(runProgram("render cubes --size 320x180 --aov id -o id.png", folder.path()).status, 0);
+    const auto picture = readPicture(folder.path() / "id.png");
+    std::set<unsigned> ids;
+    for (const auto& p : picture.pixels) {
+        ids.insert(p[0] + 256u * p[1] + 65536u * p[2]);
+    }
+    EXPECT_TRUE(ids.contains(0));
+    EXPECT_GT(ids.size(), 200u);
+    EXPECT_LE(*ids.rbegin(), 1000u);
+    EXPECT_GT(*ids.rbegin(), 256u);
+}
+
+TEST(Commands, RenderSequencesNumberTheirFrames) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "render afc --size 160x90 --frame 7 --frames 3 -o f_%04d.png --hash --json r.json", folder.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+    for (const char* name : {"f_0007.png", "f_0008.png", "f_0009.png"}) {
+        EXPECT_TRUE(fs::exists(folder.path() / name)) << name;
+    }
+    const json document = json::parse(readText(folder.path() / "r.json"));
+    expectEnvelope(document, "render");
+    std::set<std::string> hashes;
+    for (const json& row : document["results"]) {
+        for (const char* field : {"technique", "targets", "threads", "cascades", "draws", "hash"}) {
+            EXPECT_TRUE(row.contains(field)) << field;
+        }
+        hashes.insert(row["hash"].get<std::string>());
+        EXPECT_NE(result.out.find(row["hash"].get<std::string>()), std::string::npos);
+    }
+    EXPECT_EQ(hashes.size(), 3u);
+}
+
+/// A coarse likeness: a model fills a fair share of the picture, in many colours, lit.
+class AssetTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(AssetTest, RendersARecognisableModel) {
+    const fs::path asset = fs::path(CDR_ASSETS_DIR) / GetParam();
+    if (!fs::exists(asset)) {
+        GTEST_SKIP() << "the shared assets are not beside this checkout";
+    }
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "--validate render '" + fs::absolute(asset).string() + "' --size 640x360 -o m.png", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto picture = readPicture(folder.path() / "m.png");
+    std::map<unsigned, int> colors;
+    for (const auto& p : picture.pixels) {
+        ++colors[(p[0] >> 3) + 32u * (p[1] >> 3) + 1024u * (p[2] >> 3)];
+    }
+    const auto background = std::max_element(
+        colors.begin(), colors.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    const int model = 640 * 360 - background->second;
+    EXPECT_GT(model, 640 * 360 / 20);
+    EXPECT_GT(colors.size(), 60u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, AssetTest,
+                         testing::Values("flight_helmet/flight_helmet.gltf", "retro_ufo.glb",
+                                         "cesium_man.glb"));
+
+} // namespace
+
+} // namespace cdr::cli_test

@@ -1,0 +1,44 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace cdr::cli_test {
+
+namespace fs = std::filesystem;
+
+std::string readText(const fs::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+ProgramResult runProgram(const std::string& arguments, const fs::path& folder) {
+    // What the program prints goes beside the folder, which stays as the program leaves it.
+    const std::string log = folder.string() + ".log";
+    const std::string command = "cd '" + folder.string() + "' && '" CDR_PROGRAM "' " + arguments + " >'" +
+                                log + ".out' 2>'" + log + ".err' </dev/null";
+    const int status = std::system(command.c_str());
+    ProgramResult result{.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+                         .out = readText(log + ".out"),
+                         .err = readText(log + ".err")};
+    fs::remove(log + ".out");
+    fs::remove(log + ".err");
+    return result;
+}
+
+TemporaryFolder::TemporaryFolder() {
+    std::string name = testing::TempDir() + "cdr_cli_XXXXXX";
+    m_path = ::mkdtemp(name.data());
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    fs::remove_all(m_path);
+}
+
+} // namespace cdr::cli_test

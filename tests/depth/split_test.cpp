@@ -1,0 +1,94 @@
+#include <cdr/base/error.h>
+#include <cdr/depth/split.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace {
+
+using namespace cdr::depth;
+using cdr::base::InputError;
+
+void expectCover(const Cascades& cascades, double nearView, double farView) {
+    ASSERT_FALSE(cascades.empty());
+    ASSERT_LE(cascades.size(), kMaxCascades);
+    EXPECT_EQ(cascades.front().nearView, nearView);
+    EXPECT_EQ(cascades.back().farView, farView);
+    for (std::size_t i = 0; i < cascades.size(); ++i) {
+        EXPECT_LT(cascades[i].nearView, cascades[i].farView);
+        if (i > 0) {
+            EXPECT_EQ(cascades[i].nearView, cascades[i - 1].farView);
+        }
+    }
+}
+
+TEST(Split, CoversAnyRangeWithoutGap) {
+    std::mt19937_64 engine(7);
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<>(low, high)(engine);
+    };
+    for (int i = 0; i < 2000; ++i) {
+        const double nearView = std::pow(10.0, uniform(-6.0, 6.0));
+        const double farView = nearView * (1.0 + std::pow(10.0, uniform(-9.0, 12.0)));
+        expectCover(makeCascades(SplitNone{}, nearView, farView), nearView, farView);
+        expectCover(makeCascades(SplitRatio{uniform(2.0, 5000.0)}, nearView, farView), nearView, farView);
+        expectCover(makeCascades(SplitCount{1 + static_cast<unsigned>(i) % 64}, nearView, farView), nearView,
+                    farView);
+        expectCover(makeCascades(SplitAt{{nearView * 0.5, std::sqrt(nearView * farView), farView * 2.0}},
+                                 nearView, farView),
+                    nearView, farView);
+    }
+}
+
+TEST(Split, RatioFollowsListing52) {
+    const Cascades cascades = makeCascades(SplitRatio{1000.0}, 0.1, 12000.0);
+    ASSERT_EQ(cascades.size(), 2u);
+    EXPECT_DOUBLE_EQ(cascades[0].farView, 100.0);
+    // The 2AFC scene's field straddles this boundary, which is why cdr gains so little there.
+    EXPECT_DOUBLE_EQ(makeCascades(SplitRatio{1000.0}, 0.001, 2e6)[2].farView, 1e6);
+}
+
+TEST(Split, CountHasEqualRatios) {
+    const Cascades cascades = makeCascades(SplitCount{5}, 0.1, 1e5);
+    ASSERT_EQ(cascades.size(), 5u);
+    for (const Cascade& cascade : cascades) {
+        EXPECT_NEAR(cascade.farView / cascade.nearView, std::pow(1e6, 0.2), 1e-9);
+    }
+}
+
+TEST(Split, TextReadsBack) {
+    for (const char* text : {"none", "ratio:1000", "ratio:2.5", "count:7", "at:1,20,300.5"}) {
+        EXPECT_EQ(nameOf(parseSplit(text)), text);
+        EXPECT_EQ(parseSplit(nameOf(parseSplit(text))), parseSplit(text));
+    }
+}
+
+TEST(Split, RefusesNonsense) {
+    for (const char* text :
+         {"", "ratio", "ratio:", "ratio:1", "ratio:-3", "ratio:nan", "count:0", "count:65", "count:2.5",
+          "count:-1", "at:", "at:1,,2", "at:2,1", "at:1,1", "at:-1,2", "at:0", "fitte", "none:1"}) {
+        EXPECT_THROW(parseSplit(text), InputError) << text;
+    }
+}
+
+TEST(Split, RefusesUnusableRanges) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    for (const auto& [n, f] : {std::pair{0.0, 1.0},
+                               {-1.0, 1.0},
+                               {1.0, 1.0},
+                               {2.0, 1.0},
+                               {kNan, 1.0},
+                               {1.0, kNan},
+                               {1.0, kInfinity},
+                               {kInfinity, kInfinity}}) {
+        EXPECT_THROW(makeCascades(SplitNone{}, n, f), InputError) << n << " " << f;
+    }
+    EXPECT_THROW(makeCascades(SplitRatio{1.0000001}, 0.001, 1e8), InputError);
+    EXPECT_THROW(makeCascades(SplitRatio{0.5}, 0.001, 1e8), InputError);
+}
+
+} // namespace

@@ -1,0 +1,19 @@
+#include <cdr/base/error.h>
+#include <cdr/scene/gltf_import.h>
+
+#include <cstddef>
+#include <cstdint>
+
+/// Any bytes either load or are refused with base::InputError; whatever else leaves importGltf() is a
+/// finding.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    cdr::scene::GltfLimits limits;
+    limits.maxFileBytes = 1u << 20;
+    limits.maxTriangles = 10'000;
+    try {
+        // The folder does not exist, so no input can reach a real file.
+        cdr::scene::gltf::importGltf({data, size}, "/nowhere/a.glb", limits);
+    } catch (const cdr::base::InputError&) {
+    }
+    return 0;
+}

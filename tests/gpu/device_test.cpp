@@ -1,0 +1,112 @@
+#include <cdr/base/error.h>
+#include <cdr/gpu/commands.h>
+#include <cdr/gpu/device.h>
+#include <cdr/gpu/memory.h>
+#include <cdr/gpu/upload.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <string>
+
+namespace {
+
+using namespace cdr::gpu;
+using cdr::base::InputError;
+using cdr::base::RunError;
+
+TEST(Devices, AtLeastOneIsUsableAndSaysWhatItIs) {
+    const Instance instance;
+    const auto infos = listDevices(instance);
+    ASSERT_FALSE(infos.empty()) << "no Vulkan device: these tests need a driver, mesa-vulkan-drivers has one";
+    for (const DeviceInfo& info : infos) {
+        EXPECT_FALSE(info.name.empty());
+        EXPECT_FALSE(info.depthFormats.empty());
+    }
+}
+
+TEST(Devices, CanBeChosenByNumberAndName) {
+    const Instance instance;
+    const Device byNumber(instance, "0");
+    const Device byName(instance, byNumber.info().name.substr(0, 5));
+    EXPECT_EQ(byNumber.info().index, 0u);
+    EXPECT_FALSE(byName.info().name.empty());
+}
+
+TEST(Devices, RefusalNamesEachDeviceAndWhy) {
+    const Instance instance;
+    try {
+        const Device device(instance, "no such device");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("not the one asked for"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find(listDevices(instance).front().name), std::string::npos);
+    }
+    EXPECT_THROW(Device(instance, "999"), InputError);
+}
+
+TEST(Memory, UploadsArriveWhole) {
+    const Instance instance({.validate = true, .extensions = {}});
+    {
+        const Device device(instance, "");
+        const std::string text = "every byte of this arrives";
+        const Buffer onDevice = uploadBuffer(device, std::as_bytes(std::span(text)),
+                                             vk::BufferUsageFlagBits::eTransferSrc, "text");
+        const Buffer back(device, text.size(), vk::BufferUsageFlagBits::eTransferDst, MemoryUse::hostReads,
+                          "back");
+        runOnce(device, [&](vk::CommandBuffer commands) {
+            commands.copyBuffer(onDevice.handle(), back.handle(), vk::BufferCopy{.size = text.size()});
+        });
+        back.invalidate();
+        EXPECT_EQ(std::memcmp(back.mapped(), text.data(), text.size()), 0);
+    }
+    for (const std::string& message : instance.validation().messages()) {
+        ADD_FAILURE() << message;
+    }
+}
+
+TEST(Memory, TooLargeIsRefusedBeforeAllocatingWithBothFigures) {
+    const Instance instance;
+    const Device device(instance, "");
+    EXPECT_GT(freeDeviceBytes(device), 0u);
+    EXPECT_NO_THROW(requireDeviceBytes(device, 1, "a byte"));
+    try {
+        requireDeviceBytes(device, std::uint64_t{1} << 60, "a planet");
+        FAIL();
+    } catch (const RunError& error) {
+        EXPECT_NE(std::string(error.what()).find("a planet needs 1099511627776.0 MiB"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("are free on"), std::string::npos);
+    }
+}
+
+/// The proof that a silent log means something: a broken call must not pass in silence.
+TEST(Validation, TheHookHearsMistakes) {
+    const Instance instance({.validate = true, .extensions = {}});
+    const Device device(instance, "");
+    ASSERT_EQ(instance.validation().count(), 0u);
+    // A transfer source that is used as a destination.
+    const Buffer a(device, 64, vk::BufferUsageFlagBits::eTransferSrc, MemoryUse::deviceOnly, "a");
+    const Buffer b(device, 64, vk::BufferUsageFlagBits::eTransferSrc, MemoryUse::deviceOnly, "b");
+    runOnce(device, [&](vk::CommandBuffer commands) {
+        commands.copyBuffer(a.handle(), b.handle(), vk::BufferCopy{.size = 64});
+    });
+    EXPECT_GT(instance.validation().count(), 0u);
+}
+
+TEST(Validation, TheHookHearsHazards) {
+    const Instance instance({.validate = true, .extensions = {}});
+    const Device device(instance, "");
+    constexpr auto kBoth = vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst;
+    const Buffer a(device, 64, kBoth, MemoryUse::deviceOnly, "a");
+    const Buffer b(device, 64, kBoth, MemoryUse::deviceOnly, "b");
+    runOnce(device, [&](vk::CommandBuffer commands) {
+        commands.copyBuffer(a.handle(), b.handle(), vk::BufferCopy{.size = 64});
+        commands.copyBuffer(b.handle(), a.handle(), vk::BufferCopy{.size = 64}); // no barrier in between
+    });
+    const auto messages = instance.validation().messages();
+    ASSERT_FALSE(messages.empty());
+    EXPECT_NE(messages.front().find("SYNC-HAZARD"), std::string::npos) << messages.front();
+}
+
+} // namespace

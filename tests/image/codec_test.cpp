@@ -1,0 +1,215 @@
+#include <cdr/base/error.h>
+#include <cdr/base/file.h>
+#include <cdr/image/codec.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+
+namespace cdr::image {
+namespace {
+
+namespace fs = std::filesystem;
+
+ImageRgba8 noise(std::uint32_t width, std::uint32_t height) {
+    std::mt19937 random(7);
+    ImageRgba8 image(width, height);
+    for (Rgba8& pixel : image.pixels) {
+        for (std::uint8_t& value : pixel) {
+            value = static_cast<std::uint8_t>(random() & 0xff);
+        }
+    }
+    return image;
+}
+
+std::string refusal(const std::vector<std::uint8_t>& encoded) {
+    try {
+        decodeImage(encoded, "picture");
+    } catch (const base::InputError& error) {
+        return error.what();
+    }
+    return "decoded";
+}
+
+void expectOneLineRefusal(const std::vector<std::uint8_t>& encoded) {
+    const std::string message = refusal(encoded);
+    EXPECT_TRUE(message.starts_with("picture: ")) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+/// Overwrites the big-endian sizes of a PNG's header and mends its checksum, so that only the size is wrong.
+std::vector<std::uint8_t> withPngSize(std::vector<std::uint8_t> png, std::uint32_t width,
+                                      std::uint32_t height) {
+    const auto store = [&png](std::size_t at, std::uint32_t value) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            png[at + i] = static_cast<std::uint8_t>(value >> (24 - 8 * i));
+        }
+    };
+    store(16, width);
+    store(20, height);
+    std::uint32_t crc = 0xffffffffu;
+    for (std::size_t i = 12; i < 29; ++i) {
+        crc ^= png[i];
+        for (int bit = 0; bit < 8; ++bit) {
+            crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xedb88320u : 0u);
+        }
+    }
+    store(29, ~crc);
+    return png;
+}
+
+class Folder : public testing::Test {
+  protected:
+    void SetUp() override {
+        m_path = fs::temp_directory_path() / ("cdr_image_" + std::to_string(std::random_device{}()));
+        fs::create_directories(m_path);
+    }
+    void TearDown() override { fs::remove_all(m_path); }
+    fs::path file(const std::string& name) const { return m_path / name; }
+    std::size_t filesInside() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(m_path), fs::directory_iterator()));
+    }
+
+  private:
+    fs::path m_path;
+};
+
+TEST(Png, comesBackAsItWas) {
+    for (const auto& [width, height] : {std::pair{1u, 1u}, {3u, 5u}, {257u, 64u}}) {
+        const ImageRgba8 image = noise(width, height);
+        EXPECT_EQ(decodeImage(encodePng(image), "picture"), image);
+    }
+}
+
+TEST(Png, isTheSameBytesEachTime) {
+    EXPECT_EQ(encodePng(noise(64, 48)), encodePng(noise(64, 48)));
+}
+
+TEST(Png, withoutPixelsIsRefused) {
+    EXPECT_THROW(encodePng(ImageRgba8()), base::InputError);
+}
+
+TEST(Png, cutAnywhereIsRefused) {
+    const std::vector<std::uint8_t> png = encodePng(noise(16, 16));
+    // libspng does not read the checksum of the empty end marker, the last four bytes.
+    for (std::size_t size = 0; size < png.size() - 4; ++size) {
+        expectOneLineRefusal({png.begin(), png.begin() + static_cast<std::ptrdiff_t>(size)});
+    }
+}
+
+TEST(Png, oneWrongByteOfItsDataIsRefused) {
+    const std::vector<std::uint8_t> png = encodePng(noise(16, 16));
+    for (std::size_t at = 45; at < png.size() - 16; at += 7) {
+        std::vector<std::uint8_t> damaged = png;
+        damaged[at] ^= 0x20;
+        expectOneLineRefusal(damaged);
+    }
+}
+
+TEST(Png, overTheLimitsIsRefusedByItsHeader) {
+    const std::vector<std::uint8_t> png = encodePng(noise(16, 16));
+    EXPECT_EQ(withPngSize(png, 16, 16), png) << "the helper must keep the checksum right";
+    EXPECT_NE(refusal(withPngSize(png, kMaxDecodedSide + 1, 1)).find("over the limit"), std::string::npos);
+    EXPECT_NE(refusal(withPngSize(png, 1, kMaxDecodedSide + 1)).find("over the limit"), std::string::npos);
+    EXPECT_NE(refusal(withPngSize(png, 16384, 16384)).find("over the limit"), std::string::npos);
+    EXPECT_NE(refusal(withPngSize(png, 0xffffffff, 0xffffffff)), "decoded");
+}
+
+TEST(Png, thatCannotHoldItsPixelsIsRefusedBeforeAllocation) {
+    const std::string message = refusal(withPngSize(encodePng(noise(16, 16)), 8192, 8192));
+    EXPECT_NE(message.find("cannot hold"), std::string::npos) << message;
+}
+
+TEST(Png, ofOneColourIsNotTakenForDamaged) {
+    // The most compressible picture there is: the plausibility check must let it through.
+    const ImageRgba8 image(2048, 2048, {9, 9, 9, 255});
+    EXPECT_EQ(decodeImage(encodePng(image), "picture"), image);
+}
+
+TEST(Image, ofAnotherFormatIsRefused) {
+    expectOneLineRefusal({});
+    expectOneLineRefusal({'G', 'I', 'F', '8', '9', 'a', 1, 0, 1, 0});
+}
+
+class Jpeg : public testing::Test {
+  protected:
+    void SetUp() override {
+        const fs::path path = fs::path(CDR_ASSETS_DIR) / "flight_helmet" / "baseColor.jpg";
+        if (!fs::exists(path)) {
+            GTEST_SKIP() << "no real JPEG: " << path << " is absent";
+        }
+        m_bytes = base::readFile(path, 1u << 24);
+    }
+    std::vector<std::uint8_t> m_bytes;
+};
+
+TEST_F(Jpeg, decodesOpaque) {
+    const ImageRgba8 image = decodeImage(m_bytes, "picture");
+    EXPECT_EQ(image.width, 1024u);
+    EXPECT_EQ(image.height, 1024u);
+    EXPECT_TRUE(
+        std::all_of(image.pixels.begin(), image.pixels.end(), [](const Rgba8& p) { return p[3] == 255; }));
+    EXPECT_TRUE(
+        std::any_of(image.pixels.begin(), image.pixels.end(), [](const Rgba8& p) { return p[0] > 100; }));
+}
+
+TEST_F(Jpeg, cutOffIsRefused) {
+    for (const std::size_t size :
+         {std::size_t{3}, std::size_t{200}, m_bytes.size() / 2, m_bytes.size() - 100}) {
+        expectOneLineRefusal({m_bytes.begin(), m_bytes.begin() + static_cast<std::ptrdiff_t>(size)});
+    }
+}
+
+TEST_F(Jpeg, overTheLimitsIsRefusedByItsHeader) {
+    // Start-of-frame marker: FF C0 or C2, length, precision, height, width.
+    const auto isFrame = [](std::uint8_t a, std::uint8_t b) { return a == 0xff && (b == 0xc0 || b == 0xc2); };
+    const auto frame = std::adjacent_find(m_bytes.begin(), m_bytes.end(), isFrame);
+    ASSERT_NE(frame, m_bytes.end());
+    std::fill(frame + 5, frame + 9, std::uint8_t{0x7f});
+    EXPECT_NE(refusal(m_bytes).find("over the limit"), std::string::npos) << refusal(m_bytes);
+    std::fill(frame + 5, frame + 9, std::uint8_t{0});
+    *(frame + 5) = *(frame + 7) = 0x40; // 16384x16384
+    m_bytes.resize(1000);
+    EXPECT_NE(refusal(m_bytes).find("over the limit"), std::string::npos) << refusal(m_bytes);
+    *(frame + 5) = *(frame + 7) = 0x1f; // 7936x7936 in 1000 bytes
+    EXPECT_NE(refusal(m_bytes).find("cannot hold"), std::string::npos) << refusal(m_bytes);
+}
+
+TEST(Tga, hasTheHeaderAndPixelsOfTheFormat) {
+    ImageRgba8 image(258, 3);
+    image.at(0, 0) = {1, 2, 3, 4};
+    image.at(257, 2) = {5, 6, 7, 8};
+    const std::vector<std::uint8_t> tga = encodeTga(image);
+    const std::vector<std::uint8_t> header{0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 1, 3, 0, 24, 0x20};
+    ASSERT_EQ(tga.size(), 18u + 258u * 3u * 3u);
+    EXPECT_TRUE(std::equal(header.begin(), header.end(), tga.begin()));
+    EXPECT_EQ((std::vector<std::uint8_t>{tga.begin() + 18, tga.begin() + 21}),
+              (std::vector<std::uint8_t>{3, 2, 1}));
+    EXPECT_EQ((std::vector<std::uint8_t>{tga.end() - 3, tga.end()}), (std::vector<std::uint8_t>{7, 6, 5}));
+}
+
+TEST(Tga, refusesSizesItsHeaderCannotHold) {
+    EXPECT_THROW(encodeTga(ImageRgba8()), base::InputError);
+    EXPECT_THROW(encodeTga(ImageRgba8(65536, 1)), base::InputError);
+    EXPECT_NO_THROW(encodeTga(ImageRgba8(65535, 1)));
+}
+
+TEST_F(Folder, writeImageGoesByTheExtension) {
+    const ImageRgba8 image = noise(8, 4);
+    writeImage(file("a.png"), image);
+    writeImage(file("a.TGA"), image);
+    EXPECT_EQ(base::readFile(file("a.png"), 1u << 20), encodePng(image));
+    EXPECT_EQ(base::readFile(file("a.TGA"), 1u << 20), encodeTga(image));
+    EXPECT_THROW(writeImage(file("a.jpg"), image), base::InputError);
+    EXPECT_THROW(writeImage(file("a"), image), base::InputError);
+    EXPECT_THROW(writeImage(file("missing/a.png"), image), base::InputError);
+    EXPECT_EQ(filesInside(), 2u);
+}
+
+} // namespace
+} // namespace cdr::image

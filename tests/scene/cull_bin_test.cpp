@@ -1,0 +1,128 @@
+#include <cdr/depth/split.h>
+#include <cdr/scene/bin.h>
+#include <cdr/scene/cull.h>
+#include <cdr/scene/generators.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace cdr::scene;
+using cdr::base::WorkerPool;
+using cdr::depth::Cascades;
+
+constexpr double kAspect = 16.0 / 9.0;
+constexpr double kNoWide = std::numeric_limits<double>::infinity();
+
+/// Thesis Listing A.1, written out plane by plane and independent of the code under test.
+bool isVisible(const Camera& camera, const glm::dvec3& centre, double radius) {
+    const double tanY = std::tan(0.5 * camera.fovY);
+    const double tanX = kAspect * tanY;
+    const glm::dvec3 ahead = -camera.back;
+    const glm::dvec3 normals[6] = {ahead,
+                                   -ahead,
+                                   glm::normalize(ahead * tanX - camera.right),
+                                   glm::normalize(ahead * tanX + camera.right),
+                                   glm::normalize(ahead * tanY - camera.up),
+                                   glm::normalize(ahead * tanY + camera.up)};
+    const double offsets[6] = {-camera.nearView, camera.farView, 0.0, 0.0, 0.0, 0.0};
+    for (int i = 0; i < 6; ++i) {
+        if (glm::dot(normals[i], centre - camera.position) + offsets[i] < -radius) {
+            return false;
+        }
+    }
+    return true;
+}
+
+class CullTest : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(CullTest, KeepsWhatThePlanesKeep) {
+    const StagedScene staged = makeRotation(3, 40'000);
+    WorkerPool workers(GetParam());
+    VisibleList visible;
+    for (const std::uint32_t frame : {0u, 45u, 100u, 300u}) {
+        const Camera camera = staged.path.at(frame);
+        cullSpheres(staged.scene.instances, camera, kAspect, workers, visible);
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < staged.scene.instances.size(); ++i) {
+            const glm::dvec3 centre = staged.scene.instances.position(i);
+            const bool kept = next < visible.count && visible.instance[next] == i;
+            EXPECT_EQ(kept, isVisible(camera, centre, static_cast<double>(staged.scene.instances.radius[i])))
+                << i;
+            if (kept) {
+                EXPECT_NEAR(visible.distanceView[next], camera.viewDistance(centre), 1e-9);
+                ++next;
+            }
+        }
+        EXPECT_EQ(next, visible.count);
+        EXPECT_GT(visible.count, 1000u);
+        EXPECT_LT(visible.count, 20'000u);
+    }
+}
+
+TEST_P(CullTest, BinsEachInstanceIntoEveryCascadeItMeets) {
+    const StagedScene staged = makeRotation(4, 30'000);
+    WorkerPool workers(GetParam());
+    VisibleList visible;
+    cullSpheres(staged.scene.instances, staged.path.at(10), kAspect, workers, visible);
+    const Cascades ranges{{0.1, 50.0}, {49.0, 120.0}, {120.0, 150.0}, {200.0, 1e5}};
+    DrawLists lists;
+    binByDistance(visible, ranges, kNoWide, workers, lists);
+    ASSERT_EQ(lists.cascades(), ranges.size());
+    std::size_t draws = 0;
+    std::vector<bool> seen(staged.scene.instances.size());
+    for (std::size_t c = 0; c < ranges.size(); ++c) {
+        std::vector<std::uint32_t> expected;
+        for (std::size_t i = 0; i < visible.count; ++i) {
+            const double radius = static_cast<double>(visible.radius[i]);
+            if (visible.distanceView[i] - radius <= ranges[c].farView &&
+                visible.distanceView[i] + radius >= ranges[c].nearView) {
+                expected.push_back(visible.instance[i]);
+                seen[visible.instance[i]] = true;
+            }
+        }
+        const auto range = lists.range(c);
+        EXPECT_EQ(
+            std::vector<std::uint32_t>(lists.instance.begin() + static_cast<std::ptrdiff_t>(range.begin),
+                                       lists.instance.begin() + static_cast<std::ptrdiff_t>(range.end)),
+            expected);
+        EXPECT_EQ(lists.wideBegin(c), range.end);
+        draws += expected.size();
+    }
+    EXPECT_EQ(lists.draws(), draws);
+    EXPECT_EQ(lists.visible, static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true)));
+    EXPECT_GT(lists.duplication(), 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, CullTest, testing::Values(1, 2, 3, 8));
+
+TEST(Bin, ListsWideInstancesLast) {
+    VisibleList visible{.instance = {10, 11, 12, 13},
+                        .distanceView = {5.0, 100.0, 0.5, 7.0},
+                        .radius = {1, 1, 1, 0},
+                        .count = 4};
+    WorkerPool workers(1);
+    DrawLists lists;
+    binByDistance(visible, {{0.1, 1000.0}}, 0.1, workers, lists);
+    EXPECT_EQ(lists.wideBegin(0), 2u);
+    lists.instance.resize(lists.draws());
+    EXPECT_EQ(lists.instance, (std::vector<std::uint32_t>{11, 13, 10, 12}));
+}
+
+TEST(Bin, AnEmptySceneGivesEmptyCascades) {
+    WorkerPool workers(2);
+    VisibleList visible;
+    DrawLists lists;
+    cullSpheres(Instances{}, Camera{}, kAspect, workers, visible);
+    binByDistance(visible, {{0.1, 1.0}, {1.0, 2.0}}, kNoWide, workers, lists);
+    EXPECT_EQ(lists.cascades(), 2u);
+    EXPECT_EQ(lists.draws(), 0u);
+    EXPECT_EQ(lists.duplication(), 1.0);
+}
+
+} // namespace

@@ -1,0 +1,176 @@
+#pragma once
+
+#include <cdr/base/error.h>
+#include <cdr/scene/gltf.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace cdr::scene::test {
+
+using nlohmann::json;
+using Bytes = std::vector<std::uint8_t>;
+
+/// glTF's numbers for component types and primitive modes.
+enum Type { kByte = 5120, kUByte = 5121, kShort = 5122, kUShort = 5123, kUInt = 5125, kFloat = 5126 };
+enum Mode { kPoints = 0, kLines = 1, kTriangles = 4, kStrip = 5, kFan = 6 };
+
+/// A glTF document under construction: its JSON and its one binary buffer.
+struct Document {
+    json root = {
+        {"asset", {{"version", "2.0"}}}, {"accessors", json::array()}, {"bufferViews", json::array()}};
+    Bytes bin;
+
+    /// Appends bytes as a buffer view and returns its index.
+    template <typename T>
+    int addView(const std::vector<T>& data) {
+        const std::size_t offset = bin.size();
+        const std::size_t size = data.size() * sizeof(T);
+        bin.resize(offset + (size + 3) / 4 * 4);
+        std::memcpy(bin.data() + offset, data.data(), size);
+        root["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", size}});
+        return static_cast<int>(root["bufferViews"].size()) - 1;
+    }
+
+    /// Appends an accessor of `data` and returns its index.
+    template <typename T>
+    int addAccessor(const std::vector<T>& data, const std::string& type, int componentType) {
+        const std::size_t components = type == "SCALAR" ? 1 : static_cast<std::size_t>(type.back() - '0');
+        root["accessors"].push_back({{"bufferView", addView(data)},
+                                     {"componentType", componentType},
+                                     {"count", data.size() / components},
+                                     {"type", type}});
+        return static_cast<int>(root["accessors"].size()) - 1;
+    }
+
+    json& primitive(std::size_t mesh = 0, std::size_t i = 0) { return root["meshes"][mesh]["primitives"][i]; }
+
+    /// The bytes of a GLB file.
+    Bytes glb() const {
+        json complete = root;
+        if (!bin.empty() && !complete.contains("buffers")) {
+            complete["buffers"] = {{{"byteLength", bin.size()}}};
+        }
+        std::string text = complete.dump();
+        text.resize((text.size() + 3) / 4 * 4, ' ');
+        Bytes file;
+        const auto add32 = [&file](std::size_t value) {
+            for (int shift = 0; shift < 32; shift += 8) {
+                file.push_back(static_cast<std::uint8_t>(value >> shift));
+            }
+        };
+        add32(0x46546c67);
+        add32(2);
+        add32(12 + 8 + text.size() + (bin.empty() ? 0 : 8 + bin.size()));
+        add32(text.size());
+        add32(0x4e4f534a);
+        file.insert(file.end(), text.begin(), text.end());
+        if (!bin.empty()) {
+            add32(bin.size());
+            add32(0x004e4942);
+            file.insert(file.end(), bin.begin(), bin.end());
+        }
+        return file;
+    }
+};
+
+/// Three corners of the square (0, 0, 0) (2, 0, 0) (2, 4, 0) (0, 4, 0), and with `square` all four.
+inline std::vector<float> corners(bool square) {
+    std::vector<float> positions{0, 0, 0, 2, 0, 0, 2, 4, 0};
+    if (square) {
+        positions.insert(positions.end(), {0, 4, 0});
+    }
+    return positions;
+}
+
+/// One node with one mesh of one triangle, without normals.
+inline Document triangle() {
+    Document document;
+    const int position = document.addAccessor(corners(false), "VEC3", kFloat);
+    document.root["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", position}}}}}}}};
+    document.root["nodes"] = {{{"mesh", 0}}};
+    document.root["scenes"] = {{{"nodes", {0}}}};
+    document.root["scene"] = 0;
+    return document;
+}
+
+/// The square of corners(true) as two indexed triangles with normals.
+inline Document square() {
+    Document document = triangle();
+    document.root["accessors"].clear();
+    json& primitive = document.primitive();
+    primitive["attributes"]["POSITION"] = document.addAccessor(corners(true), "VEC3", kFloat);
+    primitive["attributes"]["NORMAL"] =
+        document.addAccessor(std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", kFloat);
+    primitive["indices"] =
+        document.addAccessor(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}, "SCALAR", kUShort);
+    return document;
+}
+
+/// Gives each test a folder of its own, removed afterwards.
+class GltfFolder : public testing::Test {
+  protected:
+    void SetUp() override {
+        m_folder =
+            std::filesystem::temp_directory_path() / ("cdr_gltf_" + std::to_string(std::random_device{}()));
+        std::filesystem::create_directories(folder());
+    }
+    void TearDown() override { std::filesystem::remove_all(m_folder); }
+
+    /// Where assets go; its parent is of this test too, so that a test can plant a file outside.
+    std::filesystem::path folder() const { return m_folder / "asset"; }
+
+    std::filesystem::path write(const std::string& name, const Bytes& bytes) const {
+        const std::filesystem::path path = folder() / name;
+        std::ofstream(path, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        return path;
+    }
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        return write(name, Bytes(text.begin(), text.end()));
+    }
+
+    GltfImport load(const Document& document, const GltfLimits& limits = {}) const {
+        return loadGltf(write("a.glb", document.glb()), limits);
+    }
+
+    /// The message that a file is refused with, after its name; "loaded" when it is not.
+    static std::string refusal(const std::filesystem::path& path, const GltfLimits& limits = {}) {
+        try {
+            loadGltf(path, limits);
+        } catch (const base::InputError& error) {
+            const std::string message = error.what();
+            EXPECT_TRUE(message.starts_with(path.string() + ": ")) << message;
+            EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+            return message.substr(std::min(message.size(), path.string().size() + 2));
+        }
+        return "loaded";
+    }
+    std::string refusal(const Document& document, const GltfLimits& limits = {}) const {
+        return refusal(write("a.glb", document.glb()), limits);
+    }
+
+  private:
+    std::filesystem::path m_folder;
+};
+
+/// Expects that `message` says `what` somewhere.
+inline void expectSays(const std::string& message, const std::string& what) {
+    EXPECT_NE(message.find(what), std::string::npos) << "'" << message << "' does not say '" << what << "'";
+}
+
+/// Whether one of the lines says `what`.
+inline bool anySays(const std::vector<std::string>& lines, const std::string& what) {
+    return std::any_of(lines.begin(), lines.end(),
+                       [&what](const std::string& line) { return line.find(what) != std::string::npos; });
+}
+
+} // namespace cdr::scene::test

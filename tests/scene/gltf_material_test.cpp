@@ -1,0 +1,214 @@
+#include "gltf_fixture.h"
+
+#include <cdr/image/codec.h>
+
+#include <numbers>
+
+namespace cdr::scene::test {
+namespace {
+
+using Gltf = GltfFolder;
+
+/// A square with uvs and a material whose base colour is a picture in the buffer.
+Document textured() {
+    Document document = square();
+    document.primitive()["attributes"]["TEXCOORD_0"] =
+        document.addAccessor(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, "VEC2", kFloat);
+    image::ImageRgba8 picture(2, 1, {10, 20, 30, 255});
+    picture.at(1, 0) = {40, 50, 60, 70};
+    document.root["images"] = {{{"name", "picture"},
+                                {"bufferView", document.addView(image::encodePng(picture))},
+                                {"mimeType", "image/png"}}};
+    document.root["textures"] = {{{"source", 0}}};
+    document.root["materials"] = {
+        {{"name", "paint"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+    document.primitive()["material"] = 0;
+    return document;
+}
+
+json& baseColorTexture(Document& document) {
+    return document.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+}
+
+TEST_F(Gltf, materialsKeepWhatWeDraw) {
+    Document document = square();
+    document.root["materials"] = {{{"name", "glass"},
+                                   {"alphaMode", "MASK"},
+                                   {"alphaCutoff", 0.25},
+                                   {"doubleSided", true},
+                                   {"extensions", {{"KHR_materials_unlit", json::object()}}},
+                                   {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 2, 0.125}}}}}};
+    document.primitive()["material"] = 0;
+    const Scene scene = load(document).scene;
+    const Material& material = scene.materials.at(scene.instances.material[0]);
+    EXPECT_EQ(material.name, "glass");
+    EXPECT_EQ(material.baseColorFactor, glm::vec4(0.5f, 0.25f, 1.0f, 0.125f));
+    EXPECT_EQ(material.alphaMode, AlphaMode::mask);
+    EXPECT_EQ(material.alphaCutoff, 0.25f);
+    EXPECT_TRUE(material.doubleSided);
+    EXPECT_TRUE(material.unlit);
+    EXPECT_FALSE(material.baseColorTexture);
+    document.root["materials"][0]["alphaMode"] = "BLEND";
+    EXPECT_EQ(load(document).scene.materials[0].alphaMode, AlphaMode::blend);
+    document.root["materials"][0]["alphaMode"] = "GLOW";
+    expectSays(refusal(document), "alpha mode 'GLOW' does not exist");
+}
+
+TEST_F(Gltf, withoutAMaterialTheDefaultOneIsMade) {
+    Document document = square();
+    document.root["meshes"][0]["primitives"].push_back(document.primitive());
+    const Scene scene = load(document).scene;
+    ASSERT_EQ(scene.materials.size(), 1u);
+    EXPECT_EQ(scene.materials[0].baseColorFactor, glm::vec4(1));
+    EXPECT_EQ(scene.materials[0].alphaMode, AlphaMode::opaque);
+    EXPECT_FALSE(scene.materials[0].doubleSided);
+}
+
+TEST_F(Gltf, picturesInTheBuffer) {
+    const Scene scene = load(textured()).scene;
+    ASSERT_EQ(scene.textures.size(), 1u);
+    EXPECT_EQ(scene.materials[0].baseColorTexture, 0u);
+    EXPECT_EQ(scene.textures[0].name, "picture");
+    EXPECT_EQ(scene.textures[0].pixels.at(1, 0), (image::Rgba8{40, 50, 60, 70}));
+    EXPECT_TRUE(scene.textures[0].repeatU && scene.textures[0].repeatV);
+    EXPECT_EQ(scene.meshes[0].vertices[2].uv, glm::vec2(1, 1));
+}
+
+TEST_F(Gltf, picturesBesideTheFileAndAsDataUri) {
+    Document document = textured();
+    image::writeImage(folder() / "a picture.png", image::ImageRgba8(3, 3, {1, 2, 3, 4}));
+    document.root["images"] = {{{"uri", "a%20picture.png"}}};
+    EXPECT_EQ(load(document).scene.textures[0].pixels.width, 3u);
+    // One white pixel.
+    document.root["images"] = {{{"uri", "data:image/png;base64,"
+                                        "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAQAAAC1HAwCAAAAC0lEQVR42mP8/"
+                                        "x8AAwMCAO+ip1sAAAAASUVORK5CYII="}}};
+    EXPECT_EQ(refusal(document).find("does not exist"), std::string::npos);
+    document.root["images"] = {{{"uri", "data:image/png;base64,!!!!"}}};
+    expectSays(refusal(document), "cannot be decoded");
+}
+
+TEST_F(Gltf, onePictureOfManyMaterialsIsDecodedOnce) {
+    Document document = textured();
+    document.root["materials"].push_back(document.root["materials"][0]);
+    document.root["textures"].push_back({{"source", 0}});
+    document.root["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 1;
+    json second = document.primitive();
+    second["material"] = 1;
+    document.root["meshes"][0]["primitives"].push_back(second);
+    const Scene scene = load(document).scene;
+    EXPECT_EQ(scene.materials.size(), 2u);
+    EXPECT_EQ(scene.textures.size(), 1u);
+}
+
+TEST_F(Gltf, wrappingOfSamplers) {
+    Document document = textured();
+    document.root["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
+    document.root["textures"][0]["sampler"] = 0;
+    const GltfImport result = load(document);
+    EXPECT_FALSE(result.scene.textures[0].repeatU);
+    EXPECT_TRUE(result.scene.textures[0].repeatV);
+    EXPECT_TRUE(anySays(result.ignored, "mirrored wrapping"));
+    document.root["samplers"][0]["wrapS"] = 3;
+    expectSays(refusal(document), "wrap mode 3 does not exist");
+    document.root["textures"][0]["sampler"] = 1;
+    expectSays(refusal(document), "sampler 1 does not exist");
+}
+
+TEST_F(Gltf, textureTransformIsBakedIntoTheUvs) {
+    Document document = textured();
+    // The example of KHR_texture_transform: the lower left quadrant, turned a quarter.
+    baseColorTexture(document)["extensions"]["KHR_texture_transform"] = {
+        {"offset", {0, 1}}, {"rotation", std::numbers::pi / 2}, {"scale", {0.5, 0.5}}};
+    document.root["extensionsRequired"] = {"KHR_texture_transform"};
+    const std::vector<Vertex> vertices = load(document).scene.meshes[0].vertices;
+    const std::vector<glm::vec2> expected{{0, 1}, {0, 0.5}, {0.5, 0.5}, {0.5, 1}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_NEAR(glm::length(vertices[i].uv - expected[i]), 0.0f, 1e-6f) << i;
+    }
+    baseColorTexture(document)["extensions"]["KHR_texture_transform"] = {{"offset", {0, 1}},
+                                                                         {"scale", {1, -1}}};
+    EXPECT_EQ(load(document).scene.meshes[0].vertices[0].uv, glm::vec2(0, 1));
+    EXPECT_EQ(load(document).scene.meshes[0].vertices[2].uv, glm::vec2(1, 0));
+}
+
+TEST_F(Gltf, textureCoordinateSetsAreChosen) {
+    Document document = textured();
+    document.primitive()["attributes"]["TEXCOORD_1"] =
+        document.addAccessor(std::vector<float>{5, 5, 6, 5, 6, 6, 5, 6}, "VEC2", kFloat);
+    baseColorTexture(document)["texCoord"] = 1;
+    EXPECT_EQ(load(document).scene.meshes[0].vertices[0].uv, glm::vec2(5, 5));
+    baseColorTexture(document)["extensions"]["KHR_texture_transform"] = {{"texCoord", 0}};
+    EXPECT_EQ(load(document).scene.meshes[0].vertices[0].uv, glm::vec2(0, 0));
+    // A set that the mesh lacks gives zeros.
+    baseColorTexture(document)["extensions"]["KHR_texture_transform"] = {{"texCoord", 2}};
+    EXPECT_EQ(load(document).scene.meshes[0].vertices[2].uv, glm::vec2(0, 0));
+}
+
+TEST_F(Gltf, unsoundTextureTransformsAreRefused) {
+    const auto withTransform = [&](const json& transform) {
+        Document document = textured();
+        baseColorTexture(document)["extensions"]["KHR_texture_transform"] = transform;
+        return refusal(document);
+    };
+    expectSays(withTransform({{"offset", {1}}}), "'offset' is not two numbers");
+    expectSays(withTransform({{"scale", {1, "x"}}}), "'scale' is not two numbers");
+    expectSays(withTransform({{"rotation", "left"}}), "'rotation' is not a number");
+    expectSays(withTransform({{"texCoord", -1}}), "'texCoord' is not an index");
+}
+
+TEST_F(Gltf, unsoundMaterialReferencesAreRefused) {
+    Document document = textured();
+    document.primitive()["material"] = 1;
+    expectSays(refusal(document), "material 1 does not exist");
+    document = textured();
+    baseColorTexture(document)["index"] = 1;
+    expectSays(refusal(document), "texture 1 does not exist");
+    document = textured();
+    document.root["textures"][0]["source"] = 1;
+    expectSays(refusal(document), "image 1 does not exist");
+    document = textured();
+    document.root["images"][0]["bufferView"] = 77;
+    expectSays(refusal(document), "buffer view 77 does not exist");
+    document = textured();
+    document.root["bufferViews"].back()["byteLength"] = 100000;
+    expectSays(refusal(document), "buffer view");
+    document = textured();
+    document.root["bufferViews"].back()["byteLength"] = 50;
+    expectSays(refusal(document), "image 0: damaged PNG");
+    document = textured();
+    document.root["images"][0]["uri"] = "both.png";
+    expectSays(refusal(document), "one of 'uri' and 'bufferView'");
+}
+
+TEST_F(Gltf, partsThatAreNotDrawnAreSaid) {
+    Document document = textured();
+    document.root["materials"][0]["normalTexture"] = {{"index", 0}};
+    document.root["materials"][0]["emissiveTexture"] = {{"index", 0}};
+    document.root["extensionsUsed"] = {"KHR_materials_unlit", "KHR_lights_punctual"};
+    document.root["extensions"] = {{"KHR_lights_punctual", {{"lights", {{{"type", "point"}}}}}}};
+    document.root["cameras"] = {{{"type", "perspective"}, {"name", "eye"}}};
+    document.root["animations"] = {{{"channels", json::array()}}};
+    document.root["skins"] = {{{"joints", {0}}}};
+    const std::vector<std::string> ignored = load(document).ignored;
+    EXPECT_TRUE(anySays(ignored, "normal textures are not used"));
+    EXPECT_TRUE(anySays(ignored, "emissive textures are not used"));
+    EXPECT_TRUE(anySays(ignored, "KHR_lights_punctual: extension not used"));
+    EXPECT_TRUE(anySays(ignored, "camera 'eye': cameras are not used"));
+    EXPECT_TRUE(anySays(ignored, "animations are not played"));
+    EXPECT_TRUE(anySays(ignored, "skins are drawn in bind pose"));
+    EXPECT_FALSE(anySays(ignored, "KHR_materials_unlit"));
+    EXPECT_EQ(ignored.size(), 6u);
+}
+
+TEST_F(Gltf, pictureThatOnlyAnExtensionSuppliesIsSaid) {
+    Document document = textured();
+    document.root["textures"] = {{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};
+    const GltfImport result = load(document);
+    EXPECT_TRUE(result.scene.textures.empty());
+    EXPECT_FALSE(result.scene.materials[0].baseColorTexture);
+    EXPECT_TRUE(anySays(result.ignored, "supplied by an extension"));
+}
+
+} // namespace
+} // namespace cdr::scene::test

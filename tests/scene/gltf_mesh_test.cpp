@@ -1,0 +1,321 @@
+#include "gltf_fixture.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace cdr::scene::test {
+namespace {
+
+using Gltf = GltfFolder;
+
+/// World positions of the corners of a scene's first instance, triangle by triangle.
+std::vector<glm::dvec3> worldCorners(const Scene& scene, std::size_t instance = 0) {
+    const Instances& instances = scene.instances;
+    const Mesh& mesh = scene.meshes.at(instances.mesh.at(instance));
+    std::vector<glm::dvec3> corners;
+    for (const std::uint32_t index : mesh.indices) {
+        corners.push_back(instances.position(instance) + glm::dmat3(instances.basis[instance]) *
+                                                             glm::dvec3(mesh.vertices.at(index).position));
+    }
+    return corners;
+}
+
+void expectNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-6) {
+    EXPECT_NEAR(glm::length(a - b), 0.0, tolerance) << a.x << " " << a.y << " " << a.z;
+}
+
+TEST_F(Gltf, triangleWithoutNormalsGetsFlatOnes) {
+    const GltfImport result = load(triangle());
+    ASSERT_EQ(result.scene.meshes.size(), 1u);
+    ASSERT_EQ(result.scene.instances.size(), 1u);
+    EXPECT_TRUE(result.ignored.empty());
+    const Mesh& mesh = result.scene.meshes[0];
+    ASSERT_EQ(mesh.vertices.size(), 3u);
+    EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2}));
+    for (const Vertex& vertex : mesh.vertices) {
+        EXPECT_EQ(vertex.normal, glm::vec3(0, 0, 1));
+        EXPECT_EQ(vertex.uv, glm::vec2(0));
+        EXPECT_EQ(vertex.color, glm::u8vec4(255));
+    }
+    expectNear(worldCorners(result.scene)[2], {2, 4, 0});
+}
+
+TEST_F(Gltf, flatNormalsUnshareVertices) {
+    Document document = square();
+    document.primitive()["attributes"].erase("NORMAL");
+    const Scene scene = load(document).scene;
+    EXPECT_EQ(scene.meshes[0].vertices.size(), 6u);
+    expectNear(worldCorners(scene)[5], {0, 4, 0});
+}
+
+TEST_F(Gltf, meshIsStoredAboutItsCentre) {
+    const Scene scene = load(square()).scene;
+    const Mesh& mesh = scene.meshes[0];
+    EXPECT_EQ(mesh.vertices.size(), 4u);
+    EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+    EXPECT_EQ(mesh.vertices[0].position, glm::vec3(-1, -2, 0));
+    EXPECT_NEAR(mesh.boundingRadius, std::sqrt(5.0f), 1e-6f);
+    EXPECT_GE(static_cast<double>(mesh.boundingRadius), std::sqrt(5.0));
+    expectNear(scene.instances.position(0), {1, 2, 0}, 0.0);
+}
+
+TEST_F(Gltf, onlyVerticesThatAreDrawnCount) {
+    Document document = square();
+    std::vector<float> positions = corners(true);
+    positions.insert(positions.end(), {1e6f, 0, 0});
+    document.primitive()["attributes"]["POSITION"] = document.addAccessor(positions, "VEC3", kFloat);
+    document.primitive()["attributes"]["NORMAL"] =
+        document.addAccessor(std::vector<float>(15, 1.0f), "VEC3", kFloat);
+    const Mesh mesh = load(document).scene.meshes.at(0);
+    EXPECT_EQ(mesh.vertices.size(), 4u);
+    EXPECT_LT(mesh.boundingRadius, 3.0f);
+}
+
+TEST_F(Gltf, primitivesMayShareOneLargeVertexBuffer) {
+    Document document = square();
+    json second = document.primitive();
+    second["indices"] = document.addAccessor(std::vector<std::uint8_t>{1, 2, 3}, "SCALAR", kUByte);
+    document.root["meshes"][0]["primitives"].push_back(second);
+    const Scene scene = load(document).scene;
+    ASSERT_EQ(scene.instances.size(), 2u);
+    EXPECT_EQ(scene.meshes[1].vertices.size(), 3u);
+    expectNear(worldCorners(scene, 1)[0], {2, 0, 0});
+    EXPECT_EQ(scene.instances.object, (std::vector<std::uint32_t>{0, 0}))
+        << "primitives share their node's object";
+}
+
+TEST_F(Gltf, farVerticesKeepTheirPrecision) {
+    Document document = triangle();
+    document.primitive()["attributes"]["POSITION"] =
+        document.addAccessor(std::vector<float>{1e6f, 0, 0, 1e6f + 2, 0, 0, 1e6f + 2, 4, 0}, "VEC3", kFloat);
+    document.root["nodes"][0]["translation"] = {1e9, 0, 0.001};
+    const Scene scene = load(document).scene;
+    EXPECT_EQ(scene.meshes[0].vertices[0].position, glm::vec3(-1, -2, 0));
+    expectNear(scene.instances.position(0), {1e9 + 1e6 + 1, 2, 0.001}, 0.0);
+}
+
+TEST_F(Gltf, indicesOfAllSizes) {
+    Document document = square();
+    const auto expectSquare = [&](int accessor) {
+        document.primitive()["indices"] = accessor;
+        const Scene scene = load(document).scene;
+        expectNear(worldCorners(scene).at(5), {0, 4, 0});
+    };
+    expectSquare(document.addAccessor(std::vector<std::uint8_t>{0, 1, 2, 0, 2, 3}, "SCALAR", kUByte));
+    expectSquare(document.addAccessor(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}, "SCALAR", kUShort));
+    expectSquare(document.addAccessor(std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}, "SCALAR", kUInt));
+}
+
+TEST_F(Gltf, stripsAndFansFaceTheSameWay) {
+    Document document = square();
+    document.primitive()["mode"] = kStrip;
+    document.primitive()["indices"] =
+        document.addAccessor(std::vector<std::uint8_t>{0, 1, 3, 2}, "SCALAR", kUByte);
+    const auto expectFronts = [&] {
+        const std::vector<glm::dvec3> corners = worldCorners(load(document).scene);
+        ASSERT_EQ(corners.size(), 6u);
+        double area = 0.0;
+        for (std::size_t i = 0; i < 6; i += 3) {
+            const double z = glm::cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]).z;
+            EXPECT_GT(z, 0.0);
+            area += z / 2.0;
+        }
+        EXPECT_DOUBLE_EQ(area, 8.0);
+    };
+    expectFronts();
+    document.primitive()["mode"] = kFan;
+    document.primitive()["indices"] =
+        document.addAccessor(std::vector<std::uint8_t>{0, 1, 2, 3}, "SCALAR", kUByte);
+    expectFronts();
+    document.primitive().erase("indices");
+    expectFronts();
+}
+
+TEST_F(Gltf, pointsAndLinesAreNotDrawnButSaid) {
+    Document document = square();
+    json lines = document.primitive();
+    lines["mode"] = kLines;
+    json points = document.primitive();
+    points["mode"] = kPoints;
+    document.root["meshes"][0]["primitives"].push_back(lines);
+    document.root["meshes"][0]["primitives"].push_back(points);
+    const GltfImport result = load(document);
+    EXPECT_EQ(result.scene.instances.size(), 1u);
+    EXPECT_TRUE(anySays(result.ignored, "mesh 0 '' primitive 1 and 1 more: points and lines are not drawn"));
+    document.primitive()["mode"] = 7;
+    expectSays(refusal(document), "mode 7 does not exist");
+}
+
+TEST_F(Gltf, restOfATriangleListIsDropped) {
+    Document document = square();
+    document.primitive()["indices"] =
+        document.addAccessor(std::vector<std::uint8_t>{0, 1, 2, 0, 2}, "SCALAR", kUByte);
+    EXPECT_EQ(load(document).scene.meshes[0].indices.size(), 3u);
+    document.primitive()["indices"] = document.addAccessor(std::vector<std::uint8_t>{0, 1}, "SCALAR", kUByte);
+    const GltfImport result = load(document);
+    EXPECT_EQ(result.scene.instances.size(), 0u);
+    EXPECT_EQ(result.scene.objectNames.size(), 1u) << "an object keeps its number even when nothing is drawn";
+    EXPECT_TRUE(anySays(result.ignored, "has no triangles"));
+}
+
+TEST_F(Gltf, normalsAreMadeUnitLength) {
+    Document document = square();
+    document.primitive()["attributes"]["NORMAL"] = document.addAccessor(
+        std::vector<float>{0, 9, 0, 0, 0, 0, std::nanf(""), 0, 0, 0, 0, -2}, "VEC3", kFloat);
+    const GltfImport result = load(document);
+    EXPECT_EQ(result.scene.meshes[0].vertices[0].normal, glm::vec3(0, 1, 0));
+    EXPECT_EQ(result.scene.meshes[0].vertices[1].normal, glm::vec3(0, 0, 1));
+    EXPECT_EQ(result.scene.meshes[0].vertices[2].normal, glm::vec3(0, 0, 1));
+    EXPECT_EQ(result.scene.meshes[0].vertices[3].normal, glm::vec3(0, 0, -1));
+    EXPECT_TRUE(anySays(result.ignored, "a normal has no direction"));
+}
+
+TEST_F(Gltf, coloursOfAllTypes) {
+    Document document = square();
+    const auto colour = [&](int accessor) {
+        document.primitive()["attributes"]["COLOR_0"] = accessor;
+        return load(document).scene.meshes[0].vertices[1].color;
+    };
+    EXPECT_EQ(colour(document.addAccessor(std::vector<float>{1, 1, 1, 0.5f, -3, 7, 1, 1, 1, 1, 1, 1}, "VEC3",
+                                          kFloat)),
+              glm::u8vec4(128, 0, 255, 255));
+    const int bytes = document.addAccessor(
+        std::vector<std::uint8_t>{9, 9, 9, 9, 10, 20, 30, 40, 9, 9, 9, 9, 9, 9, 9, 9}, "VEC4", kUByte);
+    document.root["accessors"].back()["normalized"] = true;
+    EXPECT_EQ(colour(bytes), glm::u8vec4(10, 20, 30, 40));
+    const int shorts = document.addAccessor(
+        std::vector<std::uint16_t>{0, 0, 0, 65535, 32768, 257, 0, 0, 0, 0, 0, 0}, "VEC3", kUShort);
+    document.root["accessors"].back()["normalized"] = true;
+    EXPECT_EQ(colour(shorts), glm::u8vec4(255, 128, 1, 255));
+}
+
+TEST_F(Gltf, quantizedPositionsAndUvs) {
+    Document document = square();
+    document.root["extensionsRequired"] = {"KHR_mesh_quantization"};
+    document.primitive()["attributes"]["POSITION"] = document.addAccessor(
+        std::vector<std::int16_t>{0, 0, 0, 200, 0, 0, 200, 400, 0, 0, 400, 0}, "VEC3", kShort);
+    const int uv =
+        document.addAccessor(std::vector<std::int8_t>{0, 0, 127, -127, -128, 64, 0, 0}, "VEC2", kByte);
+    document.root["accessors"].back()["normalized"] = true;
+    document.primitive()["attributes"]["TEXCOORD_0"] = uv;
+    const Scene scene = load(document).scene;
+    expectNear(worldCorners(scene)[2], {200, 400, 0});
+    EXPECT_EQ(scene.meshes[0].vertices[1].uv, glm::vec2(1, -1));
+    EXPECT_EQ(scene.meshes[0].vertices[2].uv.x, -1.0f);
+}
+
+TEST_F(Gltf, interleavedAttributesAtAnyAlignment) {
+    Document document = triangle();
+    // 2 bytes in front, then 12 of position and 4 of something else, so that floats lie at odd addresses.
+    Bytes bytes(2);
+    const std::vector<float> positions = corners(false);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto* first = reinterpret_cast<const std::uint8_t*>(&positions[3 * i]);
+        bytes.insert(bytes.end(), first, first + 12);
+        bytes.insert(bytes.end(), {0xff, 0xff, 0xff, 0xff});
+    }
+    const int view = document.addView(bytes);
+    document.root["bufferViews"][static_cast<std::size_t>(view)]["byteStride"] = 16;
+    document.root["accessors"][0]["bufferView"] = view;
+    document.root["accessors"][0]["byteOffset"] = 2;
+    expectNear(worldCorners(load(document).scene)[2], {2, 4, 0});
+    document.root["accessors"][0]["byteOffset"] = 7;
+    expectSays(refusal(document), "do not fit its buffer view");
+}
+
+TEST_F(Gltf, sparseAccessors) {
+    Document document = square();
+    json& accessor = document.root["accessors"][0];
+    accessor["sparse"] = {
+        {"count", 2},
+        {"indices",
+         {{"bufferView", document.addView(std::vector<std::uint16_t>{1, 2})}, {"componentType", kUShort}}},
+        {"values", {{"bufferView", document.addView(std::vector<float>{8, 0, 0, 8, 4, 0})}}}};
+    expectNear(worldCorners(load(document).scene)[1], {8, 0, 0});
+    expectNear(worldCorners(load(document).scene)[0], {0, 0, 0});
+    // Without a buffer view the rest is zero.
+    document.root["accessors"][0].erase("bufferView");
+    expectNear(worldCorners(load(document).scene)[5], {0, 0, 0});
+}
+
+TEST_F(Gltf, unsoundSparseAccessorsAreRefused) {
+    const auto tryIndices = [&](const std::vector<std::uint16_t>& indices, int count) {
+        Document document = square();
+        document.root["accessors"][0]["sparse"] = {
+            {"count", count},
+            {"indices", {{"bufferView", document.addView(indices)}, {"componentType", kUShort}}},
+            {"values", {{"bufferView", document.addView(std::vector<float>(6))}}}};
+        return refusal(document);
+    };
+    expectSays(tryIndices({2, 1}, 2), "do not increase");
+    expectSays(tryIndices({1, 4}, 2), "do not increase or exceed its 4");
+    expectSays(tryIndices({0, 1, 2}, 3), "do not fit its buffer view");
+    expectSays(tryIndices({0, 1}, 5), "its sparse part has 5 elements of 4");
+    expectSays(tryIndices({0, 1}, 0), "its sparse part has 0 elements");
+}
+
+TEST_F(Gltf, positionsThatAreNotFiniteAreRefused) {
+    for (const float bad : {std::nanf(""), std::numeric_limits<float>::infinity()}) {
+        Document document = triangle();
+        document.primitive()["attributes"]["POSITION"] =
+            document.addAccessor(std::vector<float>{0, 0, 0, 1, bad, 0, 0, 1, 0}, "VEC3", kFloat);
+        expectSays(refusal(document), "the position of vertex 1 is not finite");
+    }
+}
+
+TEST_F(Gltf, extentOverFloat32IsRefused) {
+    Document document = triangle();
+    const float big = std::numeric_limits<float>::max();
+    document.primitive()["attributes"]["POSITION"] =
+        document.addAccessor(std::vector<float>{-big, -big, -big, big, big, big, 0, 1, 0}, "VEC3", kFloat);
+    expectSays(refusal(document), "over what a float32 holds");
+}
+
+TEST_F(Gltf, primitiveWithoutExtentIsNotDrawn) {
+    Document document = triangle();
+    document.primitive()["attributes"]["POSITION"] =
+        document.addAccessor(std::vector<float>(9, 5.0f), "VEC3", kFloat);
+    const GltfImport result = load(document);
+    EXPECT_EQ(result.scene.instances.size(), 0u);
+    EXPECT_TRUE(anySays(result.ignored, "has no extent"));
+}
+
+TEST_F(Gltf, morphTargetsAreSaid) {
+    Document document = triangle();
+    document.primitive()["targets"] = {{{"POSITION", 0}}};
+    EXPECT_TRUE(anySays(load(document).ignored, "morph targets are not applied"));
+}
+
+TEST_F(Gltf, unsoundAttributesAreRefused) {
+    Document document = square();
+    document.primitive()["attributes"].erase("POSITION");
+    expectSays(refusal(document), "has no positions");
+
+    document = square();
+    document.primitive()["attributes"]["NORMAL"] =
+        document.addAccessor(std::vector<float>(9, 1.0f), "VEC3", kFloat);
+    expectSays(refusal(document), "an attribute has 3 elements for 4 positions");
+
+    document = square();
+    document.primitive()["attributes"]["POSITION"] =
+        document.addAccessor(std::vector<float>(8), "VEC2", kFloat);
+    expectSays(refusal(document), "POSITION has 2 components");
+
+    document = square();
+    document.primitive()["indices"] = document.addAccessor(std::vector<float>{0, 1, 2}, "SCALAR", kFloat);
+    expectSays(refusal(document), "cannot hold vertex indices");
+
+    document = square();
+    document.primitive()["indices"] =
+        document.addAccessor(std::vector<std::uint8_t>{0, 1, 4}, "SCALAR", kUByte);
+    expectSays(refusal(document), "index 4 exceeds its 4 vertices");
+
+    document = triangle();
+    document.root["accessors"][0]["componentType"] = 5127;
+    expectSays(refusal(document), "component type 5127 does not exist");
+}
+
+} // namespace
+} // namespace cdr::scene::test

@@ -1,0 +1,47 @@
+# A room is a folder of src/cdr: one library target whose headers are reachable only by the rooms that link it.
+
+add_library(cdr_options INTERFACE)
+target_compile_features(cdr_options INTERFACE cxx_std_20)
+# -ffp-contract=off: the same bits from every compiler, so hashes and truth do not depend on fused multiply-adds.
+target_compile_options(cdr_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off
+    # GCC 12 warns of overlapping copies inside std::string's own operator+ (GCC bug 105651).
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+    $<$<BOOL:${CDR_WARNINGS_AS_ERRORS}>:-Werror>)
+if(CDR_SANITIZE)
+    target_compile_options(cdr_options INTERFACE -fsanitize=${CDR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(cdr_options INTERFACE -fsanitize=${CDR_SANITIZE})
+endif()
+
+# cdr_room(NAME [PUBLIC target...] [PRIVATE target...])
+# Headers of src/cdr/NAME become <cdr/NAME/...> for the targets that link cdr::NAME, and for nobody else: each room has
+# an include folder of its own in the build tree, so an include that points up the room list does not compile.
+function(cdr_room name)
+    cmake_parse_arguments(ROOM "" "" "PUBLIC;PRIVATE" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
+    add_library(cdr_${name} STATIC ${sources})
+    add_library(cdr::${name} ALIAS cdr_${name})
+    set(include_root "${CMAKE_BINARY_DIR}/include/${name}")
+    file(MAKE_DIRECTORY "${include_root}/cdr")
+    file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${include_root}/cdr/${name}" SYMBOLIC)
+    target_include_directories(cdr_${name} PUBLIC
+        "$<BUILD_INTERFACE:${include_root}>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+    target_link_libraries(cdr_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:cdr_options>)
+endfunction()
+
+# cdr_test(NAME [DRIVER] LIBRARIES target...): every .cpp of the folder as one GoogleTest program, its cases known to
+# CTest. DRIVER labels them as needing a Vulkan driver.
+function(cdr_test name)
+    cmake_parse_arguments(TEST "DRIVER" "" "LIBRARIES" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
+    add_executable(${name} ${sources})
+    target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main cdr_options)
+    target_compile_definitions(${name} PRIVATE
+        CDR_ASSETS_DIR="${CMAKE_SOURCE_DIR}/../shared/assets" CDR_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    set(labels "")
+    if(TEST_DRIVER)
+        set(labels LABELS driver)
+        target_precompile_headers(${name} PRIVATE <vulkan/vulkan.hpp> <gtest/gtest.h>)
+    endif()
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 ${labels})
+endfunction()

@@ -1,0 +1,39 @@
+# Every dependency comes from the distribution through tools/setup.sh; nothing is vendored.
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(glm REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(CLI11 REQUIRED)
+find_package(Vulkan 1.3.239 REQUIRED COMPONENTS glslangValidator)
+find_package(OpenEXR REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
+pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg)
+if(CDR_BUILD_TESTS)
+    find_package(GTest REQUIRED)
+    include(GoogleTest)
+endif()
+if(CDR_BUILD_BENCHMARKS)
+    find_package(benchmark REQUIRED)
+endif()
+
+# tinygltf without its image codecs: pictures go through cdr::image, which bounds them.
+find_path(TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)
+add_library(cdr_tinygltf INTERFACE)
+target_include_directories(cdr_tinygltf SYSTEM INTERFACE "${TINYGLTF_INCLUDE_DIR}")
+target_compile_definitions(cdr_tinygltf INTERFACE
+    TINYGLTF_NO_STB_IMAGE TINYGLTF_NO_STB_IMAGE_WRITE TINYGLTF_NO_INCLUDE_JSON TINYGLTF_NO_INCLUDE_STB_IMAGE
+    TINYGLTF_NO_INCLUDE_STB_IMAGE_WRITE)
+
+# Vulkan Memory Allocator: from the system, or where the distribution lacks it from third_party/vma.sh.
+find_path(VMA_INCLUDE_DIR vk_mem_alloc.h
+    PATHS "${CMAKE_SOURCE_DIR}/.cache/vma/usr/include" PATH_SUFFIXES vma REQUIRED)
+add_library(cdr_vma INTERFACE)
+target_include_directories(cdr_vma SYSTEM INTERFACE "${VMA_INCLUDE_DIR}")
+target_link_libraries(cdr_vma INTERFACE Vulkan::Vulkan)
+
+# stb_easy_font: captions in contact sheets.
+find_path(STB_INCLUDE_DIR stb_easy_font.h PATH_SUFFIXES stb REQUIRED)
+add_library(cdr_stb INTERFACE)
+target_include_directories(cdr_stb SYSTEM INTERFACE "${STB_INCLUDE_DIR}")

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Installs whatever is missing to build, test and run cdr: distribution packages only, on Debian 12, Debian 13,
+# Ubuntu 24.04 or later. Where all is there it touches neither the system nor the network.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+packages=(
+    # build (pkg-config is a part of pkgconf on every distribution above)
+    g++ cmake ninja-build pkgconf ccache git ca-certificates
+    # Vulkan: loader, shader compiler, validation, and lavapipe, a driver that needs no graphics card
+    libvulkan-dev glslang-tools vulkan-validationlayers mesa-vulkan-drivers
+    # libraries
+    libcli11-dev libfmt-dev libglm-dev libopenexr-dev libspng-dev libssl-dev libtinygltf-dev libturbojpeg0-dev
+    nlohmann-json3-dev
+    # tests, benchmarks and checks
+    libbenchmark-dev libgtest-dev clang-format clang-tidy
+)
+
+fail() {
+    echo "tools/setup.sh: $1" >&2
+    exit 1
+}
+
+as_root() {
+    if ((EUID == 0)); then
+        "$@"
+    else
+        sudo "$@"
+    fi
+}
+
+command -v apt-get >/dev/null ||
+    fail "needs apt; on another system install what its list of packages names, and Vulkan Memory Allocator"
+
+missing=()
+installed=" $(dpkg-query --show --showformat='${Package}=${db:Status-Status} ' "${packages[@]}" 2>/dev/null || true)"
+for package in "${packages[@]}"; do
+    [[ $installed == *" $package=installed "* ]] || missing+=("$package")
+done
+
+if ((${#missing[@]})) || ! third_party/vma.sh --present; then
+    ((EUID == 0)) || command -v sudo >/dev/null || fail "needs root or sudo to install: ${missing[*]}"
+    # Always, since package lists may be absent (containers) or name files that the mirror has dropped since.
+    as_root apt-get update -q </dev/null || echo "tools/setup.sh: package lists not refreshed, using those at hand" >&2
+    allocator=libvulkan-memory-allocator-dev
+    if ! third_party/vma.sh --present && apt-cache show "$allocator" >/dev/null 2>&1; then
+        missing+=("$allocator")
+    fi
+    if ((${#missing[@]})); then
+        echo "tools/setup.sh: installing ${missing[*]}"
+        as_root env DEBIAN_FRONTEND=noninteractive \
+            apt-get install -q --yes --no-install-recommends "${missing[@]}" </dev/null
+    fi
+    third_party/vma.sh
+fi
