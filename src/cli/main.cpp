@@ -43,6 +43,7 @@ std::string explainMissing(const CLI::App& program, const CLI::RequiredError& er
 int run(int argc, char** argv) {
     CLI::App program("Cascaded deferred rendering: see far without z-fighting.", "cdr");
     program.require_subcommand(1);
+    program.fallthrough(); // global options are found behind the command too
     cdr::cli::GlobalOptions global;
     program.add_option("--device", global.device, "Vulkan device by number or part of its name");
     program.add_flag("--validate", global.validate,

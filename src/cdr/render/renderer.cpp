@@ -55,7 +55,6 @@ std::vector<double> anchorsOf(const std::vector<CascadeDraws>& cascades) {
 } // namespace
 
 struct Renderer::Staged {
-    const scene::Camera& camera;
     Lens lens;
     depth::Cascades cascades;
     std::vector<CascadeDraws> draws;
@@ -80,15 +79,13 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_recorder(device, options.threads, "frame"),
       m_primaryPool(device, vk::CommandBufferLevel::ePrimary, "frame") {}
 
-Renderer::Staged Renderer::stage(const scene::Camera& camera, FrameStats& stats) {
+void Renderer::stage(const scene::Camera& camera, Staged& staged, FrameStats& stats) {
     Stopwatch watch;
     scene::cullSpheres(m_scene.instances, camera, m_aspect, m_workers, m_visible);
     stats.times.cullMs = watch.lap();
 
-    Staged staged{.camera = camera,
-                  .lens = lensOf(camera, m_aspect),
-                  .cascades = depth::makeCascades(m_options.technique.split, camera.nearView, camera.farView),
-                  .draws = {}};
+    staged.lens = lensOf(camera, m_aspect);
+    staged.cascades = depth::makeCascades(m_options.technique.split, camera.nearView, camera.farView);
     depth::Cascades clipRanges;
     for (std::size_t i = 0; i < staged.cascades.size(); ++i) {
         clipRanges.push_back(depth::clipRange(m_options.technique.mapping, staged.cascades, i));
@@ -108,7 +105,6 @@ Renderer::Staged Renderer::stage(const scene::Camera& camera, FrameStats& stats)
     stats.visible = m_lists.visible;
     stats.draws = m_lists.draws();
     stats.duplication = m_lists.duplication();
-    return staged;
 }
 
 void Renderer::growRecords(std::size_t draws) {
@@ -128,13 +124,15 @@ void Renderer::growRecords(std::size_t draws) {
     m_recordSet = m_geometry.makeRecordSet(m_device, *m_recordPool, m_records.handle(), m_gpuScene);
 }
 
-vk::CommandBuffer Renderer::recordPrimary(std::size_t cascades) {
+vk::CommandBuffer Renderer::recordPrimary(std::size_t cascades, Destination destination) {
     m_primaryPool.reset();
     const vk::CommandBuffer primary = m_primaryPool.next();
     primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     m_targets->record(primary, m_recorder, cascades);
     m_shading.record(primary);
-    recordReadback(primary);
+    if (destination == Destination::host) {
+        recordReadback(primary);
+    }
     primary.end();
     return primary;
 }
@@ -160,9 +158,22 @@ void Renderer::recordReadback(vk::CommandBuffer primary) const {
 }
 
 Frame Renderer::render(const scene::Camera& camera) {
+    Staged staged;
+    const FrameStats stats = run(camera, staged, Destination::host);
+    Frame frame = fetch(staged);
+    frame.stats = stats;
+    return frame;
+}
+
+FrameStats Renderer::draw(const scene::Camera& camera) {
+    Staged staged;
+    return run(camera, staged, Destination::device);
+}
+
+FrameStats Renderer::run(const scene::Camera& camera, Staged& staged, Destination destination) {
     scene::requireUsable(camera);
     FrameStats stats;
-    const Staged staged = stage(camera, stats);
+    stage(camera, staged, stats);
     growRecords(m_lists.draws());
     m_shading.update(m_scene, camera, staged.lens, anchorsOf(staged.draws));
 
@@ -176,14 +187,11 @@ Frame Renderer::render(const scene::Camera& camera) {
                        .recordSet = m_recordSet,
                        .extent = m_extent});
     m_records.flush();
-    const vk::CommandBuffer primary = recordPrimary(staged.cascades.size());
+    const vk::CommandBuffer primary = recordPrimary(staged.cascades.size(), destination);
     stats.times.recordMs = watch.lap();
     gpu::submitAndWait(m_device, primary);
     stats.times.executeMs = watch.lap();
-
-    Frame frame = fetch(staged);
-    frame.stats = stats;
-    return frame;
+    return stats;
 }
 
 Frame Renderer::fetch(const Staged& staged) const {

@@ -38,16 +38,22 @@ class Renderer {
     Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
              const RenderOptions& options);
 
-    /// Renders one frame and waits for it. base::InputError for an unusable camera or split.
+    /// Renders one frame, waits for it and copies it to the host. base::InputError for an unusable camera or
+    /// split.
     Frame render(const scene::Camera& camera);
+
+    /// Renders one frame and waits for it, but leaves it on the device: what experiments time.
+    FrameStats draw(const scene::Camera& camera);
 
     const RenderOptions& options() const { return m_options; }
 
   private:
     struct Staged; ///< what the CPU stages hand on
-    Staged stage(const scene::Camera& camera, FrameStats& stats);
+    void stage(const scene::Camera& camera, Staged& staged, FrameStats& stats);
     void growRecords(std::size_t draws);
-    vk::CommandBuffer recordPrimary(std::size_t cascades);
+    enum class Destination { device, host };
+    FrameStats run(const scene::Camera& camera, Staged& staged, Destination destination);
+    vk::CommandBuffer recordPrimary(std::size_t cascades, Destination destination);
     void recordReadback(vk::CommandBuffer primary) const;
     Frame fetch(const Staged& staged) const;
 
