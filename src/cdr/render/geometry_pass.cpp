@@ -6,6 +6,7 @@
 #include <cdr/shaders/geometry_frag.h>
 #include <cdr/shaders/geometry_vert.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace cdr::render {
@@ -45,22 +46,6 @@ std::uint32_t depthForm(depth::Mapping mapping) {
     }
 }
 
-std::size_t variantOf(const MaterialState& material) {
-    return (material.textured ? 1u : 0u) + (material.masked ? 2u : 0u);
-}
-
-/// What is bound, so that nothing is bound twice.
-struct Bound {
-    vk::Pipeline pipeline;
-    vk::DescriptorSet textureSet;
-    int doubleSided = -1;
-    int mirrored = -1;
-};
-
-bool isMirrored(const glm::mat3& basis) {
-    return glm::determinant(basis) < 0.0f;
-}
-
 } // namespace
 
 GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene,
@@ -90,25 +75,24 @@ GeometryPass::Pipelines GeometryPass::makePipelines(const gpu::Device& device, b
         wide && m_mapping == depth::Mapping::log ? shaders::kDepthFormLogFragment : depthForm(m_mapping);
     const bool writesDepth = form == shaders::kDepthFormLogFragment;
     Pipelines pipelines;
-    for (const MaterialState& material : m_scene.materialStates()) {
-        vk::UniquePipeline& pipeline = pipelines.variants[variantOf(material)];
+    for (const DrawKind& kind : m_scene.kinds()) {
+        vk::UniquePipeline& pipeline = pipelines[kind.variant];
         if (pipeline) {
             continue;
         }
         pipeline = gpu::makeGraphicsPipeline(
-            device,
-            {.name = wide ? "geometry, wide" : "geometry",
-             .vertexSpirv = kGeometryVert,
-             .fragmentSpirv = writesDepth ? std::span<const std::uint32_t>(kGeometryDepthFrag)
-                                          : std::span<const std::uint32_t>(kGeometryFrag),
-             .constants = {form, material.textured ? 1u : 0u, material.masked ? 1u : 0u, wide ? 1u : 0u},
-             .layout = *m_layout,
-             .bindings = {GpuScene::vertexBinding()},
-             .attributes = GpuScene::vertexAttributes(),
-             .colorFormats = GBuffer::formats(),
-             .depthFormat = m_depthFormat,
-             .depthCompare = depth::isReversed(m_mapping) ? vk::CompareOp::eGreaterOrEqual
-                                                          : vk::CompareOp::eLessOrEqual});
+            device, {.name = wide ? "geometry, wide" : "geometry",
+                     .vertexSpirv = kGeometryVert,
+                     .fragmentSpirv = writesDepth ? std::span<const std::uint32_t>(kGeometryDepthFrag)
+                                                  : std::span<const std::uint32_t>(kGeometryFrag),
+                     .constants = {form, kind.variant & 1u, kind.variant >> 1u, wide ? 1u : 0u},
+                     .layout = *m_layout,
+                     .bindings = {GpuScene::vertexBinding()},
+                     .attributes = GpuScene::vertexAttributes(),
+                     .colorFormats = GBuffer::formats(),
+                     .depthFormat = m_depthFormat,
+                     .depthCompare = depth::isReversed(m_mapping) ? vk::CompareOp::eGreaterOrEqual
+                                                                  : vk::CompareOp::eLessOrEqual});
     }
     return pipelines;
 }
@@ -133,41 +117,69 @@ void GeometryPass::beginJob(vk::CommandBuffer commands, const CascadeDraws& casc
     commands.pushConstants<shaders::CascadePush>(*m_layout, kStages, 0, cascade.push);
 }
 
+/// Binds what a kind needs and is not bound yet.
+class GeometryPass::StateBinder {
+  public:
+    StateBinder(const GeometryPass& pass, vk::CommandBuffer commands) : m_pass(pass), m_commands(commands) {}
+
+    void bind(const DrawKind& kind, bool wide) {
+        const vk::Pipeline pipeline = *(wide ? m_pass.m_wide : m_pass.m_compact)[kind.variant];
+        if (pipeline != m_pipeline) {
+            m_commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
+            m_pipeline = pipeline;
+        }
+        if (kind.textureSet != m_textureSet) {
+            m_commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_pass.m_layout, 1,
+                                          kind.textureSet, {});
+            m_textureSet = kind.textureSet;
+        }
+        if (m_doubleSided != static_cast<int>(kind.doubleSided)) {
+            m_commands.setCullMode(kind.doubleSided ? vk::CullModeFlagBits::eNone
+                                                    : vk::CullModeFlagBits::eBack);
+            m_doubleSided = static_cast<int>(kind.doubleSided);
+        }
+        if (m_mirrored != static_cast<int>(kind.mirrored)) {
+            m_commands.setFrontFace(kind.mirrored ? vk::FrontFace::eClockwise
+                                                  : vk::FrontFace::eCounterClockwise);
+            m_mirrored = static_cast<int>(kind.mirrored);
+        }
+    }
+
+  private:
+    static constexpr int kUnset = -1;
+
+    const GeometryPass& m_pass;
+    vk::CommandBuffer m_commands;
+    vk::Pipeline m_pipeline;
+    vk::DescriptorSet m_textureSet;
+    int m_doubleSided = kUnset;
+    int m_mirrored = kUnset;
+};
+
 void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const Recording& recording) const {
     const CascadeDraws& cascade = recording.cascades[job.cascade];
-    const scene::Instances& instances = recording.scene.instances;
     const std::size_t wideBegin = recording.lists.wideBegin(job.cascade);
+    const std::uint32_t* instances = recording.lists.instance.data();
+    const DrawSource* sources = m_scene.sources().data();
     beginJob(commands, cascade, recording);
-    Bound bound;
-    for (std::size_t draw = job.draws.begin; draw < job.draws.end; ++draw) {
-        const std::uint32_t instance = recording.lists.instance[draw];
-        recording.records[draw] = makeDrawRecord(instances, instance, recording.camera, cascade.anchorView);
-
-        const MaterialState& material = m_scene.material(instances.material[instance]);
-        const Pipelines& pipelines = draw < wideBegin ? m_compact : m_wide;
-        const vk::Pipeline pipeline = *pipelines.variants[variantOf(material)];
-        if (pipeline != bound.pipeline) {
-            commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
-            bound.pipeline = pipeline;
+    StateBinder state(*this, commands);
+    for (std::size_t first = job.draws.begin; first < job.draws.end;) {
+        const std::uint32_t kindIndex = sources[instances[first]].kind;
+        const bool wide = first >= wideBegin;
+        // A run ends with its kind, its bucket or its job.
+        const std::size_t limit = recording.batching == Batching::perObject ? first + 1
+                                  : wide                                    ? job.draws.end
+                                         : std::min(wideBegin, job.draws.end);
+        std::size_t end = first;
+        for (; end < limit && sources[instances[end]].kind == kindIndex; ++end) {
+            recording.records[end] =
+                makeDrawRecord(sources[instances[end]], recording.camera, cascade.anchorView);
         }
-        if (material.textureSet != bound.textureSet) {
-            commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 1, material.textureSet,
-                                        {});
-            bound.textureSet = material.textureSet;
-        }
-        if (bound.doubleSided != static_cast<int>(material.doubleSided)) {
-            commands.setCullMode(material.doubleSided ? vk::CullModeFlagBits::eNone
-                                                      : vk::CullModeFlagBits::eBack);
-            bound.doubleSided = static_cast<int>(material.doubleSided);
-        }
-        const int mirrored = isMirrored(instances.basis[instance]) ? 1 : 0;
-        if (bound.mirrored != mirrored) {
-            commands.setFrontFace(mirrored ? vk::FrontFace::eClockwise : vk::FrontFace::eCounterClockwise);
-            bound.mirrored = mirrored;
-        }
-        const MeshRange& mesh = m_scene.mesh(instances.mesh[instance]);
-        m_drawIndexed(commands, mesh.indexCount, 1, mesh.firstIndex, mesh.vertexOffset,
-                      static_cast<std::uint32_t>(draw));
+        const DrawKind& kind = m_scene.kinds()[kindIndex];
+        state.bind(kind, wide);
+        m_drawIndexed(commands, kind.mesh.indexCount, static_cast<std::uint32_t>(end - first),
+                      kind.mesh.firstIndex, kind.mesh.vertexOffset, static_cast<std::uint32_t>(first));
+        first = end;
     }
 }
 

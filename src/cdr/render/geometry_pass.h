@@ -21,6 +21,12 @@ struct DrawJob {
     base::IndexRange draws; ///< into scene::DrawLists::instance
 };
 
+/// How draws become draw commands. The picture is the same to the bit.
+enum class Batching : std::uint8_t {
+    perObject, ///< one command per draw
+    instanced, ///< one command per run of draws of one kind
+};
+
 /// What the draws of one cascade share, on the CPU side.
 struct CascadeDraws {
     double anchorView = 0.0;
@@ -41,13 +47,13 @@ class GeometryPass {
 
     /// Everything recording one job reads.
     struct Recording {
-        const scene::Scene& scene;
         const scene::Camera& camera;
         const scene::DrawLists& lists;
         std::span<const CascadeDraws> cascades;
         std::span<shaders::DrawRecord> records; ///< mapped, one per draw of `lists`
         vk::DescriptorSet recordSet;
         vk::Extent2D extent;
+        Batching batching = Batching::instanced;
     };
 
     /// Writes the records of a job's draws and their commands. `commands` is a secondary in the recording
@@ -60,10 +66,8 @@ class GeometryPass {
     double wideSpan(std::size_t cascades) const;
 
   private:
-    struct Pipelines {
-        /// By MaterialState: textured + 2 * masked; empty where the scene has no such material.
-        std::array<vk::UniquePipeline, 4> variants;
-    };
+    using Pipelines = std::array<vk::UniquePipeline, kPipelineVariants>; ///< empty where no kind needs one
+    class StateBinder;
     Pipelines makePipelines(const gpu::Device& device, bool wide) const;
     void beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade, const Recording& recording) const;
 

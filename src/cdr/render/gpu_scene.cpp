@@ -6,7 +6,9 @@
 #include <glm/gtc/packing.hpp>
 
 #include <cstddef>
+#include <map>
 #include <span>
+#include <tuple>
 
 namespace cdr::render {
 
@@ -63,6 +65,7 @@ GpuScene::GpuScene(const gpu::Device& device, const scene::Scene& scene) {
     uploadMeshes(device, scene);
     uploadTextures(device, scene);
     uploadMaterials(device, scene);
+    sortKinds(scene);
 }
 
 void GpuScene::uploadMeshes(const gpu::Device& device, const scene::Scene& scene) {
@@ -100,10 +103,7 @@ void GpuScene::uploadMaterials(const gpu::Device& device, const scene::Scene& sc
             material.baseColorTexture.value_or(static_cast<std::uint32_t>(scene.textures.size()));
         const vk::DescriptorSet set = gpu::allocateSet(device, *m_pool, *m_textureLayout);
         gpu::writeImageBinding(device, set, 0, kType, m_textures[texture].view(), *m_samplers[texture]);
-        m_materialStates.push_back({.textured = material.baseColorTexture.has_value(),
-                                    .masked = material.alphaMode == scene::AlphaMode::mask,
-                                    .doubleSided = material.doubleSided,
-                                    .textureSet = set});
+        m_textureSets.push_back(set);
     }
     m_materials = gpu::uploadBuffer(device, std::as_bytes(std::span(records)),
                                     vk::BufferUsageFlagBits::eStorageBuffer, "scene materials");
@@ -121,6 +121,31 @@ void GpuScene::uploadTextures(const gpu::Device& device, const scene::Scene& sce
     }
     upload(image::ImageRgba8(1, 1, {255, 255, 255, 255}), "white texture");
     m_samplers.push_back(makeSampler(device, true, true));
+}
+
+void GpuScene::sortKinds(const scene::Scene& scene) {
+    const scene::Instances& instances = scene.instances;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, std::uint32_t> known;
+    m_sources.reserve(instances.size());
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        const bool mirrored = glm::determinant(instances.basis[i]) < 0.0f;
+        const auto [entry, isNew] =
+            known.try_emplace({instances.mesh[i], instances.material[i], mirrored}, m_kinds.size());
+        if (isNew) {
+            const scene::Material& material = scene.materials[instances.material[i]];
+            const bool masked = material.alphaMode == scene::AlphaMode::mask;
+            m_kinds.push_back({.mesh = m_meshes[instances.mesh[i]],
+                               .variant = (material.baseColorTexture ? 1u : 0u) + (masked ? 2u : 0u),
+                               .doubleSided = material.doubleSided,
+                               .mirrored = mirrored,
+                               .textureSet = m_textureSets[instances.material[i]]});
+        }
+        m_sources.push_back({.position = instances.position(i),
+                             .basis = instances.basis[i],
+                             .object = instances.object[i],
+                             .material = instances.material[i],
+                             .kind = entry->second});
+    }
 }
 
 vk::VertexInputBindingDescription GpuScene::vertexBinding() {

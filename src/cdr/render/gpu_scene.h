@@ -17,12 +17,27 @@ struct MeshRange {
     std::int32_t vertexOffset = 0;
 };
 
-/// What a material asks of the pipeline and the rasteriser; the rest is in the material buffer.
-struct MaterialState {
-    bool textured = false;
-    bool masked = false;
+/// Which of a technique's pipelines a material needs: textured + 2 * masked.
+inline constexpr std::size_t kPipelineVariants = 4;
+
+/// What draws of the same mesh, material and handedness share. Consecutive draws of one kind bind nothing in
+/// between and may become one instanced draw.
+struct DrawKind {
+    MeshRange mesh;
+    std::uint32_t variant = 0; ///< below kPipelineVariants
     bool doubleSided = false;
+    bool mirrored = false;
     vk::DescriptorSet textureSet; ///< set 1
+};
+
+/// One instance as recording reads it: all of it in two cache lines, where the scene's structure of arrays,
+/// made for culling, would take eight.
+struct DrawSource {
+    glm::dvec3 position; ///< world space
+    glm::mat3 basis;
+    std::uint32_t object = 0;
+    std::uint32_t material = 0;
+    std::uint32_t kind = 0; ///< into GpuScene::kinds()
 };
 
 /// A scene's meshes, materials and textures on a device. Immutable, so any number of renderers may share it.
@@ -35,9 +50,9 @@ class GpuScene {
     vk::Buffer indices() const { return m_indices.handle(); }
     vk::Buffer materials() const { return m_materials.handle(); }
     vk::DescriptorSetLayout textureLayout() const { return *m_textureLayout; }
-    const MeshRange& mesh(std::uint32_t index) const { return m_meshes[index]; }
-    const MaterialState& material(std::uint32_t index) const { return m_materialStates[index]; }
-    const std::vector<MaterialState>& materialStates() const { return m_materialStates; }
+    /// By instance.
+    const std::vector<DrawSource>& sources() const { return m_sources; }
+    const std::vector<DrawKind>& kinds() const { return m_kinds; }
 
     static vk::VertexInputBindingDescription vertexBinding();
     static std::vector<vk::VertexInputAttributeDescription> vertexAttributes();
@@ -46,6 +61,7 @@ class GpuScene {
     void uploadMeshes(const gpu::Device& device, const scene::Scene& scene);
     void uploadMaterials(const gpu::Device& device, const scene::Scene& scene);
     void uploadTextures(const gpu::Device& device, const scene::Scene& scene);
+    void sortKinds(const scene::Scene& scene);
 
     gpu::Buffer m_vertices;
     gpu::Buffer m_indices;
@@ -55,7 +71,9 @@ class GpuScene {
     std::vector<vk::UniqueSampler> m_samplers;
     vk::UniqueDescriptorSetLayout m_textureLayout;
     vk::UniqueDescriptorPool m_pool;
-    std::vector<MaterialState> m_materialStates;
+    std::vector<vk::DescriptorSet> m_textureSets; ///< by material
+    std::vector<DrawKind> m_kinds;
+    std::vector<DrawSource> m_sources;
 };
 
 } // namespace cdr::render

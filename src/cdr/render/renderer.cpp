@@ -179,13 +179,13 @@ FrameStats Renderer::run(const scene::Camera& camera, Staged& staged, Destinatio
 
     Stopwatch watch;
     m_recorder.record(m_workers, m_geometry,
-                      {.scene = m_scene,
-                       .camera = camera,
+                      {.camera = camera,
                        .lists = m_lists,
                        .cascades = staged.draws,
                        .records = m_records.as<shaders::DrawRecord>(m_lists.draws()),
                        .recordSet = m_recordSet,
-                       .extent = m_extent});
+                       .extent = m_extent,
+                       .batching = m_options.batching});
     m_records.flush();
     const vk::CommandBuffer primary = recordPrimary(staged.cascades.size(), destination);
     stats.times.recordMs = watch.lap();

@@ -25,6 +25,7 @@ struct RenderOptions {
     depth::Technique technique;
     TargetsKind targets = TargetsKind::single;
     std::size_t threads = 1; ///< that cull, bin and record, the caller's included
+    Batching batching = Batching::instanced;
 };
 
 /// Renders a scene with one technique into one kind of targets, frame by frame.

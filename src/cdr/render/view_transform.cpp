@@ -9,10 +9,9 @@ Lens lensOf(const scene::Camera& camera, double aspect) {
     return {.tanX = aspect * tanY, .tanY = tanY};
 }
 
-shaders::DrawRecord makeDrawRecord(const scene::Instances& instances, std::uint32_t instance,
-                                   const scene::Camera& camera, double anchorView) {
-    const glm::dvec3 view = camera.toView(instances.position(instance));
-    const glm::dmat3 basis(instances.basis[instance]);
+shaders::DrawRecord makeDrawRecord(const DrawSource& source, const scene::Camera& camera, double anchorView) {
+    const glm::dvec3 view = camera.toView(source.position);
+    const glm::dmat3 basis(source.basis);
     // A row of (view * basis): the axis against each of the basis' columns.
     const auto row = [&](const glm::dvec3& axis, double translation) {
         return glm::vec4(glm::dvec4(axis * basis, translation));
@@ -20,8 +19,8 @@ shaders::DrawRecord makeDrawRecord(const scene::Instances& instances, std::uint3
     return {.right = row(camera.right, view.x),
             .up = row(camera.up, view.y),
             .ahead = row(-camera.back, -view.z - anchorView),
-            .object = instances.object[instance] + 1,
-            .material = instances.material[instance],
+            .object = source.object + 1,
+            .material = source.material,
             .pad0 = 0,
             .pad1 = 0};
 }

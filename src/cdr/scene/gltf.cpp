@@ -24,13 +24,6 @@ struct PlacedPrimitive {
     glm::dvec3 centre{0.0};     ///< where the mesh's origin goes in the space of the glTF mesh
 };
 
-/// Turns faces over: a node that mirrors would otherwise show their backs.
-void reverseWinding(Mesh& mesh) {
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
-    }
-}
-
 /// Whether a transform flattens what it draws; relative to its scale, so small is not flat.
 bool isFlat(const glm::dmat3& linear, const glm::mat3& basis) {
     // Below this the columns differ from a plane by less than float32 can tell.
@@ -62,7 +55,7 @@ class Importer {
   private:
     void requireBounded(const std::vector<MeshNode>& nodes);
     void addObject(const MeshNode& node);
-    const std::vector<PlacedPrimitive>& use(int mesh, bool mirrored);
+    const std::vector<PlacedPrimitive>& use(int mesh);
 
     Sources m_sources;
     GltfLimits m_limits;
@@ -70,7 +63,7 @@ class Importer {
     Accessors m_accessors;
     MeshImporter m_meshes;
     MaterialImporter m_materials;
-    std::map<std::pair<int, bool>, std::vector<PlacedPrimitive>> m_imported; ///< by mesh and whether mirrored
+    std::map<int, std::vector<PlacedPrimitive>> m_imported; ///< by mesh
 };
 
 void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
@@ -107,7 +100,7 @@ void Importer::addObject(const MeshNode& node) {
         m_sources.notes.add("not drawn, its transform flattens it", fmt::format("node {}", node.node));
         return;
     }
-    for (const PlacedPrimitive& primitive : use(node.mesh, glm::determinant(linear) < 0.0)) {
+    for (const PlacedPrimitive& primitive : use(node.mesh)) {
         const glm::dvec3 position(node.toWorld * glm::dvec4(primitive.centre, 1.0));
         addInstance(m_scene, primitive.mesh, primitive.material, object, position, basis);
         if (!std::isfinite(m_scene.instances.radius.back()) || !std::isfinite(glm::dot(position, position))) {
@@ -117,8 +110,8 @@ void Importer::addObject(const MeshNode& node) {
     }
 }
 
-const std::vector<PlacedPrimitive>& Importer::use(int meshIndex, bool mirrored) {
-    const auto [found, isNew] = m_imported.try_emplace({meshIndex, mirrored});
+const std::vector<PlacedPrimitive>& Importer::use(int meshIndex) {
+    const auto [found, isNew] = m_imported.try_emplace(meshIndex);
     if (!isNew) {
         return found->second;
     }
@@ -131,9 +124,6 @@ const std::vector<PlacedPrimitive>& Importer::use(int meshIndex, bool mirrored) 
         std::optional<CentredMesh> mesh = m_meshes.import(primitive, material.uv, where);
         if (!mesh) {
             continue;
-        }
-        if (mirrored) {
-            reverseWinding(mesh->mesh);
         }
         found->second.push_back(
             {static_cast<std::uint32_t>(m_scene.meshes.size()), material.index, mesh->centre});

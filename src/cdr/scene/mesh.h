@@ -18,7 +18,8 @@ struct Vertex {
     glm::u8vec4 color{255}; ///< linear, multiplies the material's base colour
 };
 
-/// An indexed triangle list. Front faces are counter-clockwise seen from outside.
+/// An indexed triangle list. Front faces are counter-clockwise in object space; under an instance that
+/// mirrors they stay the front faces (glTF 2.0, section 3.7.4), though they are clockwise in world space.
 ///
 /// Vertices are stored about the centre of their bounding sphere: that keeps float32 positions small, which
 /// is what bounds the smallest separation far away (DESIGN: why anchored works).
