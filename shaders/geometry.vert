@@ -15,12 +15,11 @@ layout(location = 1) in vec2 inNormal;
 layout(location = 2) in vec2 inUv;
 layout(location = 3) in vec4 inColor;
 
-layout(location = 0) out vec3 outNormal;
-layout(location = 1) out vec2 outUv;
-layout(location = 2) out vec4 outColor;
-layout(location = 3) out float outAhead;
-layout(location = 4) flat out uint outObject;
-layout(location = 5) flat out uint outMaterial;
+layout(location = 0) out vec4 outNormalAhead;
+layout(location = 1) out vec4 outColor;
+layout(location = 2) out vec2 outUv;
+layout(location = 3) flat out uint outId;
+layout(location = 4) flat out float outAlphaCutoff;
 
 void main() {
     DrawRecord record = records[gl_InstanceIndex];
@@ -42,10 +41,9 @@ void main() {
     vec3 turned = vec3(dot(cross(record.up.xyz, back), normal), dot(cross(back, record.right.xyz), normal),
                        dot(cross(record.right.xyz, record.up.xyz), normal));
     float mirrored = dot(cross(record.right.xyz, record.up.xyz), back);
-    outNormal = mirrored < 0.0 ? -turned : turned;
+    outNormalAhead = vec4(mirrored < 0.0 ? -turned : turned, ahead);
+    outColor = inColor * vec4(unpackHalf2x16(record.baseColorRg), unpackHalf2x16(record.baseColorBa));
     outUv = inUv;
-    outColor = inColor;
-    outAhead = ahead;
-    outObject = record.object;
-    outMaterial = record.material;
+    outId = record.id | (cascade.cascade << kIdBits);
+    outAlphaCutoff = record.alphaCutoff;
 }

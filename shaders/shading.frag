@@ -1,14 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
-#include "octahedral.glsl"
+#include "surface.glsl"
 
 // Deferred shading by point lights. Knows view distances, not how they were mapped to depth.
-layout(set = 0, binding = 0) uniform sampler2D albedoBuffer;
-layout(set = 0, binding = 1) uniform usampler2D normalBuffer;
-layout(set = 0, binding = 2) uniform sampler2D aheadBuffer;
-layout(set = 0, binding = 3) uniform usampler2D idBuffer;
-layout(set = 0, binding = 4, std430) readonly buffer Shading {
+layout(set = 0, binding = 0) uniform usampler2D surfaceBuffer;
+layout(set = 0, binding = 1, std430) readonly buffer Shading {
     ShadingHeader header;
     LightRecord lights[];
 };
@@ -16,22 +13,21 @@ layout(set = 0, binding = 4, std430) readonly buffer Shading {
 layout(location = 0) out vec4 outColor;
 
 void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    uint id = texelFetch(idBuffer, pixel, 0).r;
-    if (id == 0u) {
+    uvec4 surface = texelFetch(surfaceBuffer, ivec2(gl_FragCoord.xy), 0);
+    if (surface.w == 0u) {
         outColor = vec4(header.background.rgb, 1.0);
         return;
     }
-    vec4 albedo = texelFetch(albedoBuffer, pixel, 0);
-    if (albedo.a == 0.0) {
-        outColor = vec4(albedo.rgb, 1.0);
+    vec3 albedo = albedoOf(surface);
+    if ((surface.w & kIdUnlit) != 0u) {
+        outColor = vec4(albedo, 1.0);
         return;
     }
-    float ahead = texelFetch(aheadBuffer, pixel, 0).r;
-    vec2 anchor = header.anchors[id >> kIdBits];
-    vec2 ray = (gl_FragCoord.xy / vec2(textureSize(idBuffer, 0)) * 2.0 - 1.0) * vec2(1.0, -1.0) * header.rayScale;
+    float ahead = aheadOf(surface);
+    vec3 normal = normalOf(surface);
+    vec2 anchor = header.anchors[(surface.w >> kIdBits) & kCascadeMask];
+    vec2 ray = (gl_FragCoord.xy / vec2(textureSize(surfaceBuffer, 0)) * 2.0 - 1.0) * vec2(1.0, -1.0) * header.rayScale;
     vec2 across = ray * (anchor.x + ahead);
-    vec3 normal = normalize(decodeOctahedral(unpackSnorm2x16(texelFetch(normalBuffer, pixel, 0).r)));
 
     vec3 light = header.ambient.rgb;
     for (uint i = 0u; i < header.lightCount; ++i) {
@@ -45,5 +41,5 @@ void main() {
         float half2 = record.position.w * record.position.w;
         light += record.color.rgb * (lambert * half2 / (half2 + distanceSquared));
     }
-    outColor = vec4(albedo.rgb * light, 1.0);
+    outColor = vec4(albedo * light, 1.0);
 }

@@ -22,33 +22,25 @@ CDR_CONST kDepthFormLinear = 0u;      // one row of a projection matrix: standar
 CDR_CONST kDepthFormLog = 1u;         // logarithm per vertex
 CDR_CONST kDepthFormLogFragment = 2u; // logarithm per fragment
 
-// Materials' flags.
-CDR_CONST kMaterialUnlit = 1u;
-
-// The id buffer holds the object index plus one in its low bits and the cascade above; 0 is background.
+// The id word holds the object index plus one in its low bits, the cascade above, and a flag; 0 is
+// background.
 CDR_CONST kIdBits = 24u;
 CDR_CONST kIdMask = 0xffffffu;
+CDR_CONST kCascadeMask = 0x3fu; // after a shift by kIdBits
+CDR_CONST kIdUnlit = 0x80000000u;
 
 // Most cascades, depth::kMaxCascades.
 CDR_CONST kCascadeSlots = 64u;
 
 // One draw: object to view space, relative to the cascade's anchor plane. 64 bytes, one cache line.
 struct DrawRecord {
-    vec4 right;  // row of (view * basis) in xyz, translation in w: view-space x
-    vec4 up;     // the same for view-space y
-    vec4 ahead;  // the same for the view distance beyond the anchor: w - anchorView, formed in float64
-    uint object; // object index + 1
-    uint material;
-    uint pad0;
-    uint pad1;
-};
-
-struct MaterialRecord {
-    vec4 baseColorFactor; // linear
-    uint flags;
+    vec4 right; // row of (view * basis) in xyz, translation in w: view-space x
+    vec4 up;    // the same for view-space y
+    vec4 ahead; // the same for the view distance beyond the anchor: w - anchorView, formed in float64
+    uint id;    // object index + 1, and kIdUnlit
     float alphaCutoff;
-    uint pad0;
-    uint pad1;
+    uint baseColorRg; // linear base colour factor as four halves
+    uint baseColorBa;
 };
 
 // What a cascade's draws share; push constants.
@@ -82,7 +74,6 @@ struct ShadingHeader {
 
 #ifdef __cplusplus
 static_assert(sizeof(DrawRecord) == 64);
-static_assert(sizeof(MaterialRecord) == 32);
 static_assert(sizeof(CascadePush) == 32);
 static_assert(sizeof(LightRecord) == 48);
 static_assert(sizeof(ShadingHeader) == 48 + 8 * kCascadeSlots);

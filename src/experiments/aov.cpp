@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -123,6 +124,13 @@ std::vector<image::ExrChannel> colorChannels(const render::Frame& frame, const i
     return channels;
 }
 
+/// SHA-256 of one word of each pixel's surface.
+std::string hashOfWords(const render::Frame& frame, std::uint32_t (*word)(const render::Surface&)) {
+    std::vector<std::uint32_t> words(frame.surfaces.pixels.size());
+    std::transform(frame.surfaces.pixels.begin(), frame.surfaces.pixels.end(), words.begin(), word);
+    return base::sha256Of(words);
+}
+
 } // namespace
 
 std::string_view nameOf(Aov aov) {
@@ -166,7 +174,7 @@ std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
     case Aov::cascade:
         return {{"cascade", values(frame, [&](auto x, auto y) { return frame.cascade(x, y); })}};
     case Aov::distance:
-        return {{"ahead", frame.ahead},
+        return {{"ahead", values(frame, [&](auto x, auto y) { return frame.surfaces.at(x, y).ahead; })},
                 {"distance", values(frame, [&](auto x, auto y) { return frame.distanceView(x, y); })}};
     case Aov::normal:
         return {{"X", values(frame, [&](auto x, auto y) { return frame.normalView(x, y).x; })},
@@ -185,11 +193,13 @@ std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImag
     case Aov::id:
         return base::sha256Of(frame.ids().pixels);
     case Aov::distance:
-        return base::sha256Of(frame.ahead.pixels);
+        return hashOfWords(frame, [](const render::Surface& surface) {
+            return std::bit_cast<std::uint32_t>(surface.ahead);
+        });
     case Aov::normal:
-        return base::sha256Of(frame.normal.pixels);
+        return hashOfWords(frame, [](const render::Surface& surface) { return surface.normal; });
     case Aov::cascade:
-        return base::sha256Of(frame.idAndCascade.pixels);
+        return hashOfWords(frame, [](const render::Surface& surface) { return surface.idAndCascade; });
     }
     throw base::RunError("output out of range");
 }

@@ -1,6 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
+#include <cdr/base/sha256.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,16 +100,15 @@ TEST_F(FrameTest, ManyFramesFromOneRendererEqualFreshOnes) {
         const Frame a = warm.render(camera);
         const Frame b = fresh.render(camera);
         EXPECT_EQ(a.color, b.color);
-        EXPECT_EQ(a.idAndCascade, b.idAndCascade);
-        EXPECT_EQ(a.ahead, b.ahead);
+        EXPECT_EQ(base::sha256Of(a.surfaces.pixels), base::sha256Of(b.surfaces.pixels));
     }
 }
 
 TEST_F(FrameTest, AnEmptySceneIsBackground) {
     const scene::Scene scene = boxScene();
     const Frame frame = draw(scene, scene::Camera{}, smallOptions(depth::parseTechnique("logcdr")));
-    EXPECT_TRUE(std::all_of(frame.idAndCascade.pixels.begin(), frame.idAndCascade.pixels.end(),
-                            [](std::uint32_t id) { return id == 0; }));
+    EXPECT_TRUE(std::all_of(frame.surfaces.pixels.begin(), frame.surfaces.pixels.end(),
+                            [](const render::Surface& surface) { return surface.idAndCascade == 0; }));
 }
 
 TEST_F(FrameTest, RefusesWhatCannotBeRendered) {

@@ -48,12 +48,11 @@ void CascadeRecorder::record(base::WorkerPool& workers, const GeometryPass& pass
     for (std::size_t job = m_jobs.size(); job-- > 0;) {
         std::fill_n(m_cascadeBegins.begin(), m_jobs[job].cascade + 1, job);
     }
-    const std::vector<vk::Format> formats = GBuffer::formats();
-    const vk::CommandBufferInheritanceRenderingInfo rendering{
-        .colorAttachmentCount = static_cast<std::uint32_t>(formats.size()),
-        .pColorAttachmentFormats = formats.data(),
-        .depthAttachmentFormat = pass.depthFormat(),
-        .rasterizationSamples = vk::SampleCountFlagBits::e1};
+    const vk::CommandBufferInheritanceRenderingInfo rendering{.colorAttachmentCount = 1,
+                                                              .pColorAttachmentFormats = &kGBufferFormat,
+                                                              .depthAttachmentFormat = pass.depthFormat(),
+                                                              .rasterizationSamples =
+                                                                  vk::SampleCountFlagBits::e1};
     const vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};
     const vk::CommandBufferBeginInfo begin{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit |
                                                     vk::CommandBufferUsageFlagBits::eRenderPassContinue,

@@ -9,25 +9,25 @@
 namespace cdr::render {
 
 std::uint32_t Frame::id(std::uint32_t x, std::uint32_t y) const {
-    return idAndCascade.at(x, y) & shaders::kIdMask;
+    return surfaces.at(x, y).idAndCascade & shaders::kIdMask;
 }
 
 std::uint32_t Frame::cascade(std::uint32_t x, std::uint32_t y) const {
-    return idAndCascade.at(x, y) >> shaders::kIdBits;
+    return (surfaces.at(x, y).idAndCascade >> shaders::kIdBits) & shaders::kCascadeMask;
 }
 
 double Frame::distanceView(std::uint32_t x, std::uint32_t y) const {
     if (id(x, y) == 0) {
         return std::numeric_limits<double>::infinity();
     }
-    return anchorsView[cascade(x, y)] + static_cast<double>(ahead.at(x, y));
+    return anchorsView[cascade(x, y)] + static_cast<double>(surfaces.at(x, y).ahead);
 }
 
 glm::vec3 Frame::normalView(std::uint32_t x, std::uint32_t y) const {
     if (id(x, y) == 0) {
         return glm::vec3(0.0f);
     }
-    const glm::vec2 p = glm::unpackSnorm2x16(normal.at(x, y));
+    const glm::vec2 p = glm::unpackSnorm2x16(surfaces.at(x, y).normal);
     glm::vec3 n(p, 1.0f - std::abs(p.x) - std::abs(p.y));
     if (n.z < 0.0f) {
         const float nx = n.x;
@@ -38,9 +38,9 @@ glm::vec3 Frame::normalView(std::uint32_t x, std::uint32_t y) const {
 }
 
 image::ImageU32 Frame::ids() const {
-    image::ImageU32 ids(idAndCascade.width, idAndCascade.height);
-    std::transform(idAndCascade.pixels.begin(), idAndCascade.pixels.end(), ids.pixels.begin(),
-                   [](std::uint32_t value) { return value & shaders::kIdMask; });
+    image::ImageU32 ids(surfaces.width, surfaces.height);
+    std::transform(surfaces.pixels.begin(), surfaces.pixels.end(), ids.pixels.begin(),
+                   [](const Surface& surface) { return surface.idAndCascade & shaders::kIdMask; });
     return ids;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cdr/depth/cascade.h>
 #include <cdr/image/image.h>
+#include <cdr/render/gbuffer.h>
 
 #include <glm/glm.hpp>
 
@@ -31,9 +32,7 @@ struct Frame {
     depth::Cascades cascades;        ///< nearest first
     std::vector<double> anchorsView; ///< each cascade's anchor plane, 0 where the mapping is not anchored
     image::ImageRgba8 color;         ///< sRGB
-    image::ImageU32 normal;          ///< view space, octahedral, two snorm16
-    image::ImageFloat ahead;         ///< view distance beyond the pixel's cascade's anchor plane
-    image::ImageU32 idAndCascade;    ///< shaders::kIdBits
+    image::Raster<Surface> surfaces; ///< the G-buffer
     FrameStats stats;
 
     std::uint32_t width() const { return color.width; }

@@ -2,29 +2,17 @@
 
 namespace cdr::render {
 
-namespace {
-
-constexpr std::array kFormats{vk::Format::eR8G8B8A8Srgb, vk::Format::eR32Uint, vk::Format::eR32Sfloat,
-                              vk::Format::eR32Uint};
-constexpr std::array kNames{"albedo", "normal", "ahead", "id"};
-
-} // namespace
-
-GBuffer::GBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name) {
-    constexpr auto kUsage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled |
-                            vk::ImageUsageFlagBits::eTransferSrc;
-    for (std::size_t i = 0; i < kAttachments; ++i) {
-        m_images[i] = gpu::Image(device, {.extent = extent, .format = kFormats[i], .usage = kUsage},
-                                 name + " " + kNames[i]);
-    }
+gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name) {
+    return {device,
+            {.extent = extent,
+             .format = kGBufferFormat,
+             .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled |
+                      vk::ImageUsageFlagBits::eTransferSrc},
+            name};
 }
 
-std::vector<vk::Format> GBuffer::formats() {
-    return {kFormats.begin(), kFormats.end()};
-}
-
-std::uint64_t GBuffer::predictBytes(vk::Extent2D extent) {
-    return std::uint64_t{extent.width} * extent.height * 4 * kAttachments;
+std::uint64_t predictGBufferBytes(vk::Extent2D extent) {
+    return std::uint64_t{extent.width} * extent.height * sizeof(Surface);
 }
 
 gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, vk::Format format,

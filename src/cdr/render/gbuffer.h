@@ -4,36 +4,28 @@
 
 #include <vulkan/vulkan.hpp>
 
-#include <array>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace cdr::render {
 
-/// The geometry buffer: what shading, picking and effects read. 16 bytes per pixel.
-class GBuffer {
-  public:
-    /// In the order of the fragment shader's outputs.
-    enum Attachment : std::size_t {
-        albedo, ///< sRGB; alpha 0 marks unlit
-        normal, ///< view space, octahedral, two snorm16 in a uint
-        ahead,  ///< float32, view distance beyond the cascade's anchor plane: metric, whatever the mapping
-        id,     ///< object index + 1 and the cascade, shaders::kIdBits; 0 is background
-        kAttachments
-    };
+/// Format of the geometry buffer, what shading, picking and effects read: one image, 16 bytes per pixel, laid
+/// out as shaders/surface.glsl says. Vulkan requires every device to render to it and to sample it.
+inline constexpr vk::Format kGBufferFormat = vk::Format::eR32G32B32A32Uint;
 
-    GBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name);
-
-    const gpu::Image& image(Attachment attachment) const { return m_images[attachment]; }
-    const std::array<gpu::Image, kAttachments>& images() const { return m_images; }
-
-    static std::vector<vk::Format> formats();
-    static std::uint64_t predictBytes(vk::Extent2D extent);
-
-  private:
-    std::array<gpu::Image, kAttachments> m_images;
+/// One pixel of it.
+struct Surface {
+    std::uint32_t albedo = 0; ///< square root of linear, three unorm8
+    std::uint32_t normal = 0; ///< view space, octahedral, two snorm16
+    float ahead = 0.0f; ///< view distance beyond the cascade's anchor plane: metric, whatever the mapping
+    std::uint32_t idAndCascade = 0; ///< shaders::kIdBits; 0 is background
 };
+static_assert(sizeof(Surface) == 16);
+
+gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name);
+
+/// Device bytes of one geometry buffer.
+std::uint64_t predictGBufferBytes(vk::Extent2D extent);
 
 /// A depth attachment of the technique's format.
 gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, vk::Format format,

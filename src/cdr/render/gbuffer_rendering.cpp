@@ -1,9 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/gbuffer_rendering.h>
 
-#include <array>
-#include <vector>
-
 namespace cdr::render {
 
 namespace {
@@ -25,43 +22,35 @@ vk::ImageAspectFlags depthAspects(const gpu::Image& depth) {
 } // namespace
 
 void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope) {
-    std::vector<vk::ImageMemoryBarrier2> barriers;
-    for (const gpu::Image& image : scope.gbuffer.images()) {
-        barriers.push_back(
-            gpu::imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eAllCommands,
-                              Access::eNone, Stage::eColorAttachmentOutput, kColorAccess,
-                              vk::ImageLayout::eUndefined, vk::ImageLayout::eColorAttachmentOptimal));
-    }
-    barriers.push_back(gpu::imageBarrier(
-        scope.depth.handle(), depthAspects(scope.depth), kDepthStages, Access::eDepthStencilAttachmentWrite,
-        kDepthStages, kDepthAccess, vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal));
-    gpu::pipelineBarrier(primary, barriers);
+    gpu::pipelineBarrier(
+        primary,
+        {gpu::imageBarrier(scope.gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eAllCommands,
+                           Access::eNone, Stage::eColorAttachmentOutput, kColorAccess,
+                           vk::ImageLayout::eUndefined, vk::ImageLayout::eColorAttachmentOptimal),
+         gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
+                           Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
+                           vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal)});
 }
 
 void chainGBufferScopes(vk::CommandBuffer primary, const GBufferScope& scope) {
-    std::vector<vk::ImageMemoryBarrier2> barriers;
-    for (const gpu::Image& image : scope.gbuffer.images()) {
-        barriers.push_back(gpu::imageBarrier(
-            image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-            Access::eColorAttachmentWrite, Stage::eColorAttachmentOutput, kColorAccess,
-            vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eColorAttachmentOptimal));
-    }
-    barriers.push_back(gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
-                                         Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
-                                         vk::ImageLayout::eDepthAttachmentOptimal,
-                                         vk::ImageLayout::eDepthAttachmentOptimal));
-    gpu::pipelineBarrier(primary, barriers);
+    gpu::pipelineBarrier(
+        primary, {gpu::imageBarrier(
+                      scope.gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
+                      Access::eColorAttachmentWrite, Stage::eColorAttachmentOutput, kColorAccess,
+                      vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eColorAttachmentOptimal),
+                  gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
+                                    Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
+                                    vk::ImageLayout::eDepthAttachmentOptimal,
+                                    vk::ImageLayout::eDepthAttachmentOptimal)});
 }
 
 void runGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope,
                      std::span<const vk::CommandBuffer> secondaries) {
-    std::array<vk::RenderingAttachmentInfo, GBuffer::kAttachments> colors;
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        colors[i] = {.imageView = scope.gbuffer.images()[i].view(),
-                     .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                     .loadOp = scope.clearColor ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,
-                     .storeOp = vk::AttachmentStoreOp::eStore};
-    }
+    const vk::RenderingAttachmentInfo color{.imageView = scope.gbuffer.view(),
+                                            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
+                                            .loadOp = scope.clearColor ? vk::AttachmentLoadOp::eClear
+                                                                       : vk::AttachmentLoadOp::eLoad,
+                                            .storeOp = vk::AttachmentStoreOp::eStore};
     const vk::RenderingAttachmentInfo depth{
         .imageView = scope.depth.view(),
         .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
@@ -69,10 +58,10 @@ void runGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope,
         .storeOp = vk::AttachmentStoreOp::eDontCare,
         .clearValue = vk::ClearDepthStencilValue{.depth = scope.reversedDepth ? 0.0f : 1.0f}};
     primary.beginRendering({.flags = vk::RenderingFlagBits::eContentsSecondaryCommandBuffers,
-                            .renderArea = {{0, 0}, scope.gbuffer.images()[0].options().extent},
+                            .renderArea = {{0, 0}, scope.gbuffer.options().extent},
                             .layerCount = 1,
-                            .colorAttachmentCount = static_cast<std::uint32_t>(colors.size()),
-                            .pColorAttachments = colors.data(),
+                            .colorAttachmentCount = 1,
+                            .pColorAttachments = &color,
                             .pDepthAttachment = &depth});
     if (!secondaries.empty()) {
         primary.executeCommands(static_cast<std::uint32_t>(secondaries.size()), secondaries.data());

@@ -10,7 +10,7 @@ namespace cdr::render {
 
 /// How a rendering scope over a G-buffer and a depth buffer begins.
 struct GBufferScope {
-    const GBuffer& gbuffer;
+    const gpu::Image& gbuffer;
     const gpu::Image& depth;
     bool clearColor = true; ///< else what earlier scopes drew stays
     bool reversedDepth = false;

@@ -53,7 +53,8 @@ GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene,
     : m_scene(scene),
       m_mapping(technique.mapping),
       m_depthFormat(device.depthFormat(bitsOf(technique.format))),
-      m_recordLayout(gpu::makeSetLayout(device, {kStorage, kStorage}, kStages, "draw record set")),
+      m_recordLayout(
+          gpu::makeSetLayout(device, {kStorage}, vk::ShaderStageFlagBits::eVertex, "draw record set")),
       m_drawIndexed(reinterpret_cast<PFN_vkCmdDrawIndexed>(device.handle().getProcAddr("vkCmdDrawIndexed"))) {
     const vk::PushConstantRange push{.stageFlags = kStages, .size = sizeof(shaders::CascadePush)};
     m_layout =
@@ -89,7 +90,7 @@ GeometryPass::Pipelines GeometryPass::makePipelines(const gpu::Device& device, b
                      .layout = *m_layout,
                      .bindings = {GpuScene::vertexBinding()},
                      .attributes = GpuScene::vertexAttributes(),
-                     .colorFormats = GBuffer::formats(),
+                     .colorFormats = {kGBufferFormat},
                      .depthFormat = m_depthFormat,
                      .depthCompare = depth::isReversed(m_mapping) ? vk::CompareOp::eGreaterOrEqual
                                                                   : vk::CompareOp::eLessOrEqual});
@@ -98,10 +99,9 @@ GeometryPass::Pipelines GeometryPass::makePipelines(const gpu::Device& device, b
 }
 
 vk::DescriptorSet GeometryPass::makeRecordSet(const gpu::Device& device, vk::DescriptorPool pool,
-                                              vk::Buffer records, const GpuScene& scene) const {
+                                              vk::Buffer records) const {
     const vk::DescriptorSet set = gpu::allocateSet(device, pool, *m_recordLayout);
     gpu::writeBufferBinding(device, set, 0, kStorage, records);
-    gpu::writeBufferBinding(device, set, 1, kStorage, scene.materials());
     return set;
 }
 
@@ -161,6 +161,7 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
     const std::size_t wideBegin = recording.lists.wideBegin(job.cascade);
     const std::uint32_t* instances = recording.lists.instance.data();
     const DrawSource* sources = m_scene.sources().data();
+    const MaterialWords* materials = m_scene.materials().data();
     beginJob(commands, cascade, recording);
     StateBinder state(*this, commands);
     for (std::size_t first = job.draws.begin; first < job.draws.end;) {
@@ -173,7 +174,8 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
         std::size_t end = first;
         for (; end < limit && sources[instances[end]].kind == kindIndex; ++end) {
             recording.records[end] =
-                makeDrawRecord(sources[instances[end]], recording.camera, cascade.anchorView);
+                makeDrawRecord(sources[instances[end]], materials[sources[instances[end]].material],
+                               recording.camera, cascade.anchorView);
         }
         const DrawKind& kind = m_scene.kinds()[kindIndex];
         state.bind(kind, wide);

@@ -41,9 +41,9 @@ class GeometryPass {
   public:
     GeometryPass(const gpu::Device& device, const GpuScene& scene, const depth::Technique& technique);
 
-    /// A descriptor set (0) for a buffer of draw records; the pool must hold two storage buffers per set.
-    vk::DescriptorSet makeRecordSet(const gpu::Device& device, vk::DescriptorPool pool, vk::Buffer records,
-                                    const GpuScene& scene) const;
+    /// A descriptor set (0) for a buffer of draw records; the pool must hold one storage buffer per set.
+    vk::DescriptorSet makeRecordSet(const gpu::Device& device, vk::DescriptorPool pool,
+                                    vk::Buffer records) const;
 
     /// Everything recording one job reads.
     struct Recording {

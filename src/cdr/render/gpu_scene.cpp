@@ -48,7 +48,7 @@ vk::UniqueSampler makeSampler(const gpu::Device& device, bool repeatU, bool repe
 }
 
 std::uint64_t predictBytes(const scene::Scene& scene) {
-    std::uint64_t bytes = scene.materials.size() * sizeof(shaders::MaterialRecord);
+    std::uint64_t bytes = 0;
     for (const scene::Mesh& mesh : scene.meshes) {
         bytes += mesh.vertices.size() * sizeof(PackedVertex) + mesh.indices.size() * sizeof(std::uint32_t);
     }
@@ -91,13 +91,11 @@ void GpuScene::uploadMaterials(const gpu::Device& device, const scene::Scene& sc
     constexpr auto kType = vk::DescriptorType::eCombinedImageSampler;
     m_textureLayout = gpu::makeSetLayout(device, {kType}, vk::ShaderStageFlagBits::eFragment, "texture set");
     m_pool = gpu::makeDescriptorPool(device, static_cast<std::uint32_t>(scene.materials.size()), 1, {kType});
-    std::vector<shaders::MaterialRecord> records;
     for (const scene::Material& material : scene.materials) {
-        records.push_back({.baseColorFactor = material.baseColorFactor,
-                           .flags = material.unlit ? shaders::kMaterialUnlit : 0,
-                           .alphaCutoff = material.alphaCutoff,
-                           .pad0 = 0,
-                           .pad1 = 0});
+        m_materials.push_back({.alphaCutoff = material.alphaCutoff,
+                               .baseColorRg = glm::packHalf2x16(glm::vec2(material.baseColorFactor)),
+                               .baseColorBa = glm::packHalf2x16(
+                                   glm::vec2(material.baseColorFactor.b, material.baseColorFactor.a))});
         // Untextured materials read the white pixel, so that every pipeline has a valid set 1.
         const std::size_t texture =
             material.baseColorTexture.value_or(static_cast<std::uint32_t>(scene.textures.size()));
@@ -105,8 +103,6 @@ void GpuScene::uploadMaterials(const gpu::Device& device, const scene::Scene& sc
         gpu::writeImageBinding(device, set, 0, kType, m_textures[texture].view(), *m_samplers[texture]);
         m_textureSets.push_back(set);
     }
-    m_materials = gpu::uploadBuffer(device, std::as_bytes(std::span(records)),
-                                    vk::BufferUsageFlagBits::eStorageBuffer, "scene materials");
 }
 
 void GpuScene::uploadTextures(const gpu::Device& device, const scene::Scene& scene) {
@@ -142,7 +138,8 @@ void GpuScene::sortKinds(const scene::Scene& scene) {
         }
         m_sources.push_back({.position = instances.position(i),
                              .basis = instances.basis[i],
-                             .object = instances.object[i],
+                             .id = instances.object[i] + 1 +
+                                   (scene.materials[instances.material[i]].unlit ? shaders::kIdUnlit : 0u),
                              .material = instances.material[i],
                              .kind = entry->second});
     }

@@ -30,12 +30,19 @@ struct DrawKind {
     vk::DescriptorSet textureSet; ///< set 1
 };
 
+/// shaders::DrawRecord's words of a material.
+struct MaterialWords {
+    float alphaCutoff = 0.0f;
+    std::uint32_t baseColorRg = 0;
+    std::uint32_t baseColorBa = 0;
+};
+
 /// One instance as recording reads it: all of it in two cache lines, where the scene's structure of arrays,
 /// made for culling, would take eight.
 struct DrawSource {
     glm::dvec3 position; ///< world space
     glm::mat3 basis;
-    std::uint32_t object = 0;
+    std::uint32_t id = 0; ///< shaders::DrawRecord::id
     std::uint32_t material = 0;
     std::uint32_t kind = 0; ///< into GpuScene::kinds()
 };
@@ -48,8 +55,9 @@ class GpuScene {
 
     vk::Buffer vertices() const { return m_vertices.handle(); }
     vk::Buffer indices() const { return m_indices.handle(); }
-    vk::Buffer materials() const { return m_materials.handle(); }
     vk::DescriptorSetLayout textureLayout() const { return *m_textureLayout; }
+    /// The part of a draw record that the material decides, by material.
+    const std::vector<MaterialWords>& materials() const { return m_materials; }
     /// By instance.
     const std::vector<DrawSource>& sources() const { return m_sources; }
     const std::vector<DrawKind>& kinds() const { return m_kinds; }
@@ -65,12 +73,12 @@ class GpuScene {
 
     gpu::Buffer m_vertices;
     gpu::Buffer m_indices;
-    gpu::Buffer m_materials;
     std::vector<MeshRange> m_meshes;
     std::vector<gpu::Image> m_textures; ///< the scene's, then one white pixel
     std::vector<vk::UniqueSampler> m_samplers;
     vk::UniqueDescriptorSetLayout m_textureLayout;
     vk::UniqueDescriptorPool m_pool;
+    std::vector<MaterialWords> m_materials;
     std::vector<vk::DescriptorSet> m_textureSets; ///< by material
     std::vector<DrawKind> m_kinds;
     std::vector<DrawSource> m_sources;

@@ -1,25 +1,21 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/readback.h>
 
-#include <string>
-
 namespace cdr::render {
 
-Readback::Readback(const gpu::Device& device, vk::Extent2D extent, std::size_t images) : m_extent(extent) {
-    const std::size_t bytes = std::size_t{extent.width} * extent.height * 4;
-    for (std::size_t i = 0; i < images; ++i) {
-        m_buffers.emplace_back(device, bytes, vk::BufferUsageFlagBits::eTransferDst,
-                               gpu::MemoryUse::hostReads, "read-back " + std::to_string(i));
-    }
-}
+Readback::Readback(const gpu::Device& device, vk::Extent2D extent, std::size_t bytesPerPixel,
+                   const std::string& name)
+    : m_extent(extent),
+      m_buffer(device, std::size_t{extent.width} * extent.height * bytesPerPixel,
+               vk::BufferUsageFlagBits::eTransferDst, gpu::MemoryUse::hostReads, name) {}
 
-void Readback::recordCopy(vk::CommandBuffer primary, const gpu::Image& image, std::size_t index) const {
-    primary.copyImageToBuffer(image.handle(), vk::ImageLayout::eTransferSrcOptimal, m_buffers[index].handle(),
+void Readback::record(vk::CommandBuffer primary, const gpu::Image& image) const {
+    primary.copyImageToBuffer(image.handle(), vk::ImageLayout::eTransferSrcOptimal, m_buffer.handle(),
                               vk::BufferImageCopy{.imageSubresource = {image.options().aspect, 0, 0, 1},
                                                   .imageExtent = {m_extent.width, m_extent.height, 1}});
 }
 
-void Readback::recordHostBarrier(vk::CommandBuffer primary) const {
+void recordHostBarrier(vk::CommandBuffer primary) {
     gpu::pipelineBarrier(primary, {},
                          {{.srcStageMask = vk::PipelineStageFlagBits2::eCopy,
                            .srcAccessMask = vk::AccessFlagBits2::eTransferWrite,

@@ -6,33 +6,34 @@
 #include <vulkan/vulkan.hpp>
 
 #include <cstring>
-#include <vector>
+#include <string>
 
 namespace cdr::render {
 
-/// Copies of device images on the host, 4 bytes a pixel, reused from frame to frame.
+/// A copy of a device image on the host, reused from frame to frame.
 class Readback {
   public:
-    Readback(const gpu::Device& device, vk::Extent2D extent, std::size_t images);
+    Readback(const gpu::Device& device, vk::Extent2D extent, std::size_t bytesPerPixel,
+             const std::string& name);
 
-    /// Copies an image that is in the transfer source layout into place `index`.
-    void recordCopy(vk::CommandBuffer primary, const gpu::Image& image, std::size_t index) const;
-    /// Lets the host see the copies; the last command of a frame.
-    void recordHostBarrier(vk::CommandBuffer primary) const;
+    /// Copies an image that is in the transfer source layout.
+    void record(vk::CommandBuffer primary, const gpu::Image& image) const;
 
-    /// The pixels of place `index` once the device has finished.
+    /// The pixels once the device has finished. Pixel must have the size given at construction.
     template <typename Pixel>
-    image::Raster<Pixel> fetch(std::size_t index) const {
-        static_assert(sizeof(Pixel) == 4);
+    image::Raster<Pixel> fetch() const {
         image::Raster<Pixel> raster(m_extent.width, m_extent.height);
-        m_buffers[index].invalidate();
-        std::memcpy(raster.pixels.data(), m_buffers[index].mapped(), raster.pixels.size() * sizeof(Pixel));
+        m_buffer.invalidate();
+        std::memcpy(raster.pixels.data(), m_buffer.mapped(), raster.pixels.size() * sizeof(Pixel));
         return raster;
     }
 
   private:
     vk::Extent2D m_extent;
-    std::vector<gpu::Buffer> m_buffers;
+    gpu::Buffer m_buffer;
 };
+
+/// Lets the host see copies; the last command of a frame.
+void recordHostBarrier(vk::CommandBuffer primary);
 
 } // namespace cdr::render

@@ -13,8 +13,6 @@ namespace cdr::render {
 
 namespace {
 
-enum ReadbackIndex : std::size_t { colorCopy, normalCopy, aheadCopy, idCopy, kCopies };
-
 /// Milliseconds since the last call.
 class Stopwatch {
   public:
@@ -38,8 +36,8 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
     const vk::Extent2D extent{options.width, options.height};
     constexpr std::uint64_t kDepthBytes = 4;
     gpu::requireDeviceBytes(device,
-                            GBuffer::predictBytes(extent) + ShadingPass::predictBytes(extent) +
-                                std::uint64_t{extent.width} * extent.height * (kDepthBytes + 4 * kCopies),
+                            predictGBufferBytes(extent) + ShadingPass::predictBytes(extent) +
+                                std::uint64_t{extent.width} * extent.height * kDepthBytes,
                             fmt::format("a {}x{} picture", extent.width, extent.height));
     return extent;
 }
@@ -75,7 +73,8 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
                              .depthFormat = m_geometry.depthFormat(),
                              .reversedDepth = depth::isReversed(options.technique.mapping)})),
       m_shading(device, scene, m_targets->gbuffer(), m_extent),
-      m_readback(device, m_extent, kCopies),
+      m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
+      m_surfaceCopy(device, m_extent, sizeof(Surface), "surface copy"),
       m_recorder(device, options.threads, "frame"),
       m_primaryPool(device, vk::CommandBufferLevel::ePrimary, "frame") {}
 
@@ -120,8 +119,8 @@ void Renderer::growRecords(std::size_t draws) {
     }
     m_records = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eStorageBuffer,
                             gpu::MemoryUse::hostWrites, "draw records");
-    m_recordPool = gpu::makeDescriptorPool(m_device, 1, 2, {vk::DescriptorType::eStorageBuffer});
-    m_recordSet = m_geometry.makeRecordSet(m_device, *m_recordPool, m_records.handle(), m_gpuScene);
+    m_recordPool = gpu::makeDescriptorPool(m_device, 1, 1, {vk::DescriptorType::eStorageBuffer});
+    m_recordSet = m_geometry.makeRecordSet(m_device, *m_recordPool, m_records.handle());
 }
 
 vk::CommandBuffer Renderer::recordPrimary(std::size_t cascades, Destination destination) {
@@ -138,22 +137,17 @@ vk::CommandBuffer Renderer::recordPrimary(std::size_t cascades, Destination dest
 }
 
 void Renderer::recordReadback(vk::CommandBuffer primary) const {
-    const GBuffer& gbuffer = m_targets->gbuffer();
-    std::vector<vk::ImageMemoryBarrier2> barriers;
-    for (const GBuffer::Attachment attachment : {GBuffer::normal, GBuffer::ahead, GBuffer::id}) {
-        barriers.push_back(gpu::imageBarrier(
-            gbuffer.image(attachment).handle(), vk::ImageAspectFlagBits::eColor,
-            vk::PipelineStageFlagBits2::eFragmentShader, vk::AccessFlagBits2::eShaderSampledRead,
-            vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
-            vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal));
-    }
+    const gpu::Image& gbuffer = m_targets->gbuffer();
     m_device.beginLabel(primary, "read-back");
-    gpu::pipelineBarrier(primary, barriers);
-    m_readback.recordCopy(primary, m_shading.picture(), colorCopy);
-    m_readback.recordCopy(primary, gbuffer.image(GBuffer::normal), normalCopy);
-    m_readback.recordCopy(primary, gbuffer.image(GBuffer::ahead), aheadCopy);
-    m_readback.recordCopy(primary, gbuffer.image(GBuffer::id), idCopy);
-    m_readback.recordHostBarrier(primary);
+    gpu::pipelineBarrier(
+        primary, {gpu::imageBarrier(
+                     gbuffer.handle(), vk::ImageAspectFlagBits::eColor,
+                     vk::PipelineStageFlagBits2::eFragmentShader, vk::AccessFlagBits2::eShaderSampledRead,
+                     vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
+                     vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal)});
+    m_colorCopy.record(primary, m_shading.picture());
+    m_surfaceCopy.record(primary, gbuffer);
+    recordHostBarrier(primary);
     m_device.endLabel(primary);
 }
 
@@ -198,10 +192,8 @@ Frame Renderer::fetch(const Staged& staged) const {
     Frame frame;
     frame.cascades = staged.cascades;
     frame.anchorsView = anchorsOf(staged.draws);
-    frame.color = m_readback.fetch<image::Rgba8>(colorCopy);
-    frame.normal = m_readback.fetch<std::uint32_t>(normalCopy);
-    frame.ahead = m_readback.fetch<float>(aheadCopy);
-    frame.idAndCascade = m_readback.fetch<std::uint32_t>(idCopy);
+    frame.color = m_colorCopy.fetch<image::Rgba8>();
+    frame.surfaces = m_surfaceCopy.fetch<Surface>();
     return frame;
 }
 

@@ -68,7 +68,8 @@ class Renderer {
     GeometryPass m_geometry;
     std::unique_ptr<Targets> m_targets;
     ShadingPass m_shading;
-    Readback m_readback;
+    Readback m_colorCopy;
+    Readback m_surfaceCopy;
     CascadeRecorder m_recorder;
     gpu::CommandPool m_primaryPool;
 

@@ -19,7 +19,7 @@ constexpr auto kFormat = vk::Format::eR8G8B8A8Srgb;
 
 } // namespace
 
-ShadingPass::ShadingPass(const gpu::Device& device, const scene::Scene& scene, const GBuffer& gbuffer,
+ShadingPass::ShadingPass(const gpu::Device& device, const scene::Scene& scene, const gpu::Image& gbuffer,
                          vk::Extent2D extent)
     : m_device(device),
       m_gbuffer(gbuffer),
@@ -31,9 +31,9 @@ ShadingPass::ShadingPass(const gpu::Device& device, const scene::Scene& scene, c
       m_uniforms(device, sizeof(shaders::ShadingHeader) + scene.lights.size() * sizeof(shaders::LightRecord),
                  vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites, "lights"),
       m_sampler(device.handle().createSamplerUnique({})),
-      m_setLayout(gpu::makeSetLayout(device, {kImage, kImage, kImage, kImage, kStorage},
-                                     vk::ShaderStageFlagBits::eFragment, "shading set")),
-      m_pool(gpu::makeDescriptorPool(device, 1, 4, {kImage, kStorage})),
+      m_setLayout(
+          gpu::makeSetLayout(device, {kImage, kStorage}, vk::ShaderStageFlagBits::eFragment, "shading set")),
+      m_pool(gpu::makeDescriptorPool(device, 1, 1, {kImage, kStorage})),
       m_set(gpu::allocateSet(device, *m_pool, *m_setLayout)),
       m_layout(gpu::makePipelineLayout(device, {*m_setLayout}, {}, "shading layout")),
       m_pipeline(gpu::makeGraphicsPipeline(device, {.name = "shading",
@@ -44,10 +44,8 @@ ShadingPass::ShadingPass(const gpu::Device& device, const scene::Scene& scene, c
                                                     .bindings = {},
                                                     .attributes = {},
                                                     .colorFormats = {kFormat}})) {
-    for (std::uint32_t i = 0; i < GBuffer::kAttachments; ++i) {
-        gpu::writeImageBinding(device, m_set, i, kImage, gbuffer.images()[i].view(), *m_sampler);
-    }
-    gpu::writeBufferBinding(device, m_set, 4, kStorage, m_uniforms.handle());
+    gpu::writeImageBinding(device, m_set, 0, kImage, gbuffer.view(), *m_sampler);
+    gpu::writeBufferBinding(device, m_set, 1, kStorage, m_uniforms.handle());
 }
 
 void ShadingPass::update(const scene::Scene& scene, const scene::Camera& camera, const Lens& lens,
@@ -66,19 +64,15 @@ void ShadingPass::update(const scene::Scene& scene, const scene::Camera& camera,
 }
 
 void ShadingPass::record(vk::CommandBuffer primary) const {
-    std::vector<vk::ImageMemoryBarrier2> barriers;
-    for (const gpu::Image& image : m_gbuffer.images()) {
-        barriers.push_back(gpu::imageBarrier(
-            image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-            Access::eColorAttachmentWrite, Stage::eFragmentShader, Access::eShaderSampledRead,
-            vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eShaderReadOnlyOptimal));
-    }
-    barriers.push_back(gpu::imageBarrier(m_picture.handle(), vk::ImageAspectFlagBits::eColor, Stage::eCopy,
-                                         Access::eNone, Stage::eColorAttachmentOutput,
-                                         Access::eColorAttachmentWrite, vk::ImageLayout::eUndefined,
-                                         vk::ImageLayout::eColorAttachmentOptimal));
     m_device.beginLabel(primary, "shading");
-    gpu::pipelineBarrier(primary, barriers);
+    gpu::pipelineBarrier(
+        primary,
+        {gpu::imageBarrier(m_gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
+                           Access::eColorAttachmentWrite, Stage::eFragmentShader, Access::eShaderSampledRead,
+                           vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eShaderReadOnlyOptimal),
+         gpu::imageBarrier(m_picture.handle(), vk::ImageAspectFlagBits::eColor, Stage::eCopy, Access::eNone,
+                           Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
+                           vk::ImageLayout::eUndefined, vk::ImageLayout::eColorAttachmentOptimal)});
     const vk::RenderingAttachmentInfo color{.imageView = m_picture.view(),
                                             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
                                             .loadOp = vk::AttachmentLoadOp::eDontCare,

@@ -15,7 +15,7 @@ namespace cdr::render {
 /// The final pass: reads the G-buffer, sums ambient and point lights, writes an sRGB picture.
 class ShadingPass {
   public:
-    ShadingPass(const gpu::Device& device, const scene::Scene& scene, const GBuffer& gbuffer,
+    ShadingPass(const gpu::Device& device, const scene::Scene& scene, const gpu::Image& gbuffer,
                 vk::Extent2D extent);
 
     /// Uploads this frame's lights and anchors; the last frame that used them must have finished.
@@ -32,7 +32,7 @@ class ShadingPass {
 
   private:
     const gpu::Device& m_device;
-    const GBuffer& m_gbuffer;
+    const gpu::Image& m_gbuffer;
     gpu::Image m_picture;
     gpu::Buffer m_uniforms;
     vk::UniqueSampler m_sampler;

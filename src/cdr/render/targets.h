@@ -42,11 +42,11 @@ class Targets {
     virtual DepthSlice depthSlice(std::size_t cascade, std::size_t cascades) const;
 
     /// Puts the cascades' secondaries into `primary`, so that afterwards gbuffer() holds for each pixel the
-    /// nearest cascade's surface, its images in the colour attachment layout, written by colour attachment
+    /// nearest cascade's surface, in the colour attachment layout, written by colour attachment
     /// output.
     virtual void record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t cascades) = 0;
 
-    virtual const GBuffer& gbuffer() const = 0;
+    virtual const gpu::Image& gbuffer() const = 0;
 };
 
 /// Makes the targets of a kind. base::RunError, with both figures, when the device has too little memory for

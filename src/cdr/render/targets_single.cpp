@@ -8,7 +8,7 @@ namespace cdr::render {
 
 SingleTargets::SingleTargets(const gpu::Device& device, const TargetsOptions& options)
     : m_device(device),
-      m_gbuffer(device, options.extent, "G-buffer"),
+      m_gbuffer(makeGBuffer(device, options.extent, "G-buffer")),
       m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth")),
       m_reversedDepth(options.reversedDepth) {}
 

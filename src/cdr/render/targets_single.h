@@ -11,11 +11,11 @@ class SingleTargets final : public Targets {
     SingleTargets(const gpu::Device& device, const TargetsOptions& options);
 
     void record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t cascades) override;
-    const GBuffer& gbuffer() const override { return m_gbuffer; }
+    const gpu::Image& gbuffer() const override { return m_gbuffer; }
 
   private:
     const gpu::Device& m_device;
-    GBuffer m_gbuffer;
+    gpu::Image m_gbuffer;
     gpu::Image m_depth;
     bool m_reversedDepth;
 };

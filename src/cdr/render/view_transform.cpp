@@ -9,7 +9,8 @@ Lens lensOf(const scene::Camera& camera, double aspect) {
     return {.tanX = aspect * tanY, .tanY = tanY};
 }
 
-shaders::DrawRecord makeDrawRecord(const DrawSource& source, const scene::Camera& camera, double anchorView) {
+shaders::DrawRecord makeDrawRecord(const DrawSource& source, const MaterialWords& material,
+                                   const scene::Camera& camera, double anchorView) {
     const glm::dvec3 view = camera.toView(source.position);
     const glm::dmat3 basis(source.basis);
     // A row of (view * basis): the axis against each of the basis' columns.
@@ -19,10 +20,10 @@ shaders::DrawRecord makeDrawRecord(const DrawSource& source, const scene::Camera
     return {.right = row(camera.right, view.x),
             .up = row(camera.up, view.y),
             .ahead = row(-camera.back, -view.z - anchorView),
-            .object = source.object + 1,
-            .material = source.material,
-            .pad0 = 0,
-            .pad1 = 0};
+            .id = source.id,
+            .alphaCutoff = material.alphaCutoff,
+            .baseColorRg = material.baseColorRg,
+            .baseColorBa = material.baseColorBa};
 }
 
 shaders::CascadePush makeCascadePush(const depth::ClipTerms& terms, const depth::Cascade& clipRange,

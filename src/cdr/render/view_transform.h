@@ -20,7 +20,8 @@ Lens lensOf(const scene::Camera& camera, double aspect);
 /// One instance as a cascade's vertex shader wants it. The camera's position, and the cascade's anchor, are
 /// subtracted in float64; only the small remainder is rounded to float32.
 /// @param anchorView view distance of the cascade's anchor plane, 0 for mappings that are not anchored.
-shaders::DrawRecord makeDrawRecord(const DrawSource& source, const scene::Camera& camera, double anchorView);
+shaders::DrawRecord makeDrawRecord(const DrawSource& source, const MaterialWords& material,
+                                   const scene::Camera& camera, double anchorView);
 
 /// What the draws of one cascade share.
 shaders::CascadePush makeCascadePush(const depth::ClipTerms& terms, const depth::Cascade& clipRange,

@@ -1,0 +1,26 @@
+// The G-buffer: 16 bytes a pixel in one image of four uints, because one wide store and one wide load cost a software
+// rasteriser far less than four narrow ones.
+//   x: albedo, square root of linear, three unorm8 (a square root stands in for the sRGB curve)
+//   y: normal, view space, octahedral, two snorm16
+//   z: view distance beyond the cascade's anchor plane, float bits
+//   w: id word, kIdBits; 0 is background
+#ifndef CDR_SHADERS_SURFACE_GLSL
+#define CDR_SHADERS_SURFACE_GLSL
+
+#include "octahedral.glsl"
+
+uvec4 encodeSurface(vec3 albedo, vec3 normal, float ahead, uint id) {
+    return uvec4(packUnorm4x8(vec4(sqrt(albedo), 0.0)), packSnorm2x16(encodeOctahedral(normal)),
+                 floatBitsToUint(ahead), id);
+}
+
+vec3 albedoOf(uvec4 surface) {
+    vec3 root = unpackUnorm4x8(surface.x).rgb;
+    return root * root;
+}
+
+vec3 normalOf(uvec4 surface) { return normalize(decodeOctahedral(unpackSnorm2x16(surface.y))); }
+
+float aheadOf(uvec4 surface) { return uintBitsToFloat(surface.z); }
+
+#endif
