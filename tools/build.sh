@@ -16,9 +16,13 @@ while (($#)) && [[ $1 != -- ]]; do
 done
 if (($#)); then shift; fi # the --
 
-# The environment sets the launcher of a fresh build folder only, so a choice made there by hand stays.
 if command -v ccache >/dev/null; then
+    # In the environment it applies to a fresh build folder only, so a choice made there by hand stays.
     export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER-ccache}
+    # Paths relative to the checkout, so that checkouts share results.
+    export CCACHE_BASEDIR=${CCACHE_BASEDIR-$PWD}
+    # Without these, ccache passes over every file that uses a precompiled header.
+    export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS-pch_defines,time_macros}
 fi
 
 cmake --preset "$preset" "${configure_arguments[@]}"

@@ -9,17 +9,29 @@ Lens lensOf(const scene::Camera& camera, double aspect) {
     return {.tanX = aspect * tanY, .tanY = tanY};
 }
 
-shaders::DrawRecord makeDrawRecord(const DrawSource& source, const MaterialWords& material,
-                                   const scene::Camera& camera, double anchorView) {
-    const glm::dvec3 view = camera.toView(source.position);
-    const glm::dmat3 basis(source.basis);
-    // A row of (view * basis): the axis against each of the basis' columns.
-    const auto row = [&](const glm::dvec3& axis, double translation) {
-        return glm::vec4(glm::dvec4(axis * basis, translation));
-    };
-    return {.right = row(camera.right, view.x),
-            .up = row(camera.up, view.y),
-            .ahead = row(-camera.back, -view.z - anchorView),
+DrawRecordMaker::DrawRecordMaker(const scene::Camera& camera, double anchorView)
+    : m_position(camera.position),
+      m_right(camera.right),
+      m_up(camera.up),
+      m_ahead(-camera.back),
+      m_anchorView(anchorView),
+      m_rows{} {}
+
+void DrawRecordMaker::turn(const glm::mat3& basis) {
+    const glm::dmat3 exact(basis);
+    m_rows = {glm::vec3(m_right * exact), glm::vec3(m_up * exact), glm::vec3(m_ahead * exact)};
+    m_basis = basis;
+}
+
+shaders::DrawRecord DrawRecordMaker::make(const DrawSource& source, const MaterialWords& material) {
+    if (source.basis != m_basis) {
+        turn(source.basis);
+    }
+    const glm::dvec3 offset = source.position - m_position;
+    const auto along = [&](const glm::dvec3& axis) { return glm::dot(axis, offset); };
+    return {.right = glm::vec4(m_rows[0], static_cast<float>(along(m_right))),
+            .up = glm::vec4(m_rows[1], static_cast<float>(along(m_up))),
+            .ahead = glm::vec4(m_rows[2], static_cast<float>(along(m_ahead) - m_anchorView)),
             .id = source.id,
             .alphaCutoff = material.alphaCutoff,
             .baseColorRg = material.baseColorRg,

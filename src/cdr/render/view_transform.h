@@ -6,7 +6,9 @@
 #include <cdr/scene/scene.h>
 #include <cdr/shaders/shared.h>
 
+#include <array>
 #include <cstdint>
+#include <limits>
 
 namespace cdr::render {
 
@@ -17,11 +19,25 @@ struct Lens {
 };
 Lens lensOf(const scene::Camera& camera, double aspect);
 
-/// One instance as a cascade's vertex shader wants it. The camera's position, and the cascade's anchor, are
-/// subtracted in float64; only the small remainder is rounded to float32.
-/// @param anchorView view distance of the cascade's anchor plane, 0 for mappings that are not anchored.
-shaders::DrawRecord makeDrawRecord(const DrawSource& source, const MaterialWords& material,
-                                   const scene::Camera& camera, double anchorView);
+/// Turns instances into what one cascade's vertex shader wants. The camera's position, and the cascade's
+/// anchor, are subtracted in float64; only the small remainder is rounded to float32.
+class DrawRecordMaker {
+  public:
+    /// @param anchorView view distance of the cascade's anchor plane, 0 for mappings that are not anchored.
+    DrawRecordMaker(const scene::Camera& camera, double anchorView);
+
+    shaders::DrawRecord make(const DrawSource& source, const MaterialWords& material);
+
+  private:
+    void turn(const glm::mat3& basis);
+
+    glm::dvec3 m_position, m_right, m_up, m_ahead;
+    double m_anchorView;
+    // Rows of (view * basis) for the last basis: crowds share one, and turning it costs more than all the
+    // rest.
+    glm::mat3 m_basis{std::numeric_limits<float>::quiet_NaN()};
+    std::array<glm::vec3, 3> m_rows;
+};
 
 /// What the draws of one cascade share.
 shaders::CascadePush makeCascadePush(const depth::ClipTerms& terms, const depth::Cascade& clipRange,
