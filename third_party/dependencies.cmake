@@ -28,7 +28,7 @@ target_compile_definitions(cdr_tinygltf INTERFACE
 
 # Vulkan Memory Allocator: from the system, or where the distribution lacks it from third_party/vma.sh.
 find_path(VMA_INCLUDE_DIR vk_mem_alloc.h
-    PATHS "${CMAKE_SOURCE_DIR}/.cache/vma/usr/include" PATH_SUFFIXES vma REQUIRED)
+    PATHS "${PROJECT_SOURCE_DIR}/.cache/vma/usr/include" PATH_SUFFIXES vma REQUIRED)
 add_library(cdr_vma INTERFACE)
 target_include_directories(cdr_vma SYSTEM INTERFACE "${VMA_INCLUDE_DIR}")
 target_link_libraries(cdr_vma INTERFACE Vulkan::Vulkan)
