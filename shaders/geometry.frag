@@ -40,7 +40,9 @@ void main() {
         discard;
     }
 #ifdef WRITES_DEPTH
-    gl_FragDepth = logDepth(cascade.anchorView + inAhead, cascade.depthScale, cascade.depthOffset);
+    // The viewport moves interpolated depths into the slice, but not those set here.
+    float depth = logDepth(cascade.anchorView + inAhead, cascade.depthScale, cascade.depthOffset);
+    gl_FragDepth = cascade.minDepth + depth * (cascade.maxDepth - cascade.minDepth);
 #endif
     vec3 normal = normalize(inNormal);
     bool lit = (material.flags & kMaterialUnlit) == 0u;

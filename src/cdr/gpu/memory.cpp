@@ -72,7 +72,15 @@ void Buffer::invalidate() const {
 
 Image::Image(const Device& device, const ImageOptions& options, const std::string& name)
     : m_options(options) {
-    const vk::ImageCreateInfo imageInfo{.imageType = vk::ImageType::e2D,
+    const bool hasAlias = options.aliasFormat != vk::Format::eUndefined;
+    // Naming the formats lets drivers keep compressing images that may be seen in another one.
+    const std::array formats{options.format, options.aliasFormat};
+    const vk::ImageFormatListCreateInfo formatList{.viewFormatCount = formats.size(),
+                                                   .pViewFormats = formats.data()};
+    const vk::ImageCreateInfo imageInfo{.pNext = hasAlias ? &formatList : nullptr,
+                                        .flags = hasAlias ? vk::ImageCreateFlagBits::eMutableFormat
+                                                          : vk::ImageCreateFlags(),
+                                        .imageType = vk::ImageType::e2D,
                                         .format = options.format,
                                         .extent = {options.extent.width, options.extent.height, 1},
                                         .mipLevels = 1,
@@ -87,12 +95,20 @@ Image::Image(const Device& device, const ImageOptions& options, const std::strin
                          &image, &allocation, nullptr),
           "vmaCreateImage", name, bytes);
     m_image = {image, AllocationDeleter{device.allocator(), allocation}};
-    m_view = device.handle().createImageViewUnique({.image = image,
-                                                    .viewType = vk::ImageViewType::e2D,
-                                                    .format = options.format,
-                                                    .subresourceRange = range()});
     device.setName(handle(), name);
-    device.setName(*m_view, name + " view");
+    m_view = makeView(device, options.format, name + " view");
+    if (hasAlias) {
+        m_aliasView = makeView(device, options.aliasFormat, name + " alias view");
+    }
+}
+
+vk::UniqueImageView Image::makeView(const Device& device, vk::Format format, const std::string& name) const {
+    auto view = device.handle().createImageViewUnique({.image = handle(),
+                                                       .viewType = vk::ImageViewType::e2D,
+                                                       .format = format,
+                                                       .subresourceRange = range()});
+    device.setName(*view, name);
+    return view;
 }
 
 std::uint64_t freeDeviceBytes(const Device& device) {

@@ -59,6 +59,8 @@ struct ImageOptions {
     vk::Format format = vk::Format::eUndefined;
     vk::ImageUsageFlags usage;
     vk::ImageAspectFlags aspect = vk::ImageAspectFlagBits::eColor;
+    /// A format of the same texel size that the image may be seen in as well; undefined for none.
+    vk::Format aliasFormat = vk::Format::eUndefined;
 };
 
 /// A 2D image with one level, its memory and its view, freed together. Empty when default-made.
@@ -69,13 +71,18 @@ class Image {
 
     vk::Image handle() const { return m_image.get(); }
     vk::ImageView view() const { return *m_view; }
+    /// The same texels in ImageOptions::aliasFormat; null without one.
+    vk::ImageView aliasView() const { return *m_aliasView; }
     const ImageOptions& options() const { return m_options; }
     vk::ImageSubresourceRange range() const { return {m_options.aspect, 0, 1, 0, 1}; }
 
   private:
+    vk::UniqueImageView makeView(const Device& device, vk::Format format, const std::string& name) const;
+
     ImageOptions m_options;
     std::unique_ptr<VkImage_T, AllocationDeleter> m_image;
     vk::UniqueImageView m_view;
+    vk::UniqueImageView m_aliasView;
 };
 
 /// Device-local bytes that are still free, as the driver budgets them.

@@ -1,5 +1,7 @@
 #include <cdr/render/gbuffer.h>
 
+#include <vulkan/vulkan_format_traits.hpp>
+
 namespace cdr::render {
 
 namespace {
@@ -10,12 +12,17 @@ constexpr std::array kNames{"albedo", "normal", "ahead", "id"};
 
 } // namespace
 
-GBuffer::GBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name) {
+GBuffer::GBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name, Views views) {
     constexpr auto kUsage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled |
                             vk::ImageUsageFlagBits::eTransferSrc;
     for (std::size_t i = 0; i < kAttachments; ++i) {
-        m_images[i] = gpu::Image(device, {.extent = extent, .format = kFormats[i], .usage = kUsage},
-                                 name + " " + kNames[i]);
+        m_images[i] =
+            gpu::Image(device,
+                       {.extent = extent,
+                        .format = kFormats[i],
+                        .usage = kUsage,
+                        .aliasFormat = views == Views::typedAndBits ? kBitsFormat : vk::Format::eUndefined},
+                       name + " " + kNames[i]);
     }
 }
 
@@ -36,6 +43,10 @@ gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, vk::F
              // A stencil plane that comes along is never used, but the view must not name it.
              .aspect = vk::ImageAspectFlagBits::eDepth},
             name};
+}
+
+std::uint64_t predictDepthBytes(vk::Extent2D extent, vk::Format format) {
+    return std::uint64_t{extent.width} * extent.height * vk::blockSize(format);
 }
 
 } // namespace cdr::render

@@ -23,12 +23,20 @@ class GBuffer {
         kAttachments
     };
 
-    GBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name);
+    /// How the images are made to be seen.
+    enum class Views {
+        typed,        ///< as what they hold
+        typedAndBits, ///< and, for merging without a bit changed, as plain R32_UINT: gpu::Image::aliasView()
+    };
+    GBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name,
+            Views views = Views::typed);
 
     const gpu::Image& image(Attachment attachment) const { return m_images[attachment]; }
     const std::array<gpu::Image, kAttachments>& images() const { return m_images; }
 
     static std::vector<vk::Format> formats();
+    /// The format of the images' alias views.
+    static constexpr vk::Format kBitsFormat = vk::Format::eR32Uint;
     static std::uint64_t predictBytes(vk::Extent2D extent);
 
   private:
@@ -38,5 +46,6 @@ class GBuffer {
 /// A depth attachment of the technique's format.
 gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, vk::Format format,
                            const std::string& name);
+std::uint64_t predictDepthBytes(vk::Extent2D extent, vk::Format format);
 
 } // namespace cdr::render

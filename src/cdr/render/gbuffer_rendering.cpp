@@ -24,14 +24,41 @@ vk::ImageAspectFlags depthAspects(const gpu::Image& depth) {
 
 } // namespace
 
-void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope) {
+std::vector<vk::ImageMemoryBarrier2> attachBarriers(const GBuffer& gbuffer) {
     std::vector<vk::ImageMemoryBarrier2> barriers;
-    for (const gpu::Image& image : scope.gbuffer.images()) {
+    for (const gpu::Image& image : gbuffer.images()) {
         barriers.push_back(
             gpu::imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eAllCommands,
                               Access::eNone, Stage::eColorAttachmentOutput, kColorAccess,
                               vk::ImageLayout::eUndefined, vk::ImageLayout::eColorAttachmentOptimal));
     }
+    return barriers;
+}
+
+std::vector<vk::ImageMemoryBarrier2> chainBarriers(const GBuffer& gbuffer) {
+    std::vector<vk::ImageMemoryBarrier2> barriers;
+    for (const gpu::Image& image : gbuffer.images()) {
+        barriers.push_back(gpu::imageBarrier(
+            image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
+            Access::eColorAttachmentWrite, Stage::eColorAttachmentOutput, kColorAccess,
+            vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eColorAttachmentOptimal));
+    }
+    return barriers;
+}
+
+std::vector<vk::ImageMemoryBarrier2> readBarriers(const GBuffer& gbuffer) {
+    std::vector<vk::ImageMemoryBarrier2> barriers;
+    for (const gpu::Image& image : gbuffer.images()) {
+        barriers.push_back(gpu::imageBarrier(
+            image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
+            Access::eColorAttachmentWrite, Stage::eFragmentShader, Access::eShaderSampledRead,
+            vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eShaderReadOnlyOptimal));
+    }
+    return barriers;
+}
+
+void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope) {
+    std::vector<vk::ImageMemoryBarrier2> barriers = attachBarriers(scope.gbuffer);
     barriers.push_back(gpu::imageBarrier(
         scope.depth.handle(), depthAspects(scope.depth), kDepthStages, Access::eDepthStencilAttachmentWrite,
         kDepthStages, kDepthAccess, vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal));
@@ -39,13 +66,7 @@ void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope) {
 }
 
 void chainGBufferScopes(vk::CommandBuffer primary, const GBufferScope& scope) {
-    std::vector<vk::ImageMemoryBarrier2> barriers;
-    for (const gpu::Image& image : scope.gbuffer.images()) {
-        barriers.push_back(gpu::imageBarrier(
-            image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-            Access::eColorAttachmentWrite, Stage::eColorAttachmentOutput, kColorAccess,
-            vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eColorAttachmentOptimal));
-    }
+    std::vector<vk::ImageMemoryBarrier2> barriers = chainBarriers(scope.gbuffer);
     barriers.push_back(gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
                                          Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
                                          vk::ImageLayout::eDepthAttachmentOptimal,

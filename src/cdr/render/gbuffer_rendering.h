@@ -5,6 +5,7 @@
 #include <vulkan/vulkan.hpp>
 
 #include <span>
+#include <vector>
 
 namespace cdr::render {
 
@@ -15,6 +16,14 @@ struct GBufferScope {
     bool clearColor = true; ///< else what earlier scopes drew stays
     bool reversedDepth = false;
 };
+
+/// Makes a G-buffer's images colour attachments, waiting for whoever used them before in this queue. Contents
+/// are lost.
+std::vector<vk::ImageMemoryBarrier2> attachBarriers(const GBuffer& gbuffer);
+/// Lets colour attachments that a rendering scope wrote be attachments of the next one.
+std::vector<vk::ImageMemoryBarrier2> chainBarriers(const GBuffer& gbuffer);
+/// Hands colour attachments that a rendering scope wrote to fragment shaders that read them.
+std::vector<vk::ImageMemoryBarrier2> readBarriers(const GBuffer& gbuffer);
 
 /// Makes the images attachments, waiting for whoever used them before in this queue. Contents are lost.
 void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope);
