@@ -35,7 +35,9 @@ void main() {
         discard;
     }
 #ifdef WRITES_DEPTH
-    gl_FragDepth = logDepth(cascade.anchorView + ahead, cascade.depthScale, cascade.depthOffset);
+    // The viewport moves interpolated depths into the slice, but not those set here.
+    float depth = logDepth(cascade.anchorView + ahead, cascade.depthScale, cascade.depthOffset);
+    gl_FragDepth = cascade.minDepth + depth * (cascade.maxDepth - cascade.minDepth);
 #endif
     // Of a double-sided surface the side that faces the camera is lit.
     vec3 normal = gl_FrontFacing ? inNormalAhead.xyz : -inNormalAhead.xyz;

@@ -53,6 +53,8 @@ struct CascadePush {
     float projectionX; // 1 / (aspect * tan(fovY / 2))
     float projectionY; // -1 / tan(fovY / 2): Vulkan's y points down
     uint cascade;
+    float minDepth; // the slice of the depth range the cascade draws in, as its viewport has it
+    float maxDepth;
 };
 
 // A point light in view space; every coordinate is a float and the rest that float left out of the float64.
@@ -74,7 +76,7 @@ struct ShadingHeader {
 
 #ifdef __cplusplus
 static_assert(sizeof(DrawRecord) == 64);
-static_assert(sizeof(CascadePush) == 32);
+static_assert(sizeof(CascadePush) == 40);
 static_assert(sizeof(LightRecord) == 48);
 static_assert(sizeof(ShadingHeader) == 48 + 8 * kCascadeSlots);
 } // namespace cdr::shaders

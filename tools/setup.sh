@@ -10,8 +10,8 @@ packages=(
     # Vulkan: loader, shader compiler, validation, and lavapipe, a driver that needs no graphics card
     libvulkan-dev glslang-tools vulkan-validationlayers mesa-vulkan-drivers
     # libraries
-    libcli11-dev libfmt-dev libglm-dev libopenexr-dev libspng-dev libssl-dev libtinygltf-dev libturbojpeg0-dev
-    nlohmann-json3-dev
+    libcli11-dev libfmt-dev libglm-dev libopenexr-dev libspng-dev libssl-dev libstb-dev libtinygltf-dev
+    libturbojpeg0-dev nlohmann-json3-dev
     # tests, benchmarks and checks
     libbenchmark-dev libgtest-dev clang-format clang-tidy
 )

@@ -134,7 +134,8 @@ nlohmann::ordered_json frameJson(const render::RenderOptions& options, const ren
                                  std::uint32_t number, const std::string& hash) {
     const render::FrameTimes& times = frame.stats.times;
     return {{"technique", options.technique.name},
-            {"targets", nameOf(options.targets)},
+            {"targets", nameOf(options.targets.kind)},
+            {"layers", options.targets.layers},
             {"threads", options.threads},
             {"cascades", frame.cascades.size()},
             {"draws", frame.stats.draws},
@@ -211,7 +212,10 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
     command.add_option("--split", arguments.split,
                        "How cascades are cut: none, ratio:R, count:K or at:a,b,...");
     command.add_option("--format", arguments.format, "Depth buffer: d16, d24 or d32f");
-    command.add_option("--targets", arguments.targets, "How cascades reach the G-buffer")
+    command
+        .add_option("--targets", arguments.targets,
+                    "How cascades reach the G-buffer: single, accumulate, pool, pool:LAYERS, layers or "
+                    "one-pass")
         ->capture_default_str();
     command.add_option("--threads", arguments.threads, "Threads that cull, bin and record")
         ->capture_default_str();

@@ -87,6 +87,15 @@ vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipe
     return std::move(pipeline);
 }
 
+void bindFullscreenPipeline(vk::CommandBuffer commands, vk::Pipeline pipeline, vk::Extent2D extent) {
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
+    commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(extent.width),
+                                         static_cast<float>(extent.height), 0.0f, 1.0f});
+    commands.setScissor(0, vk::Rect2D{{0, 0}, extent});
+    commands.setCullMode(vk::CullModeFlagBits::eNone);
+    commands.setFrontFace(vk::FrontFace::eCounterClockwise);
+}
+
 vk::UniquePipelineLayout makePipelineLayout(const Device& device,
                                             const std::vector<vk::DescriptorSetLayout>& sets,
                                             const std::vector<vk::PushConstantRange>& constants,

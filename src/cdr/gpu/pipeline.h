@@ -29,6 +29,9 @@ struct GraphicsPipelineOptions {
 
 vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options);
 
+/// Binds a pipeline whose vertex shader covers the picture with one triangle, and all that it leaves dynamic.
+void bindFullscreenPipeline(vk::CommandBuffer commands, vk::Pipeline pipeline, vk::Extent2D extent);
+
 vk::UniquePipelineLayout makePipelineLayout(const Device& device,
                                             const std::vector<vk::DescriptorSetLayout>& sets,
                                             const std::vector<vk::PushConstantRange>& constants,

@@ -29,6 +29,8 @@ class CascadeRecorder {
 
     /// The secondaries of one cascade, in draw order; valid until the next record().
     std::span<const vk::CommandBuffer> commands(std::size_t cascade) const;
+    /// Those of all cascades, the nearest first.
+    std::span<const vk::CommandBuffer> commands() const { return m_commands; }
     std::size_t jobs() const { return m_jobs.size(); }
 
   private:

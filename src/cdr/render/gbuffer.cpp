@@ -1,5 +1,7 @@
 #include <cdr/render/gbuffer.h>
 
+#include <vulkan/vulkan_format_traits.hpp>
+
 namespace cdr::render {
 
 gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name) {
@@ -24,6 +26,10 @@ gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, vk::F
              // A stencil plane that comes along is never used, but the view must not name it.
              .aspect = vk::ImageAspectFlagBits::eDepth},
             name};
+}
+
+std::uint64_t predictDepthBytes(vk::Extent2D extent, vk::Format format) {
+    return std::uint64_t{extent.width} * extent.height * vk::blockSize(format);
 }
 
 } // namespace cdr::render

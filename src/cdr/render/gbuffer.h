@@ -31,4 +31,7 @@ std::uint64_t predictGBufferBytes(vk::Extent2D extent);
 gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, vk::Format format,
                            const std::string& name);
 
+/// Device bytes of one depth buffer.
+std::uint64_t predictDepthBytes(vk::Extent2D extent, vk::Format format);
+
 } // namespace cdr::render

@@ -21,27 +21,41 @@ vk::ImageAspectFlags depthAspects(const gpu::Image& depth) {
 
 } // namespace
 
+vk::ImageMemoryBarrier2 attachBarrier(const gpu::Image& gbuffer) {
+    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eAllCommands,
+                             Access::eNone, Stage::eColorAttachmentOutput, kColorAccess,
+                             vk::ImageLayout::eUndefined, vk::ImageLayout::eColorAttachmentOptimal);
+}
+
+vk::ImageMemoryBarrier2 chainBarrier(const gpu::Image& gbuffer) {
+    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
+                             Access::eColorAttachmentWrite, Stage::eColorAttachmentOutput, kColorAccess,
+                             vk::ImageLayout::eColorAttachmentOptimal,
+                             vk::ImageLayout::eColorAttachmentOptimal);
+}
+
+vk::ImageMemoryBarrier2 readBarrier(const gpu::Image& gbuffer) {
+    return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
+                             Access::eColorAttachmentWrite, Stage::eFragmentShader,
+                             Access::eShaderSampledRead, vk::ImageLayout::eColorAttachmentOptimal,
+                             vk::ImageLayout::eShaderReadOnlyOptimal);
+}
+
 void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope) {
     gpu::pipelineBarrier(
-        primary,
-        {gpu::imageBarrier(scope.gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eAllCommands,
-                           Access::eNone, Stage::eColorAttachmentOutput, kColorAccess,
-                           vk::ImageLayout::eUndefined, vk::ImageLayout::eColorAttachmentOptimal),
-         gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
-                           Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
-                           vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal)});
+        primary, {attachBarrier(scope.gbuffer),
+                  gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
+                                    Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
+                                    vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal)});
 }
 
 void chainGBufferScopes(vk::CommandBuffer primary, const GBufferScope& scope) {
-    gpu::pipelineBarrier(
-        primary, {gpu::imageBarrier(
-                      scope.gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-                      Access::eColorAttachmentWrite, Stage::eColorAttachmentOutput, kColorAccess,
-                      vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eColorAttachmentOptimal),
-                  gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
-                                    Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
-                                    vk::ImageLayout::eDepthAttachmentOptimal,
-                                    vk::ImageLayout::eDepthAttachmentOptimal)});
+    gpu::pipelineBarrier(primary,
+                         {chainBarrier(scope.gbuffer),
+                          gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
+                                            Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
+                                            vk::ImageLayout::eDepthAttachmentOptimal,
+                                            vk::ImageLayout::eDepthAttachmentOptimal)});
 }
 
 void runGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope,

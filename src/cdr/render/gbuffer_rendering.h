@@ -16,6 +16,13 @@ struct GBufferScope {
     bool reversedDepth = false;
 };
 
+/// Makes a G-buffer a colour attachment, waiting for whoever used it before in this queue. Contents are lost.
+vk::ImageMemoryBarrier2 attachBarrier(const gpu::Image& gbuffer);
+/// Lets a colour attachment that a rendering scope wrote be the attachment of the next one.
+vk::ImageMemoryBarrier2 chainBarrier(const gpu::Image& gbuffer);
+/// Hands a colour attachment that a rendering scope wrote to fragment shaders that read it.
+vk::ImageMemoryBarrier2 readBarrier(const gpu::Image& gbuffer);
+
 /// Makes the images attachments, waiting for whoever used them before in this queue. Contents are lost.
 void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope);
 

@@ -112,7 +112,8 @@ void GeometryPass::beginJob(vk::CommandBuffer commands, const CascadeDraws& casc
                             const Recording& recording) const {
     const auto width = static_cast<float>(recording.extent.width);
     const auto height = static_cast<float>(recording.extent.height);
-    commands.setViewport(0, vk::Viewport{0.0f, 0.0f, width, height, cascade.minDepth, cascade.maxDepth});
+    commands.setViewport(
+        0, vk::Viewport{0.0f, 0.0f, width, height, cascade.push.minDepth, cascade.push.maxDepth});
     commands.setScissor(0, vk::Rect2D{{0, 0}, recording.extent});
     commands.bindVertexBuffers(0, m_scene.vertices(), vk::DeviceSize{0});
     commands.bindIndexBuffer(m_scene.indices(), 0, vk::IndexType::eUint32);

@@ -31,9 +31,6 @@ enum class Batching : std::uint8_t {
 struct CascadeDraws {
     double anchorView = 0.0;
     shaders::CascadePush push{};
-    /// Slice of the depth range that the cascade owns: all of it, or a share under one-pass.
-    float minDepth = 0.0f;
-    float maxDepth = 1.0f;
 };
 
 /// The pipelines of one technique over one scene, and how its draws are recorded.

@@ -89,12 +89,10 @@ void Renderer::stage(const scene::Camera& camera, Staged& staged, FrameStats& st
     for (std::size_t i = 0; i < staged.cascades.size(); ++i) {
         clipRanges.push_back(depth::clipRange(m_options.technique.mapping, staged.cascades, i));
         const depth::ClipTerms terms = clipTerms(depthRange(m_options.technique.mapping, staged.cascades, i));
-        const Targets::DepthSlice slice = m_targets->depthSlice(i, staged.cascades.size());
-        staged.draws.push_back(
-            {.anchorView = terms.anchorView,
-             .push = makeCascadePush(terms, clipRanges[i], staged.lens, static_cast<std::uint32_t>(i)),
-             .minDepth = slice.min,
-             .maxDepth = slice.max});
+        const DepthSlice slice = m_targets->depthSlice(i, staged.cascades.size());
+        staged.draws.push_back({.anchorView = terms.anchorView,
+                                .push = makeCascadePush(terms, clipRanges[i], staged.lens, slice,
+                                                        static_cast<std::uint32_t>(i))});
     }
     stats.times.splitMs = watch.lap();
 

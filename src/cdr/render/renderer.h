@@ -23,7 +23,7 @@ struct RenderOptions {
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
     depth::Technique technique;
-    TargetsKind targets = TargetsKind::single;
+    TargetsChoice targets = TargetsKind::single;
     std::size_t threads = 1; ///< that cull, bin and record, the caller's included
     Batching batching = Batching::instanced;
 };

@@ -1,5 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/pipeline.h>
+#include <cdr/render/gbuffer_rendering.h>
 #include <cdr/render/shading_pass.h>
 #include <cdr/shaders/fullscreen_vert.h>
 #include <cdr/shaders/shading_frag.h>
@@ -67,9 +68,7 @@ void ShadingPass::record(vk::CommandBuffer primary) const {
     m_device.beginLabel(primary, "shading");
     gpu::pipelineBarrier(
         primary,
-        {gpu::imageBarrier(m_gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-                           Access::eColorAttachmentWrite, Stage::eFragmentShader, Access::eShaderSampledRead,
-                           vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eShaderReadOnlyOptimal),
+        {readBarrier(m_gbuffer),
          gpu::imageBarrier(m_picture.handle(), vk::ImageAspectFlagBits::eColor, Stage::eCopy, Access::eNone,
                            Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite,
                            vk::ImageLayout::eUndefined, vk::ImageLayout::eColorAttachmentOptimal)});
@@ -80,13 +79,8 @@ void ShadingPass::record(vk::CommandBuffer primary) const {
     const vk::Rect2D area{{0, 0}, m_picture.options().extent};
     primary.beginRendering(
         {.renderArea = area, .layerCount = 1, .colorAttachmentCount = 1, .pColorAttachments = &color});
-    primary.bindPipeline(vk::PipelineBindPoint::eGraphics, *m_pipeline);
+    gpu::bindFullscreenPipeline(primary, *m_pipeline, area.extent);
     primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, m_set, {});
-    primary.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(area.extent.width),
-                                        static_cast<float>(area.extent.height), 0.0f, 1.0f});
-    primary.setScissor(0, area);
-    primary.setCullMode(vk::CullModeFlagBits::eNone);
-    primary.setFrontFace(vk::FrontFace::eCounterClockwise);
     primary.draw(3, 1, 0, 0);
     primary.endRendering();
     gpu::pipelineBarrier(

@@ -1,15 +1,42 @@
+#include "targets_accumulate.h"
+#include "targets_layers.h"
+#include "targets_one_pass.h"
+#include "targets_pool.h"
 #include "targets_single.h"
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 
-#include <array>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
 
 namespace cdr::render {
 
 namespace {
 
-constexpr std::array<std::string_view, 1> kNames{"single"};
+/// By TargetsKind.
+constexpr std::array<std::string_view, kTargetsKinds.size()> kNames{"single", "accumulate", "pool", "layers",
+                                                                    "one-pass"};
+
+TargetsKind parseKind(std::string_view name) {
+    const auto found = std::find(kNames.begin(), kNames.end(), name);
+    if (found == kNames.end()) {
+        throw base::InputError(base::unknownName("targets", name, kNames));
+    }
+    return static_cast<TargetsKind>(found - kNames.begin());
+}
+
+std::uint32_t parseLayers(std::string_view text) {
+    std::uint32_t layers = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), layers);
+    if (error != std::errc() || end != text.data() + text.size()) {
+        throw base::InputError(fmt::format("pool:N takes a whole number of layers, {} to {}, not '{}'",
+                                           kMinPoolLayers, kMaxPoolLayers, text.substr(0, 60)));
+    }
+    return layers;
+}
 
 } // namespace
 
@@ -17,24 +44,55 @@ std::string_view nameOf(TargetsKind kind) {
     return kNames[static_cast<std::size_t>(kind)];
 }
 
-TargetsKind parseTargets(std::string_view name) {
-    for (std::size_t i = 0; i < kNames.size(); ++i) {
-        if (kNames[i] == name) {
-            return static_cast<TargetsKind>(i);
-        }
+TargetsChoice::TargetsChoice(TargetsKind ofKind)
+    : kind(ofKind),
+      layers(ofKind == TargetsKind::pool ? kDefaultPoolLayers : 0) {}
+
+TargetsChoice TargetsChoice::pool(std::uint32_t layers) {
+    if (layers < kMinPoolLayers || layers > kMaxPoolLayers) {
+        throw base::InputError(
+            fmt::format("a pool has {} to {} layers, not {}", kMinPoolLayers, kMaxPoolLayers, layers));
     }
-    throw base::InputError(base::unknownName("targets", name, kNames));
+    TargetsChoice choice(TargetsKind::pool);
+    choice.layers = layers;
+    return choice;
 }
 
-Targets::DepthSlice Targets::depthSlice(std::size_t, std::size_t) const {
+std::string nameOf(const TargetsChoice& choice) {
+    const std::string_view kind = nameOf(choice.kind);
+    return choice.kind == TargetsKind::pool ? fmt::format("{}:{}", kind, choice.layers) : std::string(kind);
+}
+
+TargetsChoice parseTargets(std::string_view text) {
+    const std::size_t colon = text.find(':');
+    const TargetsKind kind = parseKind(text.substr(0, colon));
+    if (colon == std::string_view::npos) {
+        return kind;
+    }
+    if (kind != TargetsKind::pool) {
+        throw base::InputError(
+            fmt::format("targets {} take no number of layers, only pool:N does", nameOf(kind)));
+    }
+    return TargetsChoice::pool(parseLayers(text.substr(colon + 1)));
+}
+
+DepthSlice Targets::depthSlice(std::size_t, std::size_t) const {
     return {};
 }
 
-std::unique_ptr<Targets> makeTargets(const gpu::Device& device, TargetsKind kind,
+std::unique_ptr<Targets> makeTargets(const gpu::Device& device, const TargetsChoice& choice,
                                      const TargetsOptions& options) {
-    switch (kind) {
+    switch (choice.kind) {
     case TargetsKind::single:
         return std::make_unique<SingleTargets>(device, options);
+    case TargetsKind::accumulate:
+        return std::make_unique<AccumulateTargets>(device, options);
+    case TargetsKind::pool:
+        return std::make_unique<PoolTargets>(device, options, TargetsChoice::pool(choice.layers).layers);
+    case TargetsKind::layers:
+        return std::make_unique<LayersTargets>(device, options);
+    case TargetsKind::onePass:
+        return std::make_unique<OnePassTargets>(device, options);
     }
     throw base::RunError("targets kind out of range");
 }

@@ -39,7 +39,7 @@ shaders::DrawRecord DrawRecordMaker::make(const DrawSource& source, const Materi
 }
 
 shaders::CascadePush makeCascadePush(const depth::ClipTerms& terms, const depth::Cascade& clipRange,
-                                     const Lens& lens, std::uint32_t cascade) {
+                                     const Lens& lens, const DepthSlice& slice, std::uint32_t cascade) {
     return {.anchorView = static_cast<float>(terms.anchorView),
             .depthScale = static_cast<float>(terms.scale),
             .depthOffset = static_cast<float>(terms.offset),
@@ -47,7 +47,9 @@ shaders::CascadePush makeCascadePush(const depth::ClipTerms& terms, const depth:
             .farAhead = static_cast<float>(clipRange.farView - terms.anchorView),
             .projectionX = static_cast<float>(1.0 / lens.tanX),
             .projectionY = static_cast<float>(-1.0 / lens.tanY),
-            .cascade = cascade};
+            .cascade = cascade,
+            .minDepth = slice.min,
+            .maxDepth = slice.max};
 }
 
 glm::vec2 splitDouble(double value) {

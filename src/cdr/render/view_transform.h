@@ -39,9 +39,15 @@ class DrawRecordMaker {
     std::array<glm::vec3, 3> m_rows;
 };
 
+/// A part of the depth range, [0, 1], for a viewport and for shaders that set their depth.
+struct DepthSlice {
+    float min = 0.0f;
+    float max = 1.0f;
+};
+
 /// What the draws of one cascade share.
 shaders::CascadePush makeCascadePush(const depth::ClipTerms& terms, const depth::Cascade& clipRange,
-                                     const Lens& lens, std::uint32_t cascade);
+                                     const Lens& lens, const DepthSlice& slice, std::uint32_t cascade);
 
 /// A light in view space, each coordinate as a float and its rest.
 shaders::LightRecord makeLightRecord(const scene::PointLight& light, const scene::Camera& camera);

@@ -1,0 +1,104 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/render/cascade_layers.h>
+#include <cdr/render/gbuffer_rendering.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cdr::render {
+
+namespace {
+
+std::uint64_t predictLayerBytes(const TargetsOptions& options) {
+    return predictGBufferBytes(options.extent) + predictDepthBytes(options.extent, options.depthFormat);
+}
+
+/// The options, once the memory for the accumulated G-buffer and `layers` is known to be there.
+const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& options, std::size_t layers) {
+    gpu::requireDeviceBytes(device, predictGBufferBytes(options.extent) + layers * predictLayerBytes(options),
+                            fmt::format("an accumulated G-buffer of {}x{} with {} layers",
+                                        options.extent.width, options.extent.height, layers));
+    return options;
+}
+
+} // namespace
+
+CascadeLayers::CascadeLayers(const gpu::Device& device, const TargetsOptions& options, std::size_t layers)
+    : m_device(device),
+      m_options(checked(device, options, layers)),
+      m_merge(device),
+      m_accumulated(makeGBuffer(device, options.extent, "G-buffer")) {
+    grow(layers);
+}
+
+void CascadeLayers::grow(std::size_t layers) {
+    if (layers <= m_layers.size()) {
+        return;
+    }
+    const std::size_t more = layers - m_layers.size();
+    gpu::requireDeviceBytes(
+        m_device, more * predictLayerBytes(m_options),
+        fmt::format("{} layer G-buffers of {}x{}", more, m_options.extent.width, m_options.extent.height));
+    while (m_layers.size() < layers) {
+        m_layers.push_back(makeLayer(m_layers.size()));
+    }
+}
+
+CascadeLayers::Layer CascadeLayers::makeLayer(std::size_t number) const {
+    const std::string name = fmt::format("layer {}", number);
+    gpu::Image gbuffer = makeGBuffer(m_device, m_options.extent, name);
+    MergePass::Source source = m_merge.makeSource(gbuffer);
+    return {.gbuffer = std::move(gbuffer),
+            .depth = makeDepthBuffer(m_device, m_options.extent, m_options.depthFormat, name + " depth"),
+            .source = std::move(source)};
+}
+
+void CascadeLayers::record(vk::CommandBuffer primary, const CascadeRecorder& recorder,
+                           std::size_t cascades) const {
+    auto load = vk::AttachmentLoadOp::eClear;
+    for (std::size_t left = cascades; left > 0;) {
+        const std::size_t count = std::min(m_layers.size(), left);
+        drawLayers(primary, recorder, {left - count, left});
+        mergeLayers(primary, count, load);
+        left -= count;
+        load = vk::AttachmentLoadOp::eLoad;
+    }
+}
+
+void CascadeLayers::drawLayers(vk::CommandBuffer primary, const CascadeRecorder& recorder,
+                               base::IndexRange cascades) const {
+    const auto scopeOf = [&](std::size_t layer) {
+        return GBufferScope{.gbuffer = m_layers[layer].gbuffer,
+                            .depth = m_layers[layer].depth,
+                            .clearColor = true,
+                            .reversedDepth = m_options.reversedDepth};
+    };
+    // All barriers first, so that the layers' draws may overlap.
+    for (std::size_t layer = 0; layer < cascades.size(); ++layer) {
+        beginGBuffer(primary, scopeOf(layer));
+    }
+    for (std::size_t layer = 0; layer < cascades.size(); ++layer) {
+        const std::size_t cascade = cascades.end - 1 - layer;
+        m_device.beginLabel(primary, fmt::format("cascade {} into layer {}", cascade, layer).c_str());
+        runGBufferScope(primary, scopeOf(layer), recorder.commands(cascade));
+        m_device.endLabel(primary);
+    }
+}
+
+void CascadeLayers::mergeLayers(vk::CommandBuffer primary, std::size_t count,
+                                vk::AttachmentLoadOp load) const {
+    std::vector<vk::DescriptorSet> sources;
+    m_device.beginLabel(primary, fmt::format("merge {} layers", count).c_str());
+    std::vector<vk::ImageMemoryBarrier2> barriers{
+        load == vk::AttachmentLoadOp::eClear ? attachBarrier(m_accumulated) : chainBarrier(m_accumulated)};
+    for (std::size_t layer = 0; layer < count; ++layer) {
+        barriers.push_back(readBarrier(m_layers[layer].gbuffer));
+        sources.push_back(m_layers[layer].source.set);
+    }
+    gpu::pipelineBarrier(primary, barriers);
+    m_merge.record(primary, sources, m_accumulated, load);
+    m_device.endLabel(primary);
+}
+
+} // namespace cdr::render

@@ -1,0 +1,67 @@
+#include "targets_one_pass.h"
+
+#include <cdr/render/gbuffer_rendering.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cdr::render {
+
+namespace {
+
+/// Octaves of normal float32 in [0, 1], less those of one mantissa, which the lowest slice keeps for itself.
+constexpr std::size_t kSharedOctaves = 126 - 24;
+/// At more octaves than the mantissa has bits, adding the slice's lower end would round instead of shift.
+constexpr std::size_t kMaxOctaves = 24;
+/// Values left out between slices of integers; float32 viewports round by less than one of 24 bits.
+constexpr double kGuardValues = 4.0;
+
+/// Slice `slice` from depth 0 up, by exponent.
+DepthSlice floatSlice(std::size_t slice, std::size_t slices) {
+    const auto octaves = static_cast<int>(std::min(kMaxOctaves, kSharedOctaves / slices));
+    const int above = static_cast<int>(slices - 1 - slice);
+    const float below = std::ldexp(1.0f, -octaves * (above + 1));
+    return {.min = slice == 0 ? 0.0f : std::nextafter(below, 1.0f),
+            .max = std::ldexp(1.0f, -octaves * above)};
+}
+
+/// Slice `slice` from depth 0 up, of equal numbers of values.
+DepthSlice integerSlice(std::size_t slice, std::size_t slices, int bits) {
+    const double values = std::ldexp(1.0, bits);
+    const double width = values / static_cast<double>(slices);
+    const double first = width * static_cast<double>(slice);
+    const double last = slice + 1 == slices ? values - 1.0 : first + width - kGuardValues;
+    return {.min = static_cast<float>(first / (values - 1.0)),
+            .max = static_cast<float>(last / (values - 1.0))};
+}
+
+} // namespace
+
+OnePassTargets::OnePassTargets(const gpu::Device& device, const TargetsOptions& options)
+    : m_device(device),
+      m_gbuffer(makeGBuffer(device, options.extent, "G-buffer")),
+      m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth")),
+      m_reversedDepth(options.reversedDepth) {}
+
+DepthSlice OnePassTargets::depthSlice(std::size_t cascade, std::size_t cascades) const {
+    const std::size_t slice = m_reversedDepth ? cascades - 1 - cascade : cascade;
+    switch (m_depth.options().format) {
+    case vk::Format::eD32Sfloat:
+        return floatSlice(slice, cascades);
+    case vk::Format::eD16Unorm:
+        return integerSlice(slice, cascades, 16);
+    default:
+        return integerSlice(slice, cascades, 24);
+    }
+}
+
+void OnePassTargets::record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t) {
+    const GBufferScope scope{
+        .gbuffer = m_gbuffer, .depth = m_depth, .clearColor = true, .reversedDepth = m_reversedDepth};
+    beginGBuffer(primary, scope);
+    m_device.beginLabel(primary, "all cascades, front to back");
+    runGBufferScope(primary, scope, recorder.commands());
+    m_device.endLabel(primary);
+}
+
+} // namespace cdr::render

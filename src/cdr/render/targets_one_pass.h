@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cdr/render/targets.h>
+
+namespace cdr::render {
+
+/// One G-buffer, one depth buffer, one rendering scope, no clear in between: each cascade owns a slice of the
+/// depth range through the viewport, nearer cascades the nearer slices (the lower ones, or the upper ones for
+/// reversed depth). Drawn front to back, so early depth tests work across cascades. Slices share no value: a
+/// surface clamped to the far end of one never ties with one clamped to the near end of the next.
+///
+/// What N slices cost, against a depth range of one's own:
+/// - b-bit integers: every slice has 2^b / N of the 2^b values, log2 N bits less, and 4 values of guard.
+/// - float32: even slices would cost log2 N bits at the far end, and at depth 0, where reversed and anchored
+///   depth live, all that its exponent gives. So slices are cut by exponent: each spans k = min(24, 102 / N)
+///   octaves below the one above, and the lowest the rest down to 0. Near the top of a slice the step grows
+///   by 1 / (1 - 2^-k): nothing for up to 5 cascades (k >= 20), 0.02 bits for 16 (k = 6), 1 bit for 52 and
+///   more (k = 1). A depth d in [0, 1] of the cascade's own becomes m + d (M - m) in the slice [m, M] with
+///   m = M / 2^k, so steps go on shrinking with d down to 2^-k and stay M 2^-(23 + k) or so below; only the
+///   lowest slice, the far cascade's for reversed and the near one's for all others, keeps float's finest.
+class OnePassTargets final : public Targets {
+  public:
+    OnePassTargets(const gpu::Device& device, const TargetsOptions& options);
+
+    DepthSlice depthSlice(std::size_t cascade, std::size_t cascades) const override;
+    void record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t cascades) override;
+    const gpu::Image& gbuffer() const override { return m_gbuffer; }
+
+  private:
+    const gpu::Device& m_device;
+    gpu::Image m_gbuffer;
+    gpu::Image m_depth;
+    bool m_reversedDepth;
+};
+
+} // namespace cdr::render

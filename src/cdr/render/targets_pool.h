@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cdr/render/cascade_layers.h>
+
+namespace cdr::render {
+
+/// Method 3 of the thesis: several layers are in flight together and merged in depth order before they are
+/// drawn again, so neighbouring cascades need not wait for each other on the device.
+class PoolTargets final : public Targets {
+  public:
+    PoolTargets(const gpu::Device& device, const TargetsOptions& options, std::size_t layers)
+        : m_layers(device, options, layers) {}
+
+    void record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t cascades) override {
+        m_layers.record(primary, recorder, cascades);
+    }
+    const gpu::Image& gbuffer() const override { return m_layers.accumulated(); }
+
+  private:
+    CascadeLayers m_layers;
+};
+
+} // namespace cdr::render
