@@ -1,7 +1,6 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/sha256.h>
 
 #include <cmath>
 #include <map>
@@ -132,9 +131,7 @@ TEST_F(TechniqueTest, ThreadsChangeNoBit) {
             options.threads = threads;
             render::Renderer renderer(device(), staged.scene, gpuScene, options);
             const Frame frame = renderer.render(staged.path.at(33));
-            const std::string hash = base::sha256Of(frame.color.pixels) +
-                                     base::sha256Of(frame.idAndCascade.pixels) +
-                                     base::sha256Of(frame.ahead.pixels) + base::sha256Of(frame.normal.pixels);
+            const std::string hash = hashOf(frame);
             if (first.empty()) {
                 first = hash;
             }
