@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/sha256.h>
 #include <cdr/measure/truth.h>
 #include <cdr/measure/wrong_pixels.h>
 #include <cdr/render/renderer.h>
@@ -48,6 +49,11 @@ inline render::RenderOptions smallOptions(const depth::Technique& technique) {
             .technique = technique,
             .targets = render::TargetsKind::single,
             .threads = 1};
+}
+
+/// One hash over everything a frame holds, pixel by pixel.
+inline std::string hashOf(const render::Frame& frame) {
+    return base::sha256Of(frame.color.pixels) + base::sha256Of(frame.surfaces.pixels);
 }
 
 /// A scene of boxes with one white material, ambient light and the unit box as mesh 0.

@@ -1,7 +1,6 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/sha256.h>
 
 #include <cmath>
 #include <map>
@@ -122,7 +121,7 @@ TEST_F(TechniqueTest, CascadesLeaveNoCracks) {
     }
 }
 
-TEST_F(TechniqueTest, ThreadsChangeNoBit) {
+TEST_F(TechniqueTest, ThreadsAndBatchingChangeNoBit) {
     const scene::StagedScene staged = scene::makeRotation(1, 20'000);
     const render::GpuScene gpuScene(device(), staged.scene);
     for (const depth::Technique& technique : depth::presets()) {
@@ -130,14 +129,14 @@ TEST_F(TechniqueTest, ThreadsChangeNoBit) {
         for (const std::size_t threads : {1u, 2u, 3u, 8u}) {
             auto options = smallOptions(technique);
             options.threads = threads;
-            render::Renderer renderer(device(), staged.scene, gpuScene, options);
-            const Frame frame = renderer.render(staged.path.at(33));
-            const std::string hash =
-                base::sha256Of(frame.color.pixels) + base::sha256Of(frame.surfaces.pixels);
-            if (first.empty()) {
-                first = hash;
+            for (const render::Batching batching :
+                 {render::Batching::instanced, render::Batching::perObject}) {
+                options.batching = batching;
+                render::Renderer renderer(device(), staged.scene, gpuScene, options);
+                const std::string hash = hashOf(renderer.render(staged.path.at(33)));
+                first = first.empty() ? hash : first;
+                EXPECT_EQ(hash, first) << technique.name << " " << threads;
             }
-            EXPECT_EQ(hash, first) << technique.name << " " << threads;
         }
     }
 }

@@ -11,13 +11,14 @@ namespace cdr::render {
 ///
 /// What N slices cost, against a depth range of one's own:
 /// - b-bit integers: every slice has 2^b / N of the 2^b values, log2 N bits less, and 4 values of guard.
-/// - float32: even slices would cost log2 N bits at the far end, and at depth 0, where reversed and anchored
-///   depth live, all that its exponent gives. So slices are cut by exponent: each spans k = min(24, 102 / N)
-///   octaves below the one above, and the lowest the rest down to 0. Near the top of a slice the step grows
-///   by 1 / (1 - 2^-k): nothing for up to 5 cascades (k >= 20), 0.02 bits for 16 (k = 6), 1 bit for 52 and
-///   more (k = 1). A depth d in [0, 1] of the cascade's own becomes m + d (M - m) in the slice [m, M] with
-///   m = M / 2^k, so steps go on shrinking with d down to 2^-k and stay M 2^-(23 + k) or so below; only the
-///   lowest slice, the far cascade's for reversed and the near one's for all others, keeps float's finest.
+/// - float32: even slices would cost log2 N bits at their far end, and at depth 0, where reversed and
+/// anchored
+///   depth live, all that the exponent gives. So slices are cut by exponent: each reaches k = min(24, 102 /
+///   N) octaves down from the one above, and the lowest to 0. A depth d of the cascade's own lies at m + d (M
+///   - m) in the slice [m, M], m = M 2^-k, so its step is float32's at d + 2^-k, and 1 / (1 - 2^-k) times
+///   that: nothing lost for up to 5 cascades (k >= 20) but below d = 2^-20, 0.02 bits for 16 (k = 6) but
+///   around d = 2^-6 and below, and a bit everywhere from 52 on (k = 1). The lowest slice, the far cascade's
+///   for reversed depth and the near one's for the rest, loses nothing for any N.
 class OnePassTargets final : public Targets {
   public:
     OnePassTargets(const gpu::Device& device, const TargetsOptions& options);

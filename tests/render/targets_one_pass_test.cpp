@@ -1,0 +1,193 @@
+#include "fixture.h"
+
+#include <cdr/depth/separation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cdr::render_test {
+
+namespace {
+
+using render::DepthSlice;
+using render::Frame;
+using render::TargetsKind;
+
+class OnePassTest : public RenderTest {
+  protected:
+    Frame drawWith(const scene::Scene& scene, const render::GpuScene& gpuScene, const scene::Camera& camera,
+                   const depth::Technique& technique, TargetsKind targets = TargetsKind::onePass) {
+        auto options = smallOptions(technique);
+        options.targets = targets;
+        render::Renderer renderer(device(), scene, gpuScene, options);
+        return renderer.render(camera);
+    }
+};
+
+TEST_F(OnePassTest, SlicesShareNoValueAndTheNearestComesFirst) {
+    for (const vk::Format format :
+         {vk::Format::eD32Sfloat, device().depthFormat(24), vk::Format::eD16Unorm}) {
+        const double step = format == vk::Format::eD32Sfloat  ? 0.0
+                            : format == vk::Format::eD16Unorm ? 0x1p-16
+                                                              : 0x1p-24;
+        for (const bool reversed : {false, true}) {
+            const auto targets =
+                render::makeTargets(device(), TargetsKind::onePass,
+                                    {.extent = {8, 8}, .depthFormat = format, .reversedDepth = reversed});
+            for (std::size_t cascades = 1; cascades <= depth::kMaxCascades; ++cascades) {
+                // From the bottom of the depth range to its top.
+                float below = -1.0f;
+                for (std::size_t i = 0; i < cascades; ++i) {
+                    const std::size_t cascade = reversed ? cascades - 1 - i : i;
+                    const DepthSlice slice = targets->depthSlice(cascade, cascades);
+                    ASSERT_GT(double(slice.min), double(below) + step) << cascades << " " << i;
+                    ASSERT_GT(slice.max, slice.min);
+                    ASSERT_TRUE(slice.min == 0.0f || std::isnormal(slice.min));
+                    ASSERT_EQ(slice.min == 0.0f, i == 0);
+                    below = slice.max;
+                }
+                ASSERT_EQ(below, 1.0f);
+            }
+        }
+    }
+}
+
+TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
+    for (const scene::StagedScene& staged :
+         {scene::makeAfc(2013), scene::makeRotation(2013, 20'000), scene::makeCubes(2013)}) {
+        const render::GpuScene gpuScene(device(), staged.scene);
+        const scene::Camera camera = staged.path.at(20);
+        base::WorkerPool workers(2);
+        const auto truth = measure::castTruth(staged.scene, camera, 480, 270, workers);
+        for (const depth::Technique& technique : depth::presets()) {
+            const auto wrong = [&](TargetsKind targets) {
+                const Frame frame = drawWith(staged.scene, gpuScene, camera, technique, targets);
+                return measure::countWrong(frame.ids(), truth);
+            };
+            EXPECT_LE(wrong(TargetsKind::onePass).wrong, wrong(TargetsKind::single).wrong)
+                << staged.scene.name << " " << technique.name;
+        }
+    }
+}
+
+/// log2 N bits less than 24 are more than 16 for the handful of cascades here. (More bits are not always
+/// fewer wrong pixels: where neither tells anything apart the draw order decides, so the bound is the worse
+/// of the two.)
+TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
+    const scene::StagedScene staged = scene::makeAfc(2013);
+    const render::GpuScene gpuScene(device(), staged.scene);
+    const scene::Camera camera = staged.path.at(20);
+    base::WorkerPool workers(2);
+    const auto truth = measure::castTruth(staged.scene, camera, 480, 270, workers);
+    for (depth::Technique technique : depth::presets()) {
+        const auto wrong = [&](depth::DepthFormat format, TargetsKind targets) {
+            technique.format = format;
+            const Frame frame = drawWith(staged.scene, gpuScene, camera, technique, targets);
+            return measure::countWrong(frame.ids(), truth).wrong;
+        };
+        EXPECT_LE(wrong(depth::DepthFormat::d24, TargetsKind::onePass),
+                  std::max(wrong(depth::DepthFormat::d24, TargetsKind::single),
+                           wrong(depth::DepthFormat::d16, TargetsKind::single)))
+            << technique.name;
+    }
+}
+
+TEST_F(OnePassTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
+    const scene::StagedScene staged = scene::makeRotation(5, 20'000);
+    const render::GpuScene gpuScene(device(), staged.scene);
+    scene::Camera camera = staged.path.at(0);
+    camera.nearView = 1.0;
+    camera.farView = 500.0;
+    base::WorkerPool workers(2);
+    const auto truth = measure::castTruth(staged.scene, camera, 480, 270, workers);
+    for (const depth::Mapping mapping : depth::kMappings) {
+        for (const char* split : {"none", "count:7", "count:40", "at:50,120"}) {
+            for (const auto format : {depth::DepthFormat::d24, depth::DepthFormat::d32f}) {
+                const auto technique = depth::makeTechnique(mapping, depth::parseSplit(split), format);
+                const Frame frame = drawWith(staged.scene, gpuScene, camera, technique);
+                const auto wrong = measure::countWrong(frame.ids(), truth);
+                EXPECT_GT(wrong.pixels, 3000u);
+                EXPECT_EQ(wrong.wrong, 0u) << technique.name << " " << nameOf(format);
+            }
+        }
+    }
+}
+
+/// Pairs of boxes, each a smaller one a gap behind the front of a larger one, at three view distances in each
+/// cascade and drawn in both orders. @param gapSteps gaps in steps of a cascade with a depth range of its
+/// own.
+scene::Scene pairsScene(const depth::Technique& technique, const depth::Cascades& cascades, double gapSteps) {
+    scene::Scene scene = boxScene();
+    for (const depth::Cascade& cascade : cascades) {
+        for (const double along : {0.03, 0.5, 0.93}) {
+            const double w = cascade.nearView * std::pow(cascade.farView / cascade.nearView, along);
+            const double gap =
+                gapSteps * depth::separationView(technique.mapping, cascades, technique.format, w);
+            const auto add = [&](double frontView, double share) {
+                // Cells of 0.02 by 0.02 of the picture's plane at distance 1, in rows of 24.
+                const auto pair = static_cast<double>(scene.instances.size() / 2);
+                const double x = 0.02 * (std::fmod(pair, 24.0) - 12.0);
+                const double y = 0.02 * (std::floor(pair / 24.0) - 2.0);
+                const double side = 0.012 * w;
+                addBox(scene, {x * w, y * w, -(frontView + 0.5 * side)},
+                       glm::mat3(static_cast<float>(share * side), 0.0f, 0.0f, 0.0f,
+                                 static_cast<float>(share * side), 0.0f, 0.0f, 0.0f,
+                                 static_cast<float>(side)));
+            };
+            add(w, 1.0);
+            add(w + gap, 0.7);
+            add(w + gap, 0.7);
+            add(w, 1.0);
+        }
+    }
+    return scene;
+}
+
+/// The cost that the class states for integers: a gap of N steps and a little is told apart in every slice.
+TEST_F(OnePassTest, IntegerSlicesCostTheBitsTheySay) {
+    const scene::Camera camera{.fovY = 0.3, .nearView = 1.0, .farView = 1e4};
+    for (const char* split : {"count:4", "count:16"}) {
+        const depth::Cascades cascades =
+            depth::makeCascades(depth::parseSplit(split), camera.nearView, camera.farView);
+        for (const auto format : {depth::DepthFormat::d16, depth::DepthFormat::d24}) {
+            for (const depth::Mapping mapping : depth::kMappings) {
+                const auto technique = depth::makeTechnique(mapping, depth::parseSplit(split), format);
+                // Beside 24 bits, float32 vertices and viewports round by as much again.
+                const double steps = format == depth::DepthFormat::d16 ? 1.2 : 3.0;
+                const scene::Scene scene =
+                    pairsScene(technique, cascades, steps * static_cast<double>(cascades.size()));
+                const render::GpuScene gpuScene(device(), scene);
+                const auto wrong = wrongIn(drawWith(scene, gpuScene, camera, technique), scene, camera);
+                EXPECT_GT(wrong.pixels, 1000u);
+                EXPECT_EQ(wrong.wrong, 0u) << technique.name << " " << nameOf(format);
+            }
+        }
+    }
+}
+
+/// The same for float32: slices of 20 octaves tell apart what a depth range of one's own does, slices of 6 at
+/// least what it does with a bit less.
+TEST_F(OnePassTest, FloatSlicesCostTheBitsTheySay) {
+    const scene::Camera camera{.fovY = 0.3, .nearView = 1.0, .farView = 1e4};
+    for (const auto& [text, cost] : {std::pair{"count:5", 1.0}, {"count:16", 2.0}}) {
+        const depth::Split split = depth::parseSplit(text);
+        const depth::Cascades cascades = depth::makeCascades(split, camera.nearView, camera.farView);
+        for (const depth::Mapping mapping : depth::kMappings) {
+            const auto technique = depth::makeTechnique(mapping, split, depth::DepthFormat::d32f);
+            const auto wrong = [&](double steps, TargetsKind targets) {
+                const scene::Scene scene = pairsScene(technique, cascades, steps);
+                const render::GpuScene gpuScene(device(), scene);
+                return wrongIn(drawWith(scene, gpuScene, camera, technique, targets), scene, camera).wrong;
+            };
+            for (const double steps : {0.5, 3.0, 8.0}) {
+                EXPECT_LE(wrong(steps * cost, TargetsKind::onePass), wrong(steps, TargetsKind::single))
+                    << technique.name << " " << steps;
+            }
+        }
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test

@@ -1,0 +1,188 @@
+#include "fixture.h"
+
+#include <cdr/base/error.h>
+#include <cdr/scene/open_scene.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+namespace cdr::render_test {
+
+namespace {
+
+using render::Frame;
+using render::TargetsChoice;
+using render::TargetsKind;
+
+render::RenderOptions tinyOptions(const depth::Technique& technique, const TargetsChoice& targets,
+                                  std::size_t threads) {
+    return {.width = 240, .height = 135, .technique = technique, .targets = targets, .threads = threads};
+}
+
+/// The presets, and one that cuts everything in view into many cascades.
+std::vector<depth::Technique> techniques() {
+    std::vector<depth::Technique> all(depth::presets().begin(), depth::presets().end());
+    all.push_back(depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("count:7"),
+                                       depth::DepthFormat::d32f));
+    return all;
+}
+
+class TargetsTest : public RenderTest {
+  protected:
+    /// Renders a frame with every kind of targets that must agree, on several numbers of threads.
+    void expectOneImage(const scene::Scene& scene, const scene::Camera& camera) {
+        const render::GpuScene gpuScene(device(), scene);
+        const std::vector<std::size_t> few{1, 4};
+        const std::vector<std::size_t> many{1, 2, 3, 4, 8, 16};
+        for (const depth::Technique& technique : techniques()) {
+            std::string first;
+            for (const char* targets : {"single", "accumulate", "pool:2", "pool:3", "pool:4", "layers"}) {
+                const TargetsChoice choice = render::parseTargets(targets);
+                const bool thorough = choice.kind == TargetsKind::single || choice == TargetsKind::pool;
+                for (const std::size_t threads : thorough ? many : few) {
+                    render::Renderer renderer(device(), scene, gpuScene,
+                                              tinyOptions(technique, choice, threads));
+                    const std::string hash = hashOf(renderer.render(camera));
+                    first = first.empty() ? hash : first;
+                    EXPECT_EQ(hash, first) << technique.name << " " << targets << " " << threads;
+                }
+            }
+        }
+    }
+};
+
+TEST_F(TargetsTest, AfcIsOneImageWhateverTheTargetsAndThreads) {
+    const scene::StagedScene staged = scene::makeAfc(2013);
+    expectOneImage(staged.scene, staged.path.at(40));
+}
+
+TEST_F(TargetsTest, RotationIsOneImageWhateverTheTargetsAndThreads) {
+    const scene::StagedScene staged = scene::makeRotation(2013, 8000);
+    expectOneImage(staged.scene, staged.path.at(40));
+}
+
+TEST_F(TargetsTest, GltfIsOneImageWhateverTheTargetsAndThreads) {
+    const auto path = std::filesystem::path(CDR_ASSETS_DIR) / "retro_ufo.glb";
+    if (!std::filesystem::exists(path)) {
+        GTEST_SKIP() << "retro_ufo.glb is absent from " << CDR_ASSETS_DIR;
+    }
+    const scene::OpenedScene opened = scene::openScene(path.string(), scene::kDefaultSeed);
+    expectOneImage(opened.staged.scene, opened.staged.path.at(0));
+}
+
+/// Races show now and then, not always.
+TEST_F(TargetsTest, FiftyFramesByEightThreadsAreOneImage) {
+    const scene::StagedScene staged = scene::makeRotation(7, 20'000);
+    const render::GpuScene gpuScene(device(), staged.scene);
+    const auto technique = depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("count:5"),
+                                                depth::DepthFormat::d32f);
+    const scene::Camera camera = staged.path.at(90);
+    render::Renderer renderer(device(), staged.scene, gpuScene,
+                              tinyOptions(technique, TargetsChoice::pool(3), 8));
+    const Frame first = renderer.render(camera);
+    EXPECT_EQ(first.cascades.size(), 5u);
+    for (int repeat = 1; repeat < 50; ++repeat) {
+        const Frame frame = renderer.render(camera);
+        ASSERT_EQ(hashOf(frame), hashOf(first)) << repeat;
+    }
+}
+
+TEST_F(TargetsTest, TheNumberOfCascadesMayChangeBetweenFrames) {
+    const scene::StagedScene staged = scene::makeRotation(3, 4000);
+    const render::GpuScene gpuScene(device(), staged.scene);
+    const auto technique =
+        depth::makeTechnique(depth::Mapping::log, depth::parseSplit("ratio:10"), depth::DepthFormat::d32f);
+    for (const char* targets : {"single", "accumulate", "pool:2", "pool:5", "layers", "one-pass"}) {
+        const TargetsChoice choice = render::parseTargets(targets);
+        render::Renderer warm(device(), staged.scene, gpuScene, tinyOptions(technique, choice, 2));
+        for (const auto& [decades, near] :
+             {std::pair{2u, 5.0}, {6u, 0.01}, {1u, 40.0}, {9u, 1e-4}, {2u, 5.0}}) {
+            scene::Camera camera = staged.path.at(10 * decades);
+            camera.nearView = near;
+            camera.farView = near * std::pow(10.0, decades) * 0.999;
+            const Frame frame = warm.render(camera);
+            EXPECT_EQ(frame.cascades.size(), decades);
+            render::Renderer fresh(device(), staged.scene, gpuScene, tinyOptions(technique, choice, 1));
+            EXPECT_EQ(hashOf(frame), hashOf(fresh.render(camera))) << targets << " " << decades;
+            if (choice.kind != TargetsKind::onePass) {
+                render::Renderer single(device(), staged.scene, gpuScene,
+                                        tinyOptions(technique, TargetsKind::single, 1));
+                EXPECT_EQ(hashOf(frame), hashOf(single.render(camera))) << targets << " " << decades;
+            }
+        }
+    }
+}
+
+TEST_F(TargetsTest, ValidationIsSilentOverPresetsTargetsAndThreads) {
+    const scene::StagedScene staged = scene::makeRotation(11, 2000);
+    const render::GpuScene gpuScene(device(), staged.scene);
+    for (const depth::Technique& technique : techniques()) {
+        for (const TargetsKind kind : render::kTargetsKinds) {
+            for (const std::size_t threads : {1u, 4u}) {
+                render::Renderer renderer(device(), staged.scene, gpuScene,
+                                          tinyOptions(technique, kind, threads));
+                renderer.draw(staged.path.at(0));
+                EXPECT_GT(renderer.render(staged.path.at(180)).stats.draws, 0u);
+                EXPECT_EQ(instance().validation().count(), 0u)
+                    << technique.name << " " << nameOf(kind) << " " << threads;
+            }
+        }
+    }
+}
+
+/// Pixels such that a picture fits, but not `layers` layers of 20 bytes a pixel.
+std::uint32_t sideTooLargeFor(const gpu::Device& device, std::uint32_t layers) {
+    const auto free = static_cast<double>(gpu::freeDeviceBytes(device));
+    return static_cast<std::uint32_t>(std::ceil(std::sqrt(1.1 * free / (20.0 * layers))));
+}
+
+/// What a pool of 16 layers is told on a device that has no room for it.
+TEST_F(TargetsTest, APoolThatDoesNotFitIsRefusedWithBothFigures) {
+    const std::uint32_t side = sideTooLargeFor(device(), render::kMaxPoolLayers);
+    const render::TargetsOptions options{.extent = {side, side}, .depthFormat = vk::Format::eD32Sfloat};
+    const std::uint64_t free = gpu::freeDeviceBytes(device());
+    try {
+        render::makeTargets(device(), TargetsChoice::pool(render::kMaxPoolLayers), options);
+        ADD_FAILURE() << "was made";
+    } catch (const base::RunError& error) {
+        const double needed = double(side) * side * (16.0 + 16.0 * 20.0) / 0x1p20;
+        const std::string message = error.what();
+        EXPECT_NE(message.find(fmt::format(
+                      "an accumulated G-buffer of {0}x{0} with 16 layers needs {1:.1f} MiB", side, needed)),
+                  std::string::npos)
+            << message;
+        EXPECT_NE(message.find(fmt::format("{:.1f} MiB are free", double(free) / 0x1p20)), std::string::npos)
+            << message;
+    }
+    EXPECT_EQ(gpu::freeDeviceBytes(device()), free);
+}
+
+/// Layers are made when a frame needs them, so it is the frame that is refused; the next may be drawn.
+TEST_F(TargetsTest, AFrameOfTooManyLayersIsRefusedAndTheNextIsDrawn) {
+    const scene::StagedScene staged = scene::makeRotation(5, 100);
+    const render::GpuScene gpuScene(device(), staged.scene);
+    const auto technique = depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("ratio:1.2"),
+                                                depth::DepthFormat::d32f);
+    auto options = tinyOptions(technique, TargetsKind::layers, 1);
+    options.width = options.height = sideTooLargeFor(device(), 60);
+    render::Renderer renderer(device(), staged.scene, gpuScene, options);
+    scene::Camera camera = staged.path.at(0);
+    camera.nearView = 1.0;
+    camera.farView = std::pow(1.2, 63.5);
+    try {
+        renderer.draw(camera);
+        ADD_FAILURE() << "was drawn";
+    } catch (const base::RunError& error) {
+        EXPECT_NE(std::string(error.what()).find("63 layer G-buffers of"), std::string::npos) << error.what();
+    }
+    camera.nearView = 300.0;
+    camera.farView = 400.0;
+    EXPECT_EQ(renderer.render(camera).cascades.size(), 2u);
+}
+
+} // namespace
+
+} // namespace cdr::render_test
