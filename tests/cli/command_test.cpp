@@ -79,8 +79,8 @@ TEST(Commands, PicturesWritesThemAllAndTheirNumbers) {
                                 [](const auto& p) { return p[0] > 60; }),
                   320 * 180 / 20);
     }
-    EXPECT_EQ(seen.size(), 10u);
-    EXPECT_EQ(readPicture(folder.path() / "p" / "contact_sheet.png").width, 5u * 328u + 8u);
+    EXPECT_EQ(seen.size(), 12u);
+    EXPECT_EQ(readPicture(folder.path() / "p" / "contact_sheet.png").width, 6u * 328u + 8u);
 }
 
 TEST(Commands, RenderWritesEveryOutputInEveryFormat) {

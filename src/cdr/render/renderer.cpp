@@ -163,6 +163,7 @@ Frame Renderer::render(const scene::Camera& camera) {
     Staged staged;
     const FrameStats stats = run(camera, staged, Destination::host);
     Frame frame = fetch(staged);
+    frame.camera = camera;
     frame.stats = stats;
     return frame;
 }

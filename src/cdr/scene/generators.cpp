@@ -82,6 +82,33 @@ StagedScene makeAfc(std::uint64_t seed) {
     return staged;
 }
 
+StagedScene makeAfcNear(std::uint64_t seed) {
+    constexpr double kAhead = 0.01;
+    constexpr float kSide = 0.002f;
+    constexpr double kHalf = 0.5 * static_cast<double>(kSide);
+    StagedScene staged = makeAfc(seed);
+    staged.scene.name = "afc-near";
+    const CameraPath orbit = staged.path;
+    for (std::uint32_t frame = 0; frame < orbit.frames; ++frame) {
+        const Camera camera = orbit.at(frame);
+        // The face it turns to the camera, kHalf nearer, reaches a tenth of the picture's height into a
+        // corner.
+        const double corner = std::tan(0.5 * camera.fovY) * (kAhead - kHalf);
+        const double right = corner * (16.0 / 9.0 - 0.2) + kHalf;
+        const double up = corner * 0.8 + kHalf;
+        const auto object = static_cast<std::uint32_t>(staged.scene.instances.size());
+        addInstance(staged.scene, 0, 0, object,
+                    camera.position + right * camera.right + up * camera.up - kAhead * camera.back,
+                    glm::mat3(camera.right, camera.up, camera.back) * kSide);
+    }
+    staged.path.at = [orbit](std::uint32_t frame) {
+        Camera camera = orbit.at(frame);
+        camera.farView -= 1.0; // this side of the cube opposite
+        return camera;
+    };
+    return staged;
+}
+
 StagedScene makeRotation(std::uint64_t seed, std::uint32_t cubes) {
     if (cubes > kMaxObjects) {
         throw base::InputError("rotation: at most " + std::to_string(kMaxObjects) + " cubes");

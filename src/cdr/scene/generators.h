@@ -24,6 +24,12 @@ StagedScene makeCubes(std::uint64_t seed);
 /// 0.001, far 2 10^6.
 StagedScene makeAfc(std::uint64_t seed);
 
+/// The 2AFC scene with something beside the camera, as in any real one: a cube of side 0.002 stays 0.01 ahead
+/// of the camera in a corner of a 16:9 picture, so near must stay at 0.001 and fitting near and far alone
+/// does not help. One such cube per frame of the path, since scenes do not move; far is 1 less, so that none
+/// shows up behind the field.
+StagedScene makeAfcNear(std::uint64_t seed);
+
 /// The timing scene (thesis section 6.2): unit cubes at random in a 400^3 field, one point light, the camera
 /// in the middle turning once about y; 60 degrees, near 0.1, far 100,000.
 /// @param cubes 64,000 in the thesis.
