@@ -125,26 +125,28 @@ StagedScene makeRotation(std::uint64_t seed, std::uint32_t cubes) {
 
 double ladderSeparation(const LadderOptions& options, std::uint32_t pair) {
     const double share = static_cast<double>(pair) / (kLadderPairs - 1);
-    return options.smallestSeparation *
+    return options.scale * options.smallestSeparation *
            std::pow(options.largestSeparation / options.smallestSeparation, share);
 }
 
 StagedScene makeLadder(std::uint64_t seed, const LadderOptions& options) {
     constexpr std::uint32_t kColumns = 16;
-    StagedScene staged{.scene = cubeScene("ladder", 32.0), .path = {}};
-    staged.scene.lights.front().position = {0.0, 0.0, 64.0};
+    StagedScene staged{.scene = cubeScene("ladder", 32.0 * options.scale), .path = {}};
+    staged.scene.lights.front().position = {0.0, 0.0, 64.0 * options.scale};
+    const auto side = static_cast<float>(options.scale);
     Random random(seed);
     for (std::uint32_t pair = 0; pair < kLadderPairs; ++pair) {
         const double column = pair % kColumns;
         const double row = pair / kColumns;
-        const glm::dvec3 back(2.0 * column - 15.0, 15.0 - 2.0 * row, random.uniform(-0.5, 0.5));
+        const glm::dvec3 back =
+            options.scale * glm::dvec3(2.0 * column - 15.0, 15.0 - 2.0 * row, random.uniform(-0.5, 0.5));
         const glm::dvec3 front = back + glm::dvec3(0.0, 0.0, ladderSeparation(options, pair));
         const bool backFirst = random.uniform(0.0, 1.0) < 0.5;
-        addCube(staged.scene, backFirst ? back : front);
-        addCube(staged.scene, backFirst ? front : back);
+        addCube(staged.scene, backFirst ? back : front, side);
+        addCube(staged.scene, backFirst ? front : back, side);
     }
-    constexpr double kHalfHeight = 18.0;
-    const Camera lens{.fovY = 2.0 * std::atan(kHalfHeight / options.distanceView),
+    const double halfHeight = 18.0 * options.scale;
+    const Camera lens{.fovY = 2.0 * std::atan(halfHeight / options.distanceView),
                       .nearView = options.nearView,
                       .farView = options.farView};
     const double angle = 20.0 * kDegree;

@@ -41,6 +41,8 @@ struct LadderOptions {
     double largestSeparation = 1.0;
     double nearView = 0.001;
     double farView = 2e6;
+    /// Shrinks cubes, grid and separations alike: the field is 32 units wide, too wide to be close to.
+    double scale = 1.0;
 };
 
 /// Pairs of unit cubes, the second shifted towards +z by a separation; 256 pairs on a 16x16 grid 2 units
@@ -49,7 +51,7 @@ struct LadderOptions {
 /// of 720 pixels.
 StagedScene makeLadder(std::uint64_t seed, const LadderOptions& options = {});
 
-/// Pairs on a ladder, and the separation of each.
+/// Pairs on a ladder, and the separation of each, scale included.
 inline constexpr std::uint32_t kLadderPairs = 256;
 double ladderSeparation(const LadderOptions& options, std::uint32_t pair);
 
