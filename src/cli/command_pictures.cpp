@@ -18,6 +18,7 @@ namespace {
 struct PicturesArguments {
     experiments::PicturesOptions options;
     std::string size = "1280x720";
+    std::vector<std::string> techniques; ///< all presets when empty
     std::filesystem::path folder = "out";
     OutputOptions output;
 };
@@ -54,6 +55,9 @@ void run(const GlobalOptions& global, PicturesArguments& arguments) {
     const PictureSize size = parseSize(arguments.size);
     arguments.options.width = size.width;
     arguments.options.height = size.height;
+    for (const std::string& name : arguments.techniques) {
+        arguments.options.techniques.push_back(depth::parseTechnique(name));
+    }
     requireJsonWritable(arguments.output);
     std::error_code error;
     std::filesystem::create_directories(arguments.folder, error);
@@ -103,6 +107,12 @@ void addPictures(CLI::App& program, const GlobalOptions& global) {
         "pictures", "One picture per technique with its wrong pixels (Figures 6.1 to 6.3)");
     auto arguments = std::make_shared<PicturesArguments>();
     command->add_option("--out", arguments->folder, "Folder for the pictures")->capture_default_str();
+    command->add_option("--scenes", arguments->options.scenes, "Scenes, a comma between them")
+        ->delimiter(',')
+        ->capture_default_str();
+    command
+        ->add_option("--techniques", arguments->techniques, "Techniques, a comma between them; all presets")
+        ->delimiter(',');
     command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command
         ->add_option("--frames", arguments->options.frames, "Frames per scene, spread over its camera path")

@@ -206,11 +206,12 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
 
 void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
     command.add_option("--technique", arguments.technique,
-                       "Preset: standard, cdr, log, logcdr or reversed (default)");
+                       "Preset: standard, cdr, log, logcdr, reversed (default) or anchored");
     command.add_option("--depth", arguments.depth,
                        "Depth mapping, instead of a preset: standard, reversed, log, log-fragment, ...");
-    command.add_option("--split", arguments.split,
-                       "How cascades are cut: none, ratio:R, count:K or at:a,b,...");
+    command.add_option(
+        "--split", arguments.split,
+        "How cascades are cut: none, ratio:R, count:K, at:a,b,..., minimax:K or fitted[:TARGET[px][,max=K]]");
     command.add_option("--format", arguments.format, "Depth buffer: d16, d24 or d32f");
     command
         .add_option("--targets", arguments.targets,
@@ -240,7 +241,9 @@ void addCameraOptions(CLI::App& command, RenderArguments& arguments) {
 void addRender(CLI::App& program, const GlobalOptions& global) {
     CLI::App* command = program.add_subcommand("render", "Render a scene into pictures");
     auto arguments = std::make_shared<RenderArguments>();
-    command->add_option("scene", arguments->scene, "cubes, afc, rotation, ladder, or a .gltf or .glb file")
+    command
+        ->add_option("scene", arguments->scene,
+                     "cubes, afc, afc-near, rotation, ladder, or a .gltf or .glb file")
         ->required();
     addTechniqueOptions(*command, *arguments);
     addCameraOptions(*command, *arguments);

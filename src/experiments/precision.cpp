@@ -2,7 +2,9 @@
 
 #include <cdr/base/error.h>
 #include <cdr/depth/separation.h>
+#include <cdr/depth/step_bound.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -57,12 +59,29 @@ PrecisionCell makeCell(const std::string& technique, const std::string& format, 
 }
 
 /// The curve of a technique as the thesis computes it; none for techniques it does not have.
-std::optional<Curve> thesisCurve(const depth::Technique& technique, const depth::Cascades& cascades) {
+std::optional<Curve> thesisCurve(const depth::Technique& technique, const PrecisionOptions& options) {
     const depth::Mapping mapping = technique.mapping;
     if (mapping != depth::Mapping::standard && mapping != depth::Mapping::log) {
         return std::nullopt;
     }
+    const depth::Cascades cascades = depth::makeCascades(technique.split, options.nearView, options.farView);
     return [=](double w) { return depth::thesisSeparationView(mapping, cascades, kThesisBits, w); };
+}
+
+/// The exact step of the buffer over distance. A fitted split is given objects of options.spanView around
+/// each distance; its steps are those of that one cascade at its far end.
+Curve exactCurve(const depth::Technique& technique, depth::DepthFormat format,
+                 const PrecisionOptions& options) {
+    const depth::Mapping mapping = technique.mapping;
+    if (!std::holds_alternative<depth::SplitFitted>(technique.split)) {
+        const depth::Cascades cascades =
+            depth::makeCascades(technique.split, options.nearView, options.farView);
+        return [=](double w) { return depth::separationView(mapping, cascades, format, w); };
+    }
+    return [=](double w) {
+        const depth::Cascade cascade{std::max(w - options.spanView, 0.5 * w), w};
+        return depth::stepBoundView({mapping, format}, cascade, w);
+    };
 }
 
 void addTable(const depth::Technique& technique, const Curve& curve, const PrecisionOptions& options,
@@ -90,25 +109,18 @@ PrecisionResult runPrecision(const PrecisionOptions& options) {
     PrecisionResult result;
     std::vector<Curve> curves;
     for (const depth::Technique& technique : depth::presets()) {
-        const depth::Cascades cascades =
-            depth::makeCascades(technique.split, options.nearView, options.farView);
-        const auto exact = [&](depth::DepthFormat format) -> Curve {
-            return [=, mapping = technique.mapping](double w) {
-                return depth::separationView(mapping, cascades, format, w);
-            };
-        };
         for (const depth::DepthFormat format : depth::kDepthFormats) {
             for (const double separation : options.separations) {
                 result.byFormat.push_back(makeCell(technique.name, std::string(nameOf(format)), separation,
-                                                   exact(format), options));
+                                                   exactCurve(technique, format, options), options));
             }
         }
-        const std::optional<Curve> thesis = thesisCurve(technique, cascades);
+        const std::optional<Curve> thesis = thesisCurve(technique, options);
         if (thesis) {
             addTable(technique, *thesis, options, result);
         }
         result.curveNames.push_back(technique.name);
-        curves.push_back(thesis ? *thesis : exact(depth::DepthFormat::d32f));
+        curves.push_back(thesis ? *thesis : exactCurve(technique, depth::DepthFormat::d32f, options));
     }
     for (const double w : figureGrid(options)) {
         PrecisionPoint point{.distanceView = w, .separations = {}};

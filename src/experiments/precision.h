@@ -13,6 +13,7 @@ namespace cdr::experiments {
 struct PrecisionOptions {
     double nearView = 0.001;
     double farView = 1e8;
+    double spanView = 32.0; ///< depth of what a fitted cascade encloses: the afc field's
     std::vector<double> separations{0.001, 0.01, 0.1, 1.0};
 };
 

@@ -71,7 +71,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"render missing.glb -o a.png", "missing.glb"},
         BadInput{"render . -o a.png", "unknown scene"},
         BadInput{"--device nothing-like-this render afc -o a.png", "no usable Vulkan device matches"},
-        BadInput{"precision --near 1 --far 1", "0 < near < far"}, BadInput{"pictures --frames 0", "frames"}));
+        BadInput{"precision --near 1 --far 1", "0 < near < far"}, BadInput{"pictures --frames 0", "frames"},
+        BadInput{"pictures --techniques anchord", "did you mean 'anchored'"},
+        BadInput{"render afc --depth anchored --split fitted:0px -o a.png", "must be above 0"},
+        BadInput{"render afc --depth anchored --split fitted:1px,max=65 -o a.png", "from 1 to 64"},
+        BadInput{"probe --distances 0.01", "at least 0.1"}, BadInput{"probe --distances nan", "distance"},
+        BadInput{"probe --formats d25", "unknown depth format"},
+        BadInput{"probe --techniques stndard", "did you mean 'standard'"}));
 
 /// A glTF that does not hold what it promises.
 struct BadFile {

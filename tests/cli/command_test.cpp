@@ -79,8 +79,35 @@ TEST(Commands, PicturesWritesThemAllAndTheirNumbers) {
                                 [](const auto& p) { return p[0] > 60; }),
                   320 * 180 / 20);
     }
-    EXPECT_EQ(seen.size(), 10u);
-    EXPECT_EQ(readPicture(folder.path() / "p" / "contact_sheet.png").width, 5u * 328u + 8u);
+    EXPECT_EQ(seen.size(), 12u);
+    EXPECT_EQ(readPicture(folder.path() / "p" / "contact_sheet.png").width, 6u * 328u + 8u);
+}
+
+/// A million units away: nothing that starts from a float32 distance, micrometres anchored.
+TEST(Commands, ProbeFindsWhatEachTechniqueResolves) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("--validate probe --distances 1e6 --formats d24,d32f --json p.json", folder.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "p.json"));
+    expectEnvelope(document, "probe");
+    std::map<std::string, double> resolved;
+    for (const json& row : document["results"]) {
+        EXPECT_EQ(row["distance"], 1e6);
+        EXPECT_TRUE(row.contains("predicted"));
+        const std::string key = row["technique"].get<std::string>() + " " + row["format"].get<std::string>();
+        resolved[key] = row["resolved"].is_null() ? 10.0 : row["resolved"].get<double>();
+    }
+    EXPECT_EQ(resolved.size(), 12u);
+    for (const char* unresolved : {"standard d24", "standard d32f", "log d24", "log d32f", "reversed d24"}) {
+        EXPECT_EQ(resolved.at(unresolved), 10.0) << unresolved;
+    }
+    EXPECT_GE(resolved.at("cdr d32f"), 0.5);
+    EXPECT_GE(resolved.at("logcdr d32f"), 0.5);
+    EXPECT_GE(resolved.at("reversed d32f"), 0.04);
+    EXPECT_LE(resolved.at("reversed d32f"), 0.3);
+    EXPECT_LE(resolved.at("anchored d32f"), 2e-5);
+    EXPECT_LE(resolved.at("anchored d24"), 5e-5);
 }
 
 TEST(Commands, RenderWritesEveryOutputInEveryFormat) {

@@ -102,6 +102,7 @@ TEST(Mapping, OnlyTheLastReversedCascadeIsOpen) {
     EXPECT_TRUE(depthRange(Mapping::reversed, cascades, 0).farView.has_value());
     EXPECT_FALSE(depthRange(Mapping::reversed, cascades, 1).farView.has_value());
     EXPECT_TRUE(depthRange(Mapping::standard, cascades, 1).farView.has_value());
+    EXPECT_TRUE(depthRange(Mapping::reversed, cascades, 1, FarEnd::closed).farView.has_value());
 }
 
 TEST(ClipRange, OverlapsIntoTheNextCascadeOnly) {
@@ -111,6 +112,13 @@ TEST(ClipRange, OverlapsIntoTheNextCascadeOnly) {
         EXPECT_GT(clipRange(mapping, cascades, 0).farView, 1000.0);
         EXPECT_LT(clipRange(mapping, cascades, 0).farView, 1000.2);
         EXPECT_EQ(clipRange(mapping, cascades, 1), cascades[1]);
+    }
+}
+
+TEST(ClipRange, DoesNotReachIntoAGap) {
+    const Cascades cascades{{1.0, 10.0}, {20.0, 30.0}};
+    for (const Mapping mapping : kMappings) {
+        EXPECT_EQ(clipRange(mapping, cascades, 0), cascades[0]);
     }
 }
 

@@ -60,7 +60,9 @@ TEST(Split, CountHasEqualRatios) {
 }
 
 TEST(Split, TextReadsBack) {
-    for (const char* text : {"none", "ratio:1000", "ratio:2.5", "count:7", "at:1,20,300.5"}) {
+    for (const char* text :
+         {"none", "ratio:1000", "ratio:2.5", "count:7", "at:1,20,300.5", "minimax:3", "fitted",
+          "fitted:0.5px", "fitted:1e-05", "fitted:0.25,max=3", "fitted:0.001px,max=64"}) {
         EXPECT_EQ(nameOf(parseSplit(text)), text);
         EXPECT_EQ(parseSplit(nameOf(parseSplit(text))), parseSplit(text));
     }
@@ -68,10 +70,18 @@ TEST(Split, TextReadsBack) {
 
 TEST(Split, RefusesNonsense) {
     for (const char* text :
-         {"", "ratio", "ratio:", "ratio:1", "ratio:-3", "ratio:nan", "count:0", "count:65", "count:2.5",
-          "count:-1", "at:", "at:1,,2", "at:2,1", "at:1,1", "at:-1,2", "at:0", "fitte", "none:1"}) {
+         {"",           "ratio",          "ratio:",          "ratio:1",        "ratio:-3",    "ratio:nan",
+          "count:0",    "count:65",       "count:2.5",       "count:-1",       "at:",         "at:1,,2",
+          "at:2,1",     "at:1,1",         "at:-1,2",         "at:0",           "fitte",       "none:1",
+          "minimax:0",  "minimax",        "fitted:",         "fitted:px",      "fitted:0px",  "fitted:-1",
+          "fitted:nan", "fitted:1,max=0", "fitted:1,max=65", "fitted:1,min=2", "fitted,max=3"}) {
         EXPECT_THROW(parseSplit(text), InputError) << text;
     }
+}
+
+TEST(Split, RefusesToCutWithoutContent) {
+    EXPECT_THROW(makeCascades(SplitFitted{}, 1.0, 2.0), InputError);
+    EXPECT_THROW(makeCascades(SplitMinimax{2}, 1.0, 2.0), InputError);
 }
 
 TEST(Split, RefusesUnusableRanges) {

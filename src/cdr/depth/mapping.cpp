@@ -28,7 +28,7 @@ Mapping parseMapping(std::string_view name) {
 
 Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index) {
     Cascade range = cascades[index];
-    if (index + 1 < cascades.size()) {
+    if (index + 1 < cascades.size() && cascades[index + 1].nearView == range.farView) {
         range.farView += isAnchored(mapping) ? 1e-4 * (range.farView - range.nearView)
                          : isLog(mapping)    ? 1e-4 * range.farView
                                              : 1e-6 * range.farView;
@@ -36,9 +36,9 @@ Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index) 
     return range;
 }
 
-DepthRange depthRange(Mapping mapping, const Cascades& cascades, std::size_t index) {
+DepthRange depthRange(Mapping mapping, const Cascades& cascades, std::size_t index, FarEnd farEnd) {
     const Cascade clip = clipRange(mapping, cascades, index);
-    const bool open = mapping == Mapping::reversed && index + 1 == cascades.size();
+    const bool open = mapping == Mapping::reversed && index + 1 == cascades.size() && farEnd == FarEnd::open;
     return {.mapping = mapping,
             .nearView = clip.nearView,
             .farView = open ? std::nullopt : std::optional(clip.farView)};

@@ -51,16 +51,22 @@ struct DepthRange {
 };
 
 /// The range that cascade `index` clips and bins against: its own, its far plane pushed a little into the
-/// next cascade unless it is the last. Without that, view distances that round across the shared plane would
-/// leave cracks (thesis chapter 3). How far depends on what rounds:
+/// next cascade where that one touches it. Without that, view distances that round across the shared plane
+/// would leave cracks (thesis chapter 3). How far depends on what rounds:
 /// - linear mappings: float32 view distances, 1e-6 of the far plane (1 unit at 10^6, the thesis' own overlap
 /// there);
 /// - log: the bend of a logarithm interpolated linearly, 1e-4 of the far plane;
 /// - anchored: float32 distances to the anchor plane, 1e-4 of the cascade's thickness.
 Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index);
 
-/// The depth range of cascade `index` in a split: its clip range, open to infinity for the last reversed one.
-DepthRange depthRange(Mapping mapping, const Cascades& cascades, std::size_t index);
+/// Where the last reversed cascade's depth ends: at infinity, which costs a float buffer nothing, or at its
+/// far plane, without which a thin cascade would use a sliver of the depth range.
+enum class FarEnd : std::uint8_t { open, closed };
+
+/// The depth range of cascade `index` in a split: its clip range, open to infinity for the last reversed one
+/// unless told otherwise.
+DepthRange depthRange(Mapping mapping, const Cascades& cascades, std::size_t index,
+                      FarEnd farEnd = FarEnd::open);
 
 /// Depth of a point at view distance w, w within the range.
 double zNdcAt(const DepthRange& range, double distanceView);

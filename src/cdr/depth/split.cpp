@@ -14,7 +14,36 @@ namespace cdr::depth {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kForms{"none", "ratio:R", "count:K", "at:A,B,..."};
+constexpr std::array<std::string_view, 6> kForms{"none",       "ratio:R",   "count:K",
+                                                 "at:A,B,...", "minimax:K", "fitted:TARGET"};
+
+unsigned parseCount(const std::string& what, const std::string& text) {
+    const double count = base::parseNumber(what, text);
+    if (count < 1.0 || count > static_cast<double>(kMaxCascades) || count != std::floor(count)) {
+        throw base::InputError(
+            fmt::format("{} must be a whole number from 1 to {}, not {}", what, kMaxCascades, text));
+    }
+    return static_cast<unsigned>(count);
+}
+
+/// What follows "fitted:".
+SplitFitted parseFitted(std::string text) {
+    SplitFitted split;
+    constexpr std::string_view kMost = ",max=";
+    const std::size_t most = text.find(kMost);
+    if (most != std::string::npos) {
+        split.most = parseCount("most cascades of a fitted split", text.substr(most + kMost.size()));
+        text.resize(most);
+    }
+    const bool inPixels = text.ends_with("px");
+    split.unit = inPixels ? SplitFitted::Unit::pixels : SplitFitted::Unit::scene;
+    split.target =
+        base::parseNumber("target of a fitted split", text.substr(0, text.size() - (inPixels ? 2 : 0)));
+    if (split.target <= 0.0) {
+        throw base::InputError(fmt::format("target of a fitted split must be above 0, not {}", text));
+    }
+    return split;
+}
 
 std::vector<double> parseBoundaries(const std::string& list) {
     std::vector<double> boundaries;
@@ -70,6 +99,13 @@ struct InnerBoundaries {
                      [this](double b) { return b > nearView && b < farView; });
         return boundaries;
     }
+
+    std::vector<double> operator()(const SplitFitted& split) const { return refuse(split); }
+    std::vector<double> operator()(const SplitMinimax& split) const { return refuse(split); }
+
+    [[noreturn]] static std::vector<double> refuse(const Split& split) {
+        throw base::InputError(fmt::format("split {} depends on more than near and far", nameOf(split)));
+    }
 };
 
 } // namespace
@@ -89,12 +125,16 @@ Split parseSplit(const std::string& text) {
         return SplitRatio{ratio};
     }
     if (form == "count") {
-        const double count = base::parseNumber("split count", argument);
-        if (count < 1.0 || count > static_cast<double>(kMaxCascades) || count != std::floor(count)) {
-            throw base::InputError(fmt::format("split count must be a whole number from 1 to {}, not {}",
-                                               kMaxCascades, argument));
-        }
-        return SplitCount{static_cast<unsigned>(count)};
+        return SplitCount{parseCount("split count", argument)};
+    }
+    if (form == "minimax") {
+        return SplitMinimax{parseCount("split count", argument)};
+    }
+    if (text == "fitted") {
+        return SplitFitted{};
+    }
+    if (form == "fitted") {
+        return parseFitted(argument);
     }
     if (form == "at") {
         return SplitAt{parseBoundaries(argument)};
@@ -110,15 +150,31 @@ std::string nameOf(const Split& split) {
         std::string operator()(const SplitAt& s) const {
             return fmt::format("at:{}", fmt::join(s.boundariesView, ","));
         }
+        std::string operator()(const SplitMinimax& s) const { return fmt::format("minimax:{}", s.count); }
+        std::string operator()(const SplitFitted& s) const {
+            if (s == SplitFitted{}) {
+                return "fitted";
+            }
+            return fmt::format("fitted:{}{}{}", s.target, s.unit == SplitFitted::Unit::pixels ? "px" : "",
+                               s.most == SplitFitted{}.most ? "" : fmt::format(",max={}", s.most));
+        }
     };
     return std::visit(Name{}, split);
 }
 
-Cascades makeCascades(const Split& split, double nearView, double farView) {
+bool needsTechnique(const Split& split) {
+    return std::holds_alternative<SplitFitted>(split) || std::holds_alternative<SplitMinimax>(split);
+}
+
+void requireRange(double nearView, double farView) {
     if (!std::isfinite(nearView) || !std::isfinite(farView) || nearView <= 0.0 || farView <= nearView) {
         throw base::InputError(
             fmt::format("a split needs 0 < near < far, both finite, not near {} far {}", nearView, farView));
     }
+}
+
+Cascades makeCascades(const Split& split, double nearView, double farView) {
+    requireRange(nearView, farView);
     const std::vector<double> boundaries = std::visit(InnerBoundaries{nearView, farView}, split);
     if (boundaries.size() + 1 > kMaxCascades) {
         throwTooMany(split, static_cast<double>(boundaries.size() + 1));

@@ -31,17 +31,44 @@ struct SplitAt {
     bool operator==(const SplitAt&) const = default;
 };
 
-/// How the view-distance range is cut into cascades.
-using Split = std::variant<SplitNone, SplitRatio, SplitCount, SplitAt>;
+/// Fitted to what is visible: the fewest cascades whose steps stay below a target, and none over empty space
+/// (fitCascades()).
+struct SplitFitted {
+    enum class Unit { pixels, scene };
+    /// Largest step: a share of what a pixel covers at its distance, or scene units. A thousandth of a pixel
+    /// lets a cascade span a ratio of about 30 under a 60 degree lens, so that a scene that fills everything
+    /// from 0.1 to 100,000 takes four.
+    double target = 0.001; ///< > 0
+    Unit unit = Unit::pixels;
+    unsigned most = 8; ///< 1 to kMaxCascades; a target that asks for more gives way
+    bool operator==(const SplitFitted&) const = default;
+};
 
-/// Reads "none", "ratio:R", "count:K" or "at:a,b,...". base::InputError says what is wrong.
+/// `count` cascades over [near, far] whose worst step, in scene units, is the smallest that many can have.
+struct SplitMinimax {
+    unsigned count = 1; ///< 1 to kMaxCascades
+    bool operator==(const SplitMinimax&) const = default;
+};
+
+/// How the view-distance range is cut into cascades.
+using Split = std::variant<SplitNone, SplitRatio, SplitCount, SplitAt, SplitFitted, SplitMinimax>;
+
+/// Whether cutting needs more than the range: the mapping and format, and for SplitFitted what is visible.
+bool needsTechnique(const Split& split);
+
+/// Reads "none", "ratio:R", "count:K", "at:a,b,...", "minimax:K" or "fitted[:TARGET[px][,max=K]]", TARGET in
+/// scene units, or in pixels with "px". base::InputError says what is wrong.
 Split parseSplit(const std::string& text);
 
 /// The text parseSplit() reads.
 std::string nameOf(const Split& split);
 
+/// base::InputError unless 0 < near < far, both finite.
+void requireRange(double nearView, double farView);
+
 /// Cuts [nearView, farView] without gap or overlap, nearest first.
-/// base::InputError unless 0 < near < far, both finite, and the split gives at most kMaxCascades.
+/// base::InputError unless requireRange() holds, the split gives at most kMaxCascades, and it is not one that
+/// needsTechnique(): those are cut by fitCascades() and minimaxCascades().
 Cascades makeCascades(const Split& split, double nearView, double farView);
 
 } // namespace cdr::depth

@@ -15,6 +15,7 @@ std::span<const Technique> presets() {
         {.name = "log", .mapping = Mapping::log, .split = SplitNone{}},
         {.name = "logcdr", .mapping = Mapping::log, .split = SplitRatio{1000.0}},
         {.name = "reversed", .mapping = Mapping::reversed, .split = SplitNone{}},
+        {.name = "anchored", .mapping = Mapping::anchored, .split = SplitFitted{}},
     };
     return kPresets;
 }

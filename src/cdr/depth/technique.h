@@ -18,8 +18,8 @@ struct Technique {
     DepthFormat format = DepthFormat::d32f;
 };
 
-/// The named techniques: standard, cdr, log, logcdr (thesis) and reversed (what the industry ships), worst
-/// first.
+/// The named techniques: standard, cdr, log, logcdr (thesis), reversed (what the industry ships) and anchored
+/// (ours), worst first.
 std::span<const Technique> presets();
 
 /// The preset of that name; base::InputError with a suggestion for an unknown one.

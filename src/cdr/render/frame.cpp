@@ -1,4 +1,5 @@
 #include <cdr/render/frame.h>
+#include <cdr/render/view_transform.h>
 #include <cdr/shaders/shared.h>
 
 #include <glm/gtc/packing.hpp>
@@ -35,6 +36,21 @@ glm::vec3 Frame::normalView(std::uint32_t x, std::uint32_t y) const {
         n.y = (1.0f - std::abs(nx)) * (n.y >= 0.0f ? 1.0f : -1.0f);
     }
     return glm::normalize(n);
+}
+
+std::optional<Pick> Frame::pick(std::uint32_t x, std::uint32_t y) const {
+    if (id(x, y) == 0) {
+        return std::nullopt;
+    }
+    const Lens lens = lensOf(camera, static_cast<double>(width()) / height());
+    const double w = distanceView(x, y);
+    const double right = lens.tanX * (2.0 * (x + 0.5) / width() - 1.0) * w;
+    const double up = lens.tanY * (1.0 - 2.0 * (y + 0.5) / height()) * w;
+    const glm::dvec3 facing(normalView(x, y));
+    return Pick{.object = id(x, y) - 1,
+                .distanceView = w,
+                .position = camera.position - w * camera.back + (right * camera.right + up * camera.up),
+                .normal = glm::dmat3(camera.right, camera.up, camera.back) * facing};
 }
 
 image::ImageU32 Frame::ids() const {

@@ -3,10 +3,12 @@
 #include <cdr/depth/cascade.h>
 #include <cdr/image/image.h>
 #include <cdr/render/gbuffer.h>
+#include <cdr/scene/camera.h>
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace cdr::render {
@@ -27,8 +29,17 @@ struct FrameStats {
     FrameTimes times;
 };
 
+/// What a pixel shows, in float64: as exact as the technique, so with anchored as the anchored step.
+struct Pick {
+    std::uint32_t object = 0;  ///< index
+    double distanceView = 0.0; ///< along the view axis
+    glm::dvec3 position{0.0};  ///< world space, on the ray through the pixel's centre
+    glm::dvec3 normal{0.0};    ///< world space, unit, to 16 bits
+};
+
 /// One rendered frame on the host. Pixels run from the top left.
 struct Frame {
+    scene::Camera camera;            ///< that looked
     depth::Cascades cascades;        ///< nearest first
     std::vector<double> anchorsView; ///< each cascade's anchor plane, 0 where the mapping is not anchored
     image::ImageRgba8 color;         ///< sRGB
@@ -46,6 +57,9 @@ struct Frame {
     double distanceView(std::uint32_t x, std::uint32_t y) const;
     /// Unit normal in view space; zero for background.
     glm::vec3 normalView(std::uint32_t x, std::uint32_t y) const;
+
+    /// The surface at a pixel; empty for background.
+    std::optional<Pick> pick(std::uint32_t x, std::uint32_t y) const;
 
     image::ImageU32 ids() const;
 };

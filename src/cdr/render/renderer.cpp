@@ -66,6 +66,7 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_options(options),
       m_extent(checkedExtent(device, options)),
       m_aspect(static_cast<double>(options.width) / static_cast<double>(options.height)),
+      m_split(options.technique, options.height),
       m_workers(options.threads),
       m_geometry(device, gpuScene, options.technique),
       m_targets(makeTargets(device, options.targets,
@@ -84,11 +85,12 @@ void Renderer::stage(const scene::Camera& camera, Staged& staged, FrameStats& st
     stats.times.cullMs = watch.lap();
 
     staged.lens = lensOf(camera, m_aspect);
-    staged.cascades = depth::makeCascades(m_options.technique.split, camera.nearView, camera.farView);
+    staged.cascades = m_split.cut(camera, m_visible);
     depth::Cascades clipRanges;
     for (std::size_t i = 0; i < staged.cascades.size(); ++i) {
         clipRanges.push_back(depth::clipRange(m_options.technique.mapping, staged.cascades, i));
-        const depth::ClipTerms terms = clipTerms(depthRange(m_options.technique.mapping, staged.cascades, i));
+        const depth::ClipTerms terms =
+            clipTerms(depthRange(m_options.technique.mapping, staged.cascades, i, m_split.farEnd()));
         const DepthSlice slice = m_targets->depthSlice(i, staged.cascades.size());
         staged.draws.push_back({.anchorView = terms.anchorView,
                                 .push = makeCascadePush(terms, clipRanges[i], staged.lens, slice,
@@ -153,6 +155,7 @@ Frame Renderer::render(const scene::Camera& camera) {
     Staged staged;
     const FrameStats stats = run(camera, staged, Destination::host);
     Frame frame = fetch(staged);
+    frame.camera = camera;
     frame.stats = stats;
     return frame;
 }

@@ -5,6 +5,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/cascade_recorder.h>
 #include <cdr/render/frame.h>
+#include <cdr/render/frame_split.h>
 #include <cdr/render/geometry_pass.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/readback.h>
@@ -64,6 +65,7 @@ class Renderer {
     RenderOptions m_options;
     vk::Extent2D m_extent;
     double m_aspect;
+    FrameSplit m_split;
     base::WorkerPool m_workers;
     GeometryPass m_geometry;
     std::unique_ptr<Targets> m_targets;

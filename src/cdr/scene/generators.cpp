@@ -82,6 +82,33 @@ StagedScene makeAfc(std::uint64_t seed) {
     return staged;
 }
 
+StagedScene makeAfcNear(std::uint64_t seed) {
+    constexpr double kAhead = 0.01;
+    constexpr float kSide = 0.002f;
+    constexpr double kHalf = 0.5 * static_cast<double>(kSide);
+    StagedScene staged = makeAfc(seed);
+    staged.scene.name = "afc-near";
+    const CameraPath orbit = staged.path;
+    for (std::uint32_t frame = 0; frame < orbit.frames; ++frame) {
+        const Camera camera = orbit.at(frame);
+        // The face it turns to the camera, kHalf nearer, reaches a tenth of the picture's height into a
+        // corner.
+        const double corner = std::tan(0.5 * camera.fovY) * (kAhead - kHalf);
+        const double right = corner * (16.0 / 9.0 - 0.2) + kHalf;
+        const double up = corner * 0.8 + kHalf;
+        const auto object = static_cast<std::uint32_t>(staged.scene.instances.size());
+        addInstance(staged.scene, 0, 0, object,
+                    camera.position + right * camera.right + up * camera.up - kAhead * camera.back,
+                    glm::mat3(camera.right, camera.up, camera.back) * kSide);
+    }
+    staged.path.at = [orbit](std::uint32_t frame) {
+        Camera camera = orbit.at(frame);
+        camera.farView -= 1.0; // this side of the cube opposite
+        return camera;
+    };
+    return staged;
+}
+
 StagedScene makeRotation(std::uint64_t seed, std::uint32_t cubes) {
     if (cubes > kMaxObjects) {
         throw base::InputError("rotation: at most " + std::to_string(kMaxObjects) + " cubes");
@@ -98,26 +125,28 @@ StagedScene makeRotation(std::uint64_t seed, std::uint32_t cubes) {
 
 double ladderSeparation(const LadderOptions& options, std::uint32_t pair) {
     const double share = static_cast<double>(pair) / (kLadderPairs - 1);
-    return options.smallestSeparation *
+    return options.scale * options.smallestSeparation *
            std::pow(options.largestSeparation / options.smallestSeparation, share);
 }
 
 StagedScene makeLadder(std::uint64_t seed, const LadderOptions& options) {
     constexpr std::uint32_t kColumns = 16;
-    StagedScene staged{.scene = cubeScene("ladder", 32.0), .path = {}};
-    staged.scene.lights.front().position = {0.0, 0.0, 64.0};
+    StagedScene staged{.scene = cubeScene("ladder", 32.0 * options.scale), .path = {}};
+    staged.scene.lights.front().position = {0.0, 0.0, 64.0 * options.scale};
+    const auto side = static_cast<float>(options.scale);
     Random random(seed);
     for (std::uint32_t pair = 0; pair < kLadderPairs; ++pair) {
         const double column = pair % kColumns;
         const double row = pair / kColumns;
-        const glm::dvec3 back(2.0 * column - 15.0, 15.0 - 2.0 * row, random.uniform(-0.5, 0.5));
+        const glm::dvec3 back =
+            options.scale * glm::dvec3(2.0 * column - 15.0, 15.0 - 2.0 * row, random.uniform(-0.5, 0.5));
         const glm::dvec3 front = back + glm::dvec3(0.0, 0.0, ladderSeparation(options, pair));
         const bool backFirst = random.uniform(0.0, 1.0) < 0.5;
-        addCube(staged.scene, backFirst ? back : front);
-        addCube(staged.scene, backFirst ? front : back);
+        addCube(staged.scene, backFirst ? back : front, side);
+        addCube(staged.scene, backFirst ? front : back, side);
     }
-    constexpr double kHalfHeight = 18.0;
-    const Camera lens{.fovY = 2.0 * std::atan(kHalfHeight / options.distanceView),
+    const double halfHeight = 18.0 * options.scale;
+    const Camera lens{.fovY = 2.0 * std::atan(halfHeight / options.distanceView),
                       .nearView = options.nearView,
                       .farView = options.farView};
     const double angle = 20.0 * kDegree;

@@ -24,6 +24,12 @@ StagedScene makeCubes(std::uint64_t seed);
 /// 0.001, far 2 10^6.
 StagedScene makeAfc(std::uint64_t seed);
 
+/// The 2AFC scene with something beside the camera, as in any real one: a cube of side 0.002 stays 0.01 ahead
+/// of the camera in a corner of a 16:9 picture, so near must stay at 0.001 and fitting near and far alone
+/// does not help. One such cube per frame of the path, since scenes do not move; far is 1 less, so that none
+/// shows up behind the field.
+StagedScene makeAfcNear(std::uint64_t seed);
+
 /// The timing scene (thesis section 6.2): unit cubes at random in a 400^3 field, one point light, the camera
 /// in the middle turning once about y; 60 degrees, near 0.1, far 100,000.
 /// @param cubes 64,000 in the thesis.
@@ -35,6 +41,8 @@ struct LadderOptions {
     double largestSeparation = 1.0;
     double nearView = 0.001;
     double farView = 2e6;
+    /// Shrinks cubes, grid and separations alike: the field is 32 units wide, too wide to be close to.
+    double scale = 1.0;
 };
 
 /// Pairs of unit cubes, the second shifted towards +z by a separation; 256 pairs on a 16x16 grid 2 units
@@ -43,7 +51,7 @@ struct LadderOptions {
 /// of 720 pixels.
 StagedScene makeLadder(std::uint64_t seed, const LadderOptions& options = {});
 
-/// Pairs on a ladder, and the separation of each.
+/// Pairs on a ladder, and the separation of each, scale included.
 inline constexpr std::uint32_t kLadderPairs = 256;
 double ladderSeparation(const LadderOptions& options, std::uint32_t pair);
 

@@ -14,7 +14,7 @@ namespace cdr::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kGenerated{"cubes", "afc", "rotation", "ladder"};
+constexpr std::array<std::string_view, 5> kGenerated{"cubes", "afc", "afc-near", "rotation", "ladder"};
 
 struct Sphere {
     glm::dvec3 centre{0.0};
@@ -81,6 +81,9 @@ OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed) {
     }
     if (nameOrPath == "afc") {
         return {.staged = makeAfc(seed), .notes = {}};
+    }
+    if (nameOrPath == "afc-near") {
+        return {.staged = makeAfcNear(seed), .notes = {}};
     }
     if (nameOrPath == "rotation") {
         return {.staged = makeRotation(seed), .notes = {}};

@@ -1,0 +1,168 @@
+#include <cdr/depth/cascade_plan.h>
+#include <cdr/depth/fitted_split.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cdr::depth {
+
+namespace {
+
+constexpr double kMargin = 1.0 / 128.0;
+
+/// Turning a float32 vertex loses about this share of the object's size, a few roundings of its radius.
+constexpr double kVertexRounding = 0x1p-22;
+
+StepTarget targetOf(const SplitFitted& split, const FitView& view, double thinnestView) {
+    StepTarget target{.leastUnitsView = kVertexRounding * thinnestView,
+                      .leastShareView = distanceRounding(view.model.mapping)};
+    if (split.unit == SplitFitted::Unit::pixels) {
+        target.shareView = split.target * view.footprintSlope;
+    } else {
+        target.unitsView = split.target;
+    }
+    return target;
+}
+
+/// Plans for one target, or for one a slack away if that keeps the previous count.
+Cascades planNear(const StepModel& model, const StepTarget& target, const std::vector<Interval>& occupied,
+                  std::size_t most, std::size_t previousCount) {
+    Cascades plan = *planCascades(model, target, occupied, most);
+    if (previousCount == 0 || previousCount == plan.size()) {
+        return plan;
+    }
+    const double factor = previousCount < plan.size() ? 1.0 + kFitSlack : 1.0 / (1.0 + kFitSlack);
+    std::optional<Cascades> other = planCascades(model, target.scaled(factor), occupied, most);
+    return other && other->size() == previousCount ? *other : plan;
+}
+
+bool touches(const Cascades& cascades, std::size_t boundary) {
+    return boundary > 0 && boundary < cascades.size() &&
+           cascades[boundary - 1].farView == cascades[boundary].nearView;
+}
+
+/// One fit: what is common to placing its bounds.
+struct Fit {
+    const FitView& view;
+    const StepTarget& target;
+    const Cascades& plan; ///< tight
+
+    /// How far ends may move out.
+    struct Give {
+        double thickness; ///< share of the cascade's thickness, or before it of its near distance if less
+        double rounding;  ///< multiple of endRounding()
+        double gap;       ///< share of the gap to the neighbour at most
+    };
+
+    double gapBefore(std::size_t i) const { return plan[i].nearView - plan[i - 1].farView; }
+
+    /// The cascade with its clean ends moved out; a cut has no gap to move into.
+    Cascade widened(std::size_t i, const Give& give) const {
+        const Cascade& tight = plan[i];
+        const double thickness = tight.farView - tight.nearView;
+        const double rounding = give.rounding * endRounding(view.model.mapping);
+        const double before =
+            give.thickness * std::min(thickness, tight.nearView) + rounding * tight.nearView;
+        const double after = give.thickness * thickness + rounding * tight.farView;
+        const double roomBefore = i == 0 ? tight.nearView - view.nearView : give.gap * gapBefore(i);
+        const double roomAfter =
+            i + 1 == plan.size() ? view.farView - tight.farView : give.gap * gapBefore(i + 1);
+        return {tight.nearView - std::min(before, roomBefore), tight.farView + std::min(after, roomAfter)};
+    }
+
+    bool meets(const Cascade& cascade, double slack) const {
+        return worstStepShare(view.model, target, cascade) <= 1.0 + slack;
+    }
+};
+
+constexpr Fit::Give kRoomy{.thickness = kMargin, .rounding = 1.0, .gap = 0.5};
+/// Never less: float32 distances to the anchor plane round to 2^-24 of the thickness.
+constexpr Fit::Give kSnug{.thickness = 0x1p-17, .rounding = 1.0, .gap = 0.5};
+/// Between these a previous end is kept.
+constexpr Fit::Give kLeast{.thickness = 0x1p-18, .rounding = 0.5, .gap = 0.25};
+constexpr Fit::Give kMost{.thickness = 2.0 * kMargin, .rounding = 2.0, .gap = 1.0};
+
+Cascades withMargins(const Fit& fit) {
+    Cascades cascades;
+    for (std::size_t i = 0; i < fit.plan.size(); ++i) {
+        const Cascade roomy = fit.widened(i, kRoomy);
+        cascades.push_back(fit.meets(roomy, 0.0) ? roomy : fit.widened(i, kSnug));
+    }
+    return cascades;
+}
+
+/// Previous bounds where they still enclose the plan closely, and previous cuts.
+Cascades keepBounds(const Fit& fit, const Cascades& fresh, const Cascades& previous) {
+    Cascades kept = fresh;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        const Cascade least = fit.widened(i, kLeast);
+        const Cascade most = fit.widened(i, kMost);
+        const auto within = [](double value, double a, double b) { return value >= a && value <= b; };
+        if (touches(fit.plan, i) ? touches(previous, i)
+                                 : within(previous[i].nearView, most.nearView, least.nearView)) {
+            kept[i].nearView = previous[i].nearView;
+        }
+        if (touches(fit.plan, i + 1) ? touches(previous, i + 1)
+                                     : within(previous[i].farView, least.farView, most.farView)) {
+            kept[i].farView = previous[i].farView;
+        }
+    }
+    return kept;
+}
+
+bool isSound(const Fit& fit, const Cascades& cascades) {
+    for (std::size_t i = 0; i < cascades.size(); ++i) {
+        if (!(cascades[i].farView > cascades[i].nearView) || !fit.meets(cascades[i], kFitSlack) ||
+            (i > 0 && cascades[i].nearView < cascades[i - 1].farView)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// A camera that sees nothing, or a single point as thin as float64 can tell, still gets cascades with an
+/// inside.
+void thicken(Cascades& cascades, const FitView& view) {
+    for (Cascade& cascade : cascades) {
+        if (!(cascade.farView > cascade.nearView)) {
+            const double least = cascade.farView * 1e-12;
+            cascade.nearView = std::max(cascade.nearView - least, view.nearView);
+            cascade.farView = std::min(cascade.farView + least, view.farView);
+        }
+    }
+}
+
+} // namespace
+
+Cascades fitCascades(const SplitFitted& split, const FitView& view, std::vector<Interval>& intervals,
+                     const Cascades& previous) {
+    requireRange(view.nearView, view.farView);
+    const StepTarget wanted = targetOf(split, view, thinnest(intervals));
+    const std::vector<Interval> occupied =
+        mergeIntervals(intervals, view.nearView, view.farView, endRounding(view.model.mapping));
+    if (occupied.empty()) {
+        return {{view.nearView, view.farView}}; // nothing to see
+    }
+    const std::size_t most = std::clamp<std::size_t>(split.most, 1, kMaxCascades);
+    const StepTarget target = relaxToMeet(view.model, wanted, occupied, most);
+    const Cascades plan = planNear(view.model, target, occupied, most, previous.size());
+    const Fit fit{view, target, plan};
+    Cascades cascades = withMargins(fit);
+    if (previous.size() == plan.size()) {
+        const Cascades kept = keepBounds(fit, cascades, previous);
+        cascades = isSound(fit, kept) ? kept : cascades;
+    }
+    thicken(cascades, view);
+    return cascades;
+}
+
+Cascades minimaxCascades(const SplitMinimax& split, const StepModel& model, double nearView, double farView) {
+    requireRange(nearView, farView);
+    const std::vector<Interval> whole{{nearView, farView}};
+    // Far below any step, so that relaxing alone decides.
+    const StepTarget target{.unitsView = 1e-30 * nearView};
+    const std::size_t count = std::clamp<std::size_t>(split.count, 1, kMaxCascades);
+    return *planCascades(model, relaxToMeet(model, target, whole, count), whole, count);
+}
+
+} // namespace cdr::depth

@@ -1,0 +1,79 @@
+#include <cdr/base/error.h>
+#include <cdr/depth/fitted_split.h>
+#include <cdr/depth/forecast.h>
+#include <cdr/depth/separation.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cdr::depth {
+
+namespace {
+
+/// The gap between neighbouring float32 values around `value`.
+double floatGap(double value) {
+    return std::exp2(std::floor(std::log2(value)) - 23.0);
+}
+
+void requireUsable(const ForecastScene& scene) {
+    requireRange(scene.nearView, scene.farView);
+    if (!(scene.atView >= scene.nearView && scene.atView <= scene.farView)) {
+        throw base::InputError(
+            fmt::format("the distance asked for must lie from near ({}) to far ({}), not {}", scene.nearView,
+                        scene.farView, scene.atView));
+    }
+    if (!(scene.spanView > 0.0) || !std::isfinite(scene.spanView)) {
+        throw base::InputError(
+            fmt::format("the depth of what is visible must be above 0, not {}", scene.spanView));
+    }
+}
+
+double vertexStep(Mapping mapping, const Cascade& cascade, double distanceView) {
+    if (isAnchored(mapping)) {
+        return floatGap(cascade.farView - cascade.nearView);
+    }
+    const double logarithm =
+        isLog(mapping) ? distanceView * std::log(cascade.farView / cascade.nearView) * 0x1p-24 : 0.0;
+    return floatGap(distanceView) + logarithm;
+}
+
+} // namespace
+
+Cascades forecastCascades(const Technique& technique, const ForecastScene& scene) {
+    requireUsable(scene);
+    const StepModel model{technique.mapping, technique.format};
+    if (const auto* minimax = std::get_if<SplitMinimax>(&technique.split)) {
+        return minimaxCascades(*minimax, model, scene.nearView, scene.farView);
+    }
+    const auto* fitted = std::get_if<SplitFitted>(&technique.split);
+    if (fitted == nullptr) {
+        return makeCascades(technique.split, scene.nearView, scene.farView);
+    }
+    const double half = 0.5 * scene.spanView;
+    std::vector<Interval> content{{scene.nearView, scene.nearView * 1.1},
+                                  {scene.atView - half, scene.atView + half}};
+    const FitView view{.model = model,
+                       .nearView = scene.nearView,
+                       .farView = scene.farView,
+                       .footprintSlope = scene.footprintSlope};
+    return fitCascades(*fitted, view, content, {});
+}
+
+Forecast forecast(const Technique& technique, const ForecastScene& scene) {
+    const Cascades cascades = forecastCascades(technique, scene);
+    const double w = scene.atView;
+    const auto holder = std::find_if(cascades.begin(), cascades.end(),
+                                     [&](const Cascade& cascade) { return w <= cascade.farView; });
+    const Cascade& cascade = holder == cascades.end() ? cascades.back() : *holder;
+    const bool closed = std::holds_alternative<SplitFitted>(technique.split);
+    const DepthRange range =
+        depthRange(technique.mapping, {cascade}, 0,
+                   closed || holder + 1 != cascades.end() ? FarEnd::closed : FarEnd::open);
+    return {.cascades = cascades.size(),
+            .bufferStepView = separationView(range, technique.format, w),
+            .vertexStepView = vertexStep(technique.mapping, cascade, w)};
+}
+
+} // namespace cdr::depth

@@ -1,0 +1,98 @@
+#include <cdr/depth/occupancy.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace cdr::depth {
+
+namespace {
+
+constexpr unsigned kDigitBits = 11;
+constexpr std::size_t kDigits = 6; ///< of a 64-bit key
+constexpr std::size_t kDigitValues = std::size_t{1} << kDigitBits;
+/// Below this many a comparison sort is faster.
+constexpr std::size_t kRadixSmallest = 1500;
+
+/// Positive float64 values order as their bits do.
+std::size_t digitOf(const Interval& interval, std::size_t digit) {
+    return (std::bit_cast<std::uint64_t>(interval.nearView) >> (digit * kDigitBits)) % kDigitValues;
+}
+
+/// Least significant digit first; digits that all share are skipped, as the exponent's often is.
+void radixSort(std::vector<Interval>& intervals) {
+    std::vector<std::array<std::uint32_t, kDigitValues>> counts(kDigits);
+    for (const Interval& interval : intervals) {
+        for (std::size_t digit = 0; digit < kDigits; ++digit) {
+            ++counts[digit][digitOf(interval, digit)];
+        }
+    }
+    std::vector<Interval> sorted(intervals.size());
+    for (std::size_t digit = 0; digit < kDigits; ++digit) {
+        if (counts[digit][digitOf(intervals.front(), digit)] == intervals.size()) {
+            continue;
+        }
+        std::uint32_t next = 0;
+        for (std::uint32_t& count : counts[digit]) {
+            next += std::exchange(count, next);
+        }
+        for (const Interval& interval : intervals) {
+            sorted[counts[digit][digitOf(interval, digit)]++] = interval;
+        }
+        intervals.swap(sorted);
+    }
+}
+
+void sortByNear(std::vector<Interval>& intervals) {
+    if (intervals.size() < kRadixSmallest) {
+        std::sort(intervals.begin(), intervals.end(),
+                  [](const Interval& a, const Interval& b) { return a.nearView < b.nearView; });
+    } else {
+        radixSort(intervals);
+    }
+}
+
+} // namespace
+
+double thinnest(const std::vector<Interval>& intervals) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Interval& interval : intervals) {
+        const double thickness = interval.farView - interval.nearView;
+        least = thickness > 0.0 && thickness < least ? thickness : least;
+    }
+    return std::isfinite(least) ? least : 0.0;
+}
+
+std::vector<Interval> mergeIntervals(std::vector<Interval>& intervals, double nearView, double farView,
+                                     double rounding) {
+    std::size_t kept = 0;
+    for (const Interval& interval : intervals) {
+        // Written so that a comparison with what is not a number leaves the interval out.
+        if (interval.nearView <= farView && interval.farView >= nearView &&
+            interval.farView >= interval.nearView) {
+            intervals[kept++] = {std::max(interval.nearView, nearView), std::min(interval.farView, farView)};
+        }
+    }
+    intervals.resize(kept);
+    sortByNear(intervals);
+    std::vector<Interval> merged;
+    for (const Interval& interval : intervals) {
+        if (!merged.empty() && interval.nearView <= merged.back().farView * (1.0 + 2.0 * rounding)) {
+            merged.back().farView = std::max(merged.back().farView, interval.farView);
+        } else {
+            merged.push_back(interval);
+        }
+    }
+    return merged;
+}
+
+double endRounding(Mapping mapping) {
+    return isAnchored(mapping) ? 0x1p-46 : 1e-6;
+}
+
+} // namespace cdr::depth

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cdr/depth/fitted_split.h>
+#include <cdr/depth/technique.h>
+#include <cdr/scene/camera.h>
+#include <cdr/scene/cull.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::render {
+
+/// Cuts each frame's view distances into cascades by a technique's split. Remembers the last frame's, so that
+/// fitted ones stay put.
+class FrameSplit {
+  public:
+    /// @param height of the picture in pixels.
+    FrameSplit(const depth::Technique& technique, std::uint32_t height)
+        : m_technique(technique),
+          m_height(height) {}
+
+    /// base::InputError for an unusable split or range.
+    depth::Cascades cut(const scene::Camera& camera, const scene::VisibleList& visible);
+
+    /// Fitted ranges are as thin as their content, so none may be open to infinity.
+    depth::FarEnd farEnd() const {
+        return std::holds_alternative<depth::SplitFitted>(m_technique.split) ? depth::FarEnd::closed
+                                                                             : depth::FarEnd::open;
+    }
+
+  private:
+    const depth::Cascades& fit(const depth::SplitFitted& split, const scene::Camera& camera,
+                               const scene::VisibleList& visible);
+
+    depth::Technique m_technique;
+    std::uint32_t m_height;
+    depth::Cascades m_fitted;                 ///< the last frame's
+    std::vector<depth::Interval> m_intervals; ///< kept so that a warm frame allocates little
+};
+
+} // namespace cdr::render

@@ -1,0 +1,140 @@
+#include "probe.h"
+
+#include <cdr/base/error.h>
+#include <cdr/depth/forecast.h>
+#include <cdr/measure/truth.h>
+#include <cdr/measure/wrong_pixels.h>
+#include <cdr/render/renderer.h>
+#include <cdr/scene/generators.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// The ladder as it stands at one distance.
+scene::LadderOptions ladderAt(double distanceView) {
+    if (!std::isfinite(distanceView) || distanceView < 0.1) {
+        throw base::InputError(
+            fmt::format("a probe's distance must be finite and at least 0.1, not {}", distanceView));
+    }
+    return {.distanceView = distanceView,
+            .nearView = 0.001,
+            .farView = 2.0 * distanceView,
+            .scale = std::min(1.0, distanceView / 1000.0)};
+}
+
+std::uint32_t pairOf(std::uint32_t id) {
+    return (id - 1) / 2;
+}
+
+/// Which pixels tell whether a pair is resolved: off silhouettes, the pair's second surface behind the first,
+/// and not so close behind that the two are sides in one plane.
+bool tells(const measure::TruthPixel& pixel, bool inner, const scene::LadderOptions& ladder) {
+    if (!inner || pixel.secondId == 0 || pairOf(pixel.id) != pairOf(pixel.secondId)) {
+        return false;
+    }
+    const double separation = scene::ladderSeparation(ladder, pairOf(pixel.id));
+    return pixel.secondDistanceView - pixel.distanceView >= 0.5 * separation;
+}
+
+/// The smallest separation that is resolved. Of surfaces a depth buffer cannot tell apart the one drawn last
+/// shows, so a pair whose front is drawn last comes out right by luck: it can fail the test but not pass it.
+std::optional<double> smallestResolved(const image::ImageU32& ids, const measure::TruthImage& truth,
+                                       const scene::LadderOptions& ladder) {
+    const auto inner = measure::innerMask(truth);
+    std::array<bool, scene::kLadderPairs> lucky;
+    lucky.fill(true); // nor does a pair that no pixel tells of pass
+    std::array<bool, scene::kLadderPairs> wrong{};
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        const measure::TruthPixel& pixel = truth.pixels[i];
+        if (tells(pixel, inner.pixels[i] != 0, ladder)) {
+            lucky[pairOf(pixel.id)] = pixel.id > pixel.secondId;
+            wrong[pairOf(pixel.id)] |= ids.pixels[i] != pixel.id;
+        }
+    }
+    std::optional<double> resolved;
+    for (std::uint32_t pair = scene::kLadderPairs; pair-- > 0 && !wrong[pair];) {
+        if (!lucky[pair]) {
+            resolved = scene::ladderSeparation(ladder, pair);
+        }
+    }
+    return resolved;
+}
+
+/// Depth of the ladder along the view: cubes on a turned 30 by 30 grid.
+double spanOf(const scene::StagedScene& staged) {
+    const scene::Camera camera = staged.path.at(0);
+    double nearest = INFINITY;
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < staged.scene.instances.size(); ++i) {
+        const double w = camera.viewDistance(staged.scene.instances.position(i));
+        const auto radius = static_cast<double>(staged.scene.instances.radius[i]);
+        nearest = std::min(nearest, w - radius);
+        farthest = std::max(farthest, w + radius);
+    }
+    return farthest - nearest;
+}
+
+depth::ForecastScene forecastScene(const scene::StagedScene& staged, const scene::LadderOptions& ladder,
+                                   std::uint32_t height) {
+    const scene::Camera camera = staged.path.at(0);
+    return {.nearView = ladder.nearView,
+            .farView = ladder.farView,
+            .footprintSlope = 2.0 * std::tan(0.5 * camera.fovY) / height,
+            .atView = ladder.distanceView,
+            .spanView = spanOf(staged)};
+}
+
+} // namespace
+
+std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions& options,
+                                  const ProbeProgress& progress) {
+    const std::vector<depth::Technique> techniques =
+        options.techniques.empty() ? std::vector(depth::presets().begin(), depth::presets().end())
+                                   : options.techniques;
+    for (const double distanceView : options.distancesView) {
+        ladderAt(distanceView); // an unusable one ends here, before any work
+    }
+    base::WorkerPool workers(options.threads);
+    const std::size_t all = options.distancesView.size() * techniques.size() * options.formats.size();
+    std::vector<ProbeResult> results;
+    for (const double distanceView : options.distancesView) {
+        const scene::LadderOptions ladder = ladderAt(distanceView);
+        const scene::StagedScene staged = scene::makeLadder(options.seed, ladder);
+        const scene::Camera camera = staged.path.at(0);
+        const render::GpuScene gpuScene(device, staged.scene);
+        const measure::TruthImage truth =
+            measure::castTruth(staged.scene, camera, options.width, options.height, workers);
+        for (depth::Technique technique : techniques) {
+            for (const depth::DepthFormat format : options.formats) {
+                technique.format = format;
+                progress(results.size(), all, fmt::format("{} at {}", technique.name, distanceView));
+                render::Renderer renderer(device, staged.scene, gpuScene,
+                                          {.width = options.width,
+                                           .height = options.height,
+                                           .technique = technique,
+                                           .threads = options.threads});
+                const render::Frame frame = renderer.render(camera);
+                const auto forecast =
+                    depth::forecast(technique, forecastScene(staged, ladder, options.height));
+                results.push_back({.technique = technique.name,
+                                   .format = std::string(nameOf(format)),
+                                   .distanceView = distanceView,
+                                   .resolvedView = smallestResolved(frame.ids(), truth, ladder),
+                                   .predictedView = forecast.resolvedView(),
+                                   .smallestView = scene::ladderSeparation(ladder, 0),
+                                   .largestView = scene::ladderSeparation(ladder, scene::kLadderPairs - 1),
+                                   .cascades = frame.cascades.size()});
+            }
+        }
+    }
+    return results;
+}
+
+} // namespace cdr::experiments

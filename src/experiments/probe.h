@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cdr/depth/technique.h>
+#include <cdr/gpu/device.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// Smallest resolved separation, measured on the ladder scene (thesis chapter 7: formulas "are not reliable
+/// in practice").
+///
+/// Near is 0.001 and far twice the distance. The field is 32 units deep and wide, so below 1000 units all of
+/// it shrinks, cubes, grid and separations alike, to a thousandth of the distance per unit.
+struct ProbeOptions {
+    std::vector<double> distancesView{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
+    std::vector<depth::Technique> techniques; ///< all presets when empty
+    std::vector<depth::DepthFormat> formats{depth::kDepthFormats.begin(), depth::kDepthFormats.end()};
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    std::size_t threads = 1;
+    std::uint64_t seed = 2013;
+};
+
+/// One technique and format at one distance.
+struct ProbeResult {
+    std::string technique;
+    std::string format;
+    double distanceView = 0.0;
+    /// The smallest separation that, with all larger ones, shows no wrong pixel; empty when the largest does.
+    std::optional<double> resolvedView;
+    double predictedView = 0.0; ///< depth::forecast()
+    double smallestView = 0.0;  ///< of the ladder: `resolved` can be no less
+    double largestView = 0.0;   ///< of the ladder: null means more than this
+    std::size_t cascades = 0;
+};
+
+/// Called before each picture with how many of all are done.
+using ProbeProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
+
+/// base::InputError for an unusable distance or a depth format the device lacks.
+std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions& options,
+                                  const ProbeProgress& progress);
+
+} // namespace cdr::experiments

@@ -1,0 +1,167 @@
+#include "fixture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cdr::render_test {
+
+namespace {
+
+using render::Frame;
+
+class AnchoredTest : public RenderTest {
+  protected:
+    static depth::Technique technique(depth::Mapping mapping, const char* split = "fitted",
+                                      depth::DepthFormat format = depth::DepthFormat::d32f) {
+        return depth::makeTechnique(mapping, depth::parseSplit(split), format);
+    }
+};
+
+/// The scene of the thesis that no float32 view distance gets right, and the same with something near.
+TEST_F(AnchoredTest, AfcHasNoWrongPixelsEvenWithSomethingBesideTheCamera) {
+    for (const scene::StagedScene& staged : {scene::makeAfc(2013), scene::makeAfcNear(2013)}) {
+        const render::GpuScene gpuScene(device(), staged.scene);
+        for (const auto format : {depth::DepthFormat::d32f, depth::DepthFormat::d24}) {
+            auto anchored = depth::parseTechnique("anchored");
+            anchored.format = format;
+            render::Renderer renderer(device(), staged.scene, gpuScene, {.technique = anchored});
+            measure::WrongPixels wrong;
+            for (const std::uint32_t number : {0u, 1u, 120u}) {
+                const scene::Camera camera = staged.path.at(number);
+                const Frame frame = renderer.render(camera);
+                wrong += wrongIn(frame, staged.scene, camera);
+                if (staged.scene.name == "afc-near") {
+                    EXPECT_EQ(frame.id(frame.width() - 1, 0), 1001u + number);
+                    EXPECT_EQ(frame.cascades.size(), 2u);
+                }
+            }
+            EXPECT_GT(wrong.pixels, 500'000u);
+            EXPECT_LE(wrong.fraction(), 5e-6) << staged.scene.name << " " << nameOf(format);
+        }
+    }
+}
+
+TEST_F(AnchoredTest, FittedSplitsDrawRightUnderEveryMapping) {
+    scene::StagedScene staged = scene::makeRotation(5, 64'000);
+    const scene::Camera camera = staged.path.at(0);
+    const render::GpuScene gpuScene(device(), staged.scene);
+    base::WorkerPool workers(2);
+    const auto truth = measure::castTruth(staged.scene, camera, 480, 270, workers);
+    for (const depth::Mapping mapping : depth::kMappings) {
+        for (const char* split : {"fitted", "fitted:1e-5px", "fitted:0.5px", "fitted:0.001", "minimax:5"}) {
+            const auto options = smallOptions(technique(mapping, split));
+            render::Renderer renderer(device(), staged.scene, gpuScene, options);
+            const auto wrong = measure::countWrong(renderer.render(camera).ids(), truth);
+            EXPECT_GT(wrong.pixels, 5000u);
+            EXPECT_EQ(wrong.wrong, 0u) << options.technique.name;
+        }
+    }
+}
+
+/// Boxes from 0.01 to 10^8 units away, each a fifth of its distance wide, with a twin inside it, every face
+/// `share` of the distance below.
+scene::Scene scatteredScene(double share) {
+    scene::Scene scene = boxScene();
+    int place = -2;
+    for (const double w : {0.01, 1.0, 1e3, 1e6, 1e8}) {
+        const glm::dvec3 centre(0.3 * place++ * w, 0.0, -w);
+        addBox(scene, centre, glm::mat3(static_cast<float>(0.2 * w)));
+        // Drawn last, so that a tie is wrong.
+        addBox(scene, centre, glm::mat3(static_cast<float>((0.2 - 2.0 * share) * w)));
+    }
+    return scene;
+}
+
+/// Gaps between cascades, surfaces that begin and end exactly where they do, and what else fails there.
+TEST_F(AnchoredTest, ObjectsScatteredOverTenDecadesAreRightUnderAnchoredAlone) {
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.001, .farView = 1e9};
+    for (const double share : {1e-6, 1e-7}) {
+        const scene::Scene scene = scatteredScene(share);
+        for (const depth::Technique& preset : depth::presets()) {
+            const Frame frame = draw(scene, camera, smallOptions(preset));
+            const auto wrong = wrongIn(frame, scene, camera);
+            EXPECT_GT(wrong.pixels, 10'000u);
+            if (preset.name == "anchored") {
+                EXPECT_EQ(wrong.wrong, 0u) << share;
+                EXPECT_EQ(frame.cascades.size(), 5u);
+            } else if (share < 1e-6) {
+                EXPECT_GT(wrong.wrong, 0u) << preset.name;
+            }
+        }
+    }
+}
+
+TEST_F(AnchoredTest, OneObjectAroundTheCameraAndToTheHorizonHasNoCracks) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, -2.5, 0.0}, glm::mat3(2e5f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 2e5f));
+    for (int i = 0; i < 40; ++i) {
+        const double w = 3.0 * std::pow(1.25, i);
+        addBox(scene, {0.1 * w * std::sin(i), -2.0, -w}, glm::mat3(static_cast<float>(0.05 * w + 0.5)));
+    }
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.01, .farView = 1e6};
+    for (const depth::Mapping mapping : depth::kMappings) {
+        const auto wrong = wrongIn(draw(scene, camera, smallOptions(technique(mapping))), scene, camera);
+        EXPECT_GT(wrong.pixels, 30'000u);
+        EXPECT_EQ(wrong.wrong, 0u) << nameOf(mapping);
+    }
+}
+
+TEST_F(AnchoredTest, ACameraThatSeesNothingOrFarFromTheOriginStillDraws) {
+    scene::Scene scene = boxScene();
+    const glm::dvec3 far(1e12, -3e11, 2e11);
+    addBox(scene, far + glm::dvec3(0.0, 0.0, -10.0));
+    const auto options = smallOptions(depth::parseTechnique("anchored"));
+    const scene::Camera away{.position = far, .back = {0.0, 0.0, -1.0}, .fovY = 0.2};
+    EXPECT_EQ(draw(scene, away, options).cascades.size(), 1u);
+    const scene::Camera camera{.position = far, .fovY = 0.2};
+    const Frame frame = draw(scene, camera, options);
+    EXPECT_EQ(wrongIn(frame, scene, camera).wrong, 0u);
+    // Positions at 10^12 are multiples of 1.2e-4.
+    EXPECT_NEAR(frame.distanceView(240, 135), 9.5, 3e-4);
+}
+
+TEST_F(AnchoredTest, PickingACubeAMillionUnitsAwayIsExactToATenthOfAMillimetre) {
+    scene::Scene scene = boxScene();
+    const glm::dvec3 centre(3.0, -7.0, 11.0);
+    addBox(scene, centre);
+    const glm::dvec3 eye = centre + 1e6 * glm::normalize(glm::dvec3(0.5, 0.6, 0.7));
+    const scene::Camera camera =
+        scene::lookAt({.fovY = 2e-6, .nearView = 0.001, .farView = 2e6}, eye, centre);
+    for (const auto format : {depth::DepthFormat::d32f, depth::DepthFormat::d24}) {
+        auto anchored = depth::parseTechnique("anchored");
+        anchored.format = format;
+        const Frame frame = draw(scene, camera, smallOptions(anchored));
+        double nearestToCorner = 1.0;
+        std::size_t picked = 0;
+        for (std::uint32_t y = 0; y < frame.height(); ++y) {
+            for (std::uint32_t x = 0; x < frame.width(); ++x) {
+                const auto pick = frame.pick(x, y);
+                ASSERT_EQ(pick.has_value(), frame.id(x, y) != 0);
+                if (!pick) {
+                    continue;
+                }
+                ++picked;
+                EXPECT_EQ(pick->object, 0u);
+                const glm::dvec3 local = pick->position - centre;
+                // Where the ray through the pixel's centre meets the plane of the face the normal names.
+                int axis = 0;
+                for (int i = 1; i < 3; ++i) {
+                    axis = pick->normal[i] > pick->normal[axis] ? i : axis;
+                }
+                EXPECT_NEAR(pick->normal[axis], 1.0, 1e-3);
+                const glm::dvec3 ray = pick->position - eye;
+                const glm::dvec3 expected = eye + ray * ((centre[axis] + 0.5 - eye[axis]) / ray[axis]);
+                ASSERT_LT(glm::distance(pick->position, expected), 1e-4) << x << " " << y;
+                EXPECT_NEAR(pick->distanceView, camera.viewDistance(expected), 1e-4);
+                nearestToCorner = std::min(nearestToCorner, glm::distance(local, glm::dvec3(0.5)));
+            }
+        }
+        EXPECT_GT(picked, 10'000u);
+        // The corner that points at the camera is seen from as near as a pixel's centre gets.
+        EXPECT_LT(nearestToCorner, 2e-6 * 1e6 / 270);
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test
