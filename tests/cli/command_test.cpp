@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace cdr::cli_test {
 
@@ -158,6 +159,23 @@ TEST(Commands, RenderSequencesNumberTheirFrames) {
         EXPECT_NE(result.out.find(row["hash"].get<std::string>()), std::string::npos);
     }
     EXPECT_EQ(hashes.size(), 3u);
+}
+
+TEST(Commands, RenderSaysWhichTargetsAndHowManyLayers) {
+    const TemporaryFolder folder;
+    std::set<std::string> hashes;
+    for (const auto& [targets, layers] : {std::pair{"single", 0}, {"pool:4", 4}, {"layers", 0}}) {
+        const std::string name = targets;
+        ASSERT_EQ(runProgram("render afc --technique cdr --size 160x90 --json r.json --targets " + name,
+                             folder.path())
+                      .status,
+                  0);
+        const json row = json::parse(readText(folder.path() / "r.json"))["results"][0];
+        EXPECT_EQ(row["targets"], name.substr(0, name.find(':')));
+        EXPECT_EQ(row["layers"], layers) << name;
+        hashes.insert(row["hash"].get<std::string>());
+    }
+    EXPECT_EQ(hashes.size(), 1u);
 }
 
 /// A coarse likeness: a model fills a fair share of the picture, in many colours, lit.

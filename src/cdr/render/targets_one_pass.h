@@ -10,15 +10,17 @@ namespace cdr::render {
 /// surface clamped to the far end of one never ties with one clamped to the near end of the next.
 ///
 /// What N slices cost, against a depth range of one's own:
-/// - b-bit integers: every slice has 2^b / N of the 2^b values, log2 N bits less, and 4 values of guard.
-/// - float32: even slices would cost log2 N bits at their far end, and at depth 0, where reversed and
-/// anchored
-///   depth live, all that the exponent gives. So slices are cut by exponent: each reaches k = min(24, 102 /
-///   N) octaves down from the one above, and the lowest to 0. A depth d of the cascade's own lies at m + d (M
-///   - m) in the slice [m, M], m = M 2^-k, so its step is float32's at d + 2^-k, and 1 / (1 - 2^-k) times
-///   that: nothing lost for up to 5 cascades (k >= 20) but below d = 2^-20, 0.02 bits for 16 (k = 6) but
-///   around d = 2^-6 and below, and a bit everywhere from 52 on (k = 1). The lowest slice, the far cascade's
-///   for reversed depth and the near one's for the rest, loses nothing for any N.
+///
+/// b-bit integers: every slice has 2^b / N of the 2^b values, log2 N bits less, and 4 values of guard.
+///
+/// float32: even slices would cost log2 N bits at their far end, and at depth 0, where reversed and anchored
+/// depth live, all that the exponent gives. So slices are cut by exponent: each reaches k octaves down from
+/// the one above, k = min(24, 102 / N), and the lowest to 0. A depth d of the cascade's own lies at
+/// v = m + d (M - m) in the slice [m, M], m = M 2^-k, and its step is float32's at v over M - m. With up to 5
+/// cascades (k >= 20) nothing is lost above d = 2^-20; with 16 (k = 6) 0.02 bits, and up to one where v
+/// enters the next octave; from 52 on (k = 1) a bit everywhere. Below d = 2^-k steps no longer shrink with d,
+/// but in the lowest slice, the far cascade's for reversed depth and the near one's for the rest: it keeps
+/// float's own steps down to d = 2^-24 at least.
 class OnePassTargets final : public Targets {
   public:
     OnePassTargets(const gpu::Device& device, const TargetsOptions& options);
