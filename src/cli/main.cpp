@@ -56,6 +56,7 @@ int run(int argc, char** argv) {
     cdr::cli::addPrecision(program, global);
     cdr::cli::addPictures(program, global);
     cdr::cli::addProbe(program, global);
+    cdr::cli::addAdvise(program, global);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {

@@ -79,6 +79,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"render afc --depth anchored --split fitted:0px -o a.png", "must be above 0"},
         BadInput{"render afc --depth anchored --split fitted:1px,max=65 -o a.png", "from 1 to 64"},
         BadInput{"probe --distances 0.01", "at least 0.1"}, BadInput{"probe --distances nan", "distance"},
+        BadInput{"advise", "separation"}, BadInput{"advise --separation 0", "above 0"},
+        BadInput{"advise --separation 1 --at 1e9", "must lie from near"},
+        BadInput{"advise --separation 1 --near 5 --far 5", "far must be finite and beyond near"},
+        BadInput{"advise --separation 1 --fov 180", "field of view"},
+        BadInput{"advise --separation 1 --span 0", "above 0"},
+        BadInput{"advise --separation 1 --format d8", "unknown depth format"},
         BadInput{"probe --formats d25", "unknown depth format"},
         BadInput{"probe --techniques stndard", "did you mean 'standard'"}));
 

@@ -111,6 +111,19 @@ TEST(Commands, ProbeFindsWhatEachTechniqueResolves) {
     EXPECT_LE(resolved.at("anchored d24"), 5e-5);
 }
 
+TEST(Commands, AdviseSaysWhenReversedIsEnough) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("advise --separation 0.5 --at 5000 --json a.json", folder.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("reversed with d32f in one cascade is enough"), std::string::npos)
+        << result.out;
+    const json document = json::parse(readText(folder.path() / "a.json"));
+    expectEnvelope(document, "advise");
+    EXPECT_EQ(document["simplest"]["technique"], "reversed");
+    EXPECT_EQ(document["results"].size(), 21u);
+    EXPECT_TRUE(document["results"][0].contains("predicted"));
+}
+
 TEST(Commands, RenderWritesEveryOutputInEveryFormat) {
     const TemporaryFolder folder;
     for (const char* aov : {"color", "id", "distance", "normal", "cascade", "wrong"}) {

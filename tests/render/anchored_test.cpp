@@ -58,6 +58,15 @@ TEST_F(AnchoredTest, FittedSplitsDrawRightUnderEveryMapping) {
     }
 }
 
+/// Reversed alone gives 16 bits to everything from 10^6 to infinity; fitted, they serve the field.
+TEST_F(AnchoredTest, AFittedReversedRangeEndsAtItsFarPlane) {
+    const scene::StagedScene staged = scene::makeAfc(2013);
+    const scene::Camera camera = staged.path.at(0);
+    const auto reversed = technique(depth::Mapping::reversed, "fitted", depth::DepthFormat::d16);
+    const Frame frame = draw(staged.scene, camera, {.technique = reversed});
+    EXPECT_LT(wrongIn(frame, staged.scene, camera).fraction(), 0.005);
+}
+
 /// Boxes from 0.01 to 10^8 units away, each a fifth of its distance wide, with a twin inside it, every face
 /// `share` of the distance below.
 scene::Scene scatteredScene(double share) {

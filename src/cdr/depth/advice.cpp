@@ -1,0 +1,140 @@
+#include <cdr/base/error.h>
+#include <cdr/depth/advice.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace cdr::depth {
+
+namespace {
+
+/// Presets by what they ask of an engine: a matrix, a flipped compare, a shader line, cascades, cascades in
+/// float64.
+constexpr std::array kSimplestFirst{"standard", "reversed", "log", "cdr", "logcdr", "anchored"};
+
+/// A separation of this many fitted steps leaves room for the rounding of both surfaces: a step, and two gaps
+/// between float32 values of up to two steps each.
+constexpr double kStepsPerSeparation = 5.0;
+
+Technique anchoredFor(double separationView, DepthFormat format) {
+    return makeTechnique(
+        Mapping::anchored,
+        SplitFitted{.target = separationView / kStepsPerSeparation, .unit = SplitFitted::Unit::scene},
+        format);
+}
+
+bool resolves(const Technique& technique, const ForecastScene& scene, double separationView) {
+    return forecast(technique, scene).resolvedView() <= separationView;
+}
+
+double widestSpan(const AdviceQuestion& question) {
+    const Technique technique = anchoredFor(question.separationView, DepthFormat::d32f);
+    const auto fits = [&](double span) {
+        ForecastScene scene = question.scene;
+        scene.spanView = span;
+        return resolves(technique, scene, question.separationView);
+    };
+    double low = 1e-9 * question.scene.atView;
+    double high = 2.0 * question.scene.farView;
+    if (!fits(low)) {
+        return 0.0;
+    }
+    if (fits(high)) {
+        return high;
+    }
+    while (high > 1.01 * low) {
+        const double middle = std::sqrt(low * high);
+        (fits(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+/// The first technique that suffices, in the format that takes it the fewest cascades.
+std::optional<std::size_t> simplestOf(const std::vector<AdviceRow>& rows) {
+    std::optional<std::size_t> simplest;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool better = !simplest || (rows[i].technique.name == rows[*simplest].technique.name &&
+                                          rows[i].forecast.cascades < rows[*simplest].forecast.cascades);
+        if (rows[i].suffices && better) {
+            simplest = i;
+        }
+    }
+    return simplest;
+}
+
+std::string limitOf(const AdviceRow& row) {
+    if (row.forecast.bufferStepView >= 4.0 * row.forecast.vertexStepView) {
+        return "the steps of the depth buffer";
+    }
+    return isAnchored(row.technique.mapping) ? "float32 distances to the anchor plane"
+                                             : "float32 view distances";
+}
+
+std::string describe(const AdviceRow& row) {
+    const std::string cascades =
+        row.forecast.cascades == 1 ? "one cascade" : fmt::format("{} cascades", row.forecast.cascades);
+    return fmt::format("{} with {} in {}", row.technique.name, nameOf(row.technique.format), cascades);
+}
+
+} // namespace
+
+Advice advise(const AdviceQuestion& question) {
+    if (!(question.separationView > 0.0) || !std::isfinite(question.separationView)) {
+        throw base::InputError(
+            fmt::format("separation must be finite and above 0, not {}", question.separationView));
+    }
+    std::vector<Technique> techniques;
+    for (const char* name : kSimplestFirst) {
+        for (const DepthFormat format : question.formats) {
+            techniques.push_back(parseTechnique(name));
+            techniques.back().format = format;
+        }
+    }
+    for (const DepthFormat format : question.formats) {
+        techniques.push_back(anchoredFor(question.separationView, format));
+    }
+    Advice advice;
+    for (const Technique& technique : techniques) {
+        const Forecast made = forecast(technique, question.scene);
+        advice.rows.push_back({.technique = technique,
+                               .forecast = made,
+                               .suffices = made.resolvedView() <= question.separationView});
+    }
+    advice.simplest = simplestOf(advice.rows);
+    advice.widestSpanView = widestSpan(question);
+    return advice;
+}
+
+std::vector<std::string> explain(const AdviceQuestion& question, const Advice& advice) {
+    std::vector<std::string> lines;
+    const double at = question.scene.atView;
+    if (advice.simplest) {
+        const AdviceRow& row = advice.rows[*advice.simplest];
+        lines.push_back(fmt::format("{} is enough: it resolves {:.3g} at {:g}, and {:g} is asked for.",
+                                    describe(row), row.forecast.resolvedView(), at, question.separationView));
+        if (isLog(row.technique.mapping)) {
+            lines.push_back("Set depth per fragment on triangles that span more than 2 % of their distance.");
+        }
+    } else {
+        const AdviceRow& best = advice.rows.back();
+        lines.push_back(fmt::format("Nothing here resolves {:g} at {:g}: {} comes to {:.3g}, limited by {}.",
+                                    question.separationView, at, describe(best), best.forecast.resolvedView(),
+                                    limitOf(best)));
+    }
+    const bool needsAnchored =
+        !advice.simplest || isAnchored(advice.rows[*advice.simplest].technique.mapping);
+    if (needsAnchored && advice.widestSpanView > 0.0) {
+        lines.push_back(
+            fmt::format("anchored resolves it while what is visible there is at most {:.3g} deep.",
+                        advice.widestSpanView));
+    }
+    if (at * 0x1p-52 > 0.1 * question.separationView) {
+        lines.push_back(
+            fmt::format("float64 positions themselves are {:.3g} apart at {:g}.", at * 0x1p-52, at));
+    }
+    return lines;
+}
+
+} // namespace cdr::depth

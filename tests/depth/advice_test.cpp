@@ -1,0 +1,115 @@
+#include <cdr/base/error.h>
+#include <cdr/depth/advice.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+using namespace cdr::depth;
+
+ForecastScene sceneAt(double atView) {
+    return {.nearView = 0.001,
+            .farView = 2.0 * atView,
+            .footprintSlope = 0.05 / atView, // the ladder's lens
+            .atView = atView,
+            .spanView = 18.0};
+}
+
+Forecast forecastOf(const char* name, DepthFormat format, double atView) {
+    Technique technique = parseTechnique(name);
+    technique.format = format;
+    return forecast(technique, sceneAt(atView));
+}
+
+/// What `cdr probe` measured on lavapipe (Mesa 22.3.6), within a factor of three.
+TEST(Forecast, IsNearWhatTheProbeMeasured) {
+    const auto expectNear = [](const char* name, DepthFormat format, double atView, double measured) {
+        const double ratio = forecastOf(name, format, atView).resolvedView() / measured;
+        EXPECT_GT(ratio, 1.0 / 3.0) << name << " " << atView;
+        EXPECT_LT(ratio, 3.0) << name << " " << atView;
+    };
+    for (const DepthFormat format : {DepthFormat::d24, DepthFormat::d32f}) {
+        for (const double w : {1e5, 1e6, 1e7, 1e8, 1e9}) {
+            expectNear("anchored", format, w, 1.8e-6);
+        }
+        expectNear("logcdr", format, 1e6, 0.8);
+        expectNear("log", format, 1e3, 2.1e-3);
+    }
+    expectNear("reversed", DepthFormat::d32f, 1e6, 0.23);
+}
+
+TEST(Forecast, VertexRoundingIsFloat32sOfWhatTheShaderReceives) {
+    EXPECT_DOUBLE_EQ(forecastOf("reversed", DepthFormat::d32f, 1e6).vertexStepView, 0x1p-4);
+    EXPECT_DOUBLE_EQ(forecastOf("anchored", DepthFormat::d32f, 1e6).vertexStepView, 0x1p-19);
+    EXPECT_GT(forecastOf("log", DepthFormat::d32f, 1e6).vertexStepView, 1.0);
+}
+
+AdviceQuestion question(double atView, double separationView) {
+    return {.scene = sceneAt(atView), .separationView = separationView};
+}
+
+TEST(Advice, NamesTheSimplestThatSuffices) {
+    const auto simplest = [](double atView, double separationView) {
+        const Advice advice = advise(question(atView, separationView));
+        return advice.simplest ? advice.rows[*advice.simplest].technique.name : "none";
+    };
+    EXPECT_EQ(simplest(1.0, 0.01), "standard");
+    EXPECT_EQ(simplest(1e6, 1.0), "reversed");
+    EXPECT_EQ(simplest(1e6, 0.01), "anchored");
+    EXPECT_EQ(simplest(1e6, 1e-5), "anchored");
+    EXPECT_EQ(simplest(1e6, 1e-8), "none");
+}
+
+TEST(Advice, EverySimplerTechniqueFallsShort) {
+    for (const double separation : {1e-6, 1e-4, 1e-2, 1.0, 100.0}) {
+        const Advice advice = advise(question(1e5, separation));
+        ASSERT_TRUE(advice.simplest.has_value());
+        const AdviceRow& simplest = advice.rows[*advice.simplest];
+        EXPECT_TRUE(simplest.suffices);
+        for (std::size_t i = 0; i <= *advice.simplest; ++i) {
+            const AdviceRow& row = advice.rows[i];
+            EXPECT_EQ(row.suffices, row.forecast.resolvedView() <= separation);
+            EXPECT_TRUE(!row.suffices || row.technique.name == simplest.technique.name);
+            EXPECT_TRUE(!row.suffices || row.forecast.cascades >= simplest.forecast.cascades);
+        }
+    }
+}
+
+TEST(Advice, SaysSoInPlainWords) {
+    const auto words = [](const AdviceQuestion& asked) { return explain(asked, advise(asked)); };
+    EXPECT_EQ(words(question(1e6, 1.0)).front().substr(0, 41), "reversed with d32f in one cascade is enou");
+    const auto anchored = words(question(1e6, 1e-5));
+    ASSERT_EQ(anchored.size(), 2u);
+    EXPECT_NE(anchored[1].find("deep"), std::string::npos);
+    EXPECT_EQ(words(question(1e6, 1e-9)).front().substr(0, 21), "Nothing here resolves");
+}
+
+TEST(Advice, TheWidestContentIsResolvedAndTwiceThatIsNot) {
+    AdviceQuestion asked = question(1e6, 1e-4);
+    const Advice advice = advise(asked);
+    ASSERT_GT(advice.widestSpanView, 100.0);
+    asked.scene.spanView = 0.99 * advice.widestSpanView;
+    EXPECT_TRUE(advise(asked).rows.back().suffices);
+    asked.scene.spanView = 4.0 * advice.widestSpanView;
+    EXPECT_FALSE(advise(asked).rows.back().suffices);
+}
+
+TEST(Advice, RefusesNonsense) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    using cdr::base::InputError;
+    EXPECT_THROW(advise(question(1e6, 0.0)), InputError);
+    EXPECT_THROW(advise(question(1e6, -1.0)), InputError);
+    EXPECT_THROW(advise(question(1e6, kNan)), InputError);
+    for (const double bad : {0.0, -1.0, kNan, 1e9}) {
+        AdviceQuestion asked = question(1e6, 1.0);
+        asked.scene.atView = bad;
+        EXPECT_THROW(advise(asked), InputError) << bad;
+    }
+    AdviceQuestion asked = question(1e6, 1.0);
+    asked.scene.spanView = kNan;
+    EXPECT_THROW(advise(asked), InputError);
+}
+
+} // namespace
