@@ -78,7 +78,7 @@ class Targets {
 };
 
 /// Makes the targets chosen. base::RunError, with both figures, when the device has too little memory for
-/// them; base::InputError for a pool of no layers.
+/// them; base::InputError for a pool whose layers are out of range.
 std::unique_ptr<Targets> makeTargets(const gpu::Device& device, const TargetsChoice& choice,
                                      const TargetsOptions& options);
 
