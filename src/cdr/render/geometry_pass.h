@@ -48,6 +48,7 @@ class GeometryPass {
         std::span<shaders::DrawRecord> records; ///< mapped, one per draw of `lists`
         vk::DescriptorSet recordSet;
         vk::Extent2D extent;
+        base::Trace* trace = nullptr;
     };
 
     /// Writes the records of a job's draws and their commands. `commands` is a secondary in the recording

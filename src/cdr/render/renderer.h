@@ -25,6 +25,9 @@ struct RenderOptions {
     depth::Technique technique;
     TargetsKind targets = TargetsKind::single;
     std::size_t threads = 1; ///< that cull, bin and record, the caller's included
+    /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
+    /// none.
+    base::Trace* trace = nullptr;
 };
 
 /// Renders a scene with one technique into one kind of targets, frame by frame.
