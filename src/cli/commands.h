@@ -12,6 +12,7 @@ void addRender(CLI::App& program, const GlobalOptions& global);
 void addPrecision(CLI::App& program, const GlobalOptions& global);
 void addPictures(CLI::App& program, const GlobalOptions& global);
 void addTiming(CLI::App& program, const GlobalOptions& global);
+void addScaling(CLI::App& program, const GlobalOptions& global);
 
 /// Adds `--json [FILE]`; without a file, or with "-", JSON goes to standard output and the table to standard
 /// error.

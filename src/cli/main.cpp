@@ -56,6 +56,7 @@ int run(int argc, char** argv) {
     cdr::cli::addPrecision(program, global);
     cdr::cli::addPictures(program, global);
     cdr::cli::addTiming(program, global);
+    cdr::cli::addScaling(program, global);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {

@@ -9,8 +9,9 @@ std::string timingPlot(const std::vector<TimingResult>& results, const std::stri
     std::string rows;
     for (std::size_t i = 1; i < results.size(); ++i) {
         const TimingResult& result = results[i];
+        // In data, unlike in commands, only double quotes make a string.
         rows +=
-            fmt::format("{} {} {} {} {} {}\n", i, gnuplotQuote(result.mode.name), result.overheadPercent,
+            fmt::format("{} \"{}\" {} {} {} {}\n", i, result.mode.name, result.overheadPercent,
                         result.overheadPercent95.low, result.overheadPercent95.high,
                         result.mode.thesisPercent ? fmt::format("{}", *result.mode.thesisPercent) : "NaN");
     }

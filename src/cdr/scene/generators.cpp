@@ -100,13 +100,13 @@ StagedScene makeCrowd(std::uint64_t seed, std::uint32_t cubes, double aspect) {
     if (cubes > kMaxObjects) {
         throw base::InputError("crowd: at most " + std::to_string(kMaxObjects) + " cubes");
     }
-    const Camera lens{.fovY = 60.0 * kDegree, .nearView = 200.0, .farView = 20'000.0};
+    const Camera lens{.fovY = 60.0 * kDegree, .nearView = 100.0, .farView = 10'000.0};
     // Wider than a cube's bounding sphere, so that no cube touches a plane.
     constexpr double kMargin = 2.0;
     const double tanY = std::tan(0.5 * lens.fovY);
     const double nearest = std::log(lens.nearView + kMargin);
     const double farthest = std::log(lens.farView - kMargin);
-    StagedScene staged{.scene = cubeScene("crowd", 2'000.0), .path = {}};
+    StagedScene staged{.scene = cubeScene("crowd", 1'000.0), .path = {}};
     Random random(seed);
     for (std::uint32_t i = 0; i < cubes; ++i) {
         const double w = std::exp(random.uniform(nearest, farthest));

@@ -29,9 +29,9 @@ StagedScene makeAfc(std::uint64_t seed);
 /// @param cubes 64,000 in the thesis.
 StagedScene makeRotation(std::uint64_t seed, std::uint32_t cubes = 64'000);
 
-/// Unit cubes all in view and small on screen, so that drawing them costs draws and not pixels: 60 degrees,
-/// near 200, far 20,000. Their distances are spread evenly in logarithm, so that each cascade of a count:K
-/// split gets about an equal share.
+/// Unit cubes all in view and about a pixel each at 640x360, so that drawing them costs draws rather than
+/// pixels: 60 degrees, near 100, far 10,000. Their distances are spread evenly in logarithm, so that each
+/// cascade of a count:K split gets about an equal share.
 /// @param aspect width over height of the picture, > 0.
 StagedScene makeCrowd(std::uint64_t seed, std::uint32_t cubes, double aspect = 16.0 / 9.0);
 
