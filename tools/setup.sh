@@ -12,6 +12,8 @@ packages=(
     # libraries
     libcli11-dev libfmt-dev libglm-dev libopenexr-dev libspng-dev libssl-dev libstb-dev libtinygltf-dev
     libturbojpeg0-dev nlohmann-json3-dev
+    # plots: optional, only the --plot of timing and scaling asks for it, and says so where it is missing
+    gnuplot-nox
     # tests, benchmarks and checks
     libbenchmark-dev libgtest-dev clang-format clang-tidy
 )

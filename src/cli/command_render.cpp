@@ -34,6 +34,7 @@ struct RenderArguments {
     std::string aov = "color";
     std::string file;
     bool hash = false;
+    std::filesystem::path trace;
     std::string eye;
     std::string target;
     std::optional<double> fovDegrees;
@@ -106,6 +107,9 @@ void checkArguments(const RenderArguments& arguments, const SequenceName& name) 
         }
         base::requireWritable(name.at(arguments.frame));
     }
+    if (!arguments.trace.empty()) {
+        base::requireWritable(arguments.trace);
+    }
     requireJsonWritable(arguments.output);
 }
 
@@ -153,12 +157,17 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     const PictureSize size = parseSize(arguments.size);
     const experiments::Aov aov = experiments::parseAov(arguments.aov);
     const SequenceName name(arguments.file);
-    const render::RenderOptions options{.width = size.width,
-                                        .height = size.height,
-                                        .technique = techniqueOf(arguments),
-                                        .targets = render::parseTargets(arguments.targets),
-                                        .threads = arguments.threads};
+    render::RenderOptions options{.width = size.width,
+                                  .height = size.height,
+                                  .technique = techniqueOf(arguments),
+                                  .targets = render::parseTargets(arguments.targets),
+                                  .threads = arguments.threads};
     checkArguments(arguments, name);
+    base::WorkerPool workers(arguments.threads);
+    std::optional<base::Trace> trace;
+    if (!arguments.trace.empty()) {
+        options.trace = &trace.emplace(options.threads);
+    }
     const scene::OpenedScene opened = scene::openScene(arguments.scene, arguments.seed);
     const scene::Scene& scene = opened.staged.scene;
     cameraAt(arguments, opened.staged.path,
@@ -171,13 +180,15 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     }
     const render::GpuScene gpuScene(session.device(), scene);
     render::Renderer renderer(session.device(), scene, gpuScene, options);
-    base::WorkerPool workers(arguments.threads);
     auto document = base::makeDocument("render", session.documentDevice(),
                                        optionsJson(arguments, options.technique, size));
     std::vector<std::vector<std::string>> rows;
     for (std::uint32_t number = arguments.frame; number < arguments.frame + arguments.frames; ++number) {
         console.progress(number - arguments.frame, arguments.frames, arguments.scene);
         const scene::Camera camera = cameraAt(arguments, opened.staged.path, number);
+        if (trace) {
+            trace->beginFrame(fmt::format("frame {}", number));
+        }
         const render::Frame frame = renderer.render(camera);
         std::optional<measure::TruthImage> truth;
         if (aov == experiments::Aov::wrong) {
@@ -201,6 +212,9 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                    arguments.hash ? "sha-256" : ""},
                   rows);
     console.line(describe(session.device()));
+    if (trace) {
+        trace->write(arguments.trace);
+    }
     writeJson(arguments.output, document);
 }
 
@@ -252,6 +266,9 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
         ->capture_default_str();
     command->add_option("-o,--output", arguments->file,
                         "Picture to write: .png, .tga or .exr; %04d stands for the frame");
+    command->add_option(
+        "--trace", arguments->trace,
+        "Write workers, cascades and execute as a trace for ui.perfetto.dev or chrome://tracing");
     command->add_flag("--hash", arguments->hash, "Print a SHA-256 of each output's values");
     addJson(*command, arguments->output);
     command->callback([&global, arguments] { run(global, *arguments); });

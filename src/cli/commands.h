@@ -13,6 +13,8 @@ void addPrecision(CLI::App& program, const GlobalOptions& global);
 void addPictures(CLI::App& program, const GlobalOptions& global);
 void addProbe(CLI::App& program, const GlobalOptions& global);
 void addAdvise(CLI::App& program, const GlobalOptions& global);
+void addTiming(CLI::App& program, const GlobalOptions& global);
+void addScaling(CLI::App& program, const GlobalOptions& global);
 
 /// Adds `--json [FILE]`; without a file, or with "-", JSON goes to standard output and the table to standard
 /// error.

@@ -57,6 +57,8 @@ int run(int argc, char** argv) {
     cdr::cli::addPictures(program, global);
     cdr::cli::addProbe(program, global);
     cdr::cli::addAdvise(program, global);
+    cdr::cli::addTiming(program, global);
+    cdr::cli::addScaling(program, global);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {

@@ -86,7 +86,22 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"advise --separation 1 --span 0", "above 0"},
         BadInput{"advise --separation 1 --format d8", "unknown depth format"},
         BadInput{"probe --formats d25", "unknown depth format"},
-        BadInput{"probe --techniques stndard", "did you mean 'standard'"}));
+        BadInput{"probe --techniques stndard", "did you mean 'standard'"},
+        BadInput{"render afc --trace no/such/folder/t.json", "cannot be written"},
+        BadInput{"render afc --threads 100000 --trace t.json", "threads must be"},
+        BadInput{"timing --frames 0", "frames"}, BadInput{"timing --size 0x5", "size must be"},
+        BadInput{"timing --threads 0", "threads"}, BadInput{"timing --modes cdr-22", "did you mean 'cdr-2'"},
+        BadInput{"timing --plot p.pdf", "unknown plot format"},
+        BadInput{"timing --csv no/such/folder/t.csv", "cannot be written"},
+        BadInput{"timing --trace no/such/folder/t.json", "cannot be written"},
+        BadInput{"scaling --draws 0", "draws must be 1 to"}, BadInput{"scaling --draws 1000,x", "draws"},
+        BadInput{"scaling --draws 99999999", "draws must be 1 to"},
+        BadInput{"scaling --threads 1,0", "threads must be 1 to"},
+        BadInput{"scaling --threads 257", "threads must be 1 to"},
+        BadInput{"scaling --cascades 65", "cascades must be 1 to"},
+        BadInput{"scaling --targets singel", "did you mean 'single'"},
+        BadInput{"scaling --repeats 0", "repeats must be 1 to"},
+        BadInput{"scaling --plot no/such/folder/p.png", "cannot be written"}));
 
 /// A glTF that does not hold what it promises.
 struct BadFile {

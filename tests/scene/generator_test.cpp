@@ -45,6 +45,26 @@ TEST(Generators, CubesAreListedNearestFirst) {
     }
 }
 
+TEST(Generators, ACrowdIsWhollyInViewAndEvenOverCascades) {
+    for (const double aspect : {16.0 / 9.0, 1.0, 0.5}) {
+        const StagedScene staged = makeCrowd(3, 4000, aspect);
+        const Camera camera = staged.path.at(0);
+        const double tanY = std::tan(0.5 * camera.fovY);
+        std::vector<int> perCascade(4);
+        for (std::size_t i = 0; i < staged.scene.instances.size(); ++i) {
+            const glm::dvec3 p = camera.toView(staged.scene.instances.position(i));
+            EXPECT_LT((std::abs(p.x) + 1.0) / (tanY * aspect), -p.z - 1.0);
+            EXPECT_LT((std::abs(p.y) + 1.0) / tanY, -p.z - 1.0);
+            const double share =
+                std::log(-p.z / camera.nearView) / std::log(camera.farView / camera.nearView);
+            ++perCascade.at(static_cast<std::size_t>(4.0 * share));
+        }
+        for (const int cubes : perCascade) {
+            EXPECT_NEAR(cubes, 1000, 120);
+        }
+    }
+}
+
 TEST(Generators, LadderRungsAscendInEqualRatios) {
     const LadderOptions options;
     EXPECT_DOUBLE_EQ(ladderSeparation(options, 0), 1e-6);

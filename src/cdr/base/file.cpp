@@ -95,6 +95,10 @@ void writeFile(const fs::path& path, std::span<const std::uint8_t> bytes) {
     writeBesideThenRename(path, [&](const fs::path& temporary) { writeStream(temporary, bytes); });
 }
 
+void writeText(const fs::path& path, std::string_view text) {
+    writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
 void requireWritable(const fs::path& path) {
     if (path.filename().empty() || fs::is_directory(path)) {
         throw InputError(path.string() + ": names a folder, not a file to write");

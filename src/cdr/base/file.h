@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace cdr::base {
@@ -21,6 +22,9 @@ void writeBesideThenRename(const std::filesystem::path& path,
 
 /// writeBesideThenRename() of bytes in memory.
 void writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+
+/// writeFile() of a text as it is.
+void writeText(const std::filesystem::path& path, std::string_view text);
 
 /// InputError unless a file can be created at `path`. Leaves nothing behind; call before long work.
 void requireWritable(const std::filesystem::path& path);

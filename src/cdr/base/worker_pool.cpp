@@ -8,10 +8,14 @@
 namespace cdr::base {
 
 struct WorkerPool::Batch {
-    Batch(const Job& batchBody, std::size_t batchJobs) : body(batchBody), jobs(batchJobs) {}
+    Batch(const Job& batchBody, std::size_t batchJobs, Trace* batchTrace)
+        : body(batchBody),
+          jobs(batchJobs),
+          trace(batchTrace) {}
 
     const Job& body;
     const std::size_t jobs;
+    Trace* const trace;
     std::atomic<std::size_t> next{0};
     std::mutex errorMutex;
     std::size_t errorJob = static_cast<std::size_t>(-1);
@@ -19,6 +23,7 @@ struct WorkerPool::Batch {
 
     void work(std::size_t worker) {
         for (std::size_t job = next++; job < jobs; job = next++) {
+            const JobSpan span(trace, worker, job);
             try {
                 body(job, worker);
             } catch (...) {
@@ -46,7 +51,7 @@ WorkerPool::WorkerPool(std::size_t threads) {
 WorkerPool::~WorkerPool() = default;
 
 void WorkerPool::run(std::size_t jobs, const Job& body) {
-    Batch batch(body, jobs);
+    Batch batch(body, jobs, m_trace);
     // One job needs no second thread; waking one would only cost.
     const bool shared = jobs > 1 && !m_threads.empty();
     if (shared) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/trace.h>
+
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
@@ -30,6 +32,10 @@ class WorkerPool {
     /// index is rethrown after the batch. Not reentrant: one batch at a time, from one thread.
     void run(std::size_t jobs, const Job& body);
 
+    /// Traces every job from now on; null for none. Between batches only; the trace must have a track per
+    /// worker.
+    void setTrace(Trace* trace) { m_trace = trace; }
+
     std::size_t threads() const { return m_threads.size() + 1; }
 
     static constexpr std::size_t kMaxThreads = 256;
@@ -38,6 +44,7 @@ class WorkerPool {
     struct Batch;
     void serve(const std::stop_token& stop, std::size_t worker);
 
+    Trace* m_trace = nullptr;
     std::mutex m_mutex;
     std::condition_variable_any m_batchPosted;
     std::condition_variable m_workersIdle;

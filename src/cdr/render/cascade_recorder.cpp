@@ -58,9 +58,11 @@ void CascadeRecorder::record(base::WorkerPool& workers, const GeometryPass& pass
                                                     vk::CommandBufferUsageFlagBits::eRenderPassContinue,
                                            .pInheritanceInfo = &inheritance};
     workers.run(m_jobs.size(), [&](std::size_t job, std::size_t worker) {
+        const DrawJob& work = m_jobs[job];
+        const base::JobSpan span(recording.trace, worker, job, work.cascade, work.draws.size());
         const vk::CommandBuffer commands = m_pools[worker].next();
         commands.begin(begin);
-        pass.record(commands, m_jobs[job], recording);
+        pass.record(commands, work, recording);
         commands.end();
         m_commands[job] = commands;
     });

@@ -51,6 +51,7 @@ class GeometryPass {
         vk::DescriptorSet recordSet;
         vk::Extent2D extent;
         Batching batching = Batching::instanced;
+        base::Trace* trace = nullptr;
     };
 
     /// Writes the records of a job's draws and their commands. `commands` is a secondary in the recording

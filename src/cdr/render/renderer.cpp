@@ -6,23 +6,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace cdr::render {
 
 namespace {
 
-/// Milliseconds since the last call.
+/// Times one stage after the other.
 class Stopwatch {
   public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        return std::chrono::duration<double, std::milli>(now - std::exchange(m_last, now)).count();
+    explicit Stopwatch(base::Trace* trace) : m_trace(trace) {}
+
+    /// Milliseconds since the last call; they were `stage`.
+    double lap(const char* stage) {
+        const auto now = base::Trace::Clock::now();
+        const auto last = std::exchange(m_last, now);
+        if (m_trace != nullptr) {
+            m_trace->addStage(stage, last, now);
+        }
+        return std::chrono::duration<double, std::milli>(now - last).count();
     }
 
   private:
-    std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
+    base::Trace* m_trace;
+    base::Trace::Clock::time_point m_last = base::Trace::Clock::now();
 };
 
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options) {
@@ -77,12 +84,14 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
       m_surfaceCopy(device, m_extent, sizeof(Surface), "surface copy"),
       m_recorder(device, options.threads, "frame"),
-      m_primaryPool(device, vk::CommandBufferLevel::ePrimary, "frame") {}
+      m_primaryPool(device, vk::CommandBufferLevel::ePrimary, "frame") {
+    m_workers.setTrace(options.trace);
+}
 
 void Renderer::stage(const scene::Camera& camera, Staged& staged, FrameStats& stats) {
-    Stopwatch watch;
+    Stopwatch watch(m_options.trace);
     scene::cullSpheres(m_scene.instances, camera, m_aspect, m_workers, m_visible);
-    stats.times.cullMs = watch.lap();
+    stats.times.cullMs = watch.lap("cull");
 
     staged.lens = lensOf(camera, m_aspect);
     staged.cascades = m_split.cut(camera, m_visible);
@@ -96,11 +105,11 @@ void Renderer::stage(const scene::Camera& camera, Staged& staged, FrameStats& st
                                 .push = makeCascadePush(terms, clipRanges[i], staged.lens, slice,
                                                         static_cast<std::uint32_t>(i))});
     }
-    stats.times.splitMs = watch.lap();
+    stats.times.splitMs = watch.lap("split");
 
     scene::binByDistance(m_visible, clipRanges, m_geometry.wideSpan(staged.cascades.size()), m_workers,
                          m_lists);
-    stats.times.binMs = watch.lap();
+    stats.times.binMs = watch.lap("bin");
     stats.visible = m_lists.visible;
     stats.draws = m_lists.draws();
     stats.duplication = m_lists.duplication();
@@ -172,7 +181,7 @@ FrameStats Renderer::run(const scene::Camera& camera, Staged& staged, Destinatio
     growRecords(m_lists.draws());
     m_shading.update(m_scene, camera, staged.lens, anchorsOf(staged.draws));
 
-    Stopwatch watch;
+    Stopwatch watch(m_options.trace);
     m_recorder.record(m_workers, m_geometry,
                       {.camera = camera,
                        .lists = m_lists,
@@ -180,12 +189,13 @@ FrameStats Renderer::run(const scene::Camera& camera, Staged& staged, Destinatio
                        .records = m_records.as<shaders::DrawRecord>(m_lists.draws()),
                        .recordSet = m_recordSet,
                        .extent = m_extent,
-                       .batching = m_options.batching});
+                       .batching = m_options.batching,
+                       .trace = m_options.trace});
     m_records.flush();
     const vk::CommandBuffer primary = recordPrimary(staged.cascades.size(), destination);
-    stats.times.recordMs = watch.lap();
+    stats.times.recordMs = watch.lap("record");
     gpu::submitAndWait(m_device, primary);
-    stats.times.executeMs = watch.lap();
+    stats.times.executeMs = watch.lap("execute");
     return stats;
 }
 

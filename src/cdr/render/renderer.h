@@ -27,6 +27,9 @@ struct RenderOptions {
     TargetsChoice targets = TargetsKind::single;
     std::size_t threads = 1; ///< that cull, bin and record, the caller's included
     Batching batching = Batching::instanced;
+    /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
+    /// none.
+    base::Trace* trace = nullptr;
 };
 
 /// Renders a scene with one technique into one kind of targets, frame by frame.

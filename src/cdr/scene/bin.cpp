@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace cdr::scene {
 
 namespace {
 
+/// Instances classified together: the working set stays in the first-level cache and the loops over it are
+/// vectorised.
+constexpr std::size_t kBlock = 256;
 constexpr std::size_t kJobInstances = 16'384;
 
 using BucketCounts = std::array<std::size_t, 2 * depth::kMaxCascades>;
 
-/// The ranges as two plain arrays.
+/// The ranges as two plain arrays, both ascending, so that the cascades an instance meets are neighbours.
 struct Ranges {
     std::array<double, depth::kMaxCascades> nearView{};
     std::array<double, depth::kMaxCascades> farView{};
@@ -20,47 +25,80 @@ struct Ranges {
     double wideSpan = 0.0;
 
     Ranges(const depth::Cascades& clipRanges, double span) : count(clipRanges.size()), wideSpan(span) {
+        double farthest = 0.0;
         for (std::size_t c = 0; c < count; ++c) {
             nearView[c] = clipRanges[c].nearView;
-            farView[c] = clipRanges[c].farView;
+            farthest = std::max(farthest, clipRanges[c].farView);
+            farView[c] = farthest;
         }
     }
 };
 
-/// Calls `visit(bucket, visible index)` for every cascade an instance meets; instances ascend, and cascades
-/// in each.
-template <typename Visit>
-void forEachMeeting(const Ranges& ranges, const VisibleList& visible, base::IndexRange range, Visit&& visit) {
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-        const double low = visible.distanceView[i] - static_cast<double>(visible.radius[i]);
-        const double high = visible.distanceView[i] + static_cast<double>(visible.radius[i]);
+/// Where each instance of a block lands: in the cascades [first, end), none where end <= first.
+struct Block {
+    std::array<double, kBlock> low;
+    std::array<double, kBlock> high;
+    std::array<double, kBlock> first;
+    std::array<double, kBlock> end;
+    std::array<double, kBlock> wide;
+};
+
+/// The hot loops: straight-line arithmetic over arrays, no branch, so compilers vectorise them.
+void classify(const Ranges& ranges, const VisibleList& visible, std::size_t begin, std::size_t count,
+              Block& block) {
+    const double* distanceView = visible.distanceView.data() + begin;
+    const float* radius = visible.radius.data() + begin;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double low = distanceView[i] - static_cast<double>(radius[i]);
+        const double high = distanceView[i] + static_cast<double>(radius[i]);
+        block.low[i] = low;
+        block.high[i] = high;
         // An infinite span times a distance of 0 is not a number, compares false, and so still says compact.
-        const std::size_t wide = high - low > ranges.wideSpan * std::max(low, 0.0) ? 1 : 0;
-        for (std::size_t c = 0; c < ranges.count; ++c) {
-            if (low <= ranges.farView[c] && high >= ranges.nearView[c]) {
-                visit(2 * c + wide, i);
-            }
+        block.wide[i] = high - low > ranges.wideSpan * std::max(low, 0.0) ? 1.0 : 0.0;
+        block.first[i] = 0.0;
+        block.end[i] = 0.0;
+    }
+    for (std::size_t c = 0; c < ranges.count; ++c) {
+        const double farView = ranges.farView[c];
+        const double nearView = ranges.nearView[c];
+        for (std::size_t i = 0; i < count; ++i) {
+            block.first[i] += farView < block.low[i] ? 1.0 : 0.0;
+            block.end[i] += nearView <= block.high[i] ? 1.0 : 0.0;
         }
     }
 }
 
-/// How many draws each (job, bucket) adds, and in `seen` how many instances land anywhere.
-void countJobs(const Ranges& ranges, const VisibleList& visible, base::WorkerPool& workers,
-               std::vector<BucketCounts>& counts, std::vector<std::size_t>& seen) {
-    const std::size_t jobs = counts.size();
-    workers.run(jobs, [&](std::size_t job, std::size_t) {
-        BucketCounts mine{};
-        std::size_t landed = 0;
-        std::size_t previous = static_cast<std::size_t>(-1);
-        forEachMeeting(ranges, visible, base::evenRange(visible.count, job, jobs),
-                       [&](std::size_t bucket, std::size_t i) {
-                           ++mine[bucket];
-                           landed += i != previous ? 1 : 0;
-                           previous = i;
-                       });
-        counts[job] = mine;
-        seen[job] = landed;
-    });
+/// Notes where each instance of a range lands, adds up the draws per bucket, and returns how many land
+/// anywhere.
+std::size_t countRange(const Ranges& ranges, const VisibleList& visible, base::IndexRange range,
+                       BucketCounts& counts, DrawLists& lists) {
+    Block block;
+    std::size_t landed = 0;
+    for (std::size_t begin = range.begin; begin < range.end; begin += kBlock) {
+        const std::size_t count = std::min(kBlock, range.end - begin);
+        DrawLists::Landing* landings = lists.landings.data() + begin;
+        classify(ranges, visible, begin, count, block);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto bucket = static_cast<std::uint16_t>(2.0 * block.first[i] + block.wide[i]);
+            const auto cascades = static_cast<std::uint16_t>(std::max(block.end[i] - block.first[i], 0.0));
+            landings[i] = {.bucket = bucket, .cascades = cascades};
+            landed += cascades > 0 ? 1 : 0;
+            for (std::size_t c = 0; c < cascades; ++c) {
+                ++counts[bucket + 2 * c];
+            }
+        }
+    }
+    return landed;
+}
+
+void fillRange(const VisibleList& visible, base::IndexRange range, BucketCounts next, DrawLists& lists) {
+    std::uint32_t* const instance = lists.instance.data();
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+        const DrawLists::Landing landing = lists.landings[i];
+        for (std::size_t c = 0; c < landing.cascades; ++c) {
+            instance[next[landing.bucket + 2 * c]++] = visible.instance[i];
+        }
+    }
 }
 
 /// Turns counts into the first index of each (job, bucket), bucket by bucket, and fills DrawLists::begins.
@@ -82,19 +120,17 @@ void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges
     const Ranges ranges(clipRanges, wideSpan);
     const std::size_t jobs = (visible.count + kJobInstances - 1) / kJobInstances;
     std::vector<BucketCounts> counts(jobs);
-    std::vector<std::size_t> seen(jobs);
-    countJobs(ranges, visible, workers, counts, seen);
+    std::vector<std::size_t> landed(jobs);
+    lists.landings.resize(std::max(lists.landings.size(), visible.count));
+    workers.run(jobs, [&](std::size_t job, std::size_t) {
+        landed[job] =
+            countRange(ranges, visible, base::evenRange(visible.count, job, jobs), counts[job], lists);
+    });
     layOut(counts, 2 * ranges.count, lists);
-    lists.visible = 0;
-    for (const std::size_t landed : seen) {
-        lists.visible += landed;
-    }
+    lists.visible = std::accumulate(landed.begin(), landed.end(), std::size_t{0});
     lists.instance.resize(std::max(lists.instance.size(), lists.draws()));
     workers.run(jobs, [&](std::size_t job, std::size_t) {
-        BucketCounts next = counts[job];
-        forEachMeeting(
-            ranges, visible, base::evenRange(visible.count, job, jobs),
-            [&](std::size_t bucket, std::size_t i) { lists.instance[next[bucket]++] = visible.instance[i]; });
+        fillRange(visible, base::evenRange(visible.count, job, jobs), counts[job], lists);
     });
 }
 

@@ -18,6 +18,13 @@ struct DrawLists {
     std::vector<std::size_t> begins{0};
     std::size_t visible = 0; ///< instances in at least one cascade
 
+    /// Where a visible instance lands: in `cascades` cascades from that of `bucket` on.
+    struct Landing {
+        std::uint16_t bucket = 0;
+        std::uint16_t cascades = 0;
+    };
+    std::vector<Landing> landings; ///< scratch of binByDistance(), by index into the visible list
+
     std::size_t cascades() const { return begins.size() / 2; }
     std::size_t draws() const { return begins.back(); }
     base::IndexRange range(std::size_t cascade) const {
@@ -33,7 +40,8 @@ struct DrawLists {
 
 /// Puts every visible instance into each cascade whose range its sphere [w - r, w + r] meets (thesis chapter
 /// 3). The same lists for any number of workers. `lists` is reused, so binning allocates nothing once warm.
-/// @param clipRanges each cascade's depth::clipRange(), nearest first.
+/// @param clipRanges each cascade's depth::clipRange(), nearest first: near planes ascend. A range that ends
+/// before an earlier one does is taken to end with it.
 /// @param wideSpan an instance is wide when its sphere reaches the camera plane or 2r > wideSpan * (w - r);
 /// infinity for
 ///        none. Depth that is not linear in screen space must be set per fragment on those.

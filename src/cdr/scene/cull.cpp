@@ -11,7 +11,7 @@ namespace {
 /// Instances tested together: the working set stays in the first-level cache and the loop over it is
 /// vectorised.
 constexpr std::size_t kBlock = 512;
-/// Instances per job: enough work to be worth a hand-off.
+/// Instances per job where threads share them: enough work to be worth a hand-off.
 constexpr std::size_t kJobInstances = 16'384;
 
 /// A camera as the test wants it. The frustum is symmetric, so two side planes each stand for two.
@@ -83,6 +83,9 @@ std::size_t cullRange(const SphereTest& test, const Instances& instances, base::
 
 template <typename T>
 void closeGap(std::vector<T>& values, std::size_t from, std::size_t count, std::size_t to) {
+    if (from == to) {
+        return;
+    }
     std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(from), count,
                 values.begin() + static_cast<std::ptrdiff_t>(to));
 }
@@ -96,7 +99,8 @@ void cullSpheres(const Instances& instances, const Camera& camera, double aspect
     visible.instance.resize(count);
     visible.distanceView.resize(count);
     visible.radius.resize(count);
-    const std::size_t jobs = (count + kJobInstances - 1) / kJobInstances;
+    // One thread takes all in one job, which leaves no gap to close.
+    const std::size_t jobs = workers.threads() == 1 ? 1 : (count + kJobInstances - 1) / kJobInstances;
     std::vector<std::size_t> kept(jobs);
     workers.run(jobs, [&](std::size_t job, std::size_t) {
         kept[job] = cullRange(test, instances, base::evenRange(count, job, jobs), visible);

@@ -123,6 +123,30 @@ StagedScene makeRotation(std::uint64_t seed, std::uint32_t cubes) {
     return staged;
 }
 
+StagedScene makeCrowd(std::uint64_t seed, std::uint32_t cubes, double aspect) {
+    if (cubes > kMaxObjects) {
+        throw base::InputError("crowd: at most " + std::to_string(kMaxObjects) + " cubes");
+    }
+    const Camera lens{.fovY = 60.0 * kDegree, .nearView = 100.0, .farView = 10'000.0};
+    // Wider than a cube's bounding sphere, so that no cube touches a plane.
+    constexpr double kMargin = 2.0;
+    const double tanY = std::tan(0.5 * lens.fovY);
+    const double nearest = std::log(lens.nearView + kMargin);
+    const double farthest = std::log(lens.farView - kMargin);
+    StagedScene staged{.scene = cubeScene("crowd", 1'000.0), .path = {}};
+    Random random(seed);
+    for (std::uint32_t i = 0; i < cubes; ++i) {
+        const double w = std::exp(random.uniform(nearest, farthest));
+        const double halfX = std::max(0.0, w * tanY * aspect - kMargin * std::hypot(1.0, tanY * aspect));
+        const double halfY = w * tanY - kMargin * std::hypot(1.0, tanY);
+        const double x = random.uniform(-halfX, halfX);
+        const double y = random.uniform(-halfY, halfY);
+        addCube(staged.scene, {x, y, -w});
+    }
+    staged.path = stillPath(lens);
+    return staged;
+}
+
 double ladderSeparation(const LadderOptions& options, std::uint32_t pair) {
     const double share = static_cast<double>(pair) / (kLadderPairs - 1);
     return options.scale * options.smallestSeparation *

@@ -35,6 +35,12 @@ StagedScene makeAfcNear(std::uint64_t seed);
 /// @param cubes 64,000 in the thesis.
 StagedScene makeRotation(std::uint64_t seed, std::uint32_t cubes = 64'000);
 
+/// Unit cubes all in view and about a pixel each at 640x360, so that drawing them costs draws rather than
+/// pixels: 60 degrees, near 100, far 10,000. Their distances are spread evenly in logarithm, so that each
+/// cascade of a count:K split gets about an equal share.
+/// @param aspect width over height of the picture, > 0.
+StagedScene makeCrowd(std::uint64_t seed, std::uint32_t cubes, double aspect = 16.0 / 9.0);
+
 struct LadderOptions {
     double distanceView = 1e6; ///< from the camera to the field's centre
     double smallestSeparation = 1e-6;

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::base {
+
+/// Records who worked on what and when, for the Chrome and Perfetto trace viewers (Google, "Trace Event
+/// Format").
+///
+/// Each worker adds to a track of its own, so an event takes no lock; frames and stages come from the one
+/// thread that drives the frame. What can be traced takes a pointer, null for no trace, and asks it per job,
+/// never per draw.
+class Trace {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    /// @param workers tracks for workers 0 to workers - 1; 0 is the thread that drives the frame.
+    explicit Trace(std::size_t workers);
+
+    /// Later events belong to this frame. Driving thread only.
+    void beginFrame(std::string name);
+
+    /// A stage that the driving thread just ended, such as "cull". Workers' jobs bear the name of the stage
+    /// around them; "execute" is the device's.
+    /// @param name must outlive the trace.
+    void addStage(const char* name, Clock::time_point begin, Clock::time_point end);
+
+    struct Job {
+        std::size_t index = 0; ///< within its batch
+        std::optional<std::size_t>
+            cascade; ///< which it draws: that cascade's track spans its jobs of a frame
+        std::size_t draws = 0;
+        Clock::time_point begin;
+        Clock::time_point end;
+    };
+    /// A job that `worker` just ended; on that worker's thread.
+    void addJob(std::size_t worker, const Job& job);
+
+    /// Ignores everything from now on. Driving thread, between batches.
+    void stop() { m_stopped = true; }
+
+    /// {"traceEvents": [...]}, microseconds since the trace was made.
+    nlohmann::ordered_json toJson() const;
+    /// Writes toJson() whole or not at all. base::InputError when the file cannot be made.
+    void write(const std::filesystem::path& path) const;
+
+    /// Events a track keeps; the rest are counted only, so that a long run cannot fill the memory.
+    static constexpr std::size_t kMaxEventsPerTrack = 300'000;
+
+  private:
+    struct Stage {
+        const char* name;
+        std::size_t frame;
+        Clock::time_point begin;
+        Clock::time_point end;
+    };
+    struct FramedJob {
+        std::size_t frame;
+        Job job;
+    };
+    /// On cache lines of its own, since its neighbours belong to other workers.
+    struct alignas(64) WorkerTrack {
+        std::vector<FramedJob> jobs;
+        std::size_t dropped = 0;
+    };
+    class Writer;
+
+    Clock::time_point m_start = Clock::now();
+    std::vector<std::string> m_frames;
+    std::vector<Stage> m_stages;
+    std::size_t m_droppedStages = 0;
+    std::vector<WorkerTrack> m_workers;
+    bool m_stopped = false;
+};
+
+/// Traces one job from construction to destruction; nothing at all without a trace.
+class JobSpan {
+  public:
+    JobSpan(Trace* trace, std::size_t worker, std::size_t index,
+            std::optional<std::size_t> cascade = std::nullopt, std::size_t draws = 0)
+        : m_trace(trace),
+          m_worker(worker) {
+        if (m_trace != nullptr) {
+            m_job = {
+                .index = index, .cascade = cascade, .draws = draws, .begin = Trace::Clock::now(), .end = {}};
+        }
+    }
+    ~JobSpan() {
+        if (m_trace != nullptr) {
+            m_job.end = Trace::Clock::now();
+            m_trace->addJob(m_worker, m_job);
+        }
+    }
+    JobSpan(const JobSpan&) = delete;
+    JobSpan& operator=(const JobSpan&) = delete;
+
+  private:
+    Trace* m_trace;
+    std::size_t m_worker;
+    Trace::Job m_job;
+};
+
+} // namespace cdr::base

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cdr::measure {
+
+/// The value below which `percent` of the samples lie, interpolated linearly between neighbours (Hyndman and
+/// Fan 1996, type 7: what NumPy, R and spreadsheets give).
+/// @param samples at least one, in any order, none of them NaN; base::InputError when empty.
+/// @param percent 0 to 100.
+double percentile(std::vector<double> samples, double percent);
+
+/// The 50th percentile: the mean of the two middle samples where their number is even.
+double median(std::vector<double> samples);
+
+struct Interval {
+    double low = 0.0;
+    double high = 0.0;
+
+    bool contains(double value) const { return value >= low && value <= high; }
+};
+
+/// How often bootstrapMedian() resamples unless told: its interval's ends then vary by a few percent of its
+/// width.
+inline constexpr std::size_t kResamples = 2000;
+
+/// 95 % interval of the median by the percentile bootstrap (Efron 1979): the middle 95 % of the medians of
+/// resamples drawn with replacement. The same interval for the same samples and seed on every platform.
+/// Samples count as independent, so it is too narrow for a series that drifts.
+/// @param samples at least one; base::InputError when empty.
+/// @param resamples at least one.
+Interval bootstrapMedian(const std::vector<double>& samples, std::uint64_t seed,
+                         std::size_t resamples = kResamples);
+
+} // namespace cdr::measure

@@ -1,0 +1,130 @@
+#include "thread_sweep.h"
+
+#include <cdr/base/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <thread>
+
+namespace cdr::experiments {
+
+namespace {
+
+std::size_t cpuCount() {
+    return std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// Ascending, each once, 1 among them: it is what the others are compared with.
+std::vector<std::size_t> threadList(const ScalingOptions& options) {
+    std::vector<std::size_t> list = options.threads.empty() ? threadSteps(cpuCount()) : options.threads;
+    list.push_back(1);
+    const std::set<std::size_t> sorted(list.begin(), list.end());
+    return {sorted.begin(), sorted.end()};
+}
+
+ScalingFit fit(const std::vector<ScalingPoint>& points) {
+    std::vector<measure::SpeedUp> all;
+    std::vector<measure::SpeedUp> onCpus;
+    for (const ScalingPoint& point : points) {
+        all.push_back({.threads = static_cast<double>(point.threads), .factor = point.recordSpeedUp});
+        if (point.threads <= cpuCount()) {
+            onCpus.push_back(all.back());
+        }
+    }
+    return {.targets = points.front().targets,
+            .cascades = points.front().cascades,
+            .cubes = points.front().cubes,
+            .serialFraction = measure::fitAmdahl(onCpus),
+            .universal = measure::fitUniversalScalability(all)};
+}
+
+template <typename Value>
+void requireAll(const char* what, const std::vector<Value>& values, std::size_t most) {
+    if (values.empty()) {
+        throw base::InputError(fmt::format("scaling: at least one number of {} is needed", what));
+    }
+    for (const Value value : values) {
+        if (value < 1 || value > most) {
+            throw base::InputError(fmt::format("{} must be 1 to {}, not {}", what, most, value));
+        }
+    }
+}
+
+} // namespace
+
+double ScalingPoint::recordNsPerDraw() const {
+    constexpr double kNsPerMs = 1e6;
+    return draws > 0 ? record.medianMs * kNsPerMs / static_cast<double>(draws) : 0.0;
+}
+
+std::vector<render::TargetsChoice> allTargets() {
+    std::vector<render::TargetsChoice> kinds;
+    for (const std::string_view name : {"single", "accumulate", "pool", "layers", "one-pass"}) {
+        try {
+            kinds.push_back(render::parseTargets(name));
+        } catch (const base::InputError&) {
+            continue; // this build has no such targets
+        }
+    }
+    return kinds;
+}
+
+std::vector<std::size_t> threadSteps(std::size_t cpus) {
+    std::set<std::size_t> steps{1, cpus, 2 * cpus};
+    for (std::size_t power = 1; power <= 2 * cpus; power *= 2) {
+        steps.insert(power);
+        if (power >= 2 && power + power / 2 <= 2 * cpus) {
+            steps.insert(power + power / 2);
+        }
+    }
+    return {steps.begin(), steps.end()};
+}
+
+void requireUsable(const ScalingOptions& options) {
+    requireAll("draws", options.draws, scene::kMaxObjects);
+    requireAll("threads", threadList(options), base::WorkerPool::kMaxThreads);
+    requireAll("cascades", options.cascades, depth::kMaxCascades);
+    requireAll("repeats", std::vector{options.repeats}, 10'000);
+    if (options.targets.empty()) {
+        throw base::InputError("scaling: at least one kind of targets is needed");
+    }
+}
+
+ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& options,
+                         const ScalingProgress& progress) {
+    requireUsable(options);
+    const std::size_t frames = options.draws.size() * options.targets.size() * options.cascades.size() *
+                               threadList(options).size() * (options.repeats + std::size_t{1});
+    std::size_t done = 0;
+    ScalingResult result;
+    for (const std::uint32_t cubes : options.draws) {
+        const double aspect = static_cast<double>(options.width) / options.height;
+        const scene::StagedScene staged = scene::makeCrowd(options.seed, cubes, aspect);
+        const render::GpuScene gpuScene(device, staged.scene);
+        for (const render::TargetsChoice targets : options.targets) {
+            for (const unsigned cascades : options.cascades) {
+                const std::string what =
+                    fmt::format("{} {} cascades {} draws", nameOf(targets), cascades, cubes);
+                const auto step = [&] { progress(done++, frames, what); };
+                ScalingPoint common;
+                common.targets = targets;
+                common.cascades = cascades;
+                common.cubes = cubes;
+                ThreadSweep sweep(device, options, staged, gpuScene, threadList(options), common);
+                sweep.hash(step);
+                for (std::uint32_t repeat = 0; repeat < options.repeats; ++repeat) {
+                    sweep.repeat(repeat, step);
+                }
+                const std::vector<ScalingPoint> points = sweep.points();
+                result.fits.push_back(fit(points));
+                result.points.insert(result.points.end(), points.begin(), points.end());
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace cdr::experiments

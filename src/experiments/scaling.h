@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cdr/gpu/device.h>
+#include <cdr/measure/scaling_law.h>
+#include <cdr/render/targets.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// Every kind of targets this build knows that keeps all cascades apart.
+std::vector<render::TargetsChoice> allTargets();
+
+/// 1, 2, 3, 4, 6, 8, 12, ... up to twice the CPUs, and both those.
+std::vector<std::size_t> threadSteps(std::size_t cpus);
+
+/// How recording scales with threads: a draw-bound scene of unit cubes all in view, one draw each.
+struct ScalingOptions {
+    std::uint32_t width = 640;
+    std::uint32_t height = 360;
+    std::vector<std::uint32_t> draws{1'000, 10'000, 100'000, 1'000'000};
+    std::vector<std::size_t> threads; ///< threadSteps() of this machine when empty; 1 joins in any case
+    std::vector<render::TargetsChoice> targets = allTargets();
+    std::vector<unsigned> cascades{1, 2, 4, 8};
+    std::uint32_t repeats = 7; ///< timed frames of each point, after one that warms up
+    std::uint64_t seed = 2013;
+};
+
+/// A time's median over the repeats, and their spread: the distance between the quartiles as a share of the
+/// median.
+struct Spread {
+    double medianMs = 0.0;
+    double spread = 0.0;
+};
+
+/// One (targets, cascades, draws, threads). Factors are over one thread, medians of the ratios repeat by
+/// repeat.
+struct ScalingPoint {
+    render::TargetsChoice targets = render::TargetsKind::single;
+    unsigned cascades = 1;
+    std::uint32_t cubes = 0;
+    std::size_t threads = 1;
+    std::size_t draws = 0; ///< a cube astride a boundary counts once per cascade
+    Spread cull;
+    Spread bin;
+    Spread record;
+    Spread execute;
+    Spread frame;
+    double recordSpeedUp = 1.0;
+    double cullAndBinSpeedUp = 1.0;
+    double frameSpeedUp = 1.0;
+    std::string hash;      ///< SHA-256 over the whole G-buffer and the picture
+    bool sameImage = true; ///< as with one thread
+
+    double recordNsPerDraw() const;
+    double efficiency() const { return recordSpeedUp / static_cast<double>(threads); }
+};
+
+/// What the points of one (targets, cascades, draws) say of recording.
+struct ScalingFit {
+    render::TargetsChoice targets = render::TargetsKind::single;
+    unsigned cascades = 1;
+    std::uint32_t cubes = 0;
+    std::optional<double> serialFraction; ///< Amdahl's, over the points with no more threads than CPUs
+    std::optional<measure::UniversalScalability> universal; ///< over all points
+};
+
+struct ScalingResult {
+    std::vector<ScalingPoint> points;
+    std::vector<ScalingFit> fits;
+};
+
+/// Called before each frame with how many of all are done.
+using ScalingProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
+
+/// base::InputError for an empty list or a value out of range, before anything is made.
+ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& options,
+                         const ScalingProgress& progress);
+void requireUsable(const ScalingOptions& options);
+
+/// Record time per draw, and its speed-up, over threads, as a gnuplot script; the first targets and fewest
+/// cascades.
+/// @param measuredOn goes under the title.
+std::string scalingPlot(const ScalingResult& result, const std::string& measuredOn);
+
+} // namespace cdr::experiments

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "scaling.h"
+
+#include <cdr/render/renderer.h>
+#include <cdr/scene/generators.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// One (targets, cascades, draws) over every number of threads.
+class ThreadSweep {
+  public:
+    /// @param threads ascending from 1.
+    /// @param common what all points share.
+    ThreadSweep(const gpu::Device& device, const ScalingOptions& options, const scene::StagedScene& staged,
+                const render::GpuScene& gpuScene, std::vector<std::size_t> threads, ScalingPoint common);
+
+    /// Renders and hashes one frame of each number of threads, which also warms them up. Once, and first.
+    void hash(const std::function<void()>& step);
+    /// Times one frame of each number of threads in turn; the first to go moves on with each repeat.
+    void repeat(std::size_t number, const std::function<void()>& step);
+
+    /// In the order of the threads; after at least one repeat.
+    std::vector<ScalingPoint> points() const;
+
+  private:
+    /// What each repeat of one point took, milliseconds.
+    struct Samples {
+        std::vector<double> cull;
+        std::vector<double> bin;
+        std::vector<double> cullAndBin;
+        std::vector<double> record;
+        std::vector<double> execute;
+        std::vector<double> frame;
+    };
+
+    scene::Camera m_camera;
+    std::vector<std::size_t> m_threads;
+    ScalingPoint m_common;
+    std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by number of threads, as the next two
+    std::vector<Samples> m_samples;
+    std::vector<std::string> m_hashes;
+};
+
+} // namespace cdr::experiments

@@ -1,0 +1,163 @@
+#include "timing.h"
+
+#include <cdr/base/error.h>
+#include <cdr/render/renderer.h>
+#include <cdr/scene/generators.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <numeric>
+#include <random>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// What one mode took, one entry per frame.
+struct Samples {
+    std::vector<double> frameUs;
+    std::vector<double> cullAndBinUs;
+    std::vector<double> recordUs;
+    std::vector<double> executeUs;
+    std::vector<double> draws;
+};
+
+constexpr double kUsPerMs = 1000.0;
+
+void drawAndTime(render::Renderer& renderer, const scene::Camera& camera, Samples& samples) {
+    const auto begin = std::chrono::steady_clock::now();
+    const render::FrameStats stats = renderer.draw(camera);
+    const std::chrono::duration<double, std::micro> passed = std::chrono::steady_clock::now() - begin;
+    samples.frameUs.push_back(passed.count());
+    samples.cullAndBinUs.push_back(kUsPerMs * (stats.times.cullMs + stats.times.binMs));
+    samples.recordUs.push_back(kUsPerMs * stats.times.recordMs);
+    samples.executeUs.push_back(kUsPerMs * stats.times.executeMs);
+    samples.draws.push_back(static_cast<double>(stats.draws));
+}
+
+/// A fresh order of the modes for each frame, so that what a mode leaves in the caches burdens all others
+/// alike.
+class Order {
+  public:
+    Order(std::size_t modes, std::uint64_t seed) : m_random(seed), m_order(modes) {
+        std::iota(m_order.begin(), m_order.end(), std::size_t{0});
+    }
+
+    const std::vector<std::size_t>& next() {
+        // Fisher and Yates by hand: std::shuffle may differ between standard libraries.
+        for (std::size_t i = m_order.size(); i > 1; --i) {
+            std::swap(m_order[i - 1], m_order[m_random() % i]);
+        }
+        return m_order;
+    }
+
+  private:
+    std::mt19937_64 m_random;
+    std::vector<std::size_t> m_order;
+};
+
+TimingResult summarise(const TimingMode& mode, const Samples& samples, const Samples& standard,
+                       std::uint64_t seed) {
+    std::vector<double> overheads(samples.frameUs.size());
+    std::transform(samples.frameUs.begin(), samples.frameUs.end(), standard.frameUs.begin(),
+                   overheads.begin(),
+                   [](double us, double standardUs) { return 100.0 * (us / standardUs - 1.0); });
+    TimingResult result;
+    result.mode = mode;
+    result.medianUs = measure::median(samples.frameUs);
+    result.lowUs = measure::percentile(samples.frameUs, 5.0);
+    result.highUs = measure::percentile(samples.frameUs, 95.0);
+    result.cullAndBinUs = measure::median(samples.cullAndBinUs);
+    result.recordUs = measure::median(samples.recordUs);
+    result.executeUs = measure::median(samples.executeUs);
+    result.overheadPercent = measure::median(overheads);
+    result.overheadPercent95 = measure::bootstrapMedian(overheads, seed);
+    result.medianDraws = measure::median(samples.draws);
+    return result;
+}
+
+/// Every mode's renderer over one scene, and what each took so far.
+class Race {
+  public:
+    Race(const gpu::Device& device, const TimingOptions& options)
+        : m_options(options),
+          m_staged(scene::makeRotation(options.seed)),
+          m_gpuScene(device, m_staged.scene),
+          m_order(options.modes.size(), options.seed),
+          m_samples(options.modes.size()) {
+        for (const TimingMode& mode : options.modes) {
+            m_renderers.push_back(
+                std::make_unique<render::Renderer>(device, m_staged.scene, m_gpuScene,
+                                                   render::RenderOptions{.width = options.width,
+                                                                         .height = options.height,
+                                                                         .technique = mode.technique,
+                                                                         .targets = mode.targets,
+                                                                         .threads = options.threads,
+                                                                         .trace = options.trace}));
+        }
+        const scene::Camera first = m_staged.path.at(0);
+        m_path = scene::turnPath(first, first.position, options.frames);
+    }
+
+    void drawFrame(std::uint32_t number) {
+        const scene::Camera camera = m_path.at(number);
+        for (const std::size_t mode : m_order.next()) {
+            if (m_options.trace != nullptr) {
+                m_options.trace->beginFrame(m_options.modes[mode].name);
+            }
+            drawAndTime(*m_renderers[mode], camera, m_samples[mode]);
+        }
+    }
+
+    void forgetSamples() {
+        for (Samples& samples : m_samples) {
+            samples = {};
+        }
+    }
+
+    std::vector<TimingResult> results() {
+        std::vector<TimingResult> results;
+        for (std::size_t mode = 0; mode < m_renderers.size(); ++mode) {
+            results.push_back(
+                summarise(m_options.modes[mode], m_samples[mode], m_samples.front(), m_options.seed + mode));
+            results.back().cascades = m_renderers[mode]->render(m_path.at(0)).cascades.size();
+        }
+        return results;
+    }
+
+  private:
+    const TimingOptions& m_options;
+    scene::StagedScene m_staged;
+    scene::CameraPath m_path;
+    render::GpuScene m_gpuScene;
+    std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
+    Order m_order;
+    std::vector<Samples> m_samples; ///< by mode
+};
+
+} // namespace
+
+std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
+                                    const TimingProgress& progress) {
+    if (options.frames < 1 || options.modes.size() < 2) {
+        throw base::InputError("timing needs a frame, and a mode beside the baseline");
+    }
+    const std::size_t all = std::size_t{kWarmUpFrames} + options.frames;
+    Race race(device, options);
+    for (std::uint32_t i = 0; i < kWarmUpFrames; ++i) {
+        progress(i, all);
+        race.drawFrame(i);
+    }
+    race.forgetSamples();
+    if (options.trace != nullptr) {
+        options.trace->stop();
+    }
+    for (std::uint32_t i = 0; i < options.frames; ++i) {
+        progress(std::size_t{kWarmUpFrames} + i, all);
+        race.drawFrame(i);
+    }
+    return race.results();
+}
+
+} // namespace cdr::experiments

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cdr/base/trace.h>
+#include <cdr/depth/technique.h>
+#include <cdr/gpu/device.h>
+#include <cdr/measure/statistics.h>
+#include <cdr/render/targets.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// One way to render that Figure 6.4 compares.
+struct TimingMode {
+    std::string name; ///< of no other mode, such as "cdr-3" or "cdr-3/one-pass"
+    depth::Technique technique;
+    render::TargetsChoice targets = render::TargetsKind::single;
+    std::optional<double> thesisPercent; ///< overhead over standard that Figure 6.4 gives
+};
+
+/// Every mode this build knows. The first is standard, the baseline; the second is standard again, whose
+/// overhead is the noise floor.
+std::vector<TimingMode> timingModes();
+
+/// The modes of those names, standard twice in front whether named or not. base::InputError with a suggestion
+/// for an unknown name.
+std::vector<TimingMode> timingModesNamed(const std::vector<std::string>& names);
+
+/// Figure 6.4: what each technique costs over standard. 64,000 unit cubes in a 400^3 field, the camera in the
+/// middle turning once about y over all frames; every mode renders a camera before the next camera, in an
+/// order shuffled anew for each.
+struct TimingOptions {
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    std::uint32_t frames = 10'000; ///< measured, without the warm-up
+    std::size_t threads = 1;
+    std::uint64_t seed = 2013;
+    std::vector<TimingMode> modes = timingModes();
+    base::Trace* trace = nullptr; ///< receives the warm-up frames only, so measured ones stay as they are
+};
+
+/// Rendered and dropped before the first measured frame: pipelines compile, memory is touched, caches fill.
+inline constexpr std::uint32_t kWarmUpFrames = 5;
+
+/// One bar of Figure 6.4. Times are microseconds of one frame, latency: from the camera to the device being
+/// done.
+struct TimingResult {
+    TimingMode mode;
+    std::size_t cascades = 0;  ///< of the first camera
+    double medianUs = 0.0;     ///< whole frame: cull to the end of execute
+    double lowUs = 0.0;        ///< 5th percentile of the same
+    double highUs = 0.0;       ///< 95th
+    double cullAndBinUs = 0.0; ///< medians of the parts, each by itself
+    double recordUs = 0.0;
+    double executeUs = 0.0;
+    double overheadPercent = 0.0;        ///< over standard: the median of the ratios frame by frame
+    measure::Interval overheadPercent95; ///< bootstrapped
+    double medianDraws = 0.0;
+};
+
+/// Called before each frame with how many of all frames, warm-up included, are done.
+using TimingProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Results in the order of the modes. base::InputError for no frames or fewer than two modes.
+std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
+                                    const TimingProgress& progress);
+
+/// Figure 6.4 as a gnuplot script: overheads with their intervals, the thesis' beside them.
+/// @param measuredOn goes under the title.
+std::string timingPlot(const std::vector<TimingResult>& results, const std::string& measuredOn);
+
+} // namespace cdr::experiments

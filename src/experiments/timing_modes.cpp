@@ -1,0 +1,102 @@
+#include "timing.h"
+
+#include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+namespace cdr::experiments {
+
+namespace {
+
+constexpr unsigned kLeastCascades = 2;
+constexpr unsigned kMostCascades = 5;
+
+/// Section 6.2: CDR and LogCDR with two to five divisions.
+constexpr double kThesisCdr[] = {3.4, 4.6, 5.7, 7.1};
+constexpr double kThesisLog = 4.4;
+constexpr double kThesisLogCdr[] = {8.0, 8.2, 8.4, 10.4};
+
+TimingMode makeMode(std::string name, const depth::Technique& technique,
+                    std::optional<double> thesisPercent) {
+    return {.name = std::move(name),
+            .technique = technique,
+            .targets = render::TargetsKind::single,
+            .thesisPercent = thesisPercent};
+}
+
+void addCascaded(const char* preset, const double (&thesis)[kMostCascades - kLeastCascades + 1],
+                 std::vector<TimingMode>& modes) {
+    for (unsigned count = kLeastCascades; count <= kMostCascades; ++count) {
+        depth::Technique technique = depth::parseTechnique(preset);
+        technique.split = depth::SplitCount{count};
+        modes.push_back(makeMode(technique.name + "-" + std::to_string(count), technique,
+                                 thesis[count - kLeastCascades]));
+    }
+}
+
+/// The preset, unless this build has none of that name.
+void addPresetIfKnown(std::string_view preset, std::vector<TimingMode>& modes) {
+    for (const depth::Technique& technique : depth::presets()) {
+        if (technique.name == preset) {
+            modes.push_back(makeMode(technique.name, technique, std::nullopt));
+        }
+    }
+}
+
+/// Nothing where this build has no targets of that name.
+std::optional<render::TargetsChoice> targetsIfKnown(std::string_view name) {
+    try {
+        return render::parseTargets(name);
+    } catch (const base::InputError&) {
+        return std::nullopt;
+    }
+}
+
+} // namespace
+
+std::vector<TimingMode> timingModes() {
+    const TimingMode standard = makeMode("standard", depth::parseTechnique("standard"), std::nullopt);
+    std::vector<TimingMode> modes{standard, standard};
+    modes[1].name = "standard-again";
+    addCascaded("cdr", kThesisCdr, modes);
+    modes.push_back(makeMode("log", depth::parseTechnique("log"), kThesisLog));
+    addCascaded("logcdr", kThesisLogCdr, modes);
+    addPresetIfKnown("reversed", modes);
+    addPresetIfKnown("anchored", modes);
+    if (const auto onePass = targetsIfKnown("one-pass")) {
+        std::vector<TimingMode> again(modes.begin() + 1, modes.end());
+        again.front() = standard;
+        for (TimingMode& mode : again) {
+            mode.name += "/one-pass";
+            mode.targets = *onePass;
+            mode.thesisPercent.reset(); // the thesis has no such method
+        }
+        std::move(again.begin(), again.end(), std::back_inserter(modes));
+    }
+    return modes;
+}
+
+std::vector<TimingMode> timingModesNamed(const std::vector<std::string>& names) {
+    const std::vector<TimingMode> all = timingModes();
+    std::vector<std::string_view> known;
+    for (const TimingMode& mode : all) {
+        known.push_back(mode.name);
+    }
+    std::vector<TimingMode> chosen(all.begin(), all.begin() + 2);
+    for (const std::string& name : names) {
+        const auto found = std::find(known.begin(), known.end(), name);
+        if (found == known.end()) {
+            throw base::InputError(base::unknownName("mode", name, known));
+        }
+        if (found - known.begin() >= 2) {
+            chosen.push_back(all[static_cast<std::size_t>(found - known.begin())]);
+        }
+    }
+    return chosen;
+}
+
+} // namespace cdr::experiments

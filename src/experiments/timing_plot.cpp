@@ -1,0 +1,39 @@
+#include "gnuplot.h"
+#include "timing.h"
+
+#include <fmt/format.h>
+
+namespace cdr::experiments {
+
+std::string timingPlot(const std::vector<TimingResult>& results, const std::string& measuredOn) {
+    std::string rows;
+    for (std::size_t i = 1; i < results.size(); ++i) {
+        const TimingResult& result = results[i];
+        // In data, unlike in commands, only double quotes make a string.
+        rows +=
+            fmt::format("{} \"{}\" {} {} {} {}\n", i, result.mode.name, result.overheadPercent,
+                        result.overheadPercent95.low, result.overheadPercent95.high,
+                        result.mode.thesisPercent ? fmt::format("{}", *result.mode.thesisPercent) : "NaN");
+    }
+    const measure::Interval& noise = results.at(1).overheadPercent95;
+    return fmt::format(
+        "set title {}\n"
+        "set ylabel 'overhead over standard, % (median of ratios per frame, 95 % interval)'\n"
+        "set xtics rotate by -40 nomirror\n"
+        "set grid ytics lc rgb '#dddddd'\n"
+        "set key top left\n"
+        "set xrange [0.3:{}]\n"
+        "set xzeroaxis lt -1\n"
+        "set object 1 rectangle from graph 0, first {} to graph 1, first {} fillcolor rgb '#eeeeee' "
+        "fillstyle solid noborder behind\n"
+        "$data << END\n{}END\n"
+        "plot $data using 1:3:4:5:(0.6):xtic(2) with boxerrorbars fillstyle solid 0.6 linecolor rgb "
+        "'#0072b2' "
+        "title 'measured; grey band: the noise floor', "
+        "$data using 1:6 with points pointtype 7 pointsize 1.4 linecolor rgb '#d55e00' "
+        "title 'thesis, Figure 6.4'\n",
+        gnuplotQuote("Frame time over standard, " + measuredOn), static_cast<double>(results.size()) - 0.3,
+        noise.low, noise.high, rows);
+}
+
+} // namespace cdr::experiments

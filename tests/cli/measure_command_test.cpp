@@ -1,0 +1,150 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+
+namespace cdr::cli_test {
+
+namespace {
+
+using nlohmann::json;
+
+json readJson(const std::filesystem::path& path) {
+    return json::parse(readText(path));
+}
+
+std::size_t lineCount(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// Names of a trace's tracks, each with how many events it holds.
+std::map<std::string, int> tracksOf(const json& trace) {
+    std::map<int, std::string> names;
+    for (const json& event : trace.at("traceEvents")) {
+        if (event.at("name") == "thread_name") {
+            names[event.at("tid")] = event.at("args").at("name");
+        }
+    }
+    std::map<std::string, int> events;
+    for (const json& event : trace.at("traceEvents")) {
+        if (event.at("ph") == "X") {
+            ++events[names.at(event.at("tid"))];
+        }
+    }
+    return events;
+}
+
+/// Never the times themselves, only what must hold of any.
+TEST(TimingCommand, ReportsEveryModeOverStandard) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "--validate timing --frames 7 --size 64x36 --threads 2 --modes cdr-2,logcdr-5 --json t.json "
+        "--csv t.csv --trace trace.json",
+        folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = readJson(folder.path() / "t.json");
+    EXPECT_EQ(document.at("command"), "timing");
+    EXPECT_EQ(document.at("options").at("frames"), 7);
+    std::vector<std::tuple<std::string, int, json>> modes;
+    for (const json& row : document.at("results")) {
+        modes.emplace_back(row.at("mode"), row.at("cascades"), row.at("thesis_pct"));
+        const double overhead = row.at("overhead_pct");
+        EXPECT_LE(row.at("ci95").at(0).get<double>(), overhead);
+        EXPECT_GE(row.at("ci95").at(1).get<double>(), overhead);
+        EXPECT_GT(row.at("median_us").get<double>(), 0.0);
+        EXPECT_GT(row.at("record_us").get<double>(), 0.0);
+        EXPECT_GT(row.at("execute_us").get<double>(), 0.0);
+        EXPECT_GT(row.at("draws").get<double>(), 1000.0);
+    }
+    EXPECT_EQ(modes,
+              (std::vector<std::tuple<std::string, int, json>>{
+                  {"standard", 1, nullptr}, {"standard", 1, nullptr}, {"cdr", 2, 3.4}, {"logcdr", 5, 10.4}}));
+    EXPECT_EQ(document.at("results").at(0).at("overhead_pct"), 0.0);
+    EXPECT_EQ(document.at("noise_floor_pct"), document.at("results").at(1).at("overhead_pct"));
+    EXPECT_EQ(lineCount(readText(folder.path() / "t.csv")), 5u);
+    EXPECT_NE(result.out.find("Noise floor"), std::string::npos);
+
+    const auto tracks = tracksOf(readJson(folder.path() / "trace.json"));
+    EXPECT_EQ(tracks.at("frames"), 4 * 5); // every mode's dropped frames, and no other
+    EXPECT_EQ(tracks.at("device"), 4 * 5);
+}
+
+TEST(TimingCommand, PlotsTheFigure) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("timing --frames 2 --size 64x36 --modes log --plot t.svg", folder.path());
+    if (result.err.find("need gnuplot") != std::string::npos) {
+        GTEST_SKIP() << "gnuplot is not installed";
+    }
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::string plot = readText(folder.path() / "t.svg");
+    EXPECT_NE(plot.find("</svg>"), std::string::npos);
+    EXPECT_NE(plot.find("standard-again"), std::string::npos);
+}
+
+TEST(ScalingCommand, DrawsTheSameImageWithAnyNumberOfThreads) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("--validate scaling --draws 700,3000 --threads 2,3 --cascades "
+                                            "1,3 --targets single --repeats 2 --size 256x144 "
+                                            "--json s.json --csv s.csv",
+                                            folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = readJson(folder.path() / "s.json");
+    EXPECT_EQ(document.at("command"), "scaling");
+    std::map<std::tuple<int, int>, std::set<std::string>> hashes;
+    std::set<int> threads;
+    for (const json& row : document.at("results")) {
+        for (const char* field :
+             {"record_ms", "execute_ms", "frame_ms", "cull_ms", "bin_ms", "record_ns_per_draw"}) {
+            EXPECT_GT(row.at(field).get<double>(), 0.0) << field;
+        }
+        threads.insert(row.at("threads").get<int>());
+        hashes[{row.at("cubes"), row.at("cascades")}].insert(row.at("hash").get<std::string>());
+        EXPECT_TRUE(row.at("same_image").get<bool>());
+        EXPECT_GE(row.at("draws"), row.at("cubes"));
+        EXPECT_NEAR(row.at("efficiency").get<double>() * row.at("threads").get<double>(),
+                    row.at("speedup").get<double>(), 1e-9);
+        EXPECT_TRUE(row.at("spread").contains("record"));
+        if (row.at("threads") == 1) {
+            EXPECT_EQ(row.at("speedup"), 1.0);
+        }
+    }
+    EXPECT_EQ(threads, (std::set<int>{1, 2, 3}));
+    ASSERT_EQ(hashes.size(), 4u);
+    std::set<std::string> all;
+    for (const auto& [point, seen] : hashes) {
+        EXPECT_EQ(seen.size(), 1u);
+        all.insert(seen.begin(), seen.end());
+    }
+    EXPECT_EQ(all.size(), 4u); // other scenes and splits are other images
+    EXPECT_EQ(document.at("fits").size(), 4u);
+    EXPECT_EQ(lineCount(readText(folder.path() / "s.csv")), 13u);
+}
+
+TEST(RenderCommand, TracesWorkersCascadesAndTheDevice) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("render rotation --size 64x36 --split count:3 --threads 2 --frames 2 --trace trace.json",
+                   folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto tracks = tracksOf(readJson(folder.path() / "trace.json"));
+    EXPECT_EQ(tracks.at("frames"), 2);
+    EXPECT_EQ(tracks.at("stages"), 2 * 4); // cull, split, bin, record
+    EXPECT_EQ(tracks.at("device"), 2);
+    EXPECT_EQ(tracks.at("cascade 1"), 2);
+    int jobs = 0;
+    for (const auto& [track, events] : tracks) {
+        jobs += track.starts_with("worker") ? events : 0;
+    }
+    EXPECT_GT(jobs, 2 * 8);
+}
+
+} // namespace
+
+} // namespace cdr::cli_test

@@ -1,0 +1,87 @@
+#include <cdr/base/error.h>
+
+#include <experiments/gnuplot.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace cdr::experiments;
+using cdr::base::InputError;
+using cdr::base::RunError;
+
+class GnuplotTest : public testing::Test {
+  protected:
+    GnuplotTest() {
+        std::string name = testing::TempDir() + "cdr_plot_XXXXXX";
+        m_folder = ::mkdtemp(name.data());
+    }
+    ~GnuplotTest() override { fs::remove_all(m_folder); }
+
+    const fs::path& folder() const { return m_folder; }
+    bool isMissing() const { return std::system("gnuplot --version >/dev/null 2>&1") != 0; }
+
+  private:
+    fs::path m_folder;
+};
+
+std::string beginOf(const fs::path& path, std::size_t bytes) {
+    std::string text(bytes, '\0');
+    std::ifstream(path, std::ios::binary).read(text.data(), static_cast<std::streamsize>(bytes));
+    return text;
+}
+
+TEST_F(GnuplotTest, WritesPngAndSvg) {
+    if (isMissing()) {
+        GTEST_SKIP() << "gnuplot is not installed";
+    }
+    writePlot(folder() / "it's a plot.png", "plot x title " + gnuplotQuote("a 'quoted' name") + "\n");
+    EXPECT_EQ(beginOf(folder() / "it's a plot.png", 4), "\x89PNG");
+    writePlot(folder() / "p.svg", "plot x\n");
+    EXPECT_EQ(beginOf(folder() / "p.svg", 5), "<?xml");
+}
+
+TEST_F(GnuplotTest, ABadScriptIsReportedAndLeavesNothing) {
+    if (isMissing()) {
+        GTEST_SKIP() << "gnuplot is not installed";
+    }
+    try {
+        writePlot(folder() / "p.png", "plot nonsense(x)\n");
+        FAIL() << "nothing was thrown";
+    } catch (const RunError& error) {
+        EXPECT_NE(std::string(error.what()).find("nonsense"), std::string::npos) << error.what();
+    }
+    EXPECT_TRUE(fs::is_empty(folder()));
+}
+
+TEST_F(GnuplotTest, OtherFormatsAndFoldersAreRefused) {
+    EXPECT_THROW(requirePlottable(folder() / "p.pdf"), InputError);
+    EXPECT_THROW(requirePlottable(folder() / "p"), InputError);
+    EXPECT_THROW(requirePlottable(folder() / "no" / "p.png"), InputError);
+    EXPECT_TRUE(fs::is_empty(folder()));
+}
+
+TEST_F(GnuplotTest, AMissingGnuplotIsNamed) {
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", folder().c_str(), 1);
+    try {
+        requirePlottable(folder() / "p.png");
+        ADD_FAILURE() << "nothing was thrown";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("gnuplot-nox"), std::string::npos) << error.what();
+    }
+    ::setenv("PATH", path.c_str(), 1);
+}
+
+TEST(GnuplotQuote, KeepsTextInItsQuotes) {
+    EXPECT_EQ(gnuplotQuote("plain"), "'plain'");
+    EXPECT_EQ(gnuplotQuote("it's"), "'it''s'");
+    EXPECT_EQ(gnuplotQuote("two\nlines"), "'two lines'");
+}
+
+} // namespace

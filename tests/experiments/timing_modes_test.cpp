@@ -1,0 +1,77 @@
+#include <cdr/base/error.h>
+
+#include <experiments/scaling.h>
+#include <experiments/timing.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace {
+
+using namespace cdr::experiments;
+using cdr::base::InputError;
+
+TEST(TimingModes, BeginWithStandardTwiceAndHaveNamesOfTheirOwn) {
+    const std::vector<TimingMode> modes = timingModes();
+    ASSERT_GE(modes.size(), 12u);
+    EXPECT_EQ(modes[0].name, "standard");
+    EXPECT_EQ(modes[1].technique.name, "standard");
+    EXPECT_EQ(modes[0].targets, modes[1].targets);
+    std::set<std::string> names;
+    for (const TimingMode& mode : modes) {
+        EXPECT_TRUE(names.insert(mode.name).second) << mode.name;
+    }
+}
+
+/// Section 6.2 of the thesis.
+TEST(TimingModes, CarryTheThesisFigures) {
+    const std::map<std::string, double> thesis{{"cdr-2", 3.4},    {"cdr-3", 4.6},    {"cdr-4", 5.7},
+                                               {"cdr-5", 7.1},    {"log", 4.4},      {"logcdr-2", 8.0},
+                                               {"logcdr-3", 8.2}, {"logcdr-4", 8.4}, {"logcdr-5", 10.4}};
+    std::map<std::string, double> found;
+    for (const TimingMode& mode : timingModes()) {
+        if (mode.thesisPercent) {
+            found[mode.name] = *mode.thesisPercent;
+        }
+    }
+    EXPECT_EQ(found, thesis);
+}
+
+TEST(TimingModes, CascadedOnesHaveTheCascadesTheirNameSays) {
+    for (const TimingMode& mode : timingModesNamed({"cdr-4", "logcdr-2"})) {
+        const std::size_t cascades = cdr::depth::makeCascades(mode.technique.split, 0.1, 1e5).size();
+        EXPECT_EQ(cascades, mode.name == "cdr-4" ? 4u : mode.name == "logcdr-2" ? 2u : 1u) << mode.name;
+    }
+}
+
+TEST(TimingModes, ChosenOnesKeepTheBaselineOnce) {
+    const std::vector<TimingMode> modes = timingModesNamed({"log", "standard"});
+    ASSERT_EQ(modes.size(), 3u);
+    EXPECT_EQ(modes[2].name, "log");
+    EXPECT_THROW(timingModesNamed({"cdr-9"}), InputError);
+}
+
+TEST(Scaling, ThreadStepsReachTwiceTheCpus) {
+    EXPECT_EQ(threadSteps(1), (std::vector<std::size_t>{1, 2}));
+    EXPECT_EQ(threadSteps(2), (std::vector<std::size_t>{1, 2, 3, 4}));
+    EXPECT_EQ(threadSteps(5), (std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 8, 10}));
+    EXPECT_EQ(threadSteps(8), (std::vector<std::size_t>{1, 2, 3, 4, 6, 8, 12, 16}));
+}
+
+TEST(Scaling, UnusableOptionsAreRefused) {
+    const auto refused = [](const std::function<void(ScalingOptions&)>& spoil) {
+        ScalingOptions options;
+        spoil(options);
+        EXPECT_THROW(requireUsable(options), InputError);
+    };
+    EXPECT_NO_THROW(requireUsable({}));
+    refused([](ScalingOptions& o) { o.draws = {10, 0}; });
+    refused([](ScalingOptions& o) { o.draws = {}; });
+    refused([](ScalingOptions& o) { o.threads = {1, 257}; });
+    refused([](ScalingOptions& o) { o.cascades = {65}; });
+    refused([](ScalingOptions& o) { o.targets = {}; });
+    refused([](ScalingOptions& o) { o.repeats = 0; });
+}
+
+} // namespace
