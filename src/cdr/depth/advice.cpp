@@ -115,7 +115,8 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
         lines.push_back(fmt::format("{} is enough: it resolves {:.3g} at {:g}, and {:g} is asked for.",
                                     describe(row), row.forecast.resolvedView(), at, question.separationView));
         if (isLog(row.technique.mapping)) {
-            lines.push_back("Set depth per fragment on triangles that span more than 2 % of their distance.");
+            lines.emplace_back(
+                "Set depth per fragment on triangles that span more than 2 % of their distance.");
         }
     } else {
         const AdviceRow& best = advice.rows.back();
