@@ -81,7 +81,8 @@ TEST(Trace, HasATrackForEveryWorkerCascadeAndTheDevice) {
 /// The format allows events of one track to nest, never to cross.
 TEST(Trace, EventsOfATrackNest) {
     std::map<int, std::vector<std::pair<double, double>>> spans;
-    for (const ordered_json& event : traceTwoFrames().at("traceEvents")) {
+    const ordered_json document = traceTwoFrames();
+    for (const ordered_json& event : document.at("traceEvents")) {
         if (event.at("ph") == "X") {
             const double begin = event.at("ts");
             spans[event.at("tid")].emplace_back(begin, begin + event.at("dur").get<double>());
