@@ -7,8 +7,15 @@
 layout(constant_id = 0) const uint kDepthForm = kDepthFormLinear;
 layout(constant_id = 3) const uint kWide = 0u;
 
+#ifdef PUSHED_RECORD
+layout(push_constant) uniform Push {
+    CascadePush cascade;
+    DrawRecord record;
+};
+#else
 layout(set = 0, binding = 0, std430) readonly buffer Records { DrawRecord records[]; };
 layout(push_constant) uniform Push { CascadePush cascade; };
+#endif
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec2 inNormal;
@@ -22,7 +29,9 @@ layout(location = 3) flat out uint outId;
 layout(location = 4) flat out float outAlphaCutoff;
 
 void main() {
+#ifndef PUSHED_RECORD
     DrawRecord record = records[gl_InstanceIndex];
+#endif
     float x = dot(record.right.xyz, inPosition) + record.right.w;
     float y = dot(record.up.xyz, inPosition) + record.up.w;
     float ahead = dot(record.ahead.xyz, inPosition) + record.ahead.w;

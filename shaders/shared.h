@@ -57,6 +57,9 @@ struct CascadePush {
     float maxDepth;
 };
 
+// Where a draw record lies in push constants, after the cascade's: for draws that bring their record along.
+CDR_CONST kPushedRecordOffset = 48u;
+
 // A point light in view space; every coordinate is a float and the rest that float left out of the float64.
 struct LightRecord {
     vec4 position;     // x, y, view distance, half distance
@@ -77,6 +80,8 @@ struct ShadingHeader {
 #ifdef __cplusplus
 static_assert(sizeof(DrawRecord) == 64);
 static_assert(sizeof(CascadePush) == 40);
+static_assert(kPushedRecordOffset % 16 == 0 && kPushedRecordOffset >= sizeof(CascadePush));
+static_assert(kPushedRecordOffset + sizeof(DrawRecord) <= 128); // what every device has
 static_assert(sizeof(LightRecord) == 48);
 static_assert(sizeof(ShadingHeader) == 48 + 8 * kCascadeSlots);
 } // namespace cdr::shaders

@@ -28,14 +28,22 @@ vk::CommandBuffer CommandPool::next() {
     return m_buffers[m_used++];
 }
 
-void submitAndWait(const Device& device, vk::CommandBuffer commands) {
-    const vk::UniqueFence fence = device.handle().createFenceUnique({});
-    const vk::CommandBufferSubmitInfo buffer{.commandBuffer = commands};
-    device.queue().submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &buffer},
-                           *fence);
+void submit(const Device& device, std::span<const vk::CommandBuffer> commands, vk::Fence done) {
+    std::vector<vk::CommandBufferSubmitInfo> buffers;
+    for (const vk::CommandBuffer buffer : commands) {
+        buffers.push_back({.commandBuffer = buffer});
+    }
+    device.queue().submit2(
+        vk::SubmitInfo2{.commandBufferInfoCount = static_cast<std::uint32_t>(buffers.size()),
+                        .pCommandBufferInfos = buffers.data()},
+        done);
+}
+
+void waitAndReset(const Device& device, vk::Fence done) {
     const vk::Result result =
-        device.handle().waitForFences(*fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+        device.handle().waitForFences(done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
     vk::resultCheck(result, "vkWaitForFences");
+    device.handle().resetFences(done);
 }
 
 void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>& record) {
@@ -44,7 +52,9 @@ void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>&
     commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     record(commands);
     commands.end();
-    submitAndWait(device, commands);
+    const vk::UniqueFence done = device.handle().createFenceUnique({});
+    submit(device, {&commands, 1}, *done);
+    waitAndReset(device, *done);
 }
 
 vk::ImageMemoryBarrier2 imageBarrier(vk::Image image, vk::ImageAspectFlags aspect,

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,12 @@ class CommandPool {
     std::size_t m_used = 0;
 };
 
-/// Submits a command buffer and waits for the device to finish it.
+/// Submits command buffers that run in this order, and signals `done`, unsignalled until then.
 /// base::RunError when the device is lost.
-void submitAndWait(const Device& device, vk::CommandBuffer commands);
+void submit(const Device& device, std::span<const vk::CommandBuffer> commands, vk::Fence done);
+
+/// Waits for a submission and makes its fence unsignalled again. base::RunError when the device is lost.
+void waitAndReset(const Device& device, vk::Fence done);
 
 /// Records commands once, submits them and waits: for uploads, not for frames.
 void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>& record);

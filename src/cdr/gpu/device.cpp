@@ -65,13 +65,18 @@ std::uint32_t chooseDevice(const std::vector<DeviceInfo>& infos, const std::stri
     return best->index;
 }
 
-vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFamily) {
+vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFamily, bool gpuDriven) {
     constexpr float kPriority = 1.0f;
     const vk::DeviceQueueCreateInfo queue{
         .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &kPriority};
     vk::PhysicalDeviceVulkan13Features v13{.synchronization2 = true, .dynamicRendering = true};
-    const vk::PhysicalDeviceFeatures2 features{.pNext = &v13,
-                                               .features = {.depthClamp = true, .shaderClipDistance = true}};
+    vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13, .drawIndirectCount = gpuDriven};
+    const vk::PhysicalDeviceFeatures2 features{.pNext = &v12,
+                                               .features = {.multiDrawIndirect = gpuDriven,
+                                                            .drawIndirectFirstInstance = gpuDriven,
+                                                            .depthClamp = true,
+                                                            .shaderClipDistance = true,
+                                                            .shaderFloat64 = gpuDriven}};
     return physical.createDeviceUnique(
         {.pNext = &features, .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue});
 }
@@ -87,7 +92,7 @@ Device::Device(const Instance& instance, const std::string& choice) {
     m_physical = instance.handle().enumeratePhysicalDevices()[index];
     m_info = describe(m_physical, index);
     m_queueFamily = findQueueFamily(m_physical).value();
-    m_owned = makeDevice(m_physical, m_queueFamily);
+    m_owned = makeDevice(m_physical, m_queueFamily, m_info.gpuDrivenMissing.empty());
     m_device = *m_owned;
     m_queue = m_device.getQueue(m_queueFamily, 0);
     finish(instance.handle(), instance.hasDebugNames());
@@ -99,6 +104,9 @@ Device::Device(const BorrowedDevice& borrowed)
       m_queueFamily(borrowed.queueFamily),
       m_queue(borrowed.queue),
       m_info(describe(borrowed.physical, 0)) {
+    if (!borrowed.hasGpuDrivenFeatures) {
+        m_info.gpuDrivenMissing = {"features that the device's maker left off"};
+    }
     finish(borrowed.instance, borrowed.hasDebugNames);
 }
 

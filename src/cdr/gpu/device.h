@@ -16,13 +16,14 @@ namespace cdr::gpu {
 /// What a device is and how it fits, for people and for JSON.
 struct DeviceInfo {
     std::string name;
-    std::string driver;                    ///< driver name and its version text
-    std::string api;                       ///< "1.3.230"
-    std::string kind;                      ///< "cpu", "integrated", "discrete", "virtual" or "other"
-    std::uint32_t index = 0;               ///< as --device takes it
-    std::vector<std::string> missing;      ///< why cdr cannot use it; empty when it can
-    std::vector<std::string> depthFormats; ///< of d16, d24, d32f
-    std::uint32_t queues = 0;              ///< in the family cdr would use
+    std::string driver;                        ///< driver name and its version text
+    std::string api;                           ///< "1.3.230"
+    std::string kind;                          ///< "cpu", "integrated", "discrete", "virtual" or "other"
+    std::uint32_t index = 0;                   ///< as --device takes it
+    std::vector<std::string> missing;          ///< why cdr cannot use it; empty when it can
+    std::vector<std::string> gpuDrivenMissing; ///< why it cannot cull and bin; empty when it can
+    std::vector<std::string> depthFormats;     ///< of d16, d24, d32f
+    std::uint32_t queues = 0;                  ///< in the family cdr would use
     std::uint32_t maxImageSide = 0;
     std::uint64_t maxStorageBufferBytes = 0;
     double timestampPeriodNs = 0.0;
@@ -43,6 +44,8 @@ struct BorrowedDevice {
     vk::Queue queue;
     std::uint32_t queueFamily = 0;
     bool hasDebugNames = false; ///< the instance has VK_EXT_debug_utils
+    /// shaderFloat64, multiDrawIndirect, drawIndirectFirstInstance and drawIndirectCount are on too.
+    bool hasGpuDrivenFeatures = false;
 };
 
 /// A logical device with one queue and a memory allocator. Frees what it made itself, and borrows the rest.

@@ -9,6 +9,10 @@ namespace cdr::gpu {
 
 namespace {
 
+/// What shaders/binning.glsl binds, and its workgroups' size.
+constexpr std::uint32_t kGpuDrivenStorageBuffers = 13;
+constexpr std::uint32_t kGpuDrivenInvocations = 256;
+
 std::string kindOf(vk::PhysicalDeviceType type) {
     switch (type) {
     case vk::PhysicalDeviceType::eCpu:
@@ -53,6 +57,34 @@ std::vector<std::string> missingFrom(vk::PhysicalDevice physical) {
     return missing;
 }
 
+/// What culling and binning on the device needs beyond the rest.
+std::vector<std::string> missingForGpuDriven(vk::PhysicalDevice physical) {
+    const auto properties = physical.getProperties();
+    if (properties.apiVersion < VK_API_VERSION_1_3) {
+        return {"Vulkan 1.3"};
+    }
+    const auto features =
+        physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
+    const auto& core = features.get<vk::PhysicalDeviceFeatures2>().features;
+    const auto& v12 = features.get<vk::PhysicalDeviceVulkan12Features>();
+    const vk::PhysicalDeviceLimits& limits = properties.limits;
+    std::vector<std::string> missing;
+    for (const auto& [has, name] : {std::pair{core.shaderFloat64, "shaderFloat64"},
+                                    std::pair{core.multiDrawIndirect, "multiDrawIndirect"},
+                                    std::pair{core.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
+                                    std::pair{v12.drawIndirectCount, "drawIndirectCount"}}) {
+        if (!has) {
+            missing.emplace_back(name);
+        }
+    }
+    if (limits.maxPerStageDescriptorStorageBuffers < kGpuDrivenStorageBuffers ||
+        limits.maxComputeWorkGroupInvocations < kGpuDrivenInvocations) {
+        missing.push_back(fmt::format("{} storage buffers and {} invocations a workgroup",
+                                      kGpuDrivenStorageBuffers, kGpuDrivenInvocations));
+    }
+    return missing;
+}
+
 } // namespace
 
 std::optional<std::uint32_t> findQueueFamily(vk::PhysicalDevice physical) {
@@ -93,6 +125,7 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     info.kind = kindOf(core.deviceType);
     info.index = index;
     info.missing = missingFrom(physical);
+    info.gpuDrivenMissing = missingForGpuDriven(physical);
     for (const auto& [bits, name] : {std::pair{16, "d16"}, std::pair{24, "d24"}, std::pair{32, "d32f"}}) {
         if (findDepthFormat(physical, bits)) {
             info.depthFormats.emplace_back(name);

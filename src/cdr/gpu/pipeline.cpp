@@ -87,6 +87,17 @@ vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipe
     return std::move(pipeline);
 }
 
+vk::UniquePipeline makeComputePipeline(const Device& device, std::span<const std::uint32_t> spirv,
+                                       vk::PipelineLayout layout, const std::string& name) {
+    const vk::UniqueShaderModule shader = makeModule(device, spirv);
+    auto [result, pipeline] = device.handle().createComputePipelineUnique(
+        {}, {.stage = {.stage = vk::ShaderStageFlagBits::eCompute, .module = *shader, .pName = "main"},
+             .layout = layout});
+    vk::resultCheck(result, "vkCreateComputePipelines");
+    device.setName(*pipeline, name);
+    return std::move(pipeline);
+}
+
 void bindFullscreenPipeline(vk::CommandBuffer commands, vk::Pipeline pipeline, vk::Extent2D extent) {
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
     commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(extent.width),

@@ -29,6 +29,9 @@ struct GraphicsPipelineOptions {
 
 vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options);
 
+vk::UniquePipeline makeComputePipeline(const Device& device, std::span<const std::uint32_t> spirv,
+                                       vk::PipelineLayout layout, const std::string& name);
+
 /// Binds a pipeline whose vertex shader covers the picture with one triangle, and all that it leaves dynamic.
 void bindFullscreenPipeline(vk::CommandBuffer commands, vk::Pipeline pipeline, vk::Extent2D extent);
 

@@ -54,20 +54,18 @@ CascadeLayers::Layer CascadeLayers::makeLayer(std::size_t number) const {
             .source = std::move(source)};
 }
 
-void CascadeLayers::record(vk::CommandBuffer primary, const CascadeRecorder& recorder,
-                           std::size_t cascades) const {
+void CascadeLayers::record(CascadeCommands& commands, std::size_t cascades) const {
     auto load = vk::AttachmentLoadOp::eClear;
     for (std::size_t left = cascades; left > 0;) {
         const std::size_t count = std::min(m_layers.size(), left);
-        drawLayers(primary, recorder, {left - count, left});
-        mergeLayers(primary, count, load);
+        drawLayers(commands, {left - count, left});
+        mergeLayers(commands.primary(), count, load);
         left -= count;
         load = vk::AttachmentLoadOp::eLoad;
     }
 }
 
-void CascadeLayers::drawLayers(vk::CommandBuffer primary, const CascadeRecorder& recorder,
-                               base::IndexRange cascades) const {
+void CascadeLayers::drawLayers(CascadeCommands& commands, base::IndexRange cascades) const {
     const auto scopeOf = [&](std::size_t layer) {
         return GBufferScope{.gbuffer = m_layers[layer].gbuffer,
                             .depth = m_layers[layer].depth,
@@ -76,13 +74,11 @@ void CascadeLayers::drawLayers(vk::CommandBuffer primary, const CascadeRecorder&
     };
     // All barriers first, so that the layers' draws may overlap.
     for (std::size_t layer = 0; layer < cascades.size(); ++layer) {
-        beginGBuffer(primary, scopeOf(layer));
+        beginGBuffer(commands.primary(), scopeOf(layer));
     }
     for (std::size_t layer = 0; layer < cascades.size(); ++layer) {
         const std::size_t cascade = cascades.end - 1 - layer;
-        m_device.beginLabel(primary, fmt::format("cascade {} into layer {}", cascade, layer).c_str());
-        runGBufferScope(primary, scopeOf(layer), recorder.commands(cascade));
-        m_device.endLabel(primary);
+        commands.drawScope(scopeOf(layer), {cascade, cascade + 1});
     }
 }
 

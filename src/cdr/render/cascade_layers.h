@@ -21,7 +21,7 @@ class CascadeLayers {
     /// Draws as many cascades as there are layers with no barrier in between, merges them, and so on. The
     /// farthest go first, so that what is merged later lies on top: the nearest surface wins, as in `single`,
     /// bit for bit.
-    void record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t cascades) const;
+    void record(CascadeCommands& commands, std::size_t cascades) const;
 
     const gpu::Image& accumulated() const { return m_accumulated; }
 
@@ -32,8 +32,7 @@ class CascadeLayers {
         MergePass::Source source;
     };
     Layer makeLayer(std::size_t number) const;
-    void drawLayers(vk::CommandBuffer primary, const CascadeRecorder& recorder,
-                    base::IndexRange cascades) const;
+    void drawLayers(CascadeCommands& commands, base::IndexRange cascades) const;
     void mergeLayers(vk::CommandBuffer primary, std::size_t count, vk::AttachmentLoadOp load) const;
 
     const gpu::Device& m_device;

@@ -22,11 +22,11 @@ class FrameSplit {
     /// base::InputError for an unusable split or range.
     depth::Cascades cut(const scene::Camera& camera, const scene::VisibleList& visible);
 
+    /// Whether cut() reads the visible list.
+    bool needsVisible() const { return std::holds_alternative<depth::SplitFitted>(m_technique.split); }
+
     /// Fitted ranges are as thin as their content, so none may be open to infinity.
-    depth::FarEnd farEnd() const {
-        return std::holds_alternative<depth::SplitFitted>(m_technique.split) ? depth::FarEnd::closed
-                                                                             : depth::FarEnd::open;
-    }
+    depth::FarEnd farEnd() const { return needsVisible() ? depth::FarEnd::closed : depth::FarEnd::open; }
 
   private:
     const depth::Cascades& fit(const depth::SplitFitted& split, const scene::Camera& camera,

@@ -58,8 +58,7 @@ void chainGBufferScopes(vk::CommandBuffer primary, const GBufferScope& scope) {
                                             vk::ImageLayout::eDepthAttachmentOptimal)});
 }
 
-void runGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope,
-                     std::span<const vk::CommandBuffer> secondaries) {
+void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk::RenderingFlags flags) {
     const vk::RenderingAttachmentInfo color{.imageView = scope.gbuffer.view(),
                                             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
                                             .loadOp = scope.clearColor ? vk::AttachmentLoadOp::eClear
@@ -71,16 +70,12 @@ void runGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope,
         .loadOp = vk::AttachmentLoadOp::eClear,
         .storeOp = vk::AttachmentStoreOp::eDontCare,
         .clearValue = vk::ClearDepthStencilValue{.depth = scope.reversedDepth ? 0.0f : 1.0f}};
-    primary.beginRendering({.flags = vk::RenderingFlagBits::eContentsSecondaryCommandBuffers,
+    primary.beginRendering({.flags = flags,
                             .renderArea = {{0, 0}, scope.gbuffer.options().extent},
                             .layerCount = 1,
                             .colorAttachmentCount = 1,
                             .pColorAttachments = &color,
                             .pDepthAttachment = &depth});
-    if (!secondaries.empty()) {
-        primary.executeCommands(static_cast<std::uint32_t>(secondaries.size()), secondaries.data());
-    }
-    primary.endRendering();
 }
 
 } // namespace cdr::render

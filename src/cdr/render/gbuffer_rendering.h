@@ -4,8 +4,6 @@
 
 #include <vulkan/vulkan.hpp>
 
-#include <span>
-
 namespace cdr::render {
 
 /// How a rendering scope over a G-buffer and a depth buffer begins.
@@ -29,8 +27,8 @@ void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope);
 /// Lets a further scope over the same images follow one that ended.
 void chainGBufferScopes(vk::CommandBuffer primary, const GBufferScope& scope);
 
-/// One rendering scope that clears depth, runs the secondaries and stores the colours.
-void runGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope,
-                     std::span<const vk::CommandBuffer> secondaries);
+/// Begins a rendering scope that clears depth and stores the colours.
+/// @param flags whether draws follow in secondaries or in line.
+void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk::RenderingFlags flags);
 
 } // namespace cdr::render

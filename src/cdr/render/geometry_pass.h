@@ -1,15 +1,14 @@
 #pragma once
 
 #include <cdr/base/worker_pool.h>
-#include <cdr/depth/technique.h>
 #include <cdr/gpu/memory.h>
-#include <cdr/render/gpu_scene.h>
+#include <cdr/render/geometry_pipelines.h>
 #include <cdr/scene/bin.h>
+#include <cdr/scene/camera.h>
 #include <cdr/shaders/shared.h>
 
 #include <vulkan/vulkan.hpp>
 
-#include <array>
 #include <cstdint>
 #include <span>
 
@@ -21,22 +20,17 @@ struct DrawJob {
     base::IndexRange draws; ///< into scene::DrawLists::instance
 };
 
-/// How draws become draw commands. The picture is the same to the bit.
-enum class Batching : std::uint8_t {
-    perObject, ///< one command per draw
-    instanced, ///< one command per run of draws of one kind
-};
-
 /// What the draws of one cascade share, on the CPU side.
 struct CascadeDraws {
     double anchorView = 0.0;
     shaders::CascadePush push{};
 };
 
-/// The pipelines of one technique over one scene, and how its draws are recorded.
+/// How the draws of one technique over one scene are recorded.
 class GeometryPass {
   public:
-    GeometryPass(const gpu::Device& device, const GpuScene& scene, const depth::Technique& technique);
+    GeometryPass(const gpu::Device& device, const GpuScene& scene, const depth::Technique& technique,
+                 Batching batching);
 
     /// A descriptor set (0) for a buffer of draw records; the pool must hold one storage buffer per set.
     vk::DescriptorSet makeRecordSet(const gpu::Device& device, vk::DescriptorPool pool,
@@ -50,33 +44,47 @@ class GeometryPass {
         std::span<shaders::DrawRecord> records; ///< mapped, one per draw of `lists`
         vk::DescriptorSet recordSet;
         vk::Extent2D extent;
-        Batching batching = Batching::instanced;
         base::Trace* trace = nullptr;
     };
 
-    /// Writes the records of a job's draws and their commands. `commands` is a secondary in the recording
-    /// state with rendering inherited. Takes no lock and allocates nothing.
+    /// Writes the records of a job's draws and their commands. `commands` is recording, inside a rendering
+    /// scope. Takes no lock and allocates nothing.
     void record(vk::CommandBuffer commands, const DrawJob& job, const Recording& recording) const;
 
-    vk::Format depthFormat() const { return m_depthFormat; }
-    /// Instances that span more than this share of their distance are drawn wide: cut, and for log given
-    /// their depth, per fragment. Infinity for none.
-    double wideSpan(std::size_t cascades) const;
+    /// Consecutive runs of instances between which nothing is bound, drawn by one command per bucket.
+    struct RunGroup {
+        std::size_t begin = 0; ///< run
+        std::size_t end = 0;
+        std::uint32_t kind = 0; ///< into GpuScene::kinds(), for what is bound
+    };
+
+    /// Draws that the device itself has listed.
+    struct IndirectDraws {
+        vk::Buffer commands; ///< by bucket (as in scene::DrawLists), then run
+        vk::Buffer counts;   ///< by bucket, then group
+        std::size_t runs = 0;
+        std::span<const RunGroup> groups;
+        vk::DescriptorSet recordSet;
+        vk::Extent2D extent;
+    };
+
+    /// Draws one cascade from lists on the device.
+    void recordIndirect(vk::CommandBuffer commands, std::size_t cascade, const CascadeDraws& shared,
+                        const IndirectDraws& draws) const;
+
+    const GeometryPipelines& pipelines() const { return m_pipelines; }
 
   private:
-    using Pipelines = std::array<vk::UniquePipeline, kPipelineVariants>; ///< empty where no kind needs one
     class StateBinder;
-    Pipelines makePipelines(const gpu::Device& device, bool wide) const;
-    void beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade, const Recording& recording) const;
+    void beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade, vk::DescriptorSet recordSet,
+                  vk::Extent2D extent) const;
 
     const GpuScene& m_scene;
-    depth::Mapping m_mapping;
-    vk::Format m_depthFormat;
-    vk::UniqueDescriptorSetLayout m_recordLayout;
-    vk::UniquePipelineLayout m_layout;
-    Pipelines m_compact;
-    Pipelines m_wide;
+    Batching m_batching;
+    GeometryPipelines m_pipelines;
+    // Asked of the device, which saves a jump through the loader at every draw.
     PFN_vkCmdDrawIndexed m_drawIndexed;
+    PFN_vkCmdPushConstants m_pushConstants;
 };
 
 } // namespace cdr::render

@@ -1,16 +1,24 @@
+#include "frame_slot.h"
+
 #include <cdr/base/error.h>
-#include <cdr/gpu/pipeline.h>
-#include <cdr/render/renderer.h>
+#include <cdr/gpu/commands.h>
+#include <cdr/render/binning_pass.h>
+#include <cdr/render/gpu_driven_path.h>
+#include <cdr/render/primary_path.h>
+#include <cdr/render/secondary_path.h>
 #include <cdr/render/view_transform.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace cdr::render {
 
 namespace {
+
+double millisecondsBetween(base::Trace::Clock::time_point begin, base::Trace::Clock::time_point end) {
+    return std::chrono::duration<double, std::milli>(end - begin).count();
+}
 
 /// Times one stage after the other.
 class Stopwatch {
@@ -24,7 +32,7 @@ class Stopwatch {
         if (m_trace != nullptr) {
             m_trace->addStage(stage, last, now);
         }
-        return std::chrono::duration<double, std::milli>(now - last).count();
+        return millisecondsBetween(last, now);
     }
 
   private:
@@ -33,6 +41,10 @@ class Stopwatch {
 };
 
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options) {
+    if (options.framesInFlight < 1 || options.framesInFlight > kMaxFramesInFlight) {
+        throw base::InputError(fmt::format("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,
+                                           options.framesInFlight));
+    }
     const std::uint32_t most = device.info().maxImageSide;
     for (const std::uint32_t side : {options.width, options.height}) {
         if (side < 1 || side > most) {
@@ -49,100 +61,157 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
     return extent;
 }
 
-std::vector<double> anchorsOf(const std::vector<CascadeDraws>& cascades) {
-    std::vector<double> anchors;
-    for (const CascadeDraws& cascade : cascades) {
-        anchors.push_back(cascade.anchorView);
-    }
-    return anchors;
-}
-
 } // namespace
-
-struct Renderer::Staged {
-    Lens lens;
-    depth::Cascades cascades;
-    std::vector<CascadeDraws> draws;
-};
 
 Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                    const RenderOptions& options)
     : m_device(device),
       m_scene(scene),
-      m_gpuScene(gpuScene),
       m_options(options),
       m_extent(checkedExtent(device, options)),
       m_aspect(static_cast<double>(options.width) / static_cast<double>(options.height)),
       m_split(options.technique, options.height),
       m_workers(options.threads),
-      m_geometry(device, gpuScene, options.technique),
+      m_geometry(device, gpuScene, options.technique, options.batching),
+      m_binning(options.submission == Submission::gpuDriven
+                    ? std::make_unique<BinningPass>(device, scene, gpuScene)
+                    : nullptr),
       m_targets(makeTargets(device, options.targets,
                             {.extent = m_extent,
-                             .depthFormat = m_geometry.depthFormat(),
+                             .depthFormat = m_geometry.pipelines().depthFormat(),
                              .reversedDepth = depth::isReversed(options.technique.mapping)})),
-      m_shading(device, scene, m_targets->gbuffer(), m_extent),
+      m_shading(device, m_targets->gbuffer(), m_extent),
       m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
-      m_surfaceCopy(device, m_extent, sizeof(Surface), "surface copy"),
-      m_recorder(device, options.threads, "frame"),
-      m_primaryPool(device, vk::CommandBufferLevel::ePrimary, "frame") {
+      m_surfaceCopy(device, m_extent, sizeof(Surface), "surface copy") {
     m_workers.setTrace(options.trace);
+    for (std::size_t slot = 0; slot < options.framesInFlight; ++slot) {
+        Slot& made = m_slots.emplace_back();
+        made.path = makePath(fmt::format("frame slot {}", slot));
+        made.shading = m_shading.makeInputs(scene);
+        made.done = device.handle().createFenceUnique({});
+    }
 }
 
-void Renderer::stage(const scene::Camera& camera, Staged& staged, FrameStats& stats) {
-    Stopwatch watch(m_options.trace);
-    scene::cullSpheres(m_scene.instances, camera, m_aspect, m_workers, m_visible);
-    stats.times.cullMs = watch.lap("cull");
+Renderer::~Renderer() {
+    try {
+        finish();
+    } catch (...) {
+        // Nobody waits for these frames any more; a lost device is reported where somebody does.
+    }
+}
 
-    staged.lens = lensOf(camera, m_aspect);
-    staged.cascades = m_split.cut(camera, m_visible);
-    depth::Cascades clipRanges;
-    for (std::size_t i = 0; i < staged.cascades.size(); ++i) {
-        clipRanges.push_back(depth::clipRange(m_options.technique.mapping, staged.cascades, i));
+std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {
+    if (m_binning != nullptr) {
+        return std::make_unique<GpuDrivenPath>(m_device, *m_binning, m_geometry, m_extent, name);
+    }
+    HostDraws draws(m_device, m_geometry, m_workers, m_extent, m_options.trace);
+    if (m_options.submission == Submission::primaries) {
+        return std::make_unique<PrimaryPath>(m_device, std::move(draws), name);
+    }
+    return std::make_unique<SecondaryPath>(m_device, std::move(draws), name);
+}
+
+void Renderer::cut(const scene::Camera& camera, Slot& slot) {
+    slot.camera = camera;
+    slot.lens = lensOf(camera, m_aspect);
+    slot.cascades = m_split.cut(camera, m_visible);
+    slot.clipRanges.clear();
+    slot.draws.clear();
+    for (std::size_t i = 0; i < slot.cascades.size(); ++i) {
+        slot.clipRanges.push_back(depth::clipRange(m_options.technique.mapping, slot.cascades, i));
         const depth::ClipTerms terms =
-            clipTerms(depthRange(m_options.technique.mapping, staged.cascades, i, m_split.farEnd()));
-        const DepthSlice slice = m_targets->depthSlice(i, staged.cascades.size());
-        staged.draws.push_back({.anchorView = terms.anchorView,
-                                .push = makeCascadePush(terms, clipRanges[i], staged.lens, slice,
-                                                        static_cast<std::uint32_t>(i))});
+            clipTerms(depthRange(m_options.technique.mapping, slot.cascades, i, m_split.farEnd()));
+        const DepthSlice slice = m_targets->depthSlice(i, slot.cascades.size());
+        slot.draws.push_back({.anchorView = terms.anchorView,
+                              .push = makeCascadePush(terms, slot.clipRanges[i], slot.lens, slice,
+                                                      static_cast<std::uint32_t>(i))});
     }
-    stats.times.splitMs = watch.lap("split");
-
-    scene::binByDistance(m_visible, clipRanges, m_geometry.wideSpan(staged.cascades.size()), m_workers,
-                         m_lists);
-    stats.times.binMs = watch.lap("bin");
-    stats.visible = m_lists.visible;
-    stats.draws = m_lists.draws();
-    stats.duplication = m_lists.duplication();
 }
 
-void Renderer::growRecords(std::size_t draws) {
-    const std::size_t capacity = m_records.size() / sizeof(shaders::DrawRecord);
-    if (m_recordSet && draws <= capacity) {
-        return;
-    }
-    // Half as many again, so that a camera that turns does not make a new buffer at every frame.
-    const std::size_t bytes = std::max<std::size_t>(draws + draws / 2, 1024) * sizeof(shaders::DrawRecord);
-    if (bytes > m_device.info().maxStorageBufferBytes) {
-        throw base::RunError(fmt::format("{} draws need a {} byte buffer, {} allows {}", draws, bytes,
-                                         m_device.info().name, m_device.info().maxStorageBufferBytes));
-    }
-    m_records = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eStorageBuffer,
-                            gpu::MemoryUse::hostWrites, "draw records");
-    m_recordPool = gpu::makeDescriptorPool(m_device, 1, 1, {vk::DescriptorType::eStorageBuffer});
-    m_recordSet = m_geometry.makeRecordSet(m_device, *m_recordPool, m_records.handle());
+Renderer::Slot& Renderer::nextSlot() {
+    Slot& slot = m_slots[m_frames++ % m_slots.size()];
+    settle(slot);
+    return slot;
 }
 
-vk::CommandBuffer Renderer::recordPrimary(std::size_t cascades, Destination destination) {
-    m_primaryPool.reset();
-    const vk::CommandBuffer primary = m_primaryPool.next();
-    primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    m_targets->record(primary, m_recorder, cascades);
-    m_shading.record(primary);
+void Renderer::launch(Slot& slot, Destination destination) {
+    Stopwatch watch(m_options.trace);
+    const CutView view{.camera = slot.camera,
+                       .aspect = m_aspect,
+                       .visible = m_visible,
+                       .clipRanges = slot.clipRanges,
+                       .cascades = slot.draws};
+    slot.destination = destination;
+    slot.path->bin(view, slot.stats);
+    slot.stats.times.binMs = watch.lap("bin");
+    slot.path->begin(view);
+    m_targets->record(*slot.path, slot.cascades.size());
+    m_shading.record(slot.path->primary(), slot.shading);
     if (destination == Destination::host) {
-        recordReadback(primary);
+        recordReadback(slot.path->primary());
     }
-    primary.end();
-    return primary;
+    const std::span<const vk::CommandBuffer> commands = slot.path->end(view);
+    slot.stats.times.recordMs = watch.lap("record");
+    slot.submitted = base::Trace::Clock::now();
+    gpu::submit(m_device, commands, *slot.done);
+    slot.isPending = true;
+}
+
+void Renderer::settle(Slot& slot) {
+    while (slot.isPending) {
+        gpu::waitAndReset(m_device, *slot.done);
+        slot.isPending = false;
+        if (!slot.path->settle(slot.stats)) {
+            launch(slot, slot.destination);
+        }
+    }
+}
+
+Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destination) {
+    scene::requireUsable(camera);
+    Slot& slot = nextSlot();
+    Stopwatch watch(m_options.trace);
+    if (slot.path->needsVisible() || m_split.needsVisible()) {
+        scene::cullSpheres(m_scene.instances, camera, m_aspect, m_workers, m_visible);
+    }
+    slot.stats = {};
+    slot.stats.times.cullMs = watch.lap("cull");
+    cut(camera, slot);
+    slot.shading.update(m_scene, camera, slot.lens, slot.anchorsView());
+    slot.stats.times.splitMs = watch.lap("split");
+    launch(slot, destination);
+    return slot;
+}
+
+Frame Renderer::render(const scene::Camera& camera) {
+    Slot& slot = run(camera, Destination::host);
+    waitFor(slot);
+    return fetch(slot);
+}
+
+FrameStats Renderer::draw(const scene::Camera& camera) {
+    Slot& slot = run(camera, Destination::device);
+    waitFor(slot);
+    return slot.stats;
+}
+
+void Renderer::submit(const scene::Camera& camera) {
+    run(camera, Destination::device);
+}
+
+void Renderer::finish() {
+    for (Slot& slot : m_slots) {
+        settle(slot);
+    }
+}
+
+void Renderer::waitFor(Slot& slot) {
+    settle(slot);
+    const auto done = base::Trace::Clock::now();
+    slot.stats.times.executeMs = millisecondsBetween(slot.submitted, done);
+    if (m_options.trace != nullptr) {
+        m_options.trace->addStage("execute", slot.submitted, done);
+    }
 }
 
 void Renderer::recordReadback(vk::CommandBuffer primary) const {
@@ -160,51 +229,14 @@ void Renderer::recordReadback(vk::CommandBuffer primary) const {
     m_device.endLabel(primary);
 }
 
-Frame Renderer::render(const scene::Camera& camera) {
-    Staged staged;
-    const FrameStats stats = run(camera, staged, Destination::host);
-    Frame frame = fetch(staged);
-    frame.camera = camera;
-    frame.stats = stats;
-    return frame;
-}
-
-FrameStats Renderer::draw(const scene::Camera& camera) {
-    Staged staged;
-    return run(camera, staged, Destination::device);
-}
-
-FrameStats Renderer::run(const scene::Camera& camera, Staged& staged, Destination destination) {
-    scene::requireUsable(camera);
-    FrameStats stats;
-    stage(camera, staged, stats);
-    growRecords(m_lists.draws());
-    m_shading.update(m_scene, camera, staged.lens, anchorsOf(staged.draws));
-
-    Stopwatch watch(m_options.trace);
-    m_recorder.record(m_workers, m_geometry,
-                      {.camera = camera,
-                       .lists = m_lists,
-                       .cascades = staged.draws,
-                       .records = m_records.as<shaders::DrawRecord>(m_lists.draws()),
-                       .recordSet = m_recordSet,
-                       .extent = m_extent,
-                       .batching = m_options.batching,
-                       .trace = m_options.trace});
-    m_records.flush();
-    const vk::CommandBuffer primary = recordPrimary(staged.cascades.size(), destination);
-    stats.times.recordMs = watch.lap("record");
-    gpu::submitAndWait(m_device, primary);
-    stats.times.executeMs = watch.lap("execute");
-    return stats;
-}
-
-Frame Renderer::fetch(const Staged& staged) const {
+Frame Renderer::fetch(const Slot& slot) const {
     Frame frame;
-    frame.cascades = staged.cascades;
-    frame.anchorsView = anchorsOf(staged.draws);
+    frame.camera = slot.camera;
+    frame.cascades = slot.cascades;
+    frame.anchorsView = slot.anchorsView();
     frame.color = m_colorCopy.fetch<image::Rgba8>();
     frame.surfaces = m_surfaceCopy.fetch<Surface>();
+    frame.stats = slot.stats;
     return frame;
 }
 

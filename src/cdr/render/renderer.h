@@ -2,16 +2,13 @@
 
 #include <cdr/base/worker_pool.h>
 #include <cdr/depth/technique.h>
-#include <cdr/gpu/commands.h>
-#include <cdr/render/cascade_recorder.h>
+#include <cdr/render/draw_path.h>
 #include <cdr/render/frame.h>
 #include <cdr/render/frame_split.h>
-#include <cdr/render/geometry_pass.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/readback.h>
 #include <cdr/render/shading_pass.h>
 #include <cdr/render/targets.h>
-#include <cdr/scene/bin.h>
 #include <cdr/scene/cull.h>
 
 #include <cstdint>
@@ -20,17 +17,23 @@
 
 namespace cdr::render {
 
+class BinningPass;
+
 struct RenderOptions {
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
     depth::Technique technique;
     TargetsChoice targets = TargetsKind::single;
     std::size_t threads = 1; ///< that cull, bin and record, the caller's included
+    Submission submission = Submission::secondaries;
     Batching batching = Batching::instanced;
+    std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
     /// none.
     base::Trace* trace = nullptr;
 };
+
+inline constexpr std::size_t kMaxFramesInFlight = 8;
 
 /// Renders a scene with one technique into one kind of targets, frame by frame.
 ///
@@ -38,10 +41,14 @@ struct RenderOptions {
 class Renderer {
   public:
     /// The device, the scene and its GpuScene must outlive the renderer.
-    /// base::InputError for a picture of no or too many pixels or a depth format the device lacks;
-    /// base::RunError when its memory does not suffice, with both figures.
+    /// base::InputError for a picture of no or too many pixels, a depth format the device lacks, or a
+    /// submission it cannot do; base::RunError when its memory does not suffice, with both figures.
     Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
              const RenderOptions& options);
+    /// Waits for what is in flight.
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
 
     /// Renders one frame, waits for it and copies it to the host. base::InputError for an unusable camera or
     /// split.
@@ -50,40 +57,43 @@ class Renderer {
     /// Renders one frame and waits for it, but leaves it on the device: what experiments time.
     FrameStats draw(const scene::Camera& camera);
 
+    /// Renders one frame without waiting for it: the CPU is at most `framesInFlight` ahead of the device.
+    /// Errors of an earlier frame may come up here.
+    void submit(const scene::Camera& camera);
+    /// Waits for all that was submitted.
+    void finish();
+
     const RenderOptions& options() const { return m_options; }
 
   private:
-    struct Staged; ///< what the CPU stages hand on
-    void stage(const scene::Camera& camera, Staged& staged, FrameStats& stats);
-    void growRecords(std::size_t draws);
+    struct Slot;
     enum class Destination { device, host };
-    FrameStats run(const scene::Camera& camera, Staged& staged, Destination destination);
-    vk::CommandBuffer recordPrimary(std::size_t cascades, Destination destination);
+    std::unique_ptr<DrawPath> makePath(const std::string& name);
+    Slot& nextSlot();
+    void cut(const scene::Camera& camera, Slot& slot);
+    void launch(Slot& slot, Destination destination);
+    void settle(Slot& slot);
+    void waitFor(Slot& slot);
+    Slot& run(const scene::Camera& camera, Destination destination);
     void recordReadback(vk::CommandBuffer primary) const;
-    Frame fetch(const Staged& staged) const;
+    Frame fetch(const Slot& slot) const;
 
     const gpu::Device& m_device;
     const scene::Scene& m_scene;
-    const GpuScene& m_gpuScene;
     RenderOptions m_options;
     vk::Extent2D m_extent;
     double m_aspect;
     FrameSplit m_split;
     base::WorkerPool m_workers;
     GeometryPass m_geometry;
+    std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
     std::unique_ptr<Targets> m_targets;
     ShadingPass m_shading;
     Readback m_colorCopy;
     Readback m_surfaceCopy;
-    CascadeRecorder m_recorder;
-    gpu::CommandPool m_primaryPool;
-
-    // Kept from frame to frame so that a warm frame allocates nothing.
-    scene::VisibleList m_visible;
-    scene::DrawLists m_lists;
-    gpu::Buffer m_records;
-    vk::UniqueDescriptorPool m_recordPool;
-    vk::DescriptorSet m_recordSet;
+    scene::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing
+    std::vector<Slot> m_slots;    ///< taken in turn
+    std::size_t m_frames = 0;     ///< begun so far
 };
 
 } // namespace cdr::render

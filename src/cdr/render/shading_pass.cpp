@@ -20,8 +20,7 @@ constexpr auto kFormat = vk::Format::eR8G8B8A8Srgb;
 
 } // namespace
 
-ShadingPass::ShadingPass(const gpu::Device& device, const scene::Scene& scene, const gpu::Image& gbuffer,
-                         vk::Extent2D extent)
+ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, vk::Extent2D extent)
     : m_device(device),
       m_gbuffer(gbuffer),
       m_picture(device,
@@ -29,13 +28,9 @@ ShadingPass::ShadingPass(const gpu::Device& device, const scene::Scene& scene, c
                  .format = kFormat,
                  .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc},
                 "picture"),
-      m_uniforms(device, sizeof(shaders::ShadingHeader) + scene.lights.size() * sizeof(shaders::LightRecord),
-                 vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites, "lights"),
       m_sampler(device.handle().createSamplerUnique({})),
       m_setLayout(
           gpu::makeSetLayout(device, {kImage, kStorage}, vk::ShaderStageFlagBits::eFragment, "shading set")),
-      m_pool(gpu::makeDescriptorPool(device, 1, 1, {kImage, kStorage})),
-      m_set(gpu::allocateSet(device, *m_pool, *m_setLayout)),
       m_layout(gpu::makePipelineLayout(device, {*m_setLayout}, {}, "shading layout")),
       m_pipeline(gpu::makeGraphicsPipeline(device, {.name = "shading",
                                                     .vertexSpirv = kFullscreenVert,
@@ -44,13 +39,22 @@ ShadingPass::ShadingPass(const gpu::Device& device, const scene::Scene& scene, c
                                                     .layout = *m_layout,
                                                     .bindings = {},
                                                     .attributes = {},
-                                                    .colorFormats = {kFormat}})) {
-    gpu::writeImageBinding(device, m_set, 0, kImage, gbuffer.view(), *m_sampler);
-    gpu::writeBufferBinding(device, m_set, 1, kStorage, m_uniforms.handle());
+                                                    .colorFormats = {kFormat}})) {}
+
+ShadingInputs ShadingPass::makeInputs(const scene::Scene& scene) const {
+    ShadingInputs inputs;
+    inputs.m_uniforms = gpu::Buffer(
+        m_device, sizeof(shaders::ShadingHeader) + scene.lights.size() * sizeof(shaders::LightRecord),
+        vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites, "lights");
+    inputs.m_pool = gpu::makeDescriptorPool(m_device, 1, 1, {kImage, kStorage});
+    inputs.m_set = gpu::allocateSet(m_device, *inputs.m_pool, *m_setLayout);
+    gpu::writeImageBinding(m_device, inputs.m_set, 0, kImage, m_gbuffer.view(), *m_sampler);
+    gpu::writeBufferBinding(m_device, inputs.m_set, 1, kStorage, inputs.m_uniforms.handle());
+    return inputs;
 }
 
-void ShadingPass::update(const scene::Scene& scene, const scene::Camera& camera, const Lens& lens,
-                         std::span<const double> anchorsView) {
+void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camera, const Lens& lens,
+                           std::span<const double> anchorsView) {
     shaders::ShadingHeader& header = m_uniforms.as<shaders::ShadingHeader>(1).front();
     header.ambient = glm::vec4(scene.ambient, 0.0f);
     header.background = glm::vec4(scene.background, 0.0f);
@@ -64,7 +68,7 @@ void ShadingPass::update(const scene::Scene& scene, const scene::Camera& camera,
     m_uniforms.flush();
 }
 
-void ShadingPass::record(vk::CommandBuffer primary) const {
+void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs) const {
     m_device.beginLabel(primary, "shading");
     gpu::pipelineBarrier(
         primary,
@@ -80,7 +84,7 @@ void ShadingPass::record(vk::CommandBuffer primary) const {
     primary.beginRendering(
         {.renderArea = area, .layerCount = 1, .colorAttachmentCount = 1, .pColorAttachments = &color});
     gpu::bindFullscreenPipeline(primary, *m_pipeline, area.extent);
-    primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, m_set, {});
+    primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, inputs.m_set, {});
     primary.draw(3, 1, 0, 0);
     primary.endRendering();
     gpu::pipelineBarrier(

@@ -12,19 +12,31 @@
 
 namespace cdr::render {
 
-/// The final pass: reads the G-buffer, sums ambient and point lights, writes an sRGB picture.
-class ShadingPass {
+/// What the final pass reads besides the G-buffer: one frame slot's lights and anchors.
+class ShadingInputs {
   public:
-    ShadingPass(const gpu::Device& device, const scene::Scene& scene, const gpu::Image& gbuffer,
-                vk::Extent2D extent);
-
-    /// Uploads this frame's lights and anchors; the last frame that used them must have finished.
+    /// Uploads a frame's; the last frame that used them must have finished.
     void update(const scene::Scene& scene, const scene::Camera& camera, const Lens& lens,
                 std::span<const double> anchorsView);
 
+  private:
+    friend class ShadingPass;
+    gpu::Buffer m_uniforms;
+    vk::UniqueDescriptorPool m_pool;
+    vk::DescriptorSet m_set;
+};
+
+/// The final pass: reads the G-buffer, sums ambient and point lights, writes an sRGB picture.
+class ShadingPass {
+  public:
+    ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, vk::Extent2D extent);
+
+    /// Inputs for as many lights as the scene has.
+    ShadingInputs makeInputs(const scene::Scene& scene) const;
+
     /// Takes the G-buffer from colour attachment to shader read layout and leaves picture() in transfer
     /// source layout.
-    void record(vk::CommandBuffer primary) const;
+    void record(vk::CommandBuffer primary, const ShadingInputs& inputs) const;
 
     const gpu::Image& picture() const { return m_picture; }
 
@@ -34,11 +46,8 @@ class ShadingPass {
     const gpu::Device& m_device;
     const gpu::Image& m_gbuffer;
     gpu::Image m_picture;
-    gpu::Buffer m_uniforms;
     vk::UniqueSampler m_sampler;
     vk::UniqueDescriptorSetLayout m_setLayout;
-    vk::UniqueDescriptorPool m_pool;
-    vk::DescriptorSet m_set;
     vk::UniquePipelineLayout m_layout;
     vk::UniquePipeline m_pipeline;
 };

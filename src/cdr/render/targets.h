@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
-#include <cdr/render/cascade_recorder.h>
+#include <cdr/render/cascade_commands.h>
 #include <cdr/render/gbuffer.h>
 #include <cdr/render/view_transform.h>
 
@@ -68,11 +68,11 @@ class Targets {
     /// Slice of the depth range in which cascade `cascade` of `cascades` draws: all of it, unless they share.
     virtual DepthSlice depthSlice(std::size_t cascade, std::size_t cascades) const;
 
-    /// Puts the cascades' secondaries into `primary`, so that afterwards gbuffer() holds for each pixel the
-    /// nearest cascade's surface, in the colour attachment layout, written by colour attachment output. The
-    /// number of cascades may change from frame to frame; base::RunError, with both figures, when it asks for
-    /// more memory than there is.
-    virtual void record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t cascades) = 0;
+    /// Has the cascades drawn, so that afterwards gbuffer() holds for each pixel the nearest cascade's
+    /// surface, in the colour attachment layout, written by colour attachment output. The number of cascades
+    /// may change from frame to frame; base::RunError, with both figures, when it asks for more memory than
+    /// there is.
+    virtual void record(CascadeCommands& commands, std::size_t cascades) = 0;
 
     virtual const gpu::Image& gbuffer() const = 0;
 };

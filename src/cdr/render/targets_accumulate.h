@@ -11,8 +11,8 @@ class AccumulateTargets final : public Targets {
     AccumulateTargets(const gpu::Device& device, const TargetsOptions& options)
         : m_layers(device, options, 1) {}
 
-    void record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t cascades) override {
-        m_layers.record(primary, recorder, cascades);
+    void record(CascadeCommands& commands, std::size_t cascades) override {
+        m_layers.record(commands, cascades);
     }
     const gpu::Image& gbuffer() const override { return m_layers.accumulated(); }
 

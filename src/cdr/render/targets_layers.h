@@ -10,9 +10,9 @@ class LayersTargets final : public Targets {
   public:
     LayersTargets(const gpu::Device& device, const TargetsOptions& options) : m_layers(device, options, 1) {}
 
-    void record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t cascades) override {
+    void record(CascadeCommands& commands, std::size_t cascades) override {
         m_layers.grow(cascades);
-        m_layers.record(primary, recorder, cascades);
+        m_layers.record(commands, cascades);
     }
     const gpu::Image& gbuffer() const override { return m_layers.accumulated(); }
 

@@ -38,8 +38,7 @@ DepthSlice integerSlice(std::size_t slice, std::size_t slices, int bits) {
 } // namespace
 
 OnePassTargets::OnePassTargets(const gpu::Device& device, const TargetsOptions& options)
-    : m_device(device),
-      m_gbuffer(makeGBuffer(device, options.extent, "G-buffer")),
+    : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer")),
       m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth")),
       m_reversedDepth(options.reversedDepth) {}
 
@@ -55,13 +54,11 @@ DepthSlice OnePassTargets::depthSlice(std::size_t cascade, std::size_t cascades)
     }
 }
 
-void OnePassTargets::record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t) {
+void OnePassTargets::record(CascadeCommands& commands, std::size_t cascades) {
     const GBufferScope scope{
         .gbuffer = m_gbuffer, .depth = m_depth, .clearColor = true, .reversedDepth = m_reversedDepth};
-    beginGBuffer(primary, scope);
-    m_device.beginLabel(primary, "all cascades, front to back");
-    runGBufferScope(primary, scope, recorder.commands());
-    m_device.endLabel(primary);
+    beginGBuffer(commands.primary(), scope);
+    commands.drawScope(scope, {0, cascades}); // front to back
 }
 
 } // namespace cdr::render

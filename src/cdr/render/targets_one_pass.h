@@ -26,11 +26,10 @@ class OnePassTargets final : public Targets {
     OnePassTargets(const gpu::Device& device, const TargetsOptions& options);
 
     DepthSlice depthSlice(std::size_t cascade, std::size_t cascades) const override;
-    void record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t cascades) override;
+    void record(CascadeCommands& commands, std::size_t cascades) override;
     const gpu::Image& gbuffer() const override { return m_gbuffer; }
 
   private:
-    const gpu::Device& m_device;
     gpu::Image m_gbuffer;
     gpu::Image m_depth;
     bool m_reversedDepth;

@@ -10,11 +10,10 @@ class SingleTargets final : public Targets {
   public:
     SingleTargets(const gpu::Device& device, const TargetsOptions& options);
 
-    void record(vk::CommandBuffer primary, const CascadeRecorder& recorder, std::size_t cascades) override;
+    void record(CascadeCommands& commands, std::size_t cascades) override;
     const gpu::Image& gbuffer() const override { return m_gbuffer; }
 
   private:
-    const gpu::Device& m_device;
     gpu::Image m_gbuffer;
     gpu::Image m_depth;
     bool m_reversedDepth;

@@ -1,7 +1,8 @@
-#include <cdr/render/cascade_recorder.h>
 #include <cdr/render/gbuffer.h>
+#include <cdr/render/secondary_path.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace cdr::render {
 
@@ -30,34 +31,45 @@ std::vector<DrawJob> makeJobs(const scene::DrawLists& lists, std::size_t threads
     return jobs;
 }
 
-CascadeRecorder::CascadeRecorder(const gpu::Device& device, std::size_t threads, const std::string& name) {
-    for (std::size_t worker = 0; worker < threads; ++worker) {
+SecondaryPath::SecondaryPath(const gpu::Device& device, HostDraws draws, const std::string& name)
+    : m_device(device),
+      m_draws(std::move(draws)),
+      m_primaryPool(device, vk::CommandBufferLevel::ePrimary, name) {
+    for (std::size_t worker = 0; worker < m_draws.workers().threads(); ++worker) {
         m_pools.emplace_back(device, vk::CommandBufferLevel::eSecondary,
                              name + " worker " + std::to_string(worker));
     }
 }
 
-void CascadeRecorder::record(base::WorkerPool& workers, const GeometryPass& pass,
-                             const GeometryPass::Recording& recording) {
+void SecondaryPath::begin(const CutView& view) {
+    recordJobs(m_draws.recording(view));
+    m_draws.flush();
+    m_primaryPool.reset();
+    m_primary = m_primaryPool.next();
+    m_primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+}
+
+void SecondaryPath::recordJobs(const GeometryPass::Recording& recording) {
     for (gpu::CommandPool& pool : m_pools) {
         pool.reset();
     }
-    m_jobs = makeJobs(recording.lists, workers.threads());
+    const GeometryPass& pass = m_draws.pass();
+    m_jobs = makeJobs(recording.lists, m_pools.size());
     m_commands.assign(m_jobs.size(), nullptr);
     m_cascadeBegins.assign(recording.lists.cascades() + 1, m_jobs.size());
     for (std::size_t job = m_jobs.size(); job-- > 0;) {
         std::fill_n(m_cascadeBegins.begin(), m_jobs[job].cascade + 1, job);
     }
-    const vk::CommandBufferInheritanceRenderingInfo rendering{.colorAttachmentCount = 1,
-                                                              .pColorAttachmentFormats = &kGBufferFormat,
-                                                              .depthAttachmentFormat = pass.depthFormat(),
-                                                              .rasterizationSamples =
-                                                                  vk::SampleCountFlagBits::e1};
+    const vk::CommandBufferInheritanceRenderingInfo rendering{
+        .colorAttachmentCount = 1,
+        .pColorAttachmentFormats = &kGBufferFormat,
+        .depthAttachmentFormat = pass.pipelines().depthFormat(),
+        .rasterizationSamples = vk::SampleCountFlagBits::e1};
     const vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};
     const vk::CommandBufferBeginInfo begin{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit |
                                                     vk::CommandBufferUsageFlagBits::eRenderPassContinue,
                                            .pInheritanceInfo = &inheritance};
-    workers.run(m_jobs.size(), [&](std::size_t job, std::size_t worker) {
+    m_draws.workers().run(m_jobs.size(), [&](std::size_t job, std::size_t worker) {
         const DrawJob& work = m_jobs[job];
         const base::JobSpan span(recording.trace, worker, job, work.cascade, work.draws.size());
         const vk::CommandBuffer commands = m_pools[worker].next();
@@ -68,9 +80,21 @@ void CascadeRecorder::record(base::WorkerPool& workers, const GeometryPass& pass
     });
 }
 
-std::span<const vk::CommandBuffer> CascadeRecorder::commands(std::size_t cascade) const {
-    const std::size_t begin = m_cascadeBegins[cascade];
-    return std::span(m_commands).subspan(begin, m_cascadeBegins[cascade + 1] - begin);
+void SecondaryPath::drawScope(const GBufferScope& scope, base::IndexRange cascades) {
+    m_device.beginLabel(m_primary, labelOf(cascades).c_str());
+    beginGBufferScope(m_primary, scope, vk::RenderingFlagBits::eContentsSecondaryCommandBuffers);
+    const std::size_t begin = m_cascadeBegins[cascades.begin];
+    const std::size_t end = m_cascadeBegins[cascades.end];
+    if (end > begin) {
+        m_primary.executeCommands(static_cast<std::uint32_t>(end - begin), &m_commands[begin]);
+    }
+    m_primary.endRendering();
+    m_device.endLabel(m_primary);
+}
+
+std::span<const vk::CommandBuffer> SecondaryPath::end(const CutView&) {
+    m_primary.end();
+    return {&m_primary, 1};
 }
 
 } // namespace cdr::render

@@ -1,0 +1,111 @@
+// What the GPU-driven path's compute passes and C++ share. Every struct is laid out the same by std430 and by
+// C++.
+#ifndef CDR_SHADERS_BINNING_SHARED_H
+#define CDR_SHADERS_BINNING_SHARED_H
+
+#ifdef __cplusplus
+#include <cdr/shaders/shared.h>
+
+namespace cdr::shaders {
+#define CDR_CONST inline constexpr uint
+#else
+#define CDR_CONST const uint
+#endif
+
+// Instances per workgroup, one invocation each.
+CDR_CONST kBinBlock = 256u;
+// A compact and a wide bucket per cascade, nearest cascade first, as scene::DrawLists has them.
+CDR_CONST kBinBuckets = 128u;
+
+// What culling and binning read of an instance.
+struct InstanceSphere {
+    double x; // world space
+    double y;
+    double z;
+    float radius;
+    uint run; // into the kind runs
+};
+
+// What its draw record takes besides.
+struct InstanceLook {
+    float basis[9]; // object to world, column by column
+    uint id;        // DrawRecord::id
+    uint material;
+    uint pad0;
+};
+
+struct MaterialRecord {
+    float alphaCutoff;
+    uint baseColorRg;
+    uint baseColorBa;
+    uint pad0;
+};
+
+// Consecutive instances of one mesh, material and handedness: one instanced draw per bucket.
+struct KindRun {
+    uint firstIndex;
+    uint indexCount;
+    int vertexOffset;
+    uint pad0;
+};
+
+// Consecutive runs between which nothing is bound: one indirect draw with a count per bucket.
+struct RunGroup {
+    uint begin;
+    uint end;
+};
+
+// One frame's camera and cascades.
+struct BinningView {
+    double position[3]; // world space
+    double right[3];
+    double up[3];
+    double ahead[3];
+    double cosX; // of half the horizontal field of view, and so on
+    double sinX;
+    double cosY;
+    double sinY;
+    double nearView;
+    double farView;
+    double wideSpan;  // scene::binByDistance()'s, where hasWideSpan
+    uint hasWideSpan; // 0 where nothing is wide: no arithmetic with infinities
+    uint instances;
+    uint cascades;
+    uint blocks;
+    uint runs;
+    uint groups;
+    uint recordCapacity;
+    uint pad0;
+    double nearViews[kCascadeSlots]; // clip ranges; the far ends ascend
+    double farViews[kCascadeSlots];
+    double anchors[kCascadeSlots]; // view distance of each cascade's anchor plane
+};
+
+// VkDrawIndexedIndirectCommand.
+struct IndirectCommand {
+    uint indexCount;
+    uint instanceCount;
+    uint firstIndex;
+    int vertexOffset;
+    uint firstInstance;
+};
+
+// What the CPU is told.
+struct BinningResult {
+    uint draws;           // wanted, even where the records have no room for them
+    uint drawsAndVisible; // and the instances in at least one cascade
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(InstanceSphere) == 32);
+static_assert(sizeof(InstanceLook) == 48);
+static_assert(sizeof(MaterialRecord) == 16);
+static_assert(sizeof(KindRun) == 16);
+static_assert(sizeof(BinningView) == 184 + 3 * 8 * kCascadeSlots);
+static_assert(sizeof(IndirectCommand) == 20);
+static_assert(kBinBuckets == 2 * kCascadeSlots);
+} // namespace cdr::shaders
+#endif
+
+#undef CDR_CONST
+#endif

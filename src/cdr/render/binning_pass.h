@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cdr/gpu/memory.h>
+#include <cdr/render/draw_path.h>
+#include <cdr/scene/scene.h>
+
+#include <array>
+#include <vector>
+
+namespace cdr::render {
+
+/// A scene's instances on the device, and the compute passes that cull and bin them (shaders/binning.glsl).
+/// Immutable; every frame slot brings a BinningSlot of its own.
+class BinningPass {
+  public:
+    /// base::InputError when the device cannot do it, naming what it lacks; base::RunError, with both
+    /// figures, when the scene is too large for its memory or its buffers.
+    BinningPass(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene);
+
+    std::size_t instances() const { return m_instances; }
+    std::size_t runs() const { return m_runs; }
+    std::span<const GeometryPass::RunGroup> groups() const { return m_groups; }
+    vk::DescriptorSetLayout layout() const { return *m_setLayout; }
+
+    /// Points the bindings of what never changes at the scene's buffers.
+    void bindScene(vk::DescriptorSet set) const;
+    /// Runs all four passes; afterwards the lists are ready to be drawn and the result to be read.
+    void record(vk::CommandBuffer commands, vk::DescriptorSet set, std::size_t cascades) const;
+
+    /// Storage buffers of the set; the first is the view, the next kSceneBuffers are the scene's.
+    static constexpr std::uint32_t kBindings = 13;
+    static constexpr std::uint32_t kSceneBuffers = 5;
+
+  private:
+    void uploadInstances(const scene::Scene& scene, const GpuScene& gpuScene);
+    vk::UniquePipeline makePipeline(std::span<const std::uint32_t> spirv, const char* name) const;
+
+    const gpu::Device& m_device;
+    std::size_t m_instances = 0;
+    std::size_t m_runs = 0;
+    std::vector<GeometryPass::RunGroup> m_groups;
+    std::array<gpu::Buffer, kSceneBuffers> m_sceneBuffers; ///< by binding, from 1 on
+    vk::UniqueDescriptorSetLayout m_setLayout;
+    vk::UniquePipelineLayout m_layout;
+    vk::UniquePipeline m_count;
+    vk::UniquePipeline m_scan;
+    vk::UniquePipeline m_fill;
+    vk::UniquePipeline m_commands;
+};
+
+} // namespace cdr::render

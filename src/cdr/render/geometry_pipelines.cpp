@@ -1,0 +1,122 @@
+#include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/gbuffer.h>
+#include <cdr/render/geometry_pipelines.h>
+#include <cdr/shaders/geometry_depth_frag.h>
+#include <cdr/shaders/geometry_frag.h>
+#include <cdr/shaders/geometry_pushed_vert.h>
+#include <cdr/shaders/geometry_vert.h>
+#include <cdr/shaders/shared.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace cdr::render {
+
+namespace {
+
+/// By Batching.
+constexpr std::array<std::string_view, kBatchings.size()> kNames{"per-object", "push-constants", "instanced"};
+
+/// A logarithm set at the vertices of a triangle that spans the share e of its distance errs by up to e^2 / 8
+/// of that distance in between; 2 % keeps that below the overlap of cascades (1e-4), so no triangle opens a
+/// crack.
+constexpr double kLogWideSpan = 0.02;
+
+/// Clipping rounds to about 1e-7 of the triangle's own span, which must stay below the overlap of 1e-6.
+constexpr double kLinearWideSpan = 4.0;
+
+int bitsOf(depth::DepthFormat format) {
+    switch (format) {
+    case depth::DepthFormat::d16:
+        return 16;
+    case depth::DepthFormat::d24:
+        return 24;
+    case depth::DepthFormat::d32f:
+        return 32;
+    }
+    return 0;
+}
+
+std::uint32_t depthForm(depth::Mapping mapping) {
+    switch (mapping) {
+    case depth::Mapping::log:
+        return shaders::kDepthFormLog;
+    case depth::Mapping::logFragment:
+        return shaders::kDepthFormLogFragment;
+    default:
+        return shaders::kDepthFormLinear;
+    }
+}
+
+vk::PushConstantRange pushRange(Batching batching) {
+    const std::uint32_t size = batching == Batching::pushConstants
+                                   ? shaders::kPushedRecordOffset + sizeof(shaders::DrawRecord)
+                                   : sizeof(shaders::CascadePush);
+    return {.stageFlags = GeometryPipelines::kStages, .size = size};
+}
+
+} // namespace
+
+std::string_view nameOf(Batching batching) {
+    return kNames[static_cast<std::size_t>(batching)];
+}
+
+Batching parseBatching(std::string_view name) {
+    const auto found = std::find(kNames.begin(), kNames.end(), name);
+    if (found == kNames.end()) {
+        throw base::InputError(base::unknownName("batching", name, kNames));
+    }
+    return kBatchings[static_cast<std::size_t>(found - kNames.begin())];
+}
+
+GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& scene,
+                                     const depth::Technique& technique, Batching batching)
+    : m_mapping(technique.mapping),
+      m_depthFormat(device.depthFormat(bitsOf(technique.format))),
+      m_recordLayout(gpu::makeSetLayout(device, {vk::DescriptorType::eStorageBuffer},
+                                        vk::ShaderStageFlagBits::eVertex, "draw record set")),
+      m_layout(gpu::makePipelineLayout(device, {*m_recordLayout, scene.textureLayout()},
+                                       {pushRange(batching)}, "geometry layout")),
+      m_compact(make(device, scene, batching, false)),
+      m_wide(make(device, scene, batching, true)) {}
+
+double GeometryPipelines::wideSpan(std::size_t cascades) const {
+    if (m_mapping == depth::Mapping::log) {
+        return kLogWideSpan;
+    }
+    // One cascade has no neighbour to crack from.
+    return cascades > 1 ? kLinearWideSpan : std::numeric_limits<double>::infinity();
+}
+
+GeometryPipelines::Pipelines GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene,
+                                                     Batching batching, bool wide) const {
+    const std::uint32_t form =
+        wide && m_mapping == depth::Mapping::log ? shaders::kDepthFormLogFragment : depthForm(m_mapping);
+    using Spirv = std::span<const std::uint32_t>;
+    Pipelines pipelines;
+    for (const DrawKind& kind : scene.kinds()) {
+        vk::UniquePipeline& pipeline = pipelines[kind.variant];
+        if (pipeline) {
+            continue;
+        }
+        pipeline = gpu::makeGraphicsPipeline(
+            device, {.name = wide ? "geometry, wide" : "geometry",
+                     .vertexSpirv = batching == Batching::pushConstants ? Spirv(kGeometryPushedVert)
+                                                                        : Spirv(kGeometryVert),
+                     .fragmentSpirv = form == shaders::kDepthFormLogFragment ? Spirv(kGeometryDepthFrag)
+                                                                             : Spirv(kGeometryFrag),
+                     .constants = {form, kind.variant & 1u, kind.variant >> 1u, wide ? 1u : 0u},
+                     .layout = *m_layout,
+                     .bindings = {GpuScene::vertexBinding()},
+                     .attributes = GpuScene::vertexAttributes(),
+                     .colorFormats = {kGBufferFormat},
+                     .depthFormat = m_depthFormat,
+                     .depthCompare = depth::isReversed(m_mapping) ? vk::CompareOp::eGreaterOrEqual
+                                                                  : vk::CompareOp::eLessOrEqual});
+    }
+    return pipelines;
+}
+
+} // namespace cdr::render

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cdr/depth/technique.h>
+#include <cdr/render/gpu_scene.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace cdr::render {
+
+/// How draws become draw commands. The picture is the same to the bit.
+enum class Batching : std::uint8_t {
+    perObject,     ///< one command per draw, its record in a storage buffer
+    pushConstants, ///< one command per draw, its record pushed before it
+    instanced,     ///< one command per run of draws of one kind
+};
+
+inline constexpr std::array kBatchings{Batching::perObject, Batching::pushConstants, Batching::instanced};
+
+/// "per-object", "push-constants" or "instanced".
+std::string_view nameOf(Batching batching);
+/// base::InputError with a suggestion for an unknown name.
+Batching parseBatching(std::string_view name);
+
+/// The pipelines of one technique over one scene.
+class GeometryPipelines {
+  public:
+    GeometryPipelines(const gpu::Device& device, const GpuScene& scene, const depth::Technique& technique,
+                      Batching batching);
+
+    vk::DescriptorSetLayout recordLayout() const { return *m_recordLayout; }
+    vk::PipelineLayout layout() const { return *m_layout; }
+    vk::Format depthFormat() const { return m_depthFormat; }
+    /// Of a variant that some kind of the scene has. @param wide cuts per fragment, see wideSpan().
+    vk::Pipeline pipeline(std::uint32_t variant, bool wide) const {
+        return *(wide ? m_wide : m_compact)[variant];
+    }
+
+    /// Instances that span more than this share of their distance are drawn wide: cut, and for log given
+    /// their depth, per fragment. Infinity for none.
+    double wideSpan(std::size_t cascades) const;
+
+    static constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+
+  private:
+    using Pipelines = std::array<vk::UniquePipeline, kPipelineVariants>; ///< empty where no kind needs one
+    Pipelines make(const gpu::Device& device, const GpuScene& scene, Batching batching, bool wide) const;
+
+    depth::Mapping m_mapping;
+    vk::Format m_depthFormat;
+    vk::UniqueDescriptorSetLayout m_recordLayout;
+    vk::UniquePipelineLayout m_layout;
+    Pipelines m_compact;
+    Pipelines m_wide;
+};
+
+} // namespace cdr::render

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cdr/gpu/commands.h>
+#include <cdr/render/binning_pass.h>
+
+#include <array>
+#include <string>
+
+namespace cdr::render {
+
+/// Compute passes cull and bin into indirect draws with counts; the CPU writes the camera and a handful of
+/// commands. Ranks come from masks and sums, not from who is first, so the draws are the CPU path's in the
+/// CPU path's order.
+class GpuDrivenPath final : public DrawPath {
+  public:
+    GpuDrivenPath(const gpu::Device& device, const BinningPass& binning, const GeometryPass& pass,
+                  vk::Extent2D extent, const std::string& name);
+
+    bool needsVisible() const override { return false; }
+    void bin(const CutView& view, FrameStats& stats) override;
+    void begin(const CutView& view) override;
+    vk::CommandBuffer primary() override { return m_primary; }
+    void drawScope(const GBufferScope& scope, base::IndexRange cascades) override;
+    std::span<const vk::CommandBuffer> end(const CutView& view) override;
+    bool settle(FrameStats& stats) override;
+
+  private:
+    enum List : std::size_t { landings, blockDraws, runFirsts, records, commands, counts, kLists };
+    void growLists(std::size_t cascades);
+    void growRecords(std::size_t draws);
+    void grow(List list, std::size_t bytes);
+
+    const gpu::Device& m_device;
+    const BinningPass& m_binning;
+    const GeometryPass& m_pass;
+    gpu::CommandPool m_pool;
+    vk::CommandBuffer m_primary;
+    gpu::Buffer m_view;
+    gpu::Buffer m_result;
+    std::array<gpu::Buffer, kLists> m_lists; ///< the slot's own, bindings from kFirstList on
+    std::size_t m_recordCapacity = 0;
+    vk::UniqueDescriptorPool m_descriptors;
+    vk::DescriptorSet m_binningSet;
+    GeometryPass::IndirectDraws m_draws;
+    std::span<const CascadeDraws> m_cascades; ///< of the frame that is being recorded
+};
+
+} // namespace cdr::render

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cdr/render/draw_path.h>
+#include <cdr/scene/bin.h>
+
+namespace cdr::render {
+
+/// Draws that the CPU bins, and the buffer their records are written to: what both recorded paths share.
+class HostDraws {
+  public:
+    HostDraws(const gpu::Device& device, const GeometryPass& pass, base::WorkerPool& workers,
+              vk::Extent2D extent, base::Trace* trace)
+        : m_device(device),
+          m_pass(pass),
+          m_workers(workers),
+          m_extent(extent),
+          m_trace(trace) {}
+
+    /// Bins and makes room for the records. base::RunError when the device has no buffer as large.
+    void bin(const CutView& view, FrameStats& stats);
+    /// What recording the binned draws reads; the view must outlive it.
+    GeometryPass::Recording recording(const CutView& view) const;
+    /// Shows the records to the device. Once all are written, before the frame is submitted.
+    void flush() const { m_records.flush(); }
+
+    const scene::DrawLists& lists() const { return m_lists; }
+    const GeometryPass& pass() const { return m_pass; }
+    base::WorkerPool& workers() const { return m_workers; }
+
+  private:
+    void growRecords();
+
+    const gpu::Device& m_device;
+    const GeometryPass& m_pass;
+    base::WorkerPool& m_workers;
+    vk::Extent2D m_extent;
+    base::Trace* m_trace;
+    scene::DrawLists m_lists; ///< kept from frame to frame so that a warm one allocates nothing
+    gpu::Buffer m_records;
+    vk::UniqueDescriptorPool m_pool;
+    vk::DescriptorSet m_set;
+};
+
+} // namespace cdr::render

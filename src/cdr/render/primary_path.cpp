@@ -1,0 +1,77 @@
+#include <cdr/render/primary_path.h>
+
+#include <utility>
+
+namespace cdr::render {
+
+PrimaryPath::PrimaryPath(const gpu::Device& device, HostDraws draws, const std::string& name)
+    : m_device(device),
+      m_draws(std::move(draws)),
+      m_betweenPool(device, vk::CommandBufferLevel::ePrimary, name) {
+    for (std::size_t worker = 0; worker < m_draws.workers().threads(); ++worker) {
+        m_pools.emplace_back(device, vk::CommandBufferLevel::ePrimary,
+                             name + " worker " + std::to_string(worker));
+    }
+}
+
+void PrimaryPath::begin(const CutView&) {
+    m_betweenPool.reset();
+    for (gpu::CommandPool& pool : m_pools) {
+        pool.reset();
+    }
+    m_between = nullptr;
+    m_scopes.clear();
+    m_commands.clear();
+}
+
+vk::CommandBuffer PrimaryPath::primary() {
+    if (!m_between) {
+        m_between = m_betweenPool.next();
+        m_between.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    }
+    return m_between;
+}
+
+void PrimaryPath::closeBetween() {
+    if (m_between) {
+        m_between.end();
+        m_commands.push_back(std::exchange(m_between, nullptr));
+    }
+}
+
+void PrimaryPath::drawScope(const GBufferScope& scope, base::IndexRange cascades) {
+    closeBetween();
+    m_scopes.push_back({.scope = scope, .cascades = cascades, .slot = m_commands.size()});
+    m_commands.emplace_back();
+}
+
+void PrimaryPath::recordScope(vk::CommandBuffer commands, const Scope& scope,
+                              const GeometryPass::Recording& recording) const {
+    commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    m_device.beginLabel(commands, labelOf(scope.cascades).c_str());
+    beginGBufferScope(commands, scope.scope, {});
+    for (std::size_t cascade = scope.cascades.begin; cascade < scope.cascades.end; ++cascade) {
+        m_draws.pass().record(commands, {.cascade = cascade, .draws = recording.lists.range(cascade)},
+                              recording);
+    }
+    commands.endRendering();
+    m_device.endLabel(commands);
+    commands.end();
+}
+
+std::span<const vk::CommandBuffer> PrimaryPath::end(const CutView& view) {
+    closeBetween();
+    const GeometryPass::Recording recording = m_draws.recording(view);
+    m_draws.workers().run(m_scopes.size(), [&](std::size_t job, std::size_t worker) {
+        const Scope& scope = m_scopes[job];
+        const base::IndexRange draws{recording.lists.range(scope.cascades.begin).begin,
+                                     recording.lists.range(scope.cascades.end - 1).end};
+        const base::JobSpan span(recording.trace, worker, job, scope.cascades.begin, draws.size());
+        m_commands[scope.slot] = m_pools[worker].next();
+        recordScope(m_commands[scope.slot], scope, recording);
+    });
+    m_draws.flush();
+    return m_commands;
+}
+
+} // namespace cdr::render

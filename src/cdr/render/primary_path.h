@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cdr/gpu/commands.h>
+#include <cdr/render/host_draws.h>
+
+#include <string>
+#include <vector>
+
+namespace cdr::render {
+
+/// The control without secondaries: each rendering scope is a primary of its own, recorded by whichever
+/// worker takes it, with primaries between them for what belongs there; one submit takes them all in order.
+/// So no more threads have work than there are scopes, and one-pass targets, which are one scope, keep one
+/// busy.
+class PrimaryPath final : public DrawPath {
+  public:
+    PrimaryPath(const gpu::Device& device, HostDraws draws, const std::string& name);
+
+    bool needsVisible() const override { return true; }
+    void bin(const CutView& view, FrameStats& stats) override { m_draws.bin(view, stats); }
+    void begin(const CutView& view) override;
+    vk::CommandBuffer primary() override;
+    void drawScope(const GBufferScope& scope, base::IndexRange cascades) override;
+    std::span<const vk::CommandBuffer> end(const CutView& view) override;
+    bool settle(FrameStats&) override { return true; }
+
+  private:
+    struct Scope {
+        GBufferScope scope;
+        base::IndexRange cascades;
+        std::size_t slot; ///< into m_commands
+    };
+    void recordScope(vk::CommandBuffer commands, const Scope& scope,
+                     const GeometryPass::Recording& recording) const;
+    void closeBetween();
+
+    const gpu::Device& m_device;
+    HostDraws m_draws;
+    std::vector<gpu::CommandPool> m_pools; ///< by worker
+    gpu::CommandPool m_betweenPool;
+    vk::CommandBuffer m_between; ///< recording; null where a scope came last
+    std::vector<Scope> m_scopes;
+    std::vector<vk::CommandBuffer> m_commands; ///< in the order they run; null where a scope's goes
+};
+
+} // namespace cdr::render

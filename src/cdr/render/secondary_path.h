@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cdr/gpu/commands.h>
+#include <cdr/render/host_draws.h>
+
+#include <string>
+#include <vector>
+
+namespace cdr::render {
+
+/// Cuts draw lists into jobs: contiguous ranges within one cascade, cascades in order, of about equal size.
+/// One thread gets one job per cascade; more threads get a few each, so an uneven one does not hold up the
+/// rest.
+std::vector<DrawJob> makeJobs(const scene::DrawLists& lists, std::size_t threads);
+
+/// Workers record the cascades into secondary command buffers, one primary executes them.
+///
+/// Each worker owns a command pool, reset whole at every frame. A job's secondary lands in the slot of the
+/// job's index, so the order of execution never depends on which worker finished first.
+class SecondaryPath final : public DrawPath {
+  public:
+    SecondaryPath(const gpu::Device& device, HostDraws draws, const std::string& name);
+
+    bool needsVisible() const override { return true; }
+    void bin(const CutView& view, FrameStats& stats) override { m_draws.bin(view, stats); }
+    void begin(const CutView& view) override;
+    vk::CommandBuffer primary() override { return m_primary; }
+    void drawScope(const GBufferScope& scope, base::IndexRange cascades) override;
+    std::span<const vk::CommandBuffer> end(const CutView& view) override;
+    bool settle(FrameStats&) override { return true; }
+
+  private:
+    void recordJobs(const GeometryPass::Recording& recording);
+
+    const gpu::Device& m_device;
+    HostDraws m_draws;
+    std::vector<gpu::CommandPool> m_pools; ///< by worker
+    gpu::CommandPool m_primaryPool;
+    vk::CommandBuffer m_primary;
+    std::vector<DrawJob> m_jobs;
+    std::vector<vk::CommandBuffer> m_commands; ///< by job
+    std::vector<std::size_t> m_cascadeBegins;  ///< first job of each cascade, and the end
+};
+
+} // namespace cdr::render

@@ -1,0 +1,181 @@
+#include "fixture.h"
+
+#include <cdr/base/error.h>
+#include <cdr/scene/open_scene.h>
+
+#include <filesystem>
+
+namespace cdr::render_test {
+
+namespace {
+
+using render::Batching;
+using render::Submission;
+using render::TargetsKind;
+
+render::RenderOptions tinyOptions(const depth::Technique& technique) {
+    return {.width = 240, .height = 135, .technique = technique};
+}
+
+std::vector<depth::Technique> techniques() {
+    std::vector<depth::Technique> all(depth::presets().begin(), depth::presets().end());
+    all.push_back(depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("count:7"),
+                                       depth::DepthFormat::d16));
+    return all;
+}
+
+/// Two meshes in turn, one of them mirrored now and then, so that runs are short and states change.
+scene::StagedScene patchwork(std::uint32_t objects) {
+    scene::StagedScene staged = scene::makeRotation(5, objects);
+    scene::Scene& scene = staged.scene;
+    scene.meshes.push_back(scene::makeBox(glm::vec3(0.9f, 0.2f, 0.5f)));
+    scene.materials.push_back({.name = "both sides", .doubleSided = true});
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        scene.instances.mesh[i] = i % 3 == 0 ? 1 : 0;
+        scene.instances.material[i] = i % 70 < 20 ? 1 : 0;
+        if (i % 11 == 0) {
+            scene.instances.basis[i][0] = -scene.instances.basis[i][0];
+        }
+    }
+    return staged;
+}
+
+class SubmissionTest : public RenderTest {
+  protected:
+    /// Renders with every submission over every kind of targets and expects one image of each kind.
+    void expectOneImage(const scene::Scene& scene, const scene::Camera& camera) {
+        const render::GpuScene gpuScene(device(), scene);
+        for (const depth::Technique& technique : techniques()) {
+            for (const TargetsKind targets : render::kTargetsKinds) {
+                render::RenderOptions options = tinyOptions(technique);
+                options.targets = targets;
+                render::Renderer first(device(), scene, gpuScene, options);
+                const render::Frame wanted = first.render(camera);
+                for (const Submission submission : {Submission::primaries, Submission::gpuDriven}) {
+                    for (const std::size_t threads : {1u, 3u}) {
+                        options.submission = submission;
+                        options.threads = threads;
+                        render::Renderer renderer(device(), scene, gpuScene, options);
+                        const render::Frame frame = renderer.render(camera);
+                        EXPECT_EQ(hashOf(frame), hashOf(wanted))
+                            << technique.name << " " << nameOf(targets) << " " << nameOf(submission);
+                        EXPECT_EQ(frame.stats.draws, wanted.stats.draws) << nameOf(submission);
+                        EXPECT_EQ(frame.stats.visible, wanted.stats.visible) << nameOf(submission);
+                    }
+                }
+            }
+        }
+    }
+};
+
+TEST_F(SubmissionTest, AfcIsOneImageHoweverSubmitted) {
+    const scene::StagedScene staged = scene::makeAfc(2013);
+    expectOneImage(staged.scene, staged.path.at(40));
+}
+
+TEST_F(SubmissionTest, RotationIsOneImageHoweverSubmitted) {
+    const scene::StagedScene staged = scene::makeRotation(2013, 8000);
+    expectOneImage(staged.scene, staged.path.at(40));
+}
+
+TEST_F(SubmissionTest, ManyKindsAreOneImageHoweverSubmitted) {
+    const scene::StagedScene staged = patchwork(3000);
+    expectOneImage(staged.scene, staged.path.at(90));
+}
+
+TEST_F(SubmissionTest, GltfIsOneImageHoweverSubmitted) {
+    const auto path = std::filesystem::path(CDR_ASSETS_DIR) / "retro_ufo.glb";
+    if (!std::filesystem::exists(path)) {
+        GTEST_SKIP() << "retro_ufo.glb is absent from " << CDR_ASSETS_DIR;
+    }
+    const scene::OpenedScene opened = scene::openScene(path.string(), scene::kDefaultSeed);
+    expectOneImage(opened.staged.scene, opened.staged.path.at(0));
+}
+
+/// Cubes as large as their cascades are thin: each lands in many, more than there was room for at first.
+TEST_F(SubmissionTest, GpuDrivenDrawsAgainWhenItsRecordsRunOut) {
+    scene::Scene scene = boxScene();
+    for (int i = 0; i < 40; ++i) {
+        addBox(scene, glm::dvec3(i - 20.0, 0.3 * i, -60.0 - i), glm::mat3(30.0f));
+    }
+    const scene::Camera camera = [] {
+        scene::Camera made = scene::makeRotation(1, 1).path.at(0);
+        made.position = glm::dvec3(0.0);
+        made.nearView = 1.0;
+        made.farView = 200.0;
+        return made;
+    }();
+    const render::GpuScene gpuScene(device(), scene);
+    render::RenderOptions options = tinyOptions(depth::makeTechnique(
+        depth::Mapping::standard, depth::parseSplit("count:40"), depth::DepthFormat::d32f));
+    render::Renderer host(device(), scene, gpuScene, options);
+    const render::Frame wanted = host.render(camera);
+    ASSERT_GT(wanted.stats.draws, 2 * scene.instances.size());
+    options.submission = Submission::gpuDriven;
+    render::Renderer onDevice(device(), scene, gpuScene, options);
+    EXPECT_EQ(hashOf(onDevice.render(camera)), hashOf(wanted));
+    onDevice.submit(camera);
+    onDevice.finish();
+    EXPECT_EQ(onDevice.draw(camera).draws, wanted.stats.draws);
+}
+
+TEST_F(SubmissionTest, BatchingChangesNoBit) {
+    const scene::StagedScene staged = patchwork(3000);
+    const render::GpuScene gpuScene(device(), staged.scene);
+    for (const depth::Technique& technique : techniques()) {
+        std::string first;
+        for (const Batching batching : render::kBatchings) {
+            render::RenderOptions options = tinyOptions(technique);
+            options.batching = batching;
+            options.threads = 3;
+            render::Renderer renderer(device(), staged.scene, gpuScene, options);
+            const std::string hash = hashOf(renderer.render(staged.path.at(90)));
+            first = first.empty() ? hash : first;
+            EXPECT_EQ(hash, first) << technique.name << " " << nameOf(batching);
+        }
+    }
+}
+
+/// Frames overlap on the device and in its buffers, and the last is still the one it would be alone.
+TEST_F(SubmissionTest, FramesInFlightLeaveTheNextFrameAsItIs) {
+    const scene::StagedScene staged = scene::makeRotation(3, 4000);
+    const render::GpuScene gpuScene(device(), staged.scene);
+    for (const Submission submission : render::kSubmissions) {
+        render::RenderOptions options = tinyOptions(depth::parseTechnique("cdr"));
+        options.submission = submission;
+        options.targets = TargetsKind::layers;
+        options.framesInFlight = 3;
+        render::Renderer renderer(device(), staged.scene, gpuScene, options);
+        for (std::uint32_t frame = 0; frame < 12; ++frame) {
+            renderer.submit(staged.path.at(30 * frame));
+        }
+        options.framesInFlight = 1;
+        render::Renderer alone(device(), staged.scene, gpuScene, options);
+        EXPECT_EQ(hashOf(renderer.render(staged.path.at(77))), hashOf(alone.render(staged.path.at(77))))
+            << nameOf(submission);
+    }
+}
+
+TEST_F(SubmissionTest, AnEmptySceneIsDrawnHoweverSubmitted) {
+    const scene::Scene scene = boxScene();
+    const scene::Camera camera = scene::makeRotation(1, 1).path.at(0);
+    for (const Submission submission : render::kSubmissions) {
+        render::RenderOptions options = tinyOptions(depth::parseTechnique("cdr"));
+        options.submission = submission;
+        EXPECT_EQ(draw(scene, camera, options).stats.draws, 0u) << nameOf(submission);
+    }
+}
+
+TEST_F(SubmissionTest, FramesInFlightOutOfRangeAreRefused) {
+    const scene::Scene scene = boxScene();
+    const render::GpuScene gpuScene(device(), scene);
+    for (const std::size_t frames : {std::size_t{0}, render::kMaxFramesInFlight + 1}) {
+        render::RenderOptions options = tinyOptions(depth::parseTechnique("cdr"));
+        options.framesInFlight = frames;
+        EXPECT_THROW(render::Renderer(device(), scene, gpuScene, options), base::InputError) << frames;
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test
