@@ -27,6 +27,8 @@ struct RenderArguments {
     std::string split;
     std::string format;
     std::string targets = "single";
+    std::string submission = "secondaries";
+    std::string batching = "instanced";
     std::size_t threads = 1;
     std::string size = "1280x720";
     std::uint32_t frame = 0;
@@ -140,6 +142,8 @@ nlohmann::ordered_json frameJson(const render::RenderOptions& options, const ren
     return {{"technique", options.technique.name},
             {"targets", nameOf(options.targets.kind)},
             {"layers", options.targets.layers},
+            {"submission", nameOf(options.submission)},
+            {"batching", nameOf(options.batching)},
             {"threads", options.threads},
             {"cascades", frame.cascades.size()},
             {"draws", frame.stats.draws},
@@ -161,7 +165,9 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                                   .height = size.height,
                                   .technique = techniqueOf(arguments),
                                   .targets = render::parseTargets(arguments.targets),
-                                  .threads = arguments.threads};
+                                  .threads = arguments.threads,
+                                  .submission = render::parseSubmission(arguments.submission),
+                                  .batching = render::parseBatching(arguments.batching)};
     checkArguments(arguments, name);
     base::WorkerPool workers(arguments.threads);
     std::optional<base::Trace> trace;
@@ -231,6 +237,14 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
         .add_option("--targets", arguments.targets,
                     "How cascades reach the G-buffer: single, accumulate, pool, pool:LAYERS, layers or "
                     "one-pass")
+        ->capture_default_str();
+    command
+        .add_option("--submission", arguments.submission,
+                    "How draws reach the device: secondaries, primaries or gpu-driven")
+        ->capture_default_str();
+    command
+        .add_option("--batching", arguments.batching,
+                    "How draws become commands: per-object, push-constants or instanced")
         ->capture_default_str();
     command.add_option("--threads", arguments.threads, "Threads that cull, bin and record")
         ->capture_default_str();

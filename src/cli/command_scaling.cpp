@@ -20,6 +20,7 @@ struct ScalingArguments {
     experiments::ScalingOptions options;
     std::string size = "640x360";
     std::vector<std::string> targets;
+    std::vector<std::string> submissions;
     std::filesystem::path csv;
     std::filesystem::path plot;
     OutputOptions output;
@@ -27,6 +28,7 @@ struct ScalingArguments {
 
 nlohmann::ordered_json toJson(const experiments::ScalingPoint& point) {
     return {{"targets", nameOf(point.targets)},
+            {"submission", nameOf(point.submission)},
             {"cascades", point.cascades},
             {"threads", point.threads},
             {"cubes", point.cubes},
@@ -52,9 +54,10 @@ nlohmann::ordered_json toJson(const experiments::ScalingPoint& point) {
 }
 
 nlohmann::ordered_json toJson(const experiments::ScalingFit& fit) {
-    nlohmann::ordered_json json{
-        {"targets", nameOf(fit.targets)},    {"cascades", fit.cascades},  {"cubes", fit.cubes},
-        {"amdahl_serial_fraction", nullptr}, {"usl_contention", nullptr}, {"usl_coherence", nullptr}};
+    nlohmann::ordered_json json{{"targets", nameOf(fit.targets)},    {"submission", nameOf(fit.submission)},
+                                {"cascades", fit.cascades},          {"cubes", fit.cubes},
+                                {"amdahl_serial_fraction", nullptr}, {"usl_contention", nullptr},
+                                {"usl_coherence", nullptr}};
     if (fit.serialFraction) {
         json["amdahl_serial_fraction"] = *fit.serialFraction;
     }
@@ -69,41 +72,41 @@ void printTables(const Console& console, const experiments::ScalingResult& resul
     std::vector<std::vector<std::string>> rows;
     for (const auto& p : result.points) {
         const auto ms = [](const experiments::Spread& time) { return fmt::format("{:.3f}", time.medianMs); };
-        rows.push_back({std::string(nameOf(p.targets)), std::to_string(p.cascades), std::to_string(p.draws),
-                        std::to_string(p.threads), ms(p.cull), ms(p.bin), ms(p.record),
-                        fmt::format("{:.0f} %", 100.0 * p.record.spread),
+        rows.push_back({std::string(nameOf(p.targets)), std::string(nameOf(p.submission)),
+                        std::to_string(p.cascades), std::to_string(p.draws), std::to_string(p.threads),
+                        ms(p.cull), ms(p.bin), ms(p.record), fmt::format("{:.0f} %", 100.0 * p.record.spread),
                         fmt::format("{:.0f}", p.recordNsPerDraw()), ms(p.execute), ms(p.frame),
                         fmt::format("{:.2f}", p.recordSpeedUp), fmt::format("{:.2f}", p.efficiency()),
                         p.sameImage ? "same" : "DIFFERS"});
     }
-    console.table({"targets", "cascades", "draws", "threads", "cull ms", "bin ms", "record ms", "+-",
-                   "ns/draw", "execute ms", "frame ms", "speed-up", "efficiency", "image"},
+    console.table({"targets", "submission", "cascades", "draws", "threads", "cull ms", "bin ms", "record ms",
+                   "+-", "ns/draw", "execute ms", "frame ms", "speed-up", "efficiency", "image"},
                   rows);
     rows.clear();
     for (const auto& fit : result.fits) {
-        rows.push_back({std::string(nameOf(fit.targets)), std::to_string(fit.cascades),
-                        std::to_string(fit.cubes),
+        rows.push_back({std::string(nameOf(fit.targets)), std::string(nameOf(fit.submission)),
+                        std::to_string(fit.cascades), std::to_string(fit.cubes),
                         fit.serialFraction ? fmt::format("{:.3f}", *fit.serialFraction) : "",
                         fit.universal ? fmt::format("{:.3f}", fit.universal->contention) : "",
                         fit.universal ? fmt::format("{:.4f}", fit.universal->coherence) : ""});
     }
     console.line("\nHow recording scales, fitted:");
-    console.table(
-        {"targets", "cascades", "cubes", "serial fraction (Amdahl)", "contention (USL)", "coherence (USL)"},
-        rows);
+    console.table({"targets", "submission", "cascades", "cubes", "serial fraction (Amdahl)",
+                   "contention (USL)", "coherence (USL)"},
+                  rows);
 }
 
 void writeCsv(const std::filesystem::path& path, const experiments::ScalingResult& result) {
     std::string csv =
-        "targets,cascades,threads,cubes,draws,cull_ms,bin_ms,record_ms,record_spread,"
+        "targets,submission,cascades,threads,cubes,draws,cull_ms,bin_ms,record_ms,record_spread,"
         "record_ns_per_draw,execute_ms,frame_ms,speedup,efficiency,cull_bin_speedup,frame_speedup,"
         "hash,same_image\n";
     for (const auto& p : result.points) {
-        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", nameOf(p.targets),
-                           p.cascades, p.threads, p.cubes, p.draws, p.cull.medianMs, p.bin.medianMs,
-                           p.record.medianMs, p.record.spread, p.recordNsPerDraw(), p.execute.medianMs,
-                           p.frame.medianMs, p.recordSpeedUp, p.efficiency(), p.cullAndBinSpeedUp,
-                           p.frameSpeedUp, p.hash, p.sameImage);
+        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", nameOf(p.targets),
+                           nameOf(p.submission), p.cascades, p.threads, p.cubes, p.draws, p.cull.medianMs,
+                           p.bin.medianMs, p.record.medianMs, p.record.spread, p.recordNsPerDraw(),
+                           p.execute.medianMs, p.frame.medianMs, p.recordSpeedUp, p.efficiency(),
+                           p.cullAndBinSpeedUp, p.frameSpeedUp, p.hash, p.sameImage);
     }
     base::writeText(path, csv);
 }
@@ -117,6 +120,12 @@ void checkArguments(ScalingArguments& arguments) {
         arguments.options.targets.clear();
         for (const std::string& name : arguments.targets) {
             arguments.options.targets.push_back(render::parseTargets(name));
+        }
+    }
+    if (!arguments.submissions.empty()) {
+        arguments.options.submissions.clear();
+        for (const std::string& name : arguments.submissions) {
+            arguments.options.submissions.push_back(render::parseSubmission(name));
         }
     }
     experiments::requireUsable(arguments.options);
@@ -194,6 +203,11 @@ void addScaling(CLI::App& program, const GlobalOptions& global) {
                      "Numbers of threads, such as 1,2,4; 1 joins in any case (default: to twice the CPUs)")
         ->delimiter(',');
     command->add_option("--targets", arguments->targets, "Kinds of targets (default: all)")->delimiter(',');
+    command
+        ->add_option("--submissions", arguments->submissions,
+                     "How draws reach the device: secondaries, primaries (the control; both by default), "
+                     "gpu-driven")
+        ->delimiter(',');
     command->add_option("--cascades", options.cascades, "Numbers of cascades")
         ->delimiter(',')
         ->capture_default_str();

@@ -4,6 +4,7 @@
 #include <cdr/base/file.h>
 #include <cdr/base/trace.h>
 #include <cdr/base/worker_pool.h>
+#include <cdr/render/renderer.h>
 
 #include <experiments/gnuplot.h>
 #include <experiments/timing.h>
@@ -31,17 +32,24 @@ using Results = std::vector<experiments::TimingResult>;
 
 nlohmann::ordered_json toJson(const experiments::TimingResult& result) {
     const std::optional<double>& thesis = result.mode.thesisPercent;
+    const auto part = [&](double experiments::TimingParts::*value) {
+        return result.parts ? nlohmann::ordered_json((*result.parts).*value)
+                            : nlohmann::ordered_json(nullptr);
+    };
+    using Parts = experiments::TimingParts;
     return {{"mode", result.mode.technique.name},
             {"name", result.mode.name},
             {"targets", nameOf(result.mode.targets)},
+            {"submission", nameOf(result.mode.submission)},
+            {"batching", nameOf(result.mode.batching)},
             {"cascades", result.cascades},
             {"median_us", result.medianUs},
             {"p5_us", result.lowUs},
             {"p95_us", result.highUs},
-            {"cull_bin_us", result.cullAndBinUs},
-            {"record_us", result.recordUs},
-            {"execute_us", result.executeUs},
-            {"draws", result.medianDraws},
+            {"cull_bin_us", part(&Parts::cullAndBinUs)},
+            {"record_us", part(&Parts::recordUs)},
+            {"execute_us", part(&Parts::executeUs)},
+            {"draws", part(&Parts::draws)},
             {"overhead_pct", result.overheadPercent},
             {"ci95", {result.overheadPercent95.low, result.overheadPercent95.high}},
             {"thesis_pct", thesis ? nlohmann::ordered_json(*thesis) : nlohmann::ordered_json(nullptr)}};
@@ -51,10 +59,14 @@ void printTable(const Console& console, const Results& results) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& result : results) {
         const auto micros = [](double us) { return fmt::format("{:.0f}", us); };
+        const auto part = [&](double experiments::TimingParts::*value) {
+            return result.parts ? micros((*result.parts).*value) : std::string("-");
+        };
+        using Parts = experiments::TimingParts;
         rows.push_back(
             {result.mode.name, std::to_string(result.cascades), micros(result.medianUs),
-             fmt::format("{:.0f}-{:.0f}", result.lowUs, result.highUs), micros(result.cullAndBinUs),
-             micros(result.recordUs), micros(result.executeUs),
+             fmt::format("{:.0f}-{:.0f}", result.lowUs, result.highUs), part(&Parts::cullAndBinUs),
+             part(&Parts::recordUs), part(&Parts::executeUs),
              fmt::format("{:+.2f} %", result.overheadPercent),
              fmt::format("{:+.2f} to {:+.2f}", result.overheadPercent95.low, result.overheadPercent95.high),
              result.mode.thesisPercent ? fmt::format("{:+.1f} %", *result.mode.thesisPercent) : ""});
@@ -69,10 +81,15 @@ void writeCsv(const std::filesystem::path& path, const Results& results) {
         "name,mode,targets,cascades,median_us,p5_us,p95_us,cull_bin_us,record_us,execute_us,draws,"
         "overhead_pct,ci95_low,ci95_high,thesis_pct\n";
     for (const auto& r : results) {
+        const auto part = [&](double experiments::TimingParts::*value) {
+            return r.parts ? fmt::format("{}", (*r.parts).*value) : std::string();
+        };
+        using Parts = experiments::TimingParts;
         csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.mode.name,
                            r.mode.technique.name, nameOf(r.mode.targets), r.cascades, r.medianUs, r.lowUs,
-                           r.highUs, r.cullAndBinUs, r.recordUs, r.executeUs, r.medianDraws,
-                           r.overheadPercent, r.overheadPercent95.low, r.overheadPercent95.high,
+                           r.highUs, part(&Parts::cullAndBinUs), part(&Parts::recordUs),
+                           part(&Parts::executeUs), part(&Parts::draws), r.overheadPercent,
+                           r.overheadPercent95.low, r.overheadPercent95.high,
                            r.mode.thesisPercent ? fmt::format("{}", *r.mode.thesisPercent) : "");
     }
     base::writeText(path, csv);
@@ -110,7 +127,8 @@ nlohmann::ordered_json makeDocument(const Session& session, const TimingArgument
                             {"seed", options.seed},
                             {"scene", "64,000 unit cubes in a 400^3 field, 60 degrees, near 0.1, far "
                                       "100,000, one turn about y"},
-                            {"mode", "latency"}});
+                            {"frames_in_flight", options.framesInFlight},
+                            {"mode", options.framesInFlight > 1 ? "throughput" : "latency"}});
     for (const auto& result : results) {
         document["results"].push_back(toJson(result));
     }
@@ -168,9 +186,18 @@ void addTiming(CLI::App& program, const GlobalOptions& global) {
     command->add_option("--threads", options.threads, "Threads that cull, bin and record")
         ->check(CLI::Range(std::size_t{1}, base::WorkerPool::kMaxThreads))
         ->capture_default_str();
+    command
+        ->add_option("--in-flight", options.framesInFlight,
+                     "Frames in flight: 1 times latency, as the thesis; more time throughput")
+        ->check(CLI::Range(std::size_t{1}, render::kMaxFramesInFlight))
+        ->capture_default_str();
     command->add_option("--seed", options.seed, "Seed of the scene, the orders and the bootstrap")
         ->capture_default_str();
-    command->add_option("--modes", arguments->modes, "Only these beside standard, such as cdr-2,log,logcdr-5")
+    command
+        ->add_option(
+            "--modes", arguments->modes,
+            "Only these beside standard, such as cdr-2,log,logcdr-5; also naive and standard/NAME with a "
+            "batching or submission")
         ->delimiter(',');
     command->add_option("--csv", arguments->csv, "Write the results as CSV to FILE");
     command->add_option("--plot", arguments->plot, "Draw the figure into a .png or .svg file, by gnuplot");

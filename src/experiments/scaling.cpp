@@ -35,6 +35,7 @@ ScalingFit fit(const std::vector<ScalingPoint>& points) {
         }
     }
     return {.targets = points.front().targets,
+            .submission = points.front().submission,
             .cascades = points.front().cascades,
             .cubes = points.front().cubes,
             .serialFraction = measure::fitAmdahl(onCpus),
@@ -88,40 +89,63 @@ void requireUsable(const ScalingOptions& options) {
     requireAll("threads", threadList(options), base::WorkerPool::kMaxThreads);
     requireAll("cascades", options.cascades, depth::kMaxCascades);
     requireAll("repeats", std::vector{options.repeats}, 10'000);
-    if (options.targets.empty()) {
-        throw base::InputError("scaling: at least one kind of targets is needed");
+    if (options.targets.empty() || options.submissions.empty()) {
+        throw base::InputError("scaling: at least one kind of targets and one submission is needed");
     }
 }
+
+namespace {
+
+/// What varies besides draws and threads.
+struct Variant {
+    render::TargetsChoice targets;
+    render::Submission submission;
+    unsigned cascades;
+};
+
+std::vector<Variant> variantsOf(const ScalingOptions& options) {
+    std::vector<Variant> variants;
+    for (const render::TargetsChoice targets : options.targets) {
+        for (const render::Submission submission : options.submissions) {
+            for (const unsigned cascades : options.cascades) {
+                variants.push_back({targets, submission, cascades});
+            }
+        }
+    }
+    return variants;
+}
+
+} // namespace
 
 ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& options,
                          const ScalingProgress& progress) {
     requireUsable(options);
-    const std::size_t frames = options.draws.size() * options.targets.size() * options.cascades.size() *
-                               threadList(options).size() * (options.repeats + std::size_t{1});
+    const std::vector<Variant> variants = variantsOf(options);
+    const std::size_t frames = options.draws.size() * variants.size() * threadList(options).size() *
+                               (options.repeats + std::size_t{1});
     std::size_t done = 0;
     ScalingResult result;
     for (const std::uint32_t cubes : options.draws) {
         const double aspect = static_cast<double>(options.width) / options.height;
         const scene::StagedScene staged = scene::makeCrowd(options.seed, cubes, aspect);
         const render::GpuScene gpuScene(device, staged.scene);
-        for (const render::TargetsChoice targets : options.targets) {
-            for (const unsigned cascades : options.cascades) {
-                const std::string what =
-                    fmt::format("{} {} cascades {} draws", nameOf(targets), cascades, cubes);
-                const auto step = [&] { progress(done++, frames, what); };
-                ScalingPoint common;
-                common.targets = targets;
-                common.cascades = cascades;
-                common.cubes = cubes;
-                ThreadSweep sweep(device, options, staged, gpuScene, threadList(options), common);
-                sweep.hash(step);
-                for (std::uint32_t repeat = 0; repeat < options.repeats; ++repeat) {
-                    sweep.repeat(repeat, step);
-                }
-                const std::vector<ScalingPoint> points = sweep.points();
-                result.fits.push_back(fit(points));
-                result.points.insert(result.points.end(), points.begin(), points.end());
+        for (const Variant& variant : variants) {
+            const std::string what = fmt::format("{} {} {} cascades {} draws", nameOf(variant.targets),
+                                                 nameOf(variant.submission), variant.cascades, cubes);
+            const auto step = [&] { progress(done++, frames, what); };
+            ScalingPoint common;
+            common.targets = variant.targets;
+            common.submission = variant.submission;
+            common.cascades = variant.cascades;
+            common.cubes = cubes;
+            ThreadSweep sweep(device, options, staged, gpuScene, threadList(options), common);
+            sweep.hash(step);
+            for (std::uint32_t repeat = 0; repeat < options.repeats; ++repeat) {
+                sweep.repeat(repeat, step);
             }
+            const std::vector<ScalingPoint> points = sweep.points();
+            result.fits.push_back(fit(points));
+            result.points.insert(result.points.end(), points.begin(), points.end());
         }
     }
     return result;

@@ -2,6 +2,7 @@
 
 #include <cdr/gpu/device.h>
 #include <cdr/measure/scaling_law.h>
+#include <cdr/render/draw_path.h>
 #include <cdr/render/targets.h>
 
 #include <cstdint>
@@ -26,6 +27,9 @@ struct ScalingOptions {
     std::vector<std::size_t> threads; ///< threadSteps() of this machine when empty; 1 joins in any case
     std::vector<render::TargetsChoice> targets = allTargets();
     std::vector<unsigned> cascades{1, 2, 4, 8};
+    /// Secondaries, and the control: one primary per cascade, no secondaries.
+    std::vector<render::Submission> submissions{render::Submission::secondaries,
+                                                render::Submission::primaries};
     std::uint32_t repeats = 7; ///< timed frames of each point, after one that warms up
     std::uint64_t seed = 2013;
 };
@@ -37,10 +41,11 @@ struct Spread {
     double spread = 0.0;
 };
 
-/// One (targets, cascades, draws, threads). Factors are over one thread, medians of the ratios repeat by
-/// repeat.
+/// One (targets, submission, cascades, draws, threads). Factors are over one thread, medians of the ratios
+/// repeat by repeat.
 struct ScalingPoint {
     render::TargetsChoice targets = render::TargetsKind::single;
+    render::Submission submission = render::Submission::secondaries;
     unsigned cascades = 1;
     std::uint32_t cubes = 0;
     std::size_t threads = 1;
@@ -60,9 +65,10 @@ struct ScalingPoint {
     double efficiency() const { return recordSpeedUp / static_cast<double>(threads); }
 };
 
-/// What the points of one (targets, cascades, draws) say of recording.
+/// What the points of one (targets, submission, cascades, draws) say of recording.
 struct ScalingFit {
     render::TargetsChoice targets = render::TargetsKind::single;
+    render::Submission submission = render::Submission::secondaries;
     unsigned cascades = 1;
     std::uint32_t cubes = 0;
     std::optional<double> serialFraction; ///< Amdahl's, over the points with no more threads than CPUs

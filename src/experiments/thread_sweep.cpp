@@ -49,6 +49,7 @@ ThreadSweep::ThreadSweep(const gpu::Device& device, const ScalingOptions& option
                                   .technique = technique,
                                   .targets = m_common.targets,
                                   .threads = count,
+                                  .submission = m_common.submission,
                                   // A draw is a command here: that is what is counted.
                                   .batching = render::Batching::perObject}));
     }

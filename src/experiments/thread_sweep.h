@@ -12,7 +12,7 @@
 
 namespace cdr::experiments {
 
-/// One (targets, cascades, draws) over every number of threads.
+/// One (targets, submission, cascades, draws) over every number of threads.
 class ThreadSweep {
   public:
     /// @param threads ascending from 1.

@@ -36,6 +36,25 @@ void drawAndTime(render::Renderer& renderer, const scene::Camera& camera, Sample
     samples.draws.push_back(static_cast<double>(stats.draws));
 }
 
+/// Draws a run of cameras with frames in flight; the sample is one frame's share.
+void drawRunAndTime(render::Renderer& renderer, const std::vector<scene::Camera>& cameras, Samples& samples) {
+    const auto begin = std::chrono::steady_clock::now();
+    for (const scene::Camera& camera : cameras) {
+        renderer.submit(camera);
+    }
+    renderer.finish();
+    const std::chrono::duration<double, std::micro> passed = std::chrono::steady_clock::now() - begin;
+    samples.frameUs.push_back(passed.count() / static_cast<double>(cameras.size()));
+}
+
+scene::Scene unshared(scene::Scene scene) {
+    std::transform(scene.meshes.begin(), scene.meshes.end(), scene.meshes.begin(), scene::unshareVertices);
+    for (scene::Material& material : scene.materials) {
+        material.doubleSided = true; // no face is culled
+    }
+    return scene;
+}
+
 /// A fresh order of the modes for each frame, so that what a mode leaves in the caches burdens all others
 /// alike.
 class Order {
@@ -68,12 +87,14 @@ TimingResult summarise(const TimingMode& mode, const Samples& samples, const Sam
     result.medianUs = measure::median(samples.frameUs);
     result.lowUs = measure::percentile(samples.frameUs, 5.0);
     result.highUs = measure::percentile(samples.frameUs, 95.0);
-    result.cullAndBinUs = measure::median(samples.cullAndBinUs);
-    result.recordUs = measure::median(samples.recordUs);
-    result.executeUs = measure::median(samples.executeUs);
+    if (!samples.recordUs.empty()) {
+        result.parts = TimingParts{.cullAndBinUs = measure::median(samples.cullAndBinUs),
+                                   .recordUs = measure::median(samples.recordUs),
+                                   .executeUs = measure::median(samples.executeUs),
+                                   .draws = measure::median(samples.draws)};
+    }
     result.overheadPercent = measure::median(overheads);
     result.overheadPercent95 = measure::bootstrapMedian(overheads, seed);
-    result.medianDraws = measure::median(samples.draws);
     return result;
 }
 
@@ -84,17 +105,24 @@ class Race {
         : m_options(options),
           m_staged(scene::makeRotation(options.seed)),
           m_gpuScene(device, m_staged.scene),
+          m_unsharedScene(unshared(m_staged.scene)),
+          m_unsharedGpuScene(device, m_unsharedScene),
           m_order(options.modes.size(), options.seed),
           m_samples(options.modes.size()) {
         for (const TimingMode& mode : options.modes) {
-            m_renderers.push_back(
-                std::make_unique<render::Renderer>(device, m_staged.scene, m_gpuScene,
-                                                   render::RenderOptions{.width = options.width,
-                                                                         .height = options.height,
-                                                                         .technique = mode.technique,
-                                                                         .targets = mode.targets,
-                                                                         .threads = options.threads,
-                                                                         .trace = options.trace}));
+            const bool isIndexed = mode.meshes == TimingMeshes::indexed;
+            m_renderers.push_back(std::make_unique<render::Renderer>(
+                device, isIndexed ? m_staged.scene : m_unsharedScene,
+                isIndexed ? m_gpuScene : m_unsharedGpuScene,
+                render::RenderOptions{.width = options.width,
+                                      .height = options.height,
+                                      .technique = mode.technique,
+                                      .targets = mode.targets,
+                                      .threads = options.threads,
+                                      .submission = mode.submission,
+                                      .batching = mode.batching,
+                                      .framesInFlight = options.framesInFlight,
+                                      .trace = options.trace}));
         }
         const scene::Camera first = m_staged.path.at(0);
         m_path = scene::turnPath(first, first.position, options.frames);
@@ -107,6 +135,17 @@ class Race {
                 m_options.trace->beginFrame(m_options.modes[mode].name);
             }
             drawAndTime(*m_renderers[mode], camera, m_samples[mode]);
+        }
+    }
+
+    /// Every mode draws `count` frames from `first` on, several in flight.
+    void drawRun(std::uint32_t first, std::uint32_t count) {
+        std::vector<scene::Camera> cameras;
+        for (std::uint32_t frame = first; frame < first + count; ++frame) {
+            cameras.push_back(m_path.at(frame));
+        }
+        for (const std::size_t mode : m_order.next()) {
+            drawRunAndTime(*m_renderers[mode], cameras, m_samples[mode]);
         }
     }
 
@@ -131,6 +170,8 @@ class Race {
     scene::StagedScene m_staged;
     scene::CameraPath m_path;
     render::GpuScene m_gpuScene;
+    scene::Scene m_unsharedScene;
+    render::GpuScene m_unsharedGpuScene;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
     Order m_order;
     std::vector<Samples> m_samples; ///< by mode
@@ -153,9 +194,14 @@ std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptio
     if (options.trace != nullptr) {
         options.trace->stop();
     }
-    for (std::uint32_t i = 0; i < options.frames; ++i) {
+    const std::uint32_t step = options.framesInFlight > 1 ? kThroughputRun : 1;
+    for (std::uint32_t i = 0; i < options.frames; i += step) {
         progress(std::size_t{kWarmUpFrames} + i, all);
-        race.drawFrame(i);
+        if (options.framesInFlight > 1) {
+            race.drawRun(i, std::min(step, options.frames - i));
+        } else {
+            race.drawFrame(i);
+        }
     }
     return race.results();
 }

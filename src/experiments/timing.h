@@ -4,6 +4,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/measure/statistics.h>
+#include <cdr/render/draw_path.h>
 #include <cdr/render/targets.h>
 
 #include <cstdint>
@@ -14,17 +15,30 @@
 
 namespace cdr::experiments {
 
+/// How the cubes' triangles come.
+enum class TimingMeshes : std::uint8_t {
+    indexed,  ///< vertices shared, faces turned away culled
+    unshared, ///< three vertices a triangle, nothing culled: what naive code draws
+};
+
 /// One way to render that Figure 6.4 compares.
 struct TimingMode {
     std::string name; ///< of no other mode, such as "cdr-3" or "cdr-3/one-pass"
     depth::Technique technique;
     render::TargetsChoice targets = render::TargetsKind::single;
+    render::Submission submission = render::Submission::secondaries;
+    render::Batching batching = render::Batching::instanced;
+    TimingMeshes meshes = TimingMeshes::indexed;
     std::optional<double> thesisPercent; ///< overhead over standard that Figure 6.4 gives
 };
 
-/// Every mode this build knows. The first is standard, the baseline; the second is standard again, whose
-/// overhead is the noise floor.
+/// The modes of Figure 6.4 and ours, each again under one-pass. The first is standard, the baseline; the
+/// second is standard again, whose overhead is the noise floor.
 std::vector<TimingMode> timingModes();
+
+/// Modes that compare ways to draw rather than techniques: the naive baseline, batchings, submissions and
+/// variants of the logarithm. Timed where they are asked for.
+std::vector<TimingMode> extraTimingModes();
 
 /// The modes of those names, standard twice in front whether named or not. base::InputError with a suggestion
 /// for an unknown name.
@@ -38,6 +52,9 @@ struct TimingOptions {
     std::uint32_t height = 720;
     std::uint32_t frames = 10'000; ///< measured, without the warm-up
     std::size_t threads = 1;
+    /// 1 times latency, waiting for each frame as the thesis does. More time throughput: runs of
+    /// kThroughputRun frames of which so many may be in flight.
+    std::size_t framesInFlight = 1;
     std::uint64_t seed = 2013;
     std::vector<TimingMode> modes = timingModes();
     base::Trace* trace = nullptr; ///< receives the warm-up frames only, so measured ones stay as they are
@@ -45,21 +62,28 @@ struct TimingOptions {
 
 /// Rendered and dropped before the first measured frame: pipelines compile, memory is touched, caches fill.
 inline constexpr std::uint32_t kWarmUpFrames = 5;
+/// Frames of one mode in a row where throughput is timed; their mean is one sample.
+inline constexpr std::uint32_t kThroughputRun = 8;
 
-/// One bar of Figure 6.4. Times are microseconds of one frame, latency: from the camera to the device being
-/// done.
-struct TimingResult {
-    TimingMode mode;
-    std::size_t cascades = 0;  ///< of the first camera
-    double medianUs = 0.0;     ///< whole frame: cull to the end of execute
-    double lowUs = 0.0;        ///< 5th percentile of the same
-    double highUs = 0.0;       ///< 95th
-    double cullAndBinUs = 0.0; ///< medians of the parts, each by itself
+/// Medians of a frame's parts, each by itself, microseconds.
+struct TimingParts {
+    double cullAndBinUs = 0.0;
     double recordUs = 0.0;
     double executeUs = 0.0;
+    double draws = 0.0;
+};
+
+/// One bar of Figure 6.4. Times are microseconds of one frame, for latency from the camera to the device
+/// being done.
+struct TimingResult {
+    TimingMode mode;
+    std::size_t cascades = 0;            ///< of the first camera
+    double medianUs = 0.0;               ///< whole frame: cull to the end of execute
+    double lowUs = 0.0;                  ///< 5th percentile of the same
+    double highUs = 0.0;                 ///< 95th
+    std::optional<TimingParts> parts;    ///< of latency; frames in flight have no parts of their own
     double overheadPercent = 0.0;        ///< over standard: the median of the ratios frame by frame
     measure::Interval overheadPercent95; ///< bootstrapped
-    double medianDraws = 0.0;
 };
 
 /// Called before each frame with how many of all frames, warm-up included, are done.

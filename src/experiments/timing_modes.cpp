@@ -22,10 +22,11 @@ constexpr double kThesisLogCdr[] = {8.0, 8.2, 8.4, 10.4};
 
 TimingMode makeMode(std::string name, const depth::Technique& technique,
                     std::optional<double> thesisPercent) {
-    return {.name = std::move(name),
-            .technique = technique,
-            .targets = render::TargetsKind::single,
-            .thesisPercent = thesisPercent};
+    TimingMode mode;
+    mode.name = std::move(name);
+    mode.technique = technique;
+    mode.thesisPercent = thesisPercent;
+    return mode;
 }
 
 void addCascaded(const char* preset, const double (&thesis)[kMostCascades - kLeastCascades + 1],
@@ -80,8 +81,37 @@ std::vector<TimingMode> timingModes() {
     return modes;
 }
 
+std::vector<TimingMode> extraTimingModes() {
+    std::vector<TimingMode> modes;
+    const auto add = [&](const std::string& name, const char* technique, auto change) {
+        TimingMode mode = makeMode(name, depth::parseTechnique(technique), std::nullopt);
+        change(mode);
+        modes.push_back(std::move(mode));
+    };
+    add("naive", "standard", [](TimingMode& mode) {
+        mode.batching = render::Batching::perObject;
+        mode.meshes = TimingMeshes::unshared;
+    });
+    for (const char* technique : {"standard", "reversed", "anchored"}) {
+        const std::string prefix = std::string(technique) + "/";
+        for (const render::Batching batching :
+             {render::Batching::perObject, render::Batching::pushConstants}) {
+            add(prefix + std::string(nameOf(batching)), technique,
+                [&](TimingMode& mode) { mode.batching = batching; });
+        }
+        for (const render::Submission submission :
+             {render::Submission::primaries, render::Submission::gpuDriven}) {
+            add(prefix + std::string(nameOf(submission)), technique,
+                [&](TimingMode& mode) { mode.submission = submission; });
+        }
+    }
+    return modes;
+}
+
 std::vector<TimingMode> timingModesNamed(const std::vector<std::string>& names) {
-    const std::vector<TimingMode> all = timingModes();
+    std::vector<TimingMode> all = timingModes();
+    std::vector<TimingMode> extra = extraTimingModes();
+    std::move(extra.begin(), extra.end(), std::back_inserter(all));
     std::vector<std::string_view> known;
     for (const TimingMode& mode : all) {
         known.push_back(mode.name);

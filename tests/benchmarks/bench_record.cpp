@@ -30,7 +30,8 @@ void record(benchmark::State& state) {
                               {.width = 320,
                                .height = 180,
                                .technique = technique,
-                               .threads = static_cast<std::size_t>(state.range(1))});
+                               .threads = static_cast<std::size_t>(state.range(1)),
+                               .batching = render::kBatchings[static_cast<std::size_t>(state.range(3))]});
     const scene::Camera camera = staged.path.at(0);
     renderer.draw(camera); // the first frame allocates
     double leastMs = std::numeric_limits<double>::infinity();
@@ -47,8 +48,8 @@ void record(benchmark::State& state) {
 }
 
 BENCHMARK(record)
-    ->ArgNames({"draws", "threads", "cascades"})
-    ->ArgsProduct({{1'000, 10'000, 50'000, 200'000}, {1, 2}, {1, 4}})
+    ->ArgNames({"draws", "threads", "cascades", "batching"}) // per object, push constants, instanced
+    ->ArgsProduct({{1'000, 10'000, 50'000, 200'000}, {1, 2}, {1, 4}, {0, 1, 2}})
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime()
     // Manual time is a small part of a frame, so an amount of time would ask for thousands of frames.

@@ -31,4 +31,14 @@ Mesh makeBox(const glm::vec3& halfSides) {
     return mesh;
 }
 
+Mesh unshareVertices(const Mesh& mesh) {
+    Mesh unshared = mesh;
+    unshared.vertices.clear();
+    for (std::uint32_t& index : unshared.indices) {
+        unshared.vertices.push_back(mesh.vertices[index]);
+        index = static_cast<std::uint32_t>(unshared.vertices.size() - 1);
+    }
+    return unshared;
+}
+
 } // namespace cdr::scene

@@ -55,4 +55,7 @@ struct Material {
 /// A box of the given half sides about the origin, 24 vertices, flat normals, 12 triangles.
 Mesh makeBox(const glm::vec3& halfSides);
 
+/// The same triangles with three vertices of their own each, as a mesh without an index buffer has them.
+Mesh unshareVertices(const Mesh& mesh);
+
 } // namespace cdr::scene
