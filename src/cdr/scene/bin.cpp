@@ -1,3 +1,4 @@
+#include <cdr/base/vector_clones.h>
 #include <cdr/scene/bin.h>
 
 #include <algorithm>
@@ -38,14 +39,18 @@ struct Ranges {
 struct Block {
     std::array<double, kBlock> low;
     std::array<double, kBlock> high;
-    std::array<double, kBlock> first;
-    std::array<double, kBlock> end;
-    std::array<double, kBlock> wide;
+    // As wide as the numbers they are compared from, so that compilers need not pack them in between.
+    std::array<std::int64_t, kBlock> first;
+    std::array<std::int64_t, kBlock> end;
+    std::array<std::int64_t, kBlock> wide;
 };
 
-/// The hot loops: straight-line arithmetic over arrays, no branch, so compilers vectorise them.
+/// The hot loops: straight-line arithmetic over arrays, no branch, so compilers vectorise them. Adds up the
+/// draws per bucket.
+
+CDR_VECTOR_CLONES
 void classify(const Ranges& ranges, const VisibleList& visible, std::size_t begin, std::size_t count,
-              Block& block) {
+              Block& block, BucketCounts& counts) {
     const double* distanceView = visible.distanceView.data() + begin;
     const float* radius = visible.radius.data() + begin;
     for (std::size_t i = 0; i < count; ++i) {
@@ -54,17 +59,26 @@ void classify(const Ranges& ranges, const VisibleList& visible, std::size_t begi
         block.low[i] = low;
         block.high[i] = high;
         // An infinite span times a distance of 0 is not a number, compares false, and so still says compact.
-        block.wide[i] = high - low > ranges.wideSpan * std::max(low, 0.0) ? 1.0 : 0.0;
-        block.first[i] = 0.0;
-        block.end[i] = 0.0;
+        block.wide[i] = high - low > ranges.wideSpan * std::max(low, 0.0) ? 1 : 0;
+        block.first[i] = 0;
+        block.end[i] = 0;
     }
     for (std::size_t c = 0; c < ranges.count; ++c) {
         const double farView = ranges.farView[c];
         const double nearView = ranges.nearView[c];
+        std::int64_t landed = 0;
+        std::int64_t landedWide = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            block.first[i] += farView < block.low[i] ? 1.0 : 0.0;
-            block.end[i] += nearView <= block.high[i] ? 1.0 : 0.0;
+            const std::int64_t isBehind = farView < block.low[i] ? 1 : 0;
+            const std::int64_t isReached = nearView <= block.high[i] ? 1 : 0;
+            const std::int64_t lands = isReached & (1 - isBehind);
+            block.first[i] += isBehind;
+            block.end[i] += isReached;
+            landed += lands;
+            landedWide += lands & block.wide[i];
         }
+        counts[2 * c] += static_cast<std::size_t>(landed - landedWide);
+        counts[2 * c + 1] += static_cast<std::size_t>(landedWide);
     }
 }
 
@@ -77,15 +91,13 @@ std::size_t countRange(const Ranges& ranges, const VisibleList& visible, base::I
     for (std::size_t begin = range.begin; begin < range.end; begin += kBlock) {
         const std::size_t count = std::min(kBlock, range.end - begin);
         DrawLists::Landing* landings = lists.landings.data() + begin;
-        classify(ranges, visible, begin, count, block);
+        classify(ranges, visible, begin, count, block, counts);
         for (std::size_t i = 0; i < count; ++i) {
-            const auto bucket = static_cast<std::uint16_t>(2.0 * block.first[i] + block.wide[i]);
-            const auto cascades = static_cast<std::uint16_t>(std::max(block.end[i] - block.first[i], 0.0));
+            const auto bucket = static_cast<std::uint16_t>(2 * block.first[i] + block.wide[i]);
+            const auto cascades =
+                static_cast<std::uint16_t>(std::max<std::int64_t>(block.end[i] - block.first[i], 0));
             landings[i] = {.bucket = bucket, .cascades = cascades};
             landed += cascades > 0 ? 1 : 0;
-            for (std::size_t c = 0; c < cascades; ++c) {
-                ++counts[bucket + 2 * c];
-            }
         }
     }
     return landed;
