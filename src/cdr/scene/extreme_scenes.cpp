@@ -19,7 +19,7 @@ PointLight farLight(const glm::dvec3& direction, double distance) {
     return {.position = distance * direction, .color = glm::vec3(1.0f), .halfDistance = 10.0 * distance};
 }
 
-/// Turned so that three faces show.
+/// Turned about y, then about x.
 glm::dmat3 turnedBy(double yaw, double pitch) {
     const glm::dmat3 aboutY(std::cos(yaw), 0.0, -std::sin(yaw), 0.0, 1.0, 0.0, std::sin(yaw), 0.0,
                             std::cos(yaw));
@@ -64,7 +64,8 @@ void addFace(int axis, double side, double radius, std::uint32_t cells, SourceMe
 } // namespace
 
 StagedScene makeMixed() {
-    constexpr double kSide = 0.25;
+    constexpr double kSide = 0.018;
+    constexpr double kSpacing = 0.027;
     StagedScene staged;
     Scene& scene = staged.scene;
     scene.name = "mixed";
@@ -72,20 +73,24 @@ StagedScene makeMixed() {
     scene.materials.push_back({.name = "white", .baseColorFactor = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f)});
     scene.materials.push_back({.name = "twin", .baseColorFactor = glm::vec4(0.7f, 0.05f, 0.05f, 1.0f)});
     scene.lights.push_back(farLight({0.3, 0.5, 0.8}, 1e12));
-    for (std::size_t column = 0; column < kMixedDistances.size(); ++column) {
+    for (std::uint32_t pair = 0; pair < kMixedPairs; ++pair) {
+        const std::uint32_t cell = pair / kMixedPairsPerCell;
+        const std::uint32_t column = cell / kMixedShares.size();
+        const std::uint32_t row = cell % kMixedShares.size();
+        const std::uint32_t place = pair % kMixedPairsPerCell;
         const double w = kMixedDistances[column];
-        const glm::dmat3 turned = turnedBy((25.0 + 10.0 * static_cast<double>(column)) * kDegree, 20.0 * kDegree);
-        for (std::size_t row = 0; row < kMixedShares.size(); ++row) {
-            const double x = 0.46 * (static_cast<double>(column) - 1.5);
-            const double y = row == 0 ? 0.27 : -0.27;
-            const glm::dvec3 centre = w * glm::dvec3(x, y, -1.0);
-            const auto object = static_cast<std::uint32_t>(scene.instances.size());
-            const double twinSide = kSide - 2.0 * kMixedShares[row];
-            addInstance(scene, 0, 0, object, centre, glm::mat3(turned * (kSide * w)));
-            addInstance(scene, 0, 1, object + 1, centre, glm::mat3(turned * (twinSide * w)));
-        }
+        const double x = 0.14 * (column - 1.5) + kSpacing * (place % 3 - 1.0);
+        const double y = 0.082 - 0.164 * row + kSpacing * (1.0 - std::floor(place / 3));
+        const glm::dvec3 centre = w * glm::dvec3(x, y, -1.0);
+        // A corner towards the eye, a little aside: on faces seen from the edge, x and y would decide.
+        const Camera facing = lookAt({}, glm::dvec3(0.0), centre);
+        const glm::dmat3 turned = glm::dmat3(facing.right, facing.up, facing.back) *
+                                  turnedBy((41.0 + place) * kDegree, 35.0 * kDegree);
+        const double twinSide = kSide - 2.0 * kMixedShares[row];
+        addInstance(scene, 0, 0, 2 * pair, centre, glm::mat3(turned * (kSide * w)));
+        addInstance(scene, 0, 1, 2 * pair + 1, centre, glm::mat3(turned * (twinSide * w)));
     }
-    staged.path = stillPath({.fovY = 60.0 * kDegree, .nearView = 0.1, .farView = 2e8});
+    staged.path = stillPath({.fovY = 20.0 * kDegree, .nearView = 0.1, .farView = 2e8});
     return staged;
 }
 

@@ -8,14 +8,18 @@
 
 namespace cdr::scene {
 
-/// View distances of the mixed scene, and its separations as shares of them.
+/// View distances of the mixed scene, its separations as shares of them, and pairs of cubes for each of both.
 inline constexpr std::array kMixedDistances{1.0, 1e3, 1e6, 1e8};
 inline constexpr std::array kMixedShares{1e-6, 1e-7};
+inline constexpr std::uint32_t kMixedPairsPerCell = 9;
+inline constexpr std::uint32_t kMixedPairs =
+    kMixedDistances.size() * kMixedShares.size() * kMixedPairsPerCell;
 
-/// Four distances in one picture: for each a column of two turned cubes, a quarter of their distance wide, with a
-/// red twin inside whose faces lie kMixedShares of the distance below theirs, 1e-6 in the upper row and 1e-7 in
-/// the lower. Twins are drawn last, so a depth buffer that cannot tell the two apart shows red. 60 degrees, near
-/// 0.1, far 2e8. Column c, row r is the objects 4c + 2r, and the twin one more.
+/// Four distances in one picture: for each a column of turned cubes, each with a red twin inside whose faces lie
+/// a share of the distance below its own, 1e-6 in the upper half and 1e-7 in the lower. Twins are drawn last, so
+/// a depth buffer that cannot tell the two apart shows red. Finer shares would ask for more than float32 x and y
+/// have under so wide a lens. 20 degrees, near 0.1, far 2e8. Pair p, column by
+/// column and in each from the top, is the objects 2p and its twin 2p + 1.
 StagedScene makeMixed();
 
 struct GlobeOptions {
