@@ -1,6 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/scene/extreme_scenes.h>
+#include <cdr/scene/triangle_clusters.h>
 
 #include <algorithm>
 #include <array>
@@ -8,6 +9,8 @@
 #include <map>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace cdr::render_test {
 
@@ -192,6 +195,57 @@ TEST_F(AdversarialTest, APlanetOfPiecesHasNoCracks) {
     }
     EXPECT_GT(wrong.pixels, 500'000u);
     EXPECT_EQ(wrong.wrong, 0u);
+}
+
+/// Points of a mesh where its pieces meet: ends and middles of edges between triangles of different clusters.
+std::vector<glm::dvec3> seamPoints(const scene::SourceMesh& mesh, double pieceRadius) {
+    using Key = std::array<double, 3>;
+    const auto clusters =
+        scene::clusterTriangles(mesh.positions, mesh.indices, pieceRadius, scene::kMostPieces);
+    std::map<std::pair<Key, Key>, std::size_t> clusterOf;
+    std::vector<glm::dvec3> points;
+    for (std::size_t c = 0; c < clusters.size(); ++c) {
+        for (const std::uint32_t triangle : clusters[c].triangles) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const glm::dvec3 p = mesh.positions[mesh.indices[3 * triangle + i]];
+                const glm::dvec3 q = mesh.positions[mesh.indices[3 * triangle + (i + 1) % 3]];
+                const auto edge = std::minmax(Key{p.x, p.y, p.z}, Key{q.x, q.y, q.z});
+                const auto [found, isNew] = clusterOf.try_emplace(edge, c);
+                if (!isNew && found->second != c) {
+                    points.push_back(p);
+                    points.push_back(0.5 * (p + q));
+                }
+            }
+        }
+    }
+    return points;
+}
+
+/// From so near, by lens, that what float32 makes of the pieces is a share of a pixel: any seam that does not
+/// hold shows the sky.
+TEST_F(AdversarialTest, NoSkyShowsThroughTheSeamsOfAPlanet) {
+    const scene::GlobeOptions options;
+    const scene::Scene scene = scene::makeGlobe(options);
+    const std::vector<glm::dvec3> seams =
+        seamPoints(scene::globeMesh(options.radius, options.cells), options.pieceRadius);
+    ASSERT_GT(seams.size(), 10'000u);
+    const render::GpuScene gpuScene(device(), scene);
+    auto renderOptions = smallOptions(depth::parseTechnique("anchored"));
+    renderOptions.width = 192;
+    renderOptions.height = 108;
+    render::Renderer renderer(device(), scene, gpuScene, renderOptions);
+    std::mt19937_64 random(14);
+    std::size_t sky = 0;
+    for (int i = 0; i < 150; ++i) {
+        const glm::dvec3 target = seams[random() % seams.size()];
+        const glm::dvec3 eye = target * (1.0 + 420e3 / options.radius) + glm::dvec3(2e5, 1e5, 0.0);
+        const double pixel = 0.02 * std::pow(4.0, i % 4); // 2 cm to 1.3 m
+        const scene::Camera lens{
+            .fovY = 108.0 * pixel / glm::distance(eye, target), .nearView = 0.1, .farView = 1e8};
+        const image::ImageU32 ids = renderer.render(scene::lookAt(lens, eye, target)).ids();
+        sky += static_cast<std::size_t>(std::count(ids.pixels.begin(), ids.pixels.end(), 0u));
+    }
+    EXPECT_EQ(sky, 0u);
 }
 
 /// Where each technique gives up: wrong pixels per distance, separations of 1e-6 of it and of 1e-7.
