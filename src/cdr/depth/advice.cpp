@@ -2,7 +2,6 @@
 #include <cdr/depth/advice.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -88,11 +87,11 @@ std::string describe(const AdviceRow& row) {
 /// What the row costs over standard.
 std::string costLine(const AdviceRow& row) {
     if (!row.measured) {
-        return fmt::format("Over standard it costs {}.", costOf(row));
+        return fmt::format("Cost over standard: {}.", costOf(row));
     }
     const Measurement& measured = *row.measured;
     const auto percent = [](double ratio) { return 100.0 * (ratio - 1.0); };
-    return fmt::format("Over standard it costs {}: {:+.1f} % of a frame ({:+.1f} to {:+.1f}) as measured.",
+    return fmt::format("Cost over standard: {}; measured, {:+.1f} % of a frame ({:+.1f} to {:+.1f}).",
                        costOf(row), percent(measured.timeRatio), percent(measured.timeRatioLow),
                        percent(measured.timeRatioHigh));
 }
@@ -153,20 +152,16 @@ Advice advise(const AdviceQuestion& question, const std::vector<std::optional<Me
 }
 
 std::string costOf(const AdviceRow& row) {
-    std::vector<std::string> costs;
-    if (isLog(row.technique.mapping)) {
-        costs.emplace_back("a logarithm per vertex, per pixel on long triangles");
-    } else if (isAnchored(row.technique.mapping)) {
-        costs.emplace_back("a float64 subtraction per object and cascade");
-    } else if (isReversed(row.technique.mapping)) {
-        costs.emplace_back("a flipped compare");
-    }
+    std::string cost = isLog(row.technique.mapping)        ? "logarithm per vertex"
+                       : isAnchored(row.technique.mapping) ? "float64 offset per object"
+                       : isReversed(row.technique.mapping) ? "flipped compare"
+                                                           : "";
     if (row.forecast.cascades > 1) {
-        const std::size_t boundaries = row.forecast.cascades - 1;
-        costs.push_back(fmt::format("{} more depth clear{}, drawing again what straddles", boundaries,
-                                    boundaries == 1 ? "" : "s"));
+        const std::size_t clears = row.forecast.cascades - 1;
+        cost +=
+            fmt::format("{}{} more depth clear{}", cost.empty() ? "" : ", ", clears, clears == 1 ? "" : "s");
     }
-    return costs.empty() ? "nothing" : fmt::format("{}", fmt::join(costs, ", "));
+    return cost.empty() ? "nothing" : cost;
 }
 
 std::vector<std::string> explain(const AdviceQuestion& question, const Advice& advice) {
@@ -178,6 +173,9 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
                                     describe(row), saysOf(row), row.resolvedView(), at,
                                     question.separationView));
         lines.push_back(costLine(row));
+        if (row.forecast.cascades > 1) {
+            lines.emplace_back("What straddles a boundary between cascades is drawn once more.");
+        }
         if (isLog(row.technique.mapping)) {
             lines.emplace_back(
                 "Set depth per fragment on triangles that span more than 2 % of their distance.");
