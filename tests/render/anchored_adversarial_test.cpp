@@ -24,7 +24,8 @@ class AdversarialTest : public RenderTest {
   protected:
     struct Outcome {
         measure::WrongPixels wrong;
-        double worstDistance = 0.0; ///< of the frame's view distances, over inner pixels that show the right object
+        double worstDistance =
+            0.0; ///< of the frame's view distances, over inner pixels that show the right object
         std::size_t cascades = 0;
     };
 
@@ -87,7 +88,8 @@ TEST_F(AdversarialTest, ObjectsBehindAndAroundTheCamera) {
         addBox(scene, {share(random) * w, share(random) * w, w + 0.6}); // wholly behind
     }
     // From far behind to far ahead, on all four sides.
-    for (const glm::dvec3 side : {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0)}) {
+    for (const glm::dvec3 side :
+         {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0)}) {
         glm::mat3 basis(2.0f);
         basis[2] *= 1e5f;
         addBox(scene, 3.0 * side, basis);
@@ -96,8 +98,7 @@ TEST_F(AdversarialTest, ObjectsBehindAndAroundTheCamera) {
     addBox(scene, {0.1, 0.2, 1e3}, glm::mat3(5.0f));
     const scene::Camera camera{.fovY = 1.5, .nearView = 0.01, .farView = 1e6};
     for (const depth::Mapping mapping : {depth::Mapping::anchored, depth::Mapping::anchoredReversed}) {
-        const auto technique =
-            depth::makeTechnique(mapping, depth::SplitFitted{}, depth::DepthFormat::d32f);
+        const auto technique = depth::makeTechnique(mapping, depth::SplitFitted{}, depth::DepthFormat::d32f);
         const Outcome result = outcome(scene, camera, technique);
         EXPECT_GT(result.wrong.pixels, 50'000u);
         EXPECT_EQ(result.wrong.wrong, 0u) << technique.name;
@@ -181,8 +182,7 @@ TEST_F(AdversarialTest, APlanetOfPiecesHasNoCracks) {
     measure::WrongPixels wrong;
     for (const double altitude : {300.0, 20e3, 420e3, 2e7}) {
         for (int i = 0; i < 3; ++i) {
-            const glm::dvec3 up =
-                glm::normalize(glm::dvec3(share(random), share(random), share(random)));
+            const glm::dvec3 up = glm::normalize(glm::dvec3(share(random), share(random), share(random)));
             const glm::dvec3 eye = (radius + altitude) * up;
             // Down at the ground and off to the horizon.
             const glm::dvec3 aside = glm::normalize(glm::cross(up, glm::dvec3(0.3, 0.5, 0.8)));

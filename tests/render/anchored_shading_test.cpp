@@ -11,8 +11,7 @@ using render::Frame;
 
 /// A value in [0, 1] as sRGB in 0 to 255 (IEC 61966-2-1), not rounded.
 double srgb(double linear) {
-    const double encoded =
-        linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+    const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
     return 255.0 * std::clamp(encoded, 0.0, 1.0);
 }
 
@@ -34,11 +33,15 @@ class AnchoredShadingTest : public RenderTest {
 
     /// The camera 10^6 units in front of the cube's face, which fills the picture's height.
     static scene::Camera camera() {
-        return {.position = kCentre + glm::dvec3(0.0, 0.0, 1e6), .fovY = 0.98e-6, .nearView = 0.001, .farView = 2e6};
+        return {.position = kCentre + glm::dvec3(0.0, 0.0, 1e6),
+                .fovY = 0.98e-6,
+                .nearView = 0.001,
+                .farView = 2e6};
     }
 
     /// Largest difference between the picture and float64 shading of the exact surface, of 255, and with
-    /// `banding` how often brightness steps back along a row or column that leads straight away from the light.
+    /// `banding` how often brightness steps back along a row or column that leads straight away from the
+    /// light.
     struct Error {
         double worst = 0.0;
         std::size_t pixels = 0;
