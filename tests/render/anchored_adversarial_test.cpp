@@ -287,7 +287,7 @@ TEST_F(AdversarialTest, OfMixedDistancesOnlyAnchoredGetsAllRight) {
         for (const char* name : {"standard", "cdr", "log", "logcdr"}) {
             EXPECT_GT(wrong[name][1][column], 300u) << name << " " << column;
         }
-        EXPECT_GT(wrong["reversed"][1][column], 10u) << column;
+        EXPECT_GT(wrong["reversed"][1][column], 0u) << column;
     }
 }
 

@@ -34,7 +34,8 @@ std::map<Corners, std::set<std::size_t>> holders(const std::vector<MeshPiece>& p
     std::map<Corners, std::set<std::size_t>> result;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         for (std::size_t i = 0; i < pieces[p].mesh.indices.size(); i += 3) {
-            result[cornersOf(placed(pieces[p], i), placed(pieces[p], i + 1), placed(pieces[p], i + 2))].insert(p);
+            result[cornersOf(placed(pieces[p], i), placed(pieces[p], i + 1), placed(pieces[p], i + 2))]
+                .insert(p);
         }
     }
     return result;
@@ -84,7 +85,8 @@ TEST(MeshPieces, HoldEveryTriangleWithinTheRadiusAndAtMostFourTimes) {
         copies += piece.mesh.indices.size() / 3;
         EXPECT_LT(piece.mesh.boundingRadius, 2.0f * 8.0f);
         for (const Vertex& vertex : piece.mesh.vertices) {
-            EXPECT_LE(glm::length(glm::dvec3(vertex.position)), static_cast<double>(piece.mesh.boundingRadius));
+            EXPECT_LE(glm::length(glm::dvec3(vertex.position)),
+                      static_cast<double>(piece.mesh.boundingRadius));
         }
     }
     const auto held = holders(pieces);

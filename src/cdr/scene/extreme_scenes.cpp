@@ -28,8 +28,8 @@ glm::dmat3 turnedBy(double yaw, double pitch) {
     return aboutX * aboutY;
 }
 
-/// Where the k-th of `cells` lines crosses an edge of the cube from -1 to 1: at even angles, and exactly at the
-/// ends and odd about the middle, so that faces meet in the same vertices.
+/// Where the k-th of `cells` lines crosses an edge of the cube from -1 to 1: at even angles, and exactly at
+/// the ends and odd about the middle, so that faces meet in the same vertices.
 double lineAt(std::uint32_t k, std::uint32_t cells) {
     const double share = (2.0 * k - cells) / cells;
     return std::abs(share) == 1.0 ? share : std::tan(0.25 * std::numbers::pi * share);
@@ -66,6 +66,7 @@ void addFace(int axis, double side, double radius, std::uint32_t cells, SourceMe
 StagedScene makeMixed() {
     constexpr double kSide = 0.018;
     constexpr double kSpacing = 0.027;
+    const double kBehind = std::numbers::sqrt3; // puts corner-on faces one below
     StagedScene staged;
     Scene& scene = staged.scene;
     scene.name = "mixed";
@@ -86,9 +87,9 @@ StagedScene makeMixed() {
         const Camera facing = lookAt({}, glm::dvec3(0.0), centre);
         const glm::dmat3 turned = glm::dmat3(facing.right, facing.up, facing.back) *
                                   turnedBy((41.0 + place) * kDegree, 35.0 * kDegree);
-        const double twinSide = kSide - 2.0 * kMixedShares[row];
-        addInstance(scene, 0, 0, 2 * pair, centre, glm::mat3(turned * (kSide * w)));
-        addInstance(scene, 0, 1, 2 * pair + 1, centre, glm::mat3(turned * (twinSide * w)));
+        const glm::mat3 basis(turned * (kSide * w));
+        addInstance(scene, 0, 0, 2 * pair, centre, basis);
+        addInstance(scene, 0, 1, 2 * pair + 1, centre * (1.0 + kBehind * kMixedShares[row]), basis);
     }
     staged.path = stillPath({.fovY = 20.0 * kDegree, .nearView = 0.1, .farView = 2e8});
     return staged;

@@ -24,9 +24,8 @@ std::vector<std::uint32_t> pointsOf(std::span<const glm::dvec3> positions) {
     const auto key = [&](std::uint32_t i) {
         return std::array{positions[i].x, positions[i].y, positions[i].z};
     };
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return std::pair(key(a), a) < std::pair(key(b), b);
-    });
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
     std::vector<std::uint32_t> points(positions.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
@@ -129,8 +128,7 @@ class PieceMaker {
 std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source, double radius) {
     const std::size_t triangles = source.indices.size() / 3;
     const std::size_t most = std::clamp<std::size_t>(triangles / kTrianglesPerPiece, 2, kMostPieces);
-    std::vector<TriangleCluster> clusters =
-        clusterTriangles(source.positions, source.indices, radius, most);
+    std::vector<TriangleCluster> clusters = clusterTriangles(source.positions, source.indices, radius, most);
     PieceMaker maker(source);
     if (clusters.size() == 1) {
         const glm::dvec3 centre = (clusters[0].low + clusters[0].high) * 0.5;
@@ -159,7 +157,8 @@ void placePieces(Scene& scene, const PieceSet& pieces, std::uint32_t material, s
     const glm::mat3 basis{glm::dmat3(toWorld)};
     for (std::size_t i = 0; i < pieces.origins.size(); ++i) {
         const glm::dvec3 position(toWorld * glm::dvec4(pieces.origins[i], 1.0));
-        addInstance(scene, pieces.firstMesh + static_cast<std::uint32_t>(i), material, object, position, basis);
+        addInstance(scene, pieces.firstMesh + static_cast<std::uint32_t>(i), material, object, position,
+                    basis);
     }
 }
 

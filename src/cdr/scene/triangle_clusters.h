@@ -19,9 +19,10 @@ struct TriangleCluster {
     double radius() const { return 0.5 * glm::distance(low, high); }
 };
 
-/// Sorts triangles into clusters, the widest cut first, until each fits a sphere of `radius`, there are `most`,
-/// or cutting would not help: a triangle is never cut, so what is hardly wider than its largest triangle stays.
-/// Every triangle is in one cluster. The same clusters whatever the machine; O(triangles log triangles).
+/// Sorts triangles into clusters, the widest cut first, until each fits a sphere of `radius`, there are
+/// `most`, or cutting would not help: a triangle is never cut, so what is hardly wider than its largest
+/// triangle stays. Every triangle is in one cluster. The same clusters whatever the machine; O(triangles log
+/// triangles).
 /// @param indices three per triangle, each below positions.size(); not empty.
 /// @param radius > 0; infinity for one cluster.
 std::vector<TriangleCluster> clusterTriangles(std::span<const glm::dvec3> positions,
