@@ -36,7 +36,7 @@ void main() {
     }
 #ifdef WRITES_DEPTH
     // The viewport moves interpolated depths into the slice, but not those set here.
-    float depth = logDepth(cascade.anchorView + ahead, cascade.depthScale, cascade.depthOffset);
+    float depth = cdrLogDepth(cascade.anchorView + ahead, depthOf(cascade));
     gl_FragDepth = cascade.minDepth + depth * (cascade.maxDepth - cascade.minDepth);
 #endif
     // Of a double-sided surface the side that faces the camera is lit.

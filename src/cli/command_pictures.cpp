@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace cdr::cli {
@@ -76,7 +77,8 @@ void run(const GlobalOptions& global, PicturesArguments& arguments) {
 
     const std::string device = describe(session.device());
     for (const auto& result : results) {
-        const std::string stem = fmt::format("{}_{}", result.scene, result.technique);
+        std::string stem = fmt::format("{}_{}", result.scene, result.technique);
+        std::replace(stem.begin(), stem.end(), '/', '-'); // as in "anchored/fitted"
         image::writeImage(arguments.folder / (stem + ".png"), result.picture);
         image::writeImage(arguments.folder / (stem + "_wrong.png"), result.heatMap);
     }

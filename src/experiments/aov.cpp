@@ -85,6 +85,11 @@ image::ImageRgba8 distancePicture(const render::Frame& frame) {
     });
 }
 
+/// What a float32 leaves out of a float64; 0 for infinity.
+double restOf(double value) {
+    return std::isfinite(value) ? value - static_cast<double>(static_cast<float>(value)) : 0.0;
+}
+
 image::ImageRgba8 normalPicture(const render::Frame& frame) {
     return paint(frame, [&](auto x, auto y) -> image::Rgba8 {
         const glm::dvec3 n(frame.normalView(x, y));
@@ -175,7 +180,9 @@ std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
         return {{"cascade", values(frame, [&](auto x, auto y) { return frame.cascade(x, y); })}};
     case Aov::distance:
         return {{"ahead", values(frame, [&](auto x, auto y) { return frame.surfaces.at(x, y).ahead; })},
-                {"distance", values(frame, [&](auto x, auto y) { return frame.distanceView(x, y); })}};
+                {"distance", values(frame, [&](auto x, auto y) { return frame.distanceView(x, y); })},
+                {"distanceRest",
+                 values(frame, [&](auto x, auto y) { return restOf(frame.distanceView(x, y)); })}};
     case Aov::normal:
         return {{"X", values(frame, [&](auto x, auto y) { return frame.normalView(x, y).x; })},
                 {"Y", values(frame, [&](auto x, auto y) { return frame.normalView(x, y).y; })},

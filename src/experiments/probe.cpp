@@ -18,14 +18,14 @@ namespace cdr::experiments {
 namespace {
 
 /// The ladder as it stands at one distance.
-scene::LadderOptions ladderAt(double distanceView) {
+scene::LadderOptions ladderAt(double distanceView, const ProbeOptions& options) {
     if (!std::isfinite(distanceView) || distanceView < 0.1) {
         throw base::InputError(
             fmt::format("a probe's distance must be finite and at least 0.1, not {}", distanceView));
     }
     return {.distanceView = distanceView,
-            .nearView = 0.001,
-            .farView = 2.0 * distanceView,
+            .nearView = options.nearView.value_or(0.001),
+            .farView = std::max(options.farView.value_or(2.0 * distanceView), 1.02 * distanceView),
             .scale = std::min(1.0, distanceView / 1000.0)};
 }
 
@@ -99,13 +99,13 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
         options.techniques.empty() ? std::vector(depth::presets().begin(), depth::presets().end())
                                    : options.techniques;
     for (const double distanceView : options.distancesView) {
-        ladderAt(distanceView); // an unusable one ends here, before any work
+        ladderAt(distanceView, options); // an unusable one ends here, before any work
     }
     base::WorkerPool workers(options.threads);
     const std::size_t all = options.distancesView.size() * techniques.size() * options.formats.size();
     std::vector<ProbeResult> results;
     for (const double distanceView : options.distancesView) {
-        const scene::LadderOptions ladder = ladderAt(distanceView);
+        const scene::LadderOptions ladder = ladderAt(distanceView, options);
         const scene::StagedScene staged = scene::makeLadder(options.seed, ladder);
         const scene::Camera camera = staged.path.at(0);
         const render::GpuScene gpuScene(device, staged.scene);

@@ -15,11 +15,14 @@ namespace cdr::experiments {
 /// Smallest resolved separation, measured on the ladder scene (thesis chapter 7: formulas "are not reliable
 /// in practice").
 ///
-/// Near is 0.001 and far twice the distance. The field is 32 units deep and wide, so below 1000 units all of
-/// it shrinks, cubes, grid and separations alike, to a thousandth of the distance per unit.
+/// Near is 0.001 and far twice the distance unless given. The field is 32 units deep and wide, so below 1000
+/// units all of it shrinks, cubes, grid and separations alike, to a thousandth of the distance per unit.
 struct ProbeOptions {
     std::vector<double> distancesView{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
     std::vector<depth::Technique> techniques; ///< all presets when empty
+    std::optional<double> nearView;
+    std::optional<double>
+        farView; ///< at least 1.02 times the distance is taken, so that the field is before it
     std::vector<depth::DepthFormat> formats{depth::kDepthFormats.begin(), depth::kDepthFormats.end()};
     std::uint32_t width = 1280;
     std::uint32_t height = 720;

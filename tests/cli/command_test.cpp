@@ -111,6 +111,45 @@ TEST(Commands, ProbeFindsWhatEachTechniqueResolves) {
     EXPECT_LE(resolved.at("anchored d24"), 5e-5);
 }
 
+TEST(Commands, ProbeTakesTechniquesByTheirParts) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "--validate probe --distances 1e7 --formats d24,d32f --techniques anchored-reversed/fitted "
+        "--json p.json",
+        folder.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "p.json"));
+    ASSERT_EQ(document["results"].size(), 2u);
+    for (const json& row : document["results"]) {
+        EXPECT_EQ(row["technique"], "anchored-reversed/fitted");
+        EXPECT_LE(row["resolved"].get<double>(), 2e-5);
+    }
+}
+
+TEST(Commands, AdviseMeasures) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "--validate advise --separation 0.01 --at 1e6 --far 2e6 --fov 0.002 --format d32f --measured "
+        "--frames 2 --json a.json",
+        folder.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("time over standard"), std::string::npos);
+    EXPECT_NE(result.out.find("was measured to resolve"), std::string::npos) << result.out;
+    const json document = json::parse(readText(folder.path() / "a.json"));
+    expectEnvelope(document, "advise");
+    EXPECT_FALSE(document["device"]["name"].get<std::string>().empty());
+    ASSERT_EQ(document["results"].size(), 7u);
+    for (const json& row : document["results"]) {
+        EXPECT_GT(row["time_ratio"].get<double>(), 0.0);
+        EXPECT_LE(row["time_ratio_ci95"][0].get<double>(), row["time_ratio_ci95"][1].get<double>());
+        EXPECT_EQ(row["largest"], 1.0);
+        const bool anchored = row["mapping"] == "anchored";
+        EXPECT_EQ(row["suffices"], anchored) << row["technique"];
+        EXPECT_EQ(row["resolved"].is_number() && row["resolved"] < 2e-5, anchored) << row["technique"];
+    }
+    EXPECT_EQ(document["simplest"]["technique"], "anchored");
+}
+
 TEST(Commands, AdviseSaysWhenReversedIsEnough) {
     const TemporaryFolder folder;
     const ProgramResult result = runProgram("advise --separation 0.5 --at 5000 --json a.json", folder.path());

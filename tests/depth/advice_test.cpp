@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -81,9 +85,58 @@ TEST(Advice, SaysSoInPlainWords) {
     const auto words = [](const AdviceQuestion& asked) { return explain(asked, advise(asked)); };
     EXPECT_EQ(words(question(1e6, 1.0)).front().substr(0, 41), "reversed with d32f in one cascade is enou");
     const auto anchored = words(question(1e6, 1e-5));
-    ASSERT_EQ(anchored.size(), 2u);
-    EXPECT_NE(anchored[1].find("deep"), std::string::npos);
+    ASSERT_EQ(anchored.size(), 4u);
+    EXPECT_NE(anchored[1].find("float64 offset per object, 1 more depth clear"), std::string::npos);
+    EXPECT_NE(anchored[3].find("deep"), std::string::npos);
     EXPECT_EQ(words(question(1e6, 1e-9)).front().substr(0, 21), "Nothing here resolves");
+}
+
+/// A measurement has the last word, whichever way it contradicts the formula.
+TEST(Advice, MeasurementsDecideWhereThereAreAny) {
+    const AdviceQuestion asked = question(1e6, 0.5);
+    const Advice predicted = advise(asked);
+    const auto rowOf = [&](const Advice& advice, const char* name, DepthFormat format) {
+        return std::find_if(advice.rows.begin(), advice.rows.end(), [&](const AdviceRow& row) {
+            return row.technique.name == name && row.technique.format == format;
+        });
+    };
+    ASSERT_EQ(predicted.rows[*predicted.simplest].technique.name, "reversed");
+    std::vector<std::optional<Measurement>> measurements(predicted.rows.size());
+    const auto index = [&](const char* name) {
+        return static_cast<std::size_t>(rowOf(predicted, name, DepthFormat::d32f) - predicted.rows.begin());
+    };
+    measurements[index("reversed")] = {.resolvedView = 0.7, .largestView = 1.0};
+    measurements[index("log")] = {.resolvedView = 0.4, .largestView = 1.0, .timeRatio = 1.25};
+    Advice advice = advise(asked, measurements);
+    EXPECT_FALSE(rowOf(advice, "reversed", DepthFormat::d32f)->suffices);
+    EXPECT_EQ(advice.rows[*advice.simplest].technique.name, "log");
+    EXPECT_NE(explain(asked, advice)[0].find("was measured to resolve 0.4"), std::string::npos);
+    EXPECT_NE(explain(asked, advice)[1].find("+25.0 %"), std::string::npos);
+
+    // None of what was tried came out right: that is no answer for wider gaps, and a no for narrower ones.
+    measurements.assign(predicted.rows.size(), std::nullopt);
+    measurements[index("reversed")] = {.resolvedView = {}, .largestView = 0.6};
+    EXPECT_FALSE(rowOf(advise(asked, measurements), "reversed", DepthFormat::d32f)->suffices);
+    measurements[index("reversed")] = {.resolvedView = {}, .largestView = 0.001};
+    EXPECT_TRUE(rowOf(advise(asked, measurements), "reversed", DepthFormat::d32f)->suffices);
+    EXPECT_THROW(advise(asked, {}), cdr::base::InputError);
+}
+
+TEST(Advice, NamesTheCost) {
+    const Advice advice = advise(question(1e6, 0.5));
+    const auto cost = [&](const char* name) {
+        for (const AdviceRow& row : advice.rows) {
+            if (row.technique.name == name) {
+                return costOf(row);
+            }
+        }
+        return std::string("no such row");
+    };
+    EXPECT_EQ(cost("standard"), "nothing");
+    EXPECT_EQ(cost("reversed"), "flipped compare");
+    EXPECT_EQ(cost("log"), "logarithm per vertex");
+    EXPECT_EQ(cost("cdr"), "3 more depth clears");
+    EXPECT_EQ(cost("logcdr"), "logarithm per vertex, 3 more depth clears");
 }
 
 TEST(Advice, TheWidestContentIsResolvedAndTwiceThatIsNot) {

@@ -132,6 +132,13 @@ TEST(Names, ReadBackAndSuggest) {
     for (const Technique& preset : presets()) {
         EXPECT_EQ(parseTechnique(preset.name).mapping, preset.mapping);
     }
+    for (const Mapping mapping : kMappings) {
+        const Technique made = makeTechnique(mapping, parseSplit("count:3"), DepthFormat::d32f);
+        EXPECT_EQ(parseTechnique(made.name).mapping, mapping);
+        EXPECT_EQ(parseTechnique(made.name).split, made.split);
+    }
+    EXPECT_THROW(parseTechnique("anchored/fited"), cdr::base::InputError);
+    EXPECT_THROW(parseTechnique("anchord/fitted"), cdr::base::InputError);
     EXPECT_THROW(parseMapping("standrad"), cdr::base::InputError);
     EXPECT_THROW(parseDepthFormat("d32"), cdr::base::InputError);
     EXPECT_THROW(parseTechnique(""), cdr::base::InputError);

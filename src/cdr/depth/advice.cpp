@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -64,6 +65,11 @@ std::optional<std::size_t> simplestOf(const std::vector<AdviceRow>& rows) {
     return simplest;
 }
 
+/// What a row says: "resolves", or what it was measured to.
+std::string saysOf(const AdviceRow& row) {
+    return row.measured ? "was measured to resolve" : "resolves";
+}
+
 std::string limitOf(const AdviceRow& row) {
     if (row.forecast.bufferStepView >= 4.0 * row.forecast.vertexStepView) {
         return "the steps of the depth buffer";
@@ -78,7 +84,27 @@ std::string describe(const AdviceRow& row) {
     return fmt::format("{} with {} in {}", row.technique.name, nameOf(row.technique.format), cascades);
 }
 
+/// What the row costs over standard.
+std::string costLine(const AdviceRow& row) {
+    if (!row.measured) {
+        return fmt::format("Cost over standard: {}.", costOf(row));
+    }
+    const Measurement& measured = *row.measured;
+    const auto percent = [](double ratio) { return 100.0 * (ratio - 1.0); };
+    return fmt::format("Cost over standard: {}; measured, {:+.1f} % of a frame ({:+.1f} to {:+.1f}).",
+                       costOf(row), percent(measured.timeRatio), percent(measured.timeRatioLow),
+                       percent(measured.timeRatioHigh));
+}
+
 } // namespace
+
+double AdviceRow::resolvedView() const {
+    if (!measured) {
+        return forecast.resolvedView();
+    }
+    // Beyond the largest separation tried the prediction is all there is, and it cannot be less than that.
+    return measured->resolvedView.value_or(std::max(forecast.resolvedView(), measured->largestView));
+}
 
 Advice advise(const AdviceQuestion& question) {
     if (!(question.separationView > 0.0) || !std::isfinite(question.separationView)) {
@@ -100,6 +126,7 @@ Advice advise(const AdviceQuestion& question) {
         const Forecast made = forecast(technique, question.scene);
         advice.rows.push_back({.technique = technique,
                                .forecast = made,
+                               .measured = std::nullopt,
                                .suffices = made.resolvedView() <= question.separationView});
     }
     advice.simplest = simplestOf(advice.rows);
@@ -107,13 +134,48 @@ Advice advise(const AdviceQuestion& question) {
     return advice;
 }
 
+Advice advise(const AdviceQuestion& question, const std::vector<std::optional<Measurement>>& measurements) {
+    Advice advice = advise(question);
+    if (measurements.size() != advice.rows.size()) {
+        throw base::InputError(
+            fmt::format("{} measurements for {} techniques", measurements.size(), advice.rows.size()));
+    }
+    for (std::size_t i = 0; i < advice.rows.size(); ++i) {
+        AdviceRow& row = advice.rows[i];
+        row.measured = measurements[i];
+        const bool failed = row.measured && !row.measured->resolvedView &&
+                            row.measured->largestView >= question.separationView;
+        row.suffices = !failed && row.resolvedView() <= question.separationView;
+    }
+    advice.simplest = simplestOf(advice.rows);
+    return advice;
+}
+
+std::string costOf(const AdviceRow& row) {
+    std::string cost = isLog(row.technique.mapping)        ? "logarithm per vertex"
+                       : isAnchored(row.technique.mapping) ? "float64 offset per object"
+                       : isReversed(row.technique.mapping) ? "flipped compare"
+                                                           : "";
+    if (row.forecast.cascades > 1) {
+        const std::size_t clears = row.forecast.cascades - 1;
+        cost +=
+            fmt::format("{}{} more depth clear{}", cost.empty() ? "" : ", ", clears, clears == 1 ? "" : "s");
+    }
+    return cost.empty() ? "nothing" : cost;
+}
+
 std::vector<std::string> explain(const AdviceQuestion& question, const Advice& advice) {
     std::vector<std::string> lines;
     const double at = question.scene.atView;
     if (advice.simplest) {
         const AdviceRow& row = advice.rows[*advice.simplest];
-        lines.push_back(fmt::format("{} is enough: it resolves {:.3g} at {:g}, and {:g} is asked for.",
-                                    describe(row), row.forecast.resolvedView(), at, question.separationView));
+        lines.push_back(fmt::format("{} is enough: it {} {:.3g} at {:g}, and {:g} is asked for.",
+                                    describe(row), saysOf(row), row.resolvedView(), at,
+                                    question.separationView));
+        lines.push_back(costLine(row));
+        if (row.forecast.cascades > 1) {
+            lines.emplace_back("What straddles a boundary between cascades is drawn once more.");
+        }
         if (isLog(row.technique.mapping)) {
             lines.emplace_back(
                 "Set depth per fragment on triangles that span more than 2 % of their distance.");
@@ -121,7 +183,7 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
     } else {
         const AdviceRow& best = advice.rows.back();
         lines.push_back(fmt::format("Nothing here resolves {:g} at {:g}: {} comes to {:.3g}, limited by {}.",
-                                    question.separationView, at, describe(best), best.forecast.resolvedView(),
+                                    question.separationView, at, describe(best), best.resolvedView(),
                                     limitOf(best)));
     }
     const bool needsAnchored =

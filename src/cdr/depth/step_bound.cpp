@@ -38,8 +38,10 @@ double anchorDistance(Mapping mapping, const Cascade& c, double w) {
 } // namespace
 
 StepTarget StepTarget::scaled(double factor) const {
-    return {
-        .unitsView = factor * unitsView, .shareView = factor * shareView, .leastShareView = leastShareView};
+    return {.unitsView = factor * unitsView,
+            .shareView = factor * shareView,
+            .leastUnitsView = leastUnitsView,
+            .leastShareView = leastShareView};
 }
 
 double distanceRounding(Mapping mapping) {

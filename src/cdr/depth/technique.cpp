@@ -28,6 +28,10 @@ Technique parseTechnique(std::string_view name) {
         }
         names.push_back(preset.name);
     }
+    if (const std::size_t slash = name.find('/'); slash != std::string_view::npos) {
+        return makeTechnique(parseMapping(name.substr(0, slash)),
+                             parseSplit(std::string(name.substr(slash + 1))), DepthFormat::d32f);
+    }
     throw base::InputError(base::unknownName("technique", name, names));
 }
 

@@ -7,7 +7,9 @@
 
 #include <cdr/base/file.h>
 #include <cdr/scene/gltf.h>
+#include <cdr/scene/mesh_pieces.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -19,9 +21,8 @@ namespace {
 
 /// A mesh of the file whose primitives are in the scene.
 struct PlacedPrimitive {
-    std::uint32_t mesh = 0;     ///< index into Scene::meshes
+    PieceSet pieces;            ///< in the space of the glTF mesh
     std::uint32_t material = 0; ///< index into Scene::materials
-    glm::dvec3 centre{0.0};     ///< where the mesh's origin goes in the space of the glTF mesh
 };
 
 /// Whether a transform flattens what it draws; relative to its scale, so small is not flat.
@@ -31,6 +32,12 @@ bool isFlat(const glm::dmat3& linear, const glm::mat3& basis) {
     const double volume = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
     return !(std::abs(glm::determinant(linear)) > kLeastRelativeVolume * volume) ||
            !(std::abs(glm::determinant(glm::dmat3(basis))) > 0.0);
+}
+
+/// The longest column: by how much a transform stretches, within a factor of 1.74.
+double stretchOf(const glm::dmat4& matrix) {
+    const glm::dmat3 linear(matrix);
+    return std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
 }
 
 /// One import. Meshes, materials and textures enter the scene when a node first needs them.
@@ -46,6 +53,10 @@ class Importer {
     Scene run() {
         const std::vector<MeshNode> nodes = meshNodes(m_sources.document.model, m_limits);
         requireBounded(nodes);
+        for (const MeshNode& node : nodes) {
+            double& stretch = m_stretch[node.mesh];
+            stretch = std::max(stretch, stretchOf(node.toWorld));
+        }
         for (const MeshNode& node : nodes) {
             addObject(node);
         }
@@ -64,6 +75,7 @@ class Importer {
     MeshImporter m_meshes;
     MaterialImporter m_materials;
     std::map<int, std::vector<PlacedPrimitive>> m_imported; ///< by mesh
+    std::map<int, double> m_stretch;                        ///< by mesh, the largest of its nodes
 };
 
 void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
@@ -101,11 +113,14 @@ void Importer::addObject(const MeshNode& node) {
         return;
     }
     for (const PlacedPrimitive& primitive : use(node.mesh)) {
-        const glm::dvec3 position(node.toWorld * glm::dvec4(primitive.centre, 1.0));
-        addInstance(m_scene, primitive.mesh, primitive.material, object, position, basis);
-        if (!std::isfinite(m_scene.instances.radius.back()) || !std::isfinite(glm::dot(position, position))) {
-            refuse("node {} '{}': its size or place is over what can be drawn", node.node,
-                   oneLine(source.name));
+        const std::size_t first = m_scene.instances.size();
+        placePieces(m_scene, primitive.pieces, primitive.material, object, node.toWorld);
+        for (std::size_t i = first; i < m_scene.instances.size(); ++i) {
+            const glm::dvec3 position = m_scene.instances.position(i);
+            if (!std::isfinite(m_scene.instances.radius[i]) || !std::isfinite(glm::dot(position, position))) {
+                refuse("node {} '{}': its size or place is over what can be drawn", node.node,
+                       oneLine(source.name));
+            }
         }
     }
 }
@@ -121,13 +136,13 @@ const std::vector<PlacedPrimitive>& Importer::use(int meshIndex) {
         const std::string where =
             fmt::format("mesh {} '{}' primitive {}", meshIndex, oneLine(source.name), i);
         const MaterialUse& material = m_materials.use(primitive.material);
-        std::optional<CentredMesh> mesh = m_meshes.import(primitive, material.uv, where);
-        if (!mesh) {
-            continue;
+        // Pieces overlap at their seams, which blending would show.
+        const bool whole = m_scene.materials[material.index].alphaMode == AlphaMode::blend;
+        const double pieceRadius = whole ? INFINITY : m_limits.pieceRadius / m_stretch[meshIndex];
+        std::vector<MeshPiece> pieces = m_meshes.import(primitive, material.uv, pieceRadius, where);
+        if (!pieces.empty()) {
+            found->second.push_back({addPieces(m_scene, std::move(pieces)), material.index});
         }
-        found->second.push_back(
-            {static_cast<std::uint32_t>(m_scene.meshes.size()), material.index, mesh->centre});
-        m_scene.meshes.push_back(std::move(mesh->mesh));
     }
     return found->second;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/scene/mesh_pieces.h>
 #include <cdr/scene/scene.h>
 
 #include <filesystem>
@@ -14,6 +15,9 @@ struct GltfLimits {
     std::uint64_t maxTriangles = 50'000'000;  ///< after instancing
     std::uint32_t maxNodes = 1'000'000;
     std::uint32_t maxNodeDepth = 1'000;
+    /// Not refused but cut: meshes wider than this become pieces (cutIntoPieces()). Scene units, where the
+    /// mesh's largest node has it.
+    double pieceRadius = kPieceRadius;
 };
 
 /// A glTF file as a scene. Objects are the nodes that carry a mesh, in the order of the file's node array;

@@ -33,30 +33,6 @@ std::uint8_t toUnorm8(float value) {
     return static_cast<std::uint8_t>(std::lround(clamped * 255.0f));
 }
 
-/// Moves the vertices about the centre of their bounds, which is returned, and sets the radius.
-glm::dvec3 recentre(Mesh& mesh, const std::string& where) {
-    glm::dvec3 low(std::numeric_limits<double>::max());
-    glm::dvec3 high(std::numeric_limits<double>::lowest());
-    for (const Vertex& vertex : mesh.vertices) {
-        low = glm::min(low, glm::dvec3(vertex.position));
-        high = glm::max(high, glm::dvec3(vertex.position));
-    }
-    const glm::dvec3 centre = (low + high) * 0.5;
-    double farthest = 0.0;
-    for (Vertex& vertex : mesh.vertices) {
-        vertex.position = glm::vec3(glm::dvec3(vertex.position) - centre);
-        farthest = std::max(farthest, glm::length(glm::dvec3(vertex.position)));
-    }
-    mesh.boundingRadius = static_cast<float>(farthest);
-    if (static_cast<double>(mesh.boundingRadius) < farthest) {
-        mesh.boundingRadius = std::nextafter(mesh.boundingRadius, std::numeric_limits<float>::infinity());
-    }
-    if (!std::isfinite(mesh.boundingRadius)) {
-        refuse("{}: its extent is over what a float32 holds", where);
-    }
-    return centre;
-}
-
 } // namespace
 
 /// The accessors a primitive's vertices come from; null where it has none.
@@ -73,8 +49,8 @@ MeshImporter::MeshImporter(Accessors& accessors, Notes& notes, std::uint64_t max
       m_notes(notes),
       m_maxVertices(maxVertices) {}
 
-std::optional<CentredMesh> MeshImporter::import(const tinygltf::Primitive& primitive,
-                                                const UvSource& uvSource, const std::string& where) {
+std::vector<MeshPiece> MeshImporter::import(const tinygltf::Primitive& primitive, const UvSource& uvSource,
+                                            double pieceRadius, const std::string& where) {
     if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
         refuse("{}: mode {} does not exist", where, primitive.mode);
     }
@@ -86,24 +62,32 @@ std::optional<CentredMesh> MeshImporter::import(const tinygltf::Primitive& primi
         m_notes.add("morph targets are not applied", where);
     }
     const Attributes attributes = findAttributes(primitive, uvSource, where);
-    CentredMesh result;
-    result.mesh.name = where;
-    result.mesh.indices = triangleList(primitive, m_accessors, attributes.position->count(), where);
-    if (attributes.normal == nullptr) {
-        addFlat(result.mesh, attributes, where);
-    } else {
-        addShared(result.mesh, attributes, where);
-    }
-    if (result.mesh.indices.empty()) {
+    SourceMesh source;
+    source.name = where;
+    source.indices = triangleList(primitive, m_accessors, attributes.position->count(), where);
+    if (source.indices.empty()) {
         m_notes.add("a primitive has no triangles", where);
         return {};
     }
-    result.centre = recentre(result.mesh, where);
-    if (result.mesh.boundingRadius == 0.0f) {
+    if (attributes.normal == nullptr) {
+        addFlat(source, attributes, where);
+    } else {
+        addShared(source, attributes, where);
+    }
+    for (const Vertex& vertex : source.vertices) {
+        source.positions.emplace_back(vertex.position);
+    }
+    std::vector<MeshPiece> pieces = cutIntoPieces(source, pieceRadius);
+    for (const MeshPiece& piece : pieces) {
+        if (!std::isfinite(piece.mesh.boundingRadius)) {
+            refuse("{}: its extent is over what a float32 holds", where);
+        }
+    }
+    if (pieces.size() == 1 && pieces.front().mesh.boundingRadius == 0.0f) {
         m_notes.add("a primitive has no extent", where);
         return {};
     }
-    return result;
+    return pieces;
 }
 
 MeshImporter::Attributes MeshImporter::findAttributes(const tinygltf::Primitive& primitive,
@@ -165,7 +149,7 @@ Vertex MeshImporter::readVertex(const Attributes& attributes, std::uint32_t inde
     return vertex;
 }
 
-void MeshImporter::addShared(Mesh& mesh, const Attributes& attributes, const std::string& where) {
+void MeshImporter::addShared(SourceMesh& mesh, const Attributes& attributes, const std::string& where) {
     if (m_newIndex.size() < attributes.position->count()) {
         m_newIndex.resize(attributes.position->count(), kUnused);
     }
@@ -184,7 +168,7 @@ void MeshImporter::addShared(Mesh& mesh, const Attributes& attributes, const std
     }
 }
 
-void MeshImporter::addFlat(Mesh& mesh, const Attributes& attributes, const std::string& where) {
+void MeshImporter::addFlat(SourceMesh& mesh, const Attributes& attributes, const std::string& where) {
     mesh.vertices.reserve(mesh.indices.size());
     for (std::uint32_t& index : mesh.indices) {
         mesh.vertices.push_back(readVertex(attributes, index, where));

@@ -4,22 +4,13 @@
 #include "gltf_notes.h"
 #include "gltf_uv.h"
 
-#include <cdr/scene/mesh.h>
-
-#include <glm/glm.hpp>
+#include <cdr/scene/mesh_pieces.h>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace cdr::scene::gltf {
-
-/// A primitive as a mesh about its own centre.
-struct CentredMesh {
-    Mesh mesh;
-    glm::dvec3 centre{0.0}; ///< where the mesh's origin goes in the space of the glTF mesh
-};
 
 /// Imports the triangles of a primitive. Keeps a scratch table between calls, so that many primitives which
 /// each use a little of one large vertex buffer cost what they use.
@@ -29,8 +20,9 @@ class MeshImporter {
     MeshImporter(Accessors& accessors, Notes& notes, std::uint64_t maxVertices);
 
     /// Nothing when the primitive has no triangles or no extent. `where` names it in messages.
-    std::optional<CentredMesh> import(const tinygltf::Primitive& primitive, const UvSource& uvSource,
-                                      const std::string& where);
+    /// @param pieceRadius as of cutIntoPieces().
+    std::vector<MeshPiece> import(const tinygltf::Primitive& primitive, const UvSource& uvSource,
+                                  double pieceRadius, const std::string& where);
 
   private:
     struct Attributes;
@@ -38,8 +30,8 @@ class MeshImporter {
     Attributes findAttributes(const tinygltf::Primitive& primitive, const UvSource& uvSource,
                               const std::string& where);
     Vertex readVertex(const Attributes& attributes, std::uint32_t index, const std::string& where);
-    void addShared(Mesh& mesh, const Attributes& attributes, const std::string& where);
-    void addFlat(Mesh& mesh, const Attributes& attributes, const std::string& where);
+    void addShared(SourceMesh& mesh, const Attributes& attributes, const std::string& where);
+    void addFlat(SourceMesh& mesh, const Attributes& attributes, const std::string& where);
 
     Accessors& m_accessors;
     Notes& m_notes;

@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
+#include <cdr/scene/extreme_scenes.h>
 #include <cdr/scene/gltf.h>
 #include <cdr/scene/open_scene.h>
 
@@ -14,7 +15,8 @@ namespace cdr::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kGenerated{"cubes", "afc", "afc-near", "rotation", "ladder"};
+constexpr std::array<std::string_view, 6> kGenerated{"cubes",    "afc",    "afc-near",
+                                                   "rotation", "ladder", "mixed"};
 
 struct Sphere {
     glm::dvec3 centre{0.0};
@@ -90,6 +92,9 @@ OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed) {
     }
     if (nameOrPath == "ladder") {
         return {.staged = makeLadder(seed), .notes = {}};
+    }
+    if (nameOrPath == "mixed") {
+        return {.staged = makeMixed(), .notes = {}};
     }
     if (isGltfPath(nameOrPath)) {
         GltfImport import = loadGltf(nameOrPath);

@@ -1,0 +1,56 @@
+// Depth mappings for any engine: this file stands alone, needs GLSL 3.30 or newer and nothing else of cdr. cdr's own
+// shaders are built on it, so its tests are theirs. README, "Adopting anchored depth", shows both sides.
+//
+// What you do
+// - On the CPU, in float64, per cascade: cdr::depth::clipTerms() gives the three numbers of CdrDepth.
+// - On the CPU, in float64, per object and cascade: ahead0 = dot(forward, centre - eye) - anchorView, then round. That
+//   subtraction is all there is to anchored depth; done in float32 on the GPU it would come too late.
+// - In the vertex shader: ahead = ahead0 + the view distance of the rotated and scaled local vertex; then the functions
+//   below. anchorView is 0 for mappings that are not anchored, so that ahead is the view distance itself.
+// - Depth range [0, 1] (Vulkan, Direct3D, Metal; glClipControl in OpenGL). Compare LESS_OR_EQUAL, clear to 1; reversed
+//   mappings GREATER_OR_EQUAL, clear to 0. Not LESS: an exhausted buffer rounds to the clear value and draws nothing.
+// - Depth clamp on, and cut by cdrInside() through gl_ClipDistance: clip z cannot cut a thin cascade exactly.
+// - Cut meshes that are much wider than what they must resolve into pieces with origins of their own
+//   (cdr::scene::cutIntoPieces()): float32 rounds a vertex by its distance to its origin.
+//
+// View space is right-handed and looks down -z; the view distance is w = -z. `projected` is view-space x and y times
+// their entries of the projection matrix, 1 / (aspect tan(fovY / 2)) and -1 / tan(fovY / 2) where y points down.
+#ifndef CDR_DEPTH_GLSL
+#define CDR_DEPTH_GLSL
+
+// One cascade's cdr::depth::ClipTerms, rounded to float.
+//   standard           anchorView 0      scale f/(f-n)   offset -fn/(f-n)
+//   reversed           anchorView 0      scale -n/(f-n)  offset fn/(f-n)    no far plane: scale 0, offset n
+//   log                anchorView 0      scale 1/n       offset 1/ln(f/n)
+//   anchored           anchorView n      scale f/(f-n)   offset 0
+//   anchored-reversed  anchorView f      scale -n/(f-n)  offset 0           ahead is negative
+struct CdrDepth {
+    float anchorView;
+    float scale;
+    float offset;
+};
+
+// Clip position under standard, reversed, anchored and anchored-reversed: one row of a projection matrix, so early depth
+// tests and multisampling stay as they are.
+vec4 cdrClipPosition(vec2 projected, float ahead, CdrDepth depth) {
+    return vec4(projected, depth.scale * ahead + depth.offset, depth.anchorView + ahead);
+}
+
+// Logarithmic depth in [0, 1] of a view distance, for gl_FragDepth or a vertex. A vertex behind the camera has no
+// logarithm; its triangle needs depth per fragment, where w is positive, and the clamp only keeps the value a number.
+float cdrLogDepth(float distanceView, CdrDepth depth) {
+    return log(max(distanceView * depth.scale, 1e-30)) * depth.offset;
+}
+
+// Clip position under log, set per vertex: right at vertices, and between them off by e^2 / 8 of the distance on a
+// triangle that spans the share e of it.
+vec4 cdrClipPositionLog(vec2 projected, float ahead, CdrDepth depth) {
+    float distanceView = depth.anchorView + ahead;
+    return vec4(projected, cdrLogDepth(distanceView, depth) * distanceView, distanceView);
+}
+
+// Signed distances to the near and far plane of a cascade, positive inside, for gl_ClipDistance[0] and [1].
+// rangeAhead: the planes of cdr::depth::clipRange(), less anchorView, subtracted in float64.
+vec2 cdrInside(float ahead, vec2 rangeAhead) { return vec2(ahead - rangeAhead.x, rangeAhead.y - ahead); }
+
+#endif

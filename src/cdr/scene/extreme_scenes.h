@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cdr/scene/generators.h>
+#include <cdr/scene/mesh_pieces.h>
+
+#include <array>
+#include <cstdint>
+
+namespace cdr::scene {
+
+/// View distances of the mixed scene, its separations as shares of them, and pairs of cubes for each of both.
+inline constexpr std::array kMixedDistances{1.0, 1e3, 1e6, 1e8};
+inline constexpr std::array kMixedShares{1e-6, 1e-7};
+inline constexpr std::uint32_t kMixedPairsPerCell = 9;
+inline constexpr std::uint32_t kMixedPairs =
+    kMixedDistances.size() * kMixedShares.size() * kMixedPairsPerCell;
+
+/// Four distances in one picture: for each a column of cubes, a corner towards the eye, each with a red twin
+/// behind it whose faces lie a share of the distance below its own, 1e-6 in the upper half and 1e-7 in the
+/// lower. Twins are drawn last, so a depth buffer that cannot tell the two apart shows red. Finer shares
+/// would ask for more than float32 x and y have. 20 degrees, near 0.1, far 2e8. Pair p, column by column and
+/// in each from the top, is the objects 2p and its twin 2p + 1.
+StagedScene makeMixed();
+
+struct GlobeOptions {
+    double radius = 6.371e6;
+    /// Squares along an edge of the cube that is blown up to the globe; the mesh has 12 cells^2 triangles.
+    std::uint32_t cells = 128;
+    double pieceRadius = 200e3; ///< as of cutIntoPieces()
+    glm::dvec3 centre{0.0};     ///< world space
+};
+
+/// A planet of one mesh, its vertices float64, cut into pieces of one object 0: white, lit by a far light,
+/// without a camera.
+Scene makeGlobe(const GlobeOptions& options = {});
+
+/// The mesh of it before it is cut, about the globe's centre.
+SourceMesh globeMesh(double radius, std::uint32_t cells);
+
+} // namespace cdr::scene

@@ -1,0 +1,165 @@
+#include <cdr/scene/mesh_pieces.h>
+#include <cdr/scene/triangle_clusters.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace cdr::scene {
+
+namespace {
+
+constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kTrianglesPerPiece = 8;
+
+/// For each position the index of the first equal one in sorted order: vertices that differ only in normal or
+/// texture coordinate are one point.
+std::vector<std::uint32_t> pointsOf(std::span<const glm::dvec3> positions) {
+    std::vector<std::uint32_t> order(positions.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        order[i] = static_cast<std::uint32_t>(i);
+    }
+    const auto key = [&](std::uint32_t i) {
+        return std::array{positions[i].x, positions[i].y, positions[i].z};
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+    std::vector<std::uint32_t> points(positions.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
+        points[order[i]] = same ? points[order[i - 1]] : order[i];
+    }
+    return points;
+}
+
+/// Gives each point's triangles to the widest cluster that meets there.
+void closeSeams(std::span<const std::uint32_t> points, std::span<const std::uint32_t> indices,
+                std::vector<TriangleCluster>& clusters) {
+    std::vector<std::uint32_t> keeper(points.size(), kUnused); // by point
+    const auto pointAt = [&](std::uint32_t triangle, std::size_t corner) {
+        return points[indices[std::size_t{3} * triangle + corner]];
+    };
+    for (std::uint32_t c = 0; c < clusters.size(); ++c) {
+        for (const std::uint32_t triangle : clusters[c].triangles) {
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                std::uint32_t& kept = keeper[pointAt(triangle, corner)];
+                kept = kept == kUnused || clusters[c].radius() > clusters[kept].radius() ? c : kept;
+            }
+        }
+    }
+    std::vector<std::vector<std::uint32_t>> borrowed(clusters.size());
+    for (std::uint32_t c = 0; c < clusters.size(); ++c) {
+        for (const std::uint32_t triangle : clusters[c].triangles) {
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                std::vector<std::uint32_t>& taken = borrowed[keeper[pointAt(triangle, corner)]];
+                if (keeper[pointAt(triangle, corner)] != c && (taken.empty() || taken.back() != triangle)) {
+                    taken.push_back(triangle);
+                }
+            }
+        }
+    }
+    for (std::size_t c = 0; c < clusters.size(); ++c) {
+        std::vector<std::uint32_t>& triangles = clusters[c].triangles;
+        triangles.insert(triangles.end(), borrowed[c].begin(), borrowed[c].end());
+        std::sort(triangles.begin(), triangles.end());
+        triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    }
+}
+
+/// The centre of the bounds, on a grid so coarse that float32 vertices far from the source's origin subtract
+/// from it without rounding.
+glm::dvec3 originOf(const glm::dvec3& low, const glm::dvec3& high) {
+    constexpr double kCellsPerPiece = 64.0;
+    const glm::dvec3 centre = 0.5 * low + 0.5 * high;
+    const double side = 0.5 * glm::distance(low, high);
+    if (!(side > 0.0)) {
+        return centre;
+    }
+    const double cell = std::exp2(std::ceil(std::log2(side))) / kCellsPerPiece;
+    return glm::round(centre / cell) * cell;
+}
+
+/// Copies triangles out of a source.
+class PieceMaker {
+  public:
+    explicit PieceMaker(const SourceMesh& source)
+        : m_source(source),
+          m_newIndex(source.positions.size(), kUnused) {}
+
+    MeshPiece make(std::span<const std::uint32_t> triangles, const glm::dvec3& origin, std::string name) {
+        MeshPiece piece{.mesh = {}, .origin = origin};
+        piece.mesh.name = std::move(name);
+        std::vector<std::uint32_t> used;
+        double farthest = 0.0;
+        for (const std::uint32_t triangle : triangles) {
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const std::uint32_t index = m_source.indices[std::size_t{3} * triangle + corner];
+                if (m_newIndex[index] == kUnused) {
+                    m_newIndex[index] = static_cast<std::uint32_t>(used.size());
+                    used.push_back(index);
+                    Vertex vertex = m_source.vertices[index];
+                    vertex.position = glm::vec3(m_source.positions[index] - origin);
+                    farthest = std::max(farthest, glm::length(glm::dvec3(vertex.position)));
+                    piece.mesh.vertices.push_back(vertex);
+                }
+                piece.mesh.indices.push_back(m_newIndex[index]);
+            }
+        }
+        for (const std::uint32_t index : used) {
+            m_newIndex[index] = kUnused;
+        }
+        piece.mesh.boundingRadius = static_cast<float>(farthest);
+        if (static_cast<double>(piece.mesh.boundingRadius) < farthest) {
+            piece.mesh.boundingRadius =
+                std::nextafter(piece.mesh.boundingRadius, std::numeric_limits<float>::infinity());
+        }
+        return piece;
+    }
+
+  private:
+    const SourceMesh& m_source;
+    std::vector<std::uint32_t> m_newIndex; ///< by vertex of the source; kUnused between calls
+};
+
+} // namespace
+
+std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source, double radius) {
+    const std::size_t triangles = source.indices.size() / 3;
+    const std::size_t most = std::clamp<std::size_t>(triangles / kTrianglesPerPiece, 2, kMostPieces);
+    std::vector<TriangleCluster> clusters = clusterTriangles(source.positions, source.indices, radius, most);
+    PieceMaker maker(source);
+    if (clusters.size() == 1) {
+        const glm::dvec3 centre = (clusters[0].low + clusters[0].high) * 0.5;
+        return {maker.make(clusters[0].triangles, centre, source.name)};
+    }
+    closeSeams(pointsOf(source.positions), source.indices, clusters);
+    std::vector<MeshPiece> pieces;
+    for (const TriangleCluster& cluster : clusters) {
+        pieces.push_back(maker.make(cluster.triangles, originOf(cluster.low, cluster.high),
+                                    source.name + " piece " + std::to_string(pieces.size())));
+    }
+    return pieces;
+}
+
+PieceSet addPieces(Scene& scene, std::vector<MeshPiece> pieces) {
+    PieceSet set{.firstMesh = static_cast<std::uint32_t>(scene.meshes.size()), .origins = {}};
+    for (MeshPiece& piece : pieces) {
+        scene.meshes.push_back(std::move(piece.mesh));
+        set.origins.push_back(piece.origin);
+    }
+    return set;
+}
+
+void placePieces(Scene& scene, const PieceSet& pieces, std::uint32_t material, std::uint32_t object,
+                 const glm::dmat4& toWorld) {
+    const glm::mat3 basis{glm::dmat3(toWorld)};
+    for (std::size_t i = 0; i < pieces.origins.size(); ++i) {
+        const glm::dvec3 position(toWorld * glm::dvec4(pieces.origins[i], 1.0));
+        addInstance(scene, pieces.firstMesh + static_cast<std::uint32_t>(i), material, object, position,
+                    basis);
+    }
+}
+
+} // namespace cdr::scene

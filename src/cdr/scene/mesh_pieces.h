@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cdr/scene/mesh.h>
+#include <cdr/scene/scene.h>
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace cdr::scene {
+
+/// A mesh as it comes: its vertices may lie anywhere, in float64.
+///
+/// Importers fill it with what their files hold (glTF: float32, so a vertex 10^6 from the mesh's origin has a
+/// step of 1/16 before anybody sees it); generators may use all of float64.
+struct SourceMesh {
+    std::string name;
+    std::vector<glm::dvec3> positions;
+    std::vector<Vertex> vertices;       ///< one per position; their own positions are not read
+    std::vector<std::uint32_t> indices; ///< three per triangle, each below positions.size()
+};
+
+/// A part of a mesh about an origin of its own.
+struct MeshPiece {
+    Mesh mesh;
+    glm::dvec3 origin{0.0}; ///< where the piece's origin goes in the space of the source
+};
+
+/// Most pieces of one mesh: each is a draw.
+inline constexpr std::size_t kMostPieces = 4096;
+
+/// How wide pieces may be, in scene units, where nobody says: float32 vertices in them are exact to 3e-5.
+inline constexpr double kPieceRadius = 512.0;
+
+/// Cuts a mesh into pieces of about `radius`, each with vertices relative to its own origin, so that float32
+/// rounds them to 2^-25 of the piece and not of the mesh. At most kMostPieces, and one per eight triangles;
+/// larger ones then. One piece where the mesh is no wider. Triangles are not cut: one larger than `radius`
+/// goes by its centre, its piece is as large as it is, and the renderer's wide draws take it.
+///
+/// No cracks: at every vertex where pieces meet, the widest of them holds all triangles of that vertex, so
+/// any two triangles that share an edge or a corner are drawn by one piece with one transform. The pieces of
+/// one object thus overlap by a row of triangles at their seams, at most three copies of each, and are not
+/// for blending, which would show them twice.
+/// @param source not empty, positions finite.
+/// @param radius in the source's space, > 0; infinity for one piece.
+std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source,
+                                     double radius = std::numeric_limits<double>::infinity());
+
+/// Pieces that are in a scene.
+struct PieceSet {
+    std::uint32_t firstMesh = 0;     ///< index into Scene::meshes; the others follow
+    std::vector<glm::dvec3> origins; ///< of each piece, in the source's space
+};
+
+/// Moves pieces into a scene's meshes.
+PieceSet addPieces(Scene& scene, std::vector<MeshPiece> pieces);
+
+/// Appends an instance per piece, all of one object. Origins are turned in float64 by `toWorld`, so a piece
+/// is where its node says, and only what lies within it turns by the basis rounded to float32.
+/// @param toWorld affine.
+void placePieces(Scene& scene, const PieceSet& pieces, std::uint32_t material, std::uint32_t object,
+                 const glm::dmat4& toWorld);
+
+} // namespace cdr::scene

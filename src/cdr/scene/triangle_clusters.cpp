@@ -1,0 +1,135 @@
+#include <cdr/scene/triangle_clusters.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+namespace cdr::scene {
+
+namespace {
+
+struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+    void add(const glm::dvec3& point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    double diagonal() const { return glm::distance(low, high); }
+};
+
+/// A cut that leaves one side less than this share of the triangles goes through the middle triangle instead,
+/// which bounds the work whatever the mesh.
+constexpr std::size_t kLeastShare = 8;
+
+class Clusterer {
+  public:
+    Clusterer(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices)
+        : m_positions(positions),
+          m_indices(indices) {}
+
+    TriangleCluster all() const {
+        std::vector<std::uint32_t> triangles(m_indices.size() / 3);
+        std::iota(triangles.begin(), triangles.end(), 0u);
+        return bounded(std::move(triangles));
+    }
+
+    /// Leaves one half and returns the other; an empty one when cutting would not help.
+    TriangleCluster halve(TriangleCluster& cluster) const {
+        Box centres;
+        double largest = 0.0;
+        for (const std::uint32_t triangle : cluster.triangles) {
+            centres.add(centre(triangle));
+            largest = std::max(largest, boxOf(triangle).diagonal());
+        }
+        if (!(centres.diagonal() > largest)) {
+            return {};
+        }
+        const glm::dvec3 sides = centres.high - centres.low;
+        const int axis = sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;
+        std::vector<std::uint32_t> upper = takeUpper(cluster.triangles, axis, centres);
+        cluster = bounded(std::move(cluster.triangles));
+        return bounded(std::move(upper));
+    }
+
+  private:
+    glm::dvec3 corner(std::uint32_t triangle, std::size_t i) const {
+        return m_positions[m_indices[std::size_t{3} * triangle + i]];
+    }
+    Box boxOf(std::uint32_t triangle) const {
+        Box box;
+        for (std::size_t i = 0; i < 3; ++i) {
+            box.add(corner(triangle, i));
+        }
+        return box;
+    }
+    glm::dvec3 centre(std::uint32_t triangle) const {
+        const Box box = boxOf(triangle);
+        return 0.5 * box.low + 0.5 * box.high;
+    }
+
+    TriangleCluster bounded(std::vector<std::uint32_t> triangles) const {
+        Box box;
+        for (const std::uint32_t triangle : triangles) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                box.add(corner(triangle, i));
+            }
+        }
+        return {.triangles = std::move(triangles), .low = box.low, .high = box.high};
+    }
+
+    std::vector<std::uint32_t> takeUpper(std::vector<std::uint32_t>& triangles, int axis,
+                                         const Box& centres) const {
+        const double plane = 0.5 * centres.low[axis] + 0.5 * centres.high[axis];
+        auto cut = std::stable_partition(triangles.begin(), triangles.end(),
+                                         [&](std::uint32_t t) { return centre(t)[axis] < plane; });
+        const auto below = static_cast<std::size_t>(cut - triangles.begin());
+        if (std::min(below, triangles.size() - below) < triangles.size() / kLeastShare) {
+            cut = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
+            std::nth_element(triangles.begin(), cut, triangles.end(), [&](std::uint32_t a, std::uint32_t b) {
+                return std::pair(centre(a)[axis], a) < std::pair(centre(b)[axis], b);
+            });
+            std::sort(triangles.begin(), cut);
+            std::sort(cut, triangles.end());
+        }
+        std::vector<std::uint32_t> upper(cut, triangles.end());
+        triangles.erase(cut, triangles.end());
+        return upper;
+    }
+
+    std::span<const glm::dvec3> m_positions;
+    std::span<const std::uint32_t> m_indices;
+};
+
+} // namespace
+
+std::vector<TriangleCluster> clusterTriangles(std::span<const glm::dvec3> positions,
+                                              std::span<const std::uint32_t> indices, double radius,
+                                              std::size_t most) {
+    const Clusterer clusterer(positions, indices);
+    std::vector<TriangleCluster> clusters{clusterer.all()};
+    // By width, and at equal widths the first; clusters that cannot be cut are not in it.
+    std::priority_queue<std::pair<double, std::size_t>> open;
+    const auto enter = [&](std::size_t i) {
+        if (clusters[i].radius() > radius) {
+            open.emplace(clusters[i].radius(), std::numeric_limits<std::size_t>::max() - i);
+        }
+    };
+    enter(0);
+    while (!open.empty() && clusters.size() < most) {
+        const std::size_t i = std::numeric_limits<std::size_t>::max() - open.top().second;
+        open.pop();
+        TriangleCluster other = clusterer.halve(clusters[i]);
+        if (!other.triangles.empty()) {
+            clusters.push_back(std::move(other));
+            enter(i);
+            enter(clusters.size() - 1);
+        }
+    }
+    return clusters;
+}
+
+} // namespace cdr::scene

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cdr::scene {
+
+/// Triangles that lie together.
+struct TriangleCluster {
+    std::vector<std::uint32_t> triangles; ///< ascending; triangle t is the indices 3t to 3t + 2
+    glm::dvec3 low{0.0};                  ///< bounds of their corners
+    glm::dvec3 high{0.0};
+
+    /// Half the diagonal of the bounds.
+    double radius() const { return 0.5 * glm::distance(low, high); }
+};
+
+/// Sorts triangles into clusters, the widest cut first, until each fits a sphere of `radius`, there are
+/// `most`, or cutting would not help: a triangle is never cut, so what is hardly wider than its largest
+/// triangle stays. Every triangle is in one cluster. The same clusters whatever the machine; O(triangles log
+/// triangles).
+/// @param indices three per triangle, each below positions.size(); not empty.
+/// @param radius > 0; infinity for one cluster.
+std::vector<TriangleCluster> clusterTriangles(std::span<const glm::dvec3> positions,
+                                              std::span<const std::uint32_t> indices, double radius,
+                                              std::size_t most);
+
+} // namespace cdr::scene

@@ -1,0 +1,97 @@
+#include "measured_advice.h"
+
+#include "probe.h"
+#include "timing.h"
+
+#include <cdr/base/error.h>
+
+#include <algorithm>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// Each technique once, in the order of the rows.
+std::vector<depth::Technique> techniquesOf(const depth::Advice& advice) {
+    std::vector<depth::Technique> techniques;
+    for (const depth::AdviceRow& row : advice.rows) {
+        const bool known = std::any_of(techniques.begin(), techniques.end(),
+                                       [&](const auto& other) { return other.name == row.technique.name; });
+        if (!known) {
+            techniques.push_back(row.technique);
+        }
+    }
+    return techniques;
+}
+
+std::vector<ProbeResult> probe(const gpu::Device& device, const depth::AdviceQuestion& question,
+                               const std::vector<depth::Technique>& techniques,
+                               const MeasuredAdviceOptions& options, const AdviceProgress& progress) {
+    const ProbeOptions probing{.distancesView = {question.scene.atView},
+                               .techniques = techniques,
+                               .nearView = question.scene.nearView,
+                               .farView = question.scene.farView,
+                               .formats = question.formats,
+                               .width = options.width,
+                               .height = options.height,
+                               .threads = options.threads,
+                               .seed = options.seed};
+    return runProbe(device, probing, progress);
+}
+
+std::vector<TimingResult> time(const gpu::Device& device, const std::vector<depth::Technique>& techniques,
+                               const MeasuredAdviceOptions& options, const AdviceProgress& progress) {
+    TimingOptions timing{.width = options.width,
+                         .height = options.height,
+                         .frames = options.frames,
+                         .threads = options.threads,
+                         .seed = options.seed};
+    timing.modes = {{.name = "baseline", .technique = techniques.front(), .thesisPercent = {}}};
+    timing.modes.front().technique = depth::parseTechnique("standard");
+    timing.modes.front().technique.format = techniques.front().format;
+    for (const depth::Technique& technique : techniques) {
+        timing.modes.push_back({.name = technique.name, .technique = technique, .thesisPercent = {}});
+    }
+    return runTiming(device, timing,
+                     [&](std::size_t done, std::size_t all) { progress(done, all, "what they cost"); });
+}
+
+} // namespace
+
+depth::AdviceQuestion onDevice(const gpu::Device& device, depth::AdviceQuestion question) {
+    const std::vector<std::string>& has = device.info().depthFormats;
+    std::erase_if(question.formats, [&](depth::DepthFormat format) {
+        return std::find(has.begin(), has.end(), nameOf(format)) == has.end();
+    });
+    if (question.formats.empty()) {
+        throw base::InputError(device.info().name + " has none of the depth formats asked for");
+    }
+    return question;
+}
+
+depth::Advice measureAdvice(const gpu::Device& device, const depth::AdviceQuestion& question,
+                            const MeasuredAdviceOptions& options, const AdviceProgress& progress) {
+    const depth::Advice predicted = depth::advise(question);
+    const std::vector<depth::Technique> techniques = techniquesOf(predicted);
+    const std::vector<ProbeResult> probed = probe(device, question, techniques, options, progress);
+    const std::vector<TimingResult> timed = time(device, techniques, options, progress);
+    std::vector<std::optional<depth::Measurement>> measurements;
+    for (const depth::AdviceRow& row : predicted.rows) {
+        const auto result = std::find_if(probed.begin(), probed.end(), [&](const ProbeResult& candidate) {
+            return candidate.technique == row.technique.name &&
+                   candidate.format == nameOf(row.technique.format);
+        });
+        const auto cost = std::find_if(timed.begin(), timed.end(), [&](const TimingResult& candidate) {
+            return candidate.mode.name == row.technique.name;
+        });
+        const auto ratio = [](double percent) { return 1.0 + 0.01 * percent; };
+        measurements.emplace_back(depth::Measurement{.resolvedView = result->resolvedView,
+                                                     .largestView = result->largestView,
+                                                     .timeRatio = ratio(cost->overheadPercent),
+                                                     .timeRatioLow = ratio(cost->overheadPercent95.low),
+                                                     .timeRatioHigh = ratio(cost->overheadPercent95.high)});
+    }
+    return depth::advise(question, measurements);
+}
+
+} // namespace cdr::experiments

@@ -1,0 +1,43 @@
+#include <experiments/aov.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace {
+
+using namespace cdr;
+
+/// One row of pixels a million units away, a micrometre apart, and one of background.
+render::Frame makeFrame() {
+    render::Frame frame;
+    frame.cascades = {{1e6 + 0.3, 1e6 + 32.0}};
+    frame.anchorsView = {1e6 + 0.3};
+    frame.color = image::ImageRgba8(8, 1);
+    frame.surfaces = image::Raster<render::Surface>(8, 1);
+    for (std::uint32_t x = 0; x < 7; ++x) {
+        frame.surfaces.at(x, 0) = {.ahead = 1e-6f * static_cast<float>(x), .idAndCascade = 1};
+    }
+    return frame;
+}
+
+TEST(DistanceAov, TheExactPairKeepsMicrometresAMillionUnitsAway) {
+    const render::Frame frame = makeFrame();
+    std::map<std::string, image::ImageFloat> channels;
+    for (const image::ExrChannel& channel : channelsOf(frame, experiments::Aov::distance, nullptr)) {
+        channels[channel.name] = channel.values;
+    }
+    ASSERT_EQ(channels.size(), 3u);
+    for (std::uint32_t x = 0; x < 7; ++x) {
+        EXPECT_EQ(channels.at("distance").at(x, 0), 1e6f + 0.3125f); // all of float32 there is
+        const double pair = static_cast<double>(channels.at("distance").at(x, 0)) +
+                            static_cast<double>(channels.at("distanceRest").at(x, 0));
+        EXPECT_NEAR(pair, 1e6 + 0.3 + 1e-6 * x, 1e-9);
+        EXPECT_EQ(channels.at("ahead").at(x, 0), 1e-6f * static_cast<float>(x));
+    }
+    EXPECT_TRUE(std::isinf(channels.at("distance").at(7, 0)));
+    EXPECT_EQ(channels.at("distanceRest").at(7, 0), 0.0f);
+}
+
+} // namespace

@@ -1,0 +1,69 @@
+#include "fixture.h"
+
+#include <cdr/scene/extreme_scenes.h>
+
+#include <string>
+#include <vector>
+
+namespace cdr::render_test {
+
+namespace {
+
+class AnchoredTargetsTest : public RenderTest {
+  protected:
+    static depth::Technique technique(depth::Mapping mapping, depth::DepthFormat format) {
+        return depth::makeTechnique(mapping, depth::SplitFitted{}, format);
+    }
+
+    /// One image from single, accumulate, pool and layers on any number of threads, and no wrong pixel in
+    /// one-pass.
+    void expectRight(const scene::Scene& scene, const scene::Camera& camera, std::size_t leastCascades) {
+        const render::GpuScene gpuScene(device(), scene);
+        for (const depth::Mapping mapping : {depth::Mapping::anchored, depth::Mapping::anchoredReversed}) {
+            for (const auto format : {depth::DepthFormat::d24, depth::DepthFormat::d32f}) {
+                std::string first;
+                for (const char* targets : {"single", "accumulate", "pool:3", "layers", "one-pass"}) {
+                    for (const std::size_t threads : {1u, 2u, 5u}) {
+                        auto options = smallOptions(technique(mapping, format));
+                        options.targets = render::parseTargets(targets);
+                        options.threads = threads;
+                        render::Renderer renderer(device(), scene, gpuScene, options);
+                        const render::Frame frame = renderer.render(camera);
+                        EXPECT_GE(frame.cascades.size(), leastCascades);
+                        const std::string where = options.technique.name + " " + targets;
+                        if (std::string(targets) == "one-pass") {
+                            const auto wrong = wrongIn(frame, scene, camera);
+                            EXPECT_GT(wrong.pixels, 10'000u);
+                            EXPECT_EQ(wrong.wrong, 0u) << where;
+                            continue;
+                        }
+                        first = first.empty() ? hashOf(frame) : first;
+                        EXPECT_EQ(hashOf(frame), first) << where << " " << threads;
+                    }
+                }
+            }
+        }
+    }
+};
+
+TEST_F(AnchoredTargetsTest, SomethingNearAndAFieldAMillionUnitsAway) {
+    const scene::StagedScene staged = scene::makeAfcNear(2013);
+    expectRight(staged.scene, staged.path.at(7), 2);
+}
+
+TEST_F(AnchoredTargetsTest, MixedDistances) {
+    const scene::StagedScene staged = scene::makeMixed();
+    expectRight(staged.scene, staged.path.at(0), 4);
+}
+
+TEST_F(AnchoredTargetsTest, PiecesOfOneObject) {
+    const scene::Scene scene = scene::makeGlobe({.cells = 48});
+    const double radius = scene::GlobeOptions{}.radius;
+    const scene::Camera camera = scene::lookAt({.fovY = 0.8, .nearView = 0.1, .farView = 1e8},
+                                               {0.0, 0.0, radius + 420e3}, {0.0, 2e6, radius - 3e5});
+    expectRight(scene, camera, 2);
+}
+
+} // namespace
+
+} // namespace cdr::render_test
