@@ -49,6 +49,17 @@ vec4 cdrClipPositionLog(vec2 projected, float ahead, CdrDepth depth) {
     return vec4(projected, cdrLogDepth(distanceView, depth) * distanceView, distanceView);
 }
 
+// Clip position under log where the fragment shader sets the depth by cdrLogDepth(): the tangent of log depth at
+// touchView (> 0, best the draw's own distance). It is linear in 1 / w, so on screen, and never above log depth, which
+// is convex in 1 / w. Declare layout(depth_greater) out float gl_FragDepth, and devices that know it keep rejecting
+// fragments before they are shaded.
+vec4 cdrClipPositionLogTangent(vec2 projected, float ahead, float touchView, CdrDepth depth) {
+    const float kMargin = 2e-6; // covers the roundings of both sides
+    float distanceView = depth.anchorView + ahead;
+    float atTouch = cdrLogDepth(touchView, depth) - kMargin;
+    return vec4(projected, (atTouch + depth.offset) * distanceView - depth.offset * touchView, distanceView);
+}
+
 // Signed distances to the near and far plane of a cascade, positive inside, for gl_ClipDistance[0] and [1].
 // rangeAhead: the planes of cdr::depth::clipRange(), less anchorView, subtracted in float64.
 vec2 cdrInside(float ahead, vec2 rangeAhead) { return vec2(ahead - rangeAhead.x, rangeAhead.y - ahead); }

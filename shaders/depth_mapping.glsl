@@ -8,7 +8,8 @@ CdrDepth depthOf(CascadePush cascade) {
     return CdrDepth(cascade.anchorView, cascade.depthScale, cascade.depthOffset);
 }
 
-vec4 clipPosition(uint form, float x, float y, float ahead, CascadePush cascade) {
+// centreAhead: of the draw's origin.
+vec4 clipPosition(uint form, float x, float y, float ahead, float centreAhead, CascadePush cascade) {
     vec2 projected = vec2(x * cascade.projectionX, y * cascade.projectionY);
     if (form == kDepthFormLinear) {
         return cdrClipPosition(projected, ahead, depthOf(cascade));
@@ -16,7 +17,8 @@ vec4 clipPosition(uint form, float x, float y, float ahead, CascadePush cascade)
     if (form == kDepthFormLog) {
         return cdrClipPositionLog(projected, ahead, depthOf(cascade));
     }
-    return vec4(projected, 0.0, cascade.anchorView + ahead); // the fragment shader sets the depth
+    float touchView = cascade.anchorView + clamp(centreAhead, cascade.nearAhead, cascade.farAhead);
+    return cdrClipPositionLogTangent(projected, ahead, touchView, depthOf(cascade));
 }
 
 // Signed distances to the near and far plane of the clip range, positive inside, for gl_ClipDistance. Clip z cannot cut:

@@ -19,6 +19,9 @@ layout(location = 3) flat in uint inId;
 layout(location = 4) flat in float inAlphaCutoff;
 
 layout(location = 0) out uvec4 outSurface;
+#ifdef WRITES_DEPTH
+layout(depth_greater) out float gl_FragDepth; // than the tangent that the vertex shader set
+#endif
 
 void main() {
     float ahead = inNormalAhead.w;

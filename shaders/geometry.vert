@@ -35,7 +35,7 @@ void main() {
     float x = dot(record.right.xyz, inPosition) + record.right.w;
     float y = dot(record.up.xyz, inPosition) + record.up.w;
     float ahead = dot(record.ahead.xyz, inPosition) + record.ahead.w;
-    gl_Position = clipPosition(kDepthForm, x, y, ahead, cascade);
+    gl_Position = clipPosition(kDepthForm, x, y, ahead, record.ahead.w, cascade);
     vec2 inside = clipDistances(ahead, cascade);
     if (kWide != 0u) {
         // The fragment shader cuts wide draws; here only what lies behind the camera must go.

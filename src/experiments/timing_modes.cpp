@@ -92,6 +92,10 @@ std::vector<TimingMode> extraTimingModes() {
         mode.batching = render::Batching::perObject;
         mode.meshes = TimingMeshes::unshared;
     });
+    add("log-fragment", "log", [](TimingMode& mode) {
+        mode.technique =
+            depth::makeTechnique(depth::Mapping::logFragment, depth::SplitNone{}, mode.technique.format);
+    });
     for (const char* technique : {"standard", "reversed", "anchored"}) {
         const std::string prefix = std::string(technique) + "/";
         for (const render::Batching batching :

@@ -1,0 +1,67 @@
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+// The shader include is plain enough to be C++ too, so its arithmetic can be held to its promise here.
+namespace shader {
+float max(float a, double b) {
+    return glm::max(a, static_cast<float>(b));
+}
+using glm::vec2;
+using glm::vec4;
+using std::log;
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wfloat-conversion"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include "../../shaders/cdr_depth.glsl"
+#pragma GCC diagnostic pop
+} // namespace shader
+
+/// What a rasteriser makes of the tangent, and what the fragment shader then writes.
+struct Depths {
+    float tangent;
+    float written;
+};
+
+Depths depthsAt(float distanceView, float touchView, const shader::CdrDepth& depth) {
+    const glm::vec4 clip = shader::cdrClipPositionLogTangent(glm::vec2(0.0f), distanceView, touchView, depth);
+    return {clip.z / clip.w, shader::cdrLogDepth(distanceView, depth)};
+}
+
+shader::CdrDepth logDepth(double nearView, double farView) {
+    return {0.0f, static_cast<float>(1.0 / nearView), static_cast<float>(1.0 / std::log(farView / nearView))};
+}
+
+/// depth_greater is a promise: where it is broken, devices may draw anything.
+TEST(LogTangent, IsNeverAboveTheDepthThatIsWritten) {
+    std::mt19937_64 random(2013);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    for (const auto& [nearView, farView] : {std::pair{0.001, 2e6}, {0.1, 1e5}, {1.0, 1000.0}, {1e6, 1e9}}) {
+        const shader::CdrDepth depth = logDepth(nearView, farView);
+        const auto distance = [&, n = nearView, f = farView] {
+            return static_cast<float>(n * std::pow(f / n, part(random)));
+        };
+        for (int i = 0; i < 100'000; ++i) {
+            const float distanceView = distance();
+            const float touchView = distance();
+            const Depths depths = depthsAt(distanceView, touchView, depth);
+            ASSERT_LE(depths.tangent, depths.written) << distanceView << " touching at " << touchView;
+        }
+    }
+}
+
+/// Else early tests would reject nothing: within a hundredth of the distance the tangent is close.
+TEST(LogTangent, TouchesWhereItIsAskedTo) {
+    const shader::CdrDepth depth = logDepth(0.1, 1e5);
+    for (const float touchView : {0.2f, 30.0f, 9e4f}) {
+        const Depths depths = depthsAt(1.01f * touchView, touchView, depth);
+        EXPECT_NEAR(depths.tangent, depths.written, 1e-5);
+    }
+}
+
+} // namespace
