@@ -22,8 +22,8 @@ struct Technique {
 /// (ours), worst first.
 std::span<const Technique> presets();
 
-/// The preset of that name, or for "mapping/split", such as "anchored-reversed/fitted", that technique with d32f.
-/// base::InputError with a suggestion for an unknown name.
+/// The preset of that name, or for "mapping/split", such as "anchored-reversed/fitted", that technique with
+/// d32f. base::InputError with a suggestion for an unknown name.
 Technique parseTechnique(std::string_view name);
 
 /// A technique put together by hand, named after its parts.

@@ -16,7 +16,7 @@ namespace cdr::scene {
 namespace {
 
 constexpr std::array<std::string_view, 6> kGenerated{"cubes",    "afc",    "afc-near",
-                                                   "rotation", "ladder", "mixed"};
+                                                     "rotation", "ladder", "mixed"};
 
 struct Sphere {
     glm::dvec3 centre{0.0};
