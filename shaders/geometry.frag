@@ -9,7 +9,7 @@ layout(constant_id = 1) const uint kTextured = 0u;
 layout(constant_id = 2) const uint kMasked = 0u;
 layout(constant_id = 3) const uint kWide = 0u;
 
-layout(set = 1, binding = 0) uniform sampler2D baseColorTexture;
+layout(set = 0, binding = 0) uniform sampler2D baseColorTexture;
 layout(push_constant) uniform Push { CascadePush cascade; };
 
 layout(location = 0) in vec4 inNormalAhead;

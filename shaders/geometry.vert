@@ -13,7 +13,11 @@ layout(push_constant) uniform Push {
     DrawRecord record;
 };
 #else
-layout(set = 0, binding = 0, std430) readonly buffer Records { DrawRecord records[]; };
+// Per instance: a software rasteriser reads a vertex attribute much faster than a storage buffer.
+layout(location = 4) in vec4 inRight;
+layout(location = 5) in vec4 inUp;
+layout(location = 6) in vec4 inAhead;
+layout(location = 7) in uvec4 inLook;
 layout(push_constant) uniform Push { CascadePush cascade; };
 #endif
 
@@ -30,7 +34,8 @@ layout(location = 4) flat out float outAlphaCutoff;
 
 void main() {
 #ifndef PUSHED_RECORD
-    DrawRecord record = records[gl_InstanceIndex];
+    DrawRecord record =
+        DrawRecord(inRight, inUp, inAhead, inLook.x, uintBitsToFloat(inLook.y), inLook.z, inLook.w);
 #endif
     float x = dot(record.right.xyz, inPosition) + record.right.w;
     float y = dot(record.up.xyz, inPosition) + record.up.w;

@@ -115,8 +115,10 @@ TEST(Advice, MeasurementsDecideWhereThereAreAny) {
 
     // None of what was tried came out right: that is no answer for wider gaps, and a no for narrower ones.
     measurements.assign(predicted.rows.size(), std::nullopt);
-    measurements[index("reversed")] = {.resolvedView = {}, .largestView = 0.6};
-    EXPECT_FALSE(rowOf(advise(asked, measurements), "reversed", DepthFormat::d32f)->suffices);
+    for (const double largest : {0.5, 0.6}) {
+        measurements[index("reversed")] = {.resolvedView = {}, .largestView = largest};
+        EXPECT_FALSE(rowOf(advise(asked, measurements), "reversed", DepthFormat::d32f)->suffices);
+    }
     measurements[index("reversed")] = {.resolvedView = {}, .largestView = 0.001};
     EXPECT_TRUE(rowOf(advise(asked, measurements), "reversed", DepthFormat::d32f)->suffices);
     EXPECT_THROW(advise(asked, {}), cdr::base::InputError);

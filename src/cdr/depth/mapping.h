@@ -20,10 +20,10 @@ namespace cdr::depth {
 /// - anchored: standard, with w - n formed on the CPU in float64 per object, so float32 rounds the distance
 /// to the
 ///   cascade's near plane and not to the camera (DESIGN section 3).
-/// - anchoredReversed: reversed, anchored at the cascade's far plane: finest there instead of at the near
-/// plane. Better for
-///   detail on a backdrop, and for a target in scene units over a wide range, which it holds with fewer
-///   cascades; with integer depth the two are mirror images.
+/// - anchoredReversed: reversed, anchored at the cascade's far plane, so finest there.
+///
+/// anchoredReversed is the better for detail on a backdrop, and for a target in scene units over a wide
+/// range, which it holds with fewer cascades; with integer depth the two are mirror images.
 enum class Mapping : std::uint8_t { standard, reversed, log, logFragment, anchored, anchoredReversed };
 
 inline constexpr std::array kMappings{Mapping::standard,    Mapping::reversed, Mapping::log,

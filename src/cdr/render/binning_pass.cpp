@@ -155,8 +155,8 @@ void BinningPass::record(vk::CommandBuffer commands, vk::DescriptorSet set, std:
     dispatch(*m_scan, 1, next);
     dispatch(*m_fill, blocks, next);
     dispatch(*m_commands, listGroups,
-             barrier(Stage::eDrawIndirect | Stage::eVertexShader | Stage::eHost,
-                     Access::eIndirectCommandRead | Access::eShaderStorageRead | Access::eHostRead));
+             barrier(Stage::eDrawIndirect | Stage::eVertexAttributeInput | Stage::eHost,
+                     Access::eIndirectCommandRead | Access::eVertexAttributeRead | Access::eHostRead));
     m_device.endLabel(commands);
 }
 

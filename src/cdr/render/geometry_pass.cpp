@@ -26,22 +26,14 @@ GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene,
       m_drawIndexed(deviceFunction<PFN_vkCmdDrawIndexed>(device, "vkCmdDrawIndexed")),
       m_pushConstants(deviceFunction<PFN_vkCmdPushConstants>(device, "vkCmdPushConstants")) {}
 
-vk::DescriptorSet GeometryPass::makeRecordSet(const gpu::Device& device, vk::DescriptorPool pool,
-                                              vk::Buffer records) const {
-    const vk::DescriptorSet set = gpu::allocateSet(device, pool, m_pipelines.recordLayout());
-    gpu::writeBufferBinding(device, set, 0, vk::DescriptorType::eStorageBuffer, records);
-    return set;
-}
-
-void GeometryPass::beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade,
-                            vk::DescriptorSet recordSet, vk::Extent2D extent) const {
+void GeometryPass::beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade, vk::Buffer records,
+                            vk::Extent2D extent) const {
     commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(extent.width),
                                          static_cast<float>(extent.height), cascade.push.minDepth,
                                          cascade.push.maxDepth});
     commands.setScissor(0, vk::Rect2D{{0, 0}, extent});
-    commands.bindVertexBuffers(0, m_scene.vertices(), vk::DeviceSize{0});
+    commands.bindVertexBuffers(0, {m_scene.vertices(), records}, {0, 0});
     commands.bindIndexBuffer(m_scene.indices(), 0, vk::IndexType::eUint32);
-    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 0, recordSet, {});
     commands.pushConstants<shaders::CascadePush>(m_pipelines.layout(), GeometryPipelines::kStages, 0,
                                                  cascade.push);
 }
@@ -60,7 +52,7 @@ class GeometryPass::StateBinder {
             m_pipeline = pipeline;
         }
         if (kind.textureSet != m_textureSet) {
-            m_commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 1,
+            m_commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 0,
                                           kind.textureSet, {});
             m_textureSet = kind.textureSet;
         }
@@ -94,7 +86,7 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
     const std::uint32_t* instances = recording.lists.instance.data();
     const DrawSource* sources = m_scene.sources().data();
     const MaterialWords* materials = m_scene.materials().data();
-    beginJob(commands, cascade, recording.recordSet, recording.extent);
+    beginJob(commands, cascade, recording.recordBuffer, recording.extent);
     StateBinder state(m_pipelines, commands);
     DrawRecordMaker records(recording.camera, cascade.anchorView);
     for (std::size_t first = job.draws.begin; first < job.draws.end;) {
@@ -127,7 +119,7 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
 void GeometryPass::recordIndirect(vk::CommandBuffer commands, std::size_t cascade, const CascadeDraws& shared,
                                   const IndirectDraws& draws) const {
     constexpr std::size_t kCommandBytes = sizeof(vk::DrawIndexedIndirectCommand);
-    beginJob(commands, shared, draws.recordSet, draws.extent);
+    beginJob(commands, shared, draws.records, draws.extent);
     StateBinder state(m_pipelines, commands);
     for (const bool wide : {false, true}) {
         const std::size_t bucket = 2 * cascade + (wide ? 1 : 0);

@@ -32,17 +32,13 @@ class GeometryPass {
     GeometryPass(const gpu::Device& device, const GpuScene& scene, const depth::Technique& technique,
                  Batching batching);
 
-    /// A descriptor set (0) for a buffer of draw records; the pool must hold one storage buffer per set.
-    vk::DescriptorSet makeRecordSet(const gpu::Device& device, vk::DescriptorPool pool,
-                                    vk::Buffer records) const;
-
     /// Everything recording one job reads.
     struct Recording {
         const scene::Camera& camera;
         const scene::DrawLists& lists;
         std::span<const CascadeDraws> cascades;
         std::span<shaders::DrawRecord> records; ///< mapped, one per draw of `lists`
-        vk::DescriptorSet recordSet;
+        vk::Buffer recordBuffer;                ///< they are in
         vk::Extent2D extent;
         base::Trace* trace = nullptr;
     };
@@ -64,7 +60,7 @@ class GeometryPass {
         vk::Buffer counts;   ///< by bucket, then group
         std::size_t runs = 0;
         std::span<const RunGroup> groups;
-        vk::DescriptorSet recordSet;
+        vk::Buffer records;
         vk::Extent2D extent;
     };
 
@@ -76,7 +72,7 @@ class GeometryPass {
 
   private:
     class StateBinder;
-    void beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade, vk::DescriptorSet recordSet,
+    void beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade, vk::Buffer records,
                   vk::Extent2D extent) const;
 
     const GpuScene& m_scene;

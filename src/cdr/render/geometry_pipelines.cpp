@@ -10,6 +10,7 @@
 #include <cdr/shaders/shared.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 
 namespace cdr::render {
@@ -57,6 +58,33 @@ vk::PushConstantRange pushRange(Batching batching) {
     return {.stageFlags = GeometryPipelines::kStages, .size = size};
 }
 
+std::vector<vk::VertexInputBindingDescription> bindingsFor(Batching batching) {
+    std::vector<vk::VertexInputBindingDescription> bindings{GpuScene::vertexBinding()};
+    if (batching != Batching::pushConstants) {
+        bindings.push_back({.binding = GeometryPipelines::kRecordBinding,
+                            .stride = sizeof(shaders::DrawRecord),
+                            .inputRate = vk::VertexInputRate::eInstance});
+    }
+    return bindings;
+}
+
+std::vector<vk::VertexInputAttributeDescription> attributesFor(Batching batching) {
+    std::vector<vk::VertexInputAttributeDescription> attributes = GpuScene::vertexAttributes();
+    if (batching != Batching::pushConstants) {
+        constexpr auto kBinding = GeometryPipelines::kRecordBinding;
+        constexpr auto kRow = vk::Format::eR32G32B32A32Sfloat;
+        using shaders::DrawRecord;
+        for (const vk::VertexInputAttributeDescription& attribute :
+             {vk::VertexInputAttributeDescription{4, kBinding, kRow, offsetof(DrawRecord, right)},
+              {5, kBinding, kRow, offsetof(DrawRecord, up)},
+              {6, kBinding, kRow, offsetof(DrawRecord, ahead)},
+              {7, kBinding, vk::Format::eR32G32B32A32Uint, offsetof(DrawRecord, id)}}) {
+            attributes.push_back(attribute);
+        }
+    }
+    return attributes;
+}
+
 } // namespace
 
 std::string_view nameOf(Batching batching) {
@@ -75,10 +103,8 @@ GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& 
                                      const depth::Technique& technique, Batching batching)
     : m_mapping(technique.mapping),
       m_depthFormat(device.depthFormat(bitsOf(technique.format))),
-      m_recordLayout(gpu::makeSetLayout(device, {vk::DescriptorType::eStorageBuffer},
-                                        vk::ShaderStageFlagBits::eVertex, "draw record set")),
-      m_layout(gpu::makePipelineLayout(device, {*m_recordLayout, scene.textureLayout()},
-                                       {pushRange(batching)}, "geometry layout")),
+      m_layout(
+          gpu::makePipelineLayout(device, {scene.textureLayout()}, {pushRange(batching)}, "geometry layout")),
       m_compact(make(device, scene, batching, false)),
       m_wide(make(device, scene, batching, true)) {}
 
@@ -109,8 +135,8 @@ GeometryPipelines::Pipelines GeometryPipelines::make(const gpu::Device& device, 
                                                                              : Spirv(kGeometryFrag),
                      .constants = {form, kind.variant & 1u, kind.variant >> 1u, wide ? 1u : 0u},
                      .layout = *m_layout,
-                     .bindings = {GpuScene::vertexBinding()},
-                     .attributes = GpuScene::vertexAttributes(),
+                     .bindings = bindingsFor(batching),
+                     .attributes = attributesFor(batching),
                      .colorFormats = {kGBufferFormat},
                      .depthFormat = m_depthFormat,
                      .depthCompare = depth::isReversed(m_mapping) ? vk::CompareOp::eGreaterOrEqual

@@ -32,7 +32,6 @@ class GeometryPipelines {
     GeometryPipelines(const gpu::Device& device, const GpuScene& scene, const depth::Technique& technique,
                       Batching batching);
 
-    vk::DescriptorSetLayout recordLayout() const { return *m_recordLayout; }
     vk::PipelineLayout layout() const { return *m_layout; }
     vk::Format depthFormat() const { return m_depthFormat; }
     /// Of a variant that some kind of the scene has. @param wide cuts per fragment, see wideSpan().
@@ -44,6 +43,8 @@ class GeometryPipelines {
     /// their depth, per fragment. Infinity for none.
     double wideSpan(std::size_t cascades) const;
 
+    /// The vertex buffer of draw records, one per instance.
+    static constexpr std::uint32_t kRecordBinding = 1;
     static constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
   private:
@@ -52,7 +53,6 @@ class GeometryPipelines {
 
     depth::Mapping m_mapping;
     vk::Format m_depthFormat;
-    vk::UniqueDescriptorSetLayout m_recordLayout;
     vk::UniquePipelineLayout m_layout;
     Pipelines m_compact;
     Pipelines m_wide;

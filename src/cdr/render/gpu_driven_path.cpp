@@ -61,13 +61,13 @@ GpuDrivenPath::GpuDrivenPath(const gpu::Device& device, const BinningPass& binni
              gpu::MemoryUse::hostWrites, "binning view"),
       m_result(device, sizeof(shaders::BinningResult), vk::BufferUsageFlagBits::eStorageBuffer,
                gpu::MemoryUse::hostReads, "binning result"),
-      m_descriptors(gpu::makeDescriptorPool(device, 2, BinningPass::kBindings, {kStorage})),
+      m_descriptors(gpu::makeDescriptorPool(device, 1, BinningPass::kBindings, {kStorage})),
       m_binningSet(gpu::allocateSet(device, *m_descriptors, binning.layout())),
       m_draws{.commands = {},
               .counts = {},
               .runs = binning.runs(),
               .groups = binning.groups(),
-              .recordSet = gpu::allocateSet(device, *m_descriptors, pass.pipelines().recordLayout()),
+              .records = {},
               .extent = extent} {
     m_binning.bindScene(m_binningSet);
     gpu::writeBufferBinding(device, m_binningSet, 0, kStorage, m_view.handle());
@@ -85,9 +85,11 @@ void GpuDrivenPath::grow(List list, std::size_t bytes) {
                                          m_device.info().name, m_device.info().maxStorageBufferBytes));
     }
     gpu::requireDeviceBytes(m_device, bytes, "a list of gpu-driven draws");
-    m_lists[list] = gpu::Buffer(
-        m_device, bytes, vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer,
-        gpu::MemoryUse::deviceOnly, "gpu-driven list");
+    m_lists[list] =
+        gpu::Buffer(m_device, bytes,
+                    vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer |
+                        vk::BufferUsageFlagBits::eVertexBuffer,
+                    gpu::MemoryUse::deviceOnly, "gpu-driven list");
     gpu::writeBufferBinding(m_device, m_binningSet, kFirstList + static_cast<std::uint32_t>(list), kStorage,
                             m_lists[list].handle());
 }
@@ -98,7 +100,7 @@ void GpuDrivenPath::growRecords(std::size_t draws) {
     const std::size_t wanted = std::max(draws, std::min(most, draws + draws / 2));
     grow(records, wanted * sizeof(shaders::DrawRecord));
     m_recordCapacity = m_lists[records].size() / sizeof(shaders::DrawRecord);
-    gpu::writeBufferBinding(m_device, m_draws.recordSet, 0, kStorage, m_lists[records].handle());
+    m_draws.records = m_lists[records].handle();
 }
 
 void GpuDrivenPath::growLists(std::size_t cascades) {

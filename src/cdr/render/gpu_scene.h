@@ -27,7 +27,7 @@ struct DrawKind {
     std::uint32_t variant = 0; ///< below kPipelineVariants
     bool doubleSided = false;
     bool mirrored = false;
-    vk::DescriptorSet textureSet; ///< set 1
+    vk::DescriptorSet textureSet; ///< set 0
 };
 
 /// shaders::DrawRecord's words of a material.
@@ -62,6 +62,7 @@ class GpuScene {
     const std::vector<DrawSource>& sources() const { return m_sources; }
     const std::vector<DrawKind>& kinds() const { return m_kinds; }
 
+    /// Binding 0, locations 0 to 3.
     static vk::VertexInputBindingDescription vertexBinding();
     static std::vector<vk::VertexInputAttributeDescription> vertexAttributes();
 

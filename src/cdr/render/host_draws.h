@@ -37,8 +37,6 @@ class HostDraws {
     base::Trace* m_trace;
     scene::DrawLists m_lists; ///< kept from frame to frame so that a warm one allocates nothing
     gpu::Buffer m_records;
-    vk::UniqueDescriptorPool m_pool;
-    vk::DescriptorSet m_set;
 };
 
 } // namespace cdr::render

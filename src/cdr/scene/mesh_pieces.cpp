@@ -68,19 +68,6 @@ void closeSeams(std::span<const std::uint32_t> points, std::span<const std::uint
     }
 }
 
-/// The centre of the bounds, on a grid so coarse that float32 vertices far from the source's origin subtract
-/// from it without rounding.
-glm::dvec3 originOf(const glm::dvec3& low, const glm::dvec3& high) {
-    constexpr double kCellsPerPiece = 64.0;
-    const glm::dvec3 centre = 0.5 * low + 0.5 * high;
-    const double side = 0.5 * glm::distance(low, high);
-    if (!(side > 0.0)) {
-        return centre;
-    }
-    const double cell = std::exp2(std::ceil(std::log2(side))) / kCellsPerPiece;
-    return glm::round(centre / cell) * cell;
-}
-
 /// Copies triangles out of a source.
 class PieceMaker {
   public:
@@ -130,15 +117,16 @@ std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source, double radius) {
     const std::size_t most = std::clamp<std::size_t>(triangles / kTrianglesPerPiece, 2, kMostPieces);
     std::vector<TriangleCluster> clusters = clusterTriangles(source.positions, source.indices, radius, most);
     PieceMaker maker(source);
-    if (clusters.size() == 1) {
-        const glm::dvec3 centre = (clusters[0].low + clusters[0].high) * 0.5;
-        return {maker.make(clusters[0].triangles, centre, source.name)};
+    if (clusters.size() > 1) {
+        closeSeams(pointsOf(source.positions), source.indices, clusters);
     }
-    closeSeams(pointsOf(source.positions), source.indices, clusters);
     std::vector<MeshPiece> pieces;
     for (const TriangleCluster& cluster : clusters) {
-        pieces.push_back(maker.make(cluster.triangles, originOf(cluster.low, cluster.high),
-                                    source.name + " piece " + std::to_string(pieces.size())));
+        // From the middle of float32 vertices to a vertex at least the piece's size from the source's origin
+        // is a float32 without rounding.
+        const glm::dvec3 centre = (cluster.low + cluster.high) * 0.5;
+        const std::string suffix = clusters.size() > 1 ? " piece " + std::to_string(pieces.size()) : "";
+        pieces.push_back(maker.make(cluster.triangles, centre, source.name + suffix));
     }
     return pieces;
 }
