@@ -12,11 +12,17 @@ layout(constant_id = 3) const uint kWide = 0u;
 layout(set = 0, binding = 0) uniform sampler2D baseColorTexture;
 layout(push_constant) uniform Push { CascadePush cascade; };
 
+// FACETED: the triangle is all one colour and normal, so the vertex shader encodes them, once for many pixels.
+#ifdef FACETED
+layout(location = 0) in float inAhead;
+layout(location = 1) flat in uvec3 inFacet;
+#else
 layout(location = 0) in vec4 inNormalAhead;
 layout(location = 1) in vec4 inColor;
 layout(location = 2) in vec2 inUv;
 layout(location = 3) flat in uint inId;
 layout(location = 4) flat in float inAlphaCutoff;
+#endif
 
 layout(location = 0) out uvec4 outSurface;
 #ifdef WRITES_DEPTH
@@ -24,12 +30,19 @@ layout(depth_greater) out float gl_FragDepth; // than the tangent that the verte
 #endif
 
 void main() {
+#ifdef FACETED
+    float ahead = inAhead;
+#else
     float ahead = inNormalAhead.w;
+#endif
     // Clipping would round to the size of the triangle; the interpolated distance rounds to itself, and is the same in
     // every cascade, so cutting by it leaves no seam.
     if (kWide != 0u && any(lessThan(clipDistances(ahead, cascade), vec2(0.0)))) {
         discard;
     }
+#ifdef FACETED
+    outSurface = uvec4(inFacet.xy, floatBitsToUint(ahead), inFacet.z);
+#else
     vec4 baseColor = inColor;
     if (kTextured != 0u) {
         baseColor *= texture(baseColorTexture, inUv);
@@ -37,12 +50,13 @@ void main() {
     if (kMasked != 0u && baseColor.a < inAlphaCutoff) {
         discard;
     }
+    // Of a double-sided surface the side that faces the camera is lit.
+    vec3 normal = gl_FrontFacing ? inNormalAhead.xyz : -inNormalAhead.xyz;
+    outSurface = encodeSurface(baseColor.rgb, normal, ahead, inId);
+#endif
 #ifdef WRITES_DEPTH
     // The viewport moves interpolated depths into the slice, but not those set here.
     float depth = cdrLogDepth(cascade.anchorView + ahead, depthOf(cascade));
     gl_FragDepth = cascade.minDepth + depth * (cascade.maxDepth - cascade.minDepth);
 #endif
-    // Of a double-sided surface the side that faces the camera is lit.
-    vec3 normal = gl_FrontFacing ? inNormalAhead.xyz : -inNormalAhead.xyz;
-    outSurface = encodeSurface(baseColor.rgb, normal, ahead, inId);
 }

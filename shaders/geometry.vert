@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
 #include "depth_mapping.glsl"
-#include "octahedral.glsl"
+#include "surface.glsl"
 
 layout(constant_id = 0) const uint kDepthForm = kDepthFormLinear;
 layout(constant_id = 3) const uint kWide = 0u;
@@ -26,11 +26,16 @@ layout(location = 1) in vec2 inNormal;
 layout(location = 2) in vec2 inUv;
 layout(location = 3) in vec4 inColor;
 
+#ifdef FACETED
+layout(location = 0) out float outAhead;
+layout(location = 1) flat out uvec3 outFacet; // the words of a surface that a whole triangle shares
+#else
 layout(location = 0) out vec4 outNormalAhead;
 layout(location = 1) out vec4 outColor;
 layout(location = 2) out vec2 outUv;
 layout(location = 3) flat out uint outId;
 layout(location = 4) flat out float outAlphaCutoff;
+#endif
 
 void main() {
 #ifndef PUSHED_RECORD
@@ -55,9 +60,17 @@ void main() {
     vec3 turned = vec3(dot(cross(record.up.xyz, back), normal), dot(cross(back, record.right.xyz), normal),
                        dot(cross(record.right.xyz, record.up.xyz), normal));
     float mirrored = dot(cross(record.right.xyz, record.up.xyz), back);
-    outNormalAhead = vec4(mirrored < 0.0 ? -turned : turned, ahead);
-    outColor = inColor * vec4(unpackHalf2x16(record.baseColorRg), unpackHalf2x16(record.baseColorBa));
+    turned = mirrored < 0.0 ? -turned : turned;
+    vec4 baseColor = inColor * vec4(unpackHalf2x16(record.baseColorRg), unpackHalf2x16(record.baseColorBa));
+    uint id = record.id | (cascade.cascade << kIdBits);
+#ifdef FACETED
+    outAhead = ahead;
+    outFacet = uvec3(encodeAlbedo(baseColor.rgb), encodeNormal(turned), id);
+#else
+    outNormalAhead = vec4(turned, ahead);
+    outColor = baseColor;
     outUv = inUv;
-    outId = record.id | (cascade.cascade << kIdBits);
+    outId = id;
     outAlphaCutoff = record.alphaCutoff;
+#endif
 }

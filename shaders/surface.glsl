@@ -9,9 +9,11 @@
 
 #include "octahedral.glsl"
 
+uint encodeAlbedo(vec3 albedo) { return packUnorm4x8(vec4(sqrt(albedo), 0.0)); }
+uint encodeNormal(vec3 normal) { return packSnorm2x16(encodeOctahedral(normal)); }
+
 uvec4 encodeSurface(vec3 albedo, vec3 normal, float ahead, uint id) {
-    return uvec4(packUnorm4x8(vec4(sqrt(albedo), 0.0)), packSnorm2x16(encodeOctahedral(normal)),
-                 floatBitsToUint(ahead), id);
+    return uvec4(encodeAlbedo(albedo), encodeNormal(normal), floatBitsToUint(ahead), id);
 }
 
 vec3 albedoOf(uvec4 surface) {

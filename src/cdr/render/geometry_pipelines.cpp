@@ -3,8 +3,12 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/gbuffer.h>
 #include <cdr/render/geometry_pipelines.h>
+#include <cdr/shaders/geometry_depth_faceted_frag.h>
 #include <cdr/shaders/geometry_depth_frag.h>
+#include <cdr/shaders/geometry_faceted_frag.h>
+#include <cdr/shaders/geometry_faceted_vert.h>
 #include <cdr/shaders/geometry_frag.h>
+#include <cdr/shaders/geometry_pushed_faceted_vert.h>
 #include <cdr/shaders/geometry_pushed_vert.h>
 #include <cdr/shaders/geometry_vert.h>
 #include <cdr/shaders/shared.h>
@@ -49,6 +53,22 @@ std::uint32_t depthForm(depth::Mapping mapping) {
     default:
         return shaders::kDepthFormLinear;
     }
+}
+
+using Spirv = std::span<const std::uint32_t>;
+
+Spirv vertexShader(Batching batching, bool isFaceted) {
+    if (batching == Batching::pushConstants) {
+        return isFaceted ? Spirv(kGeometryPushedFacetedVert) : Spirv(kGeometryPushedVert);
+    }
+    return isFaceted ? Spirv(kGeometryFacetedVert) : Spirv(kGeometryVert);
+}
+
+Spirv fragmentShader(bool writesDepth, bool isFaceted) {
+    if (writesDepth) {
+        return isFaceted ? Spirv(kGeometryDepthFacetedFrag) : Spirv(kGeometryDepthFrag);
+    }
+    return isFaceted ? Spirv(kGeometryFacetedFrag) : Spirv(kGeometryFrag);
 }
 
 vk::PushConstantRange pushRange(Batching batching) {
@@ -120,7 +140,7 @@ GeometryPipelines::Pipelines GeometryPipelines::make(const gpu::Device& device, 
                                                      Batching batching, bool wide) const {
     const std::uint32_t form =
         wide && m_mapping == depth::Mapping::log ? shaders::kDepthFormLogFragment : depthForm(m_mapping);
-    using Spirv = std::span<const std::uint32_t>;
+    const bool writesDepth = form == shaders::kDepthFormLogFragment;
     Pipelines pipelines;
     for (const DrawKind& kind : scene.kinds()) {
         vk::UniquePipeline& pipeline = pipelines[kind.variant];
@@ -129,11 +149,10 @@ GeometryPipelines::Pipelines GeometryPipelines::make(const gpu::Device& device, 
         }
         pipeline = gpu::makeGraphicsPipeline(
             device, {.name = wide ? "geometry, wide" : "geometry",
-                     .vertexSpirv = batching == Batching::pushConstants ? Spirv(kGeometryPushedVert)
-                                                                        : Spirv(kGeometryVert),
-                     .fragmentSpirv = form == shaders::kDepthFormLogFragment ? Spirv(kGeometryDepthFrag)
-                                                                             : Spirv(kGeometryFrag),
-                     .constants = {form, kind.variant & 1u, kind.variant >> 1u, wide ? 1u : 0u},
+                     .vertexSpirv = vertexShader(batching, (kind.variant & kFacetedVariant) != 0),
+                     .fragmentSpirv = fragmentShader(writesDepth, (kind.variant & kFacetedVariant) != 0),
+                     .constants = {form, kind.variant & kTexturedVariant ? 1u : 0u,
+                                   kind.variant & kMaskedVariant ? 1u : 0u, wide ? 1u : 0u},
                      .layout = *m_layout,
                      .bindings = bindingsFor(batching),
                      .attributes = attributesFor(batching),

@@ -47,6 +47,29 @@ vk::UniqueSampler makeSampler(const gpu::Device& device, bool repeatU, bool repe
                                                 .addressModeV = mode(repeatV)});
 }
 
+bool isFaceted(const scene::Mesh& mesh) {
+    const auto looksLike = [&](std::uint32_t a, std::uint32_t b) {
+        return mesh.vertices[a].normal == mesh.vertices[b].normal &&
+               mesh.vertices[a].color == mesh.vertices[b].color;
+    };
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        if (!looksLike(mesh.indices[i], mesh.indices[i + 1]) ||
+            !looksLike(mesh.indices[i], mesh.indices[i + 2])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::uint32_t variantOf(const MeshRange& mesh, const scene::Material& material) {
+    const bool isMasked = material.alphaMode == scene::AlphaMode::mask;
+    const bool isTextured = material.baseColorTexture.has_value();
+    if (mesh.isFaceted && !isTextured && !isMasked && !material.doubleSided) {
+        return kFacetedVariant;
+    }
+    return (isTextured ? kTexturedVariant : 0) + (isMasked ? kMaskedVariant : 0);
+}
+
 std::uint64_t predictBytes(const scene::Scene& scene) {
     std::uint64_t bytes = 0;
     for (const scene::Mesh& mesh : scene.meshes) {
@@ -74,7 +97,8 @@ void GpuScene::uploadMeshes(const gpu::Device& device, const scene::Scene& scene
     for (const scene::Mesh& mesh : scene.meshes) {
         m_meshes.push_back({.firstIndex = static_cast<std::uint32_t>(indices.size()),
                             .indexCount = static_cast<std::uint32_t>(mesh.indices.size()),
-                            .vertexOffset = static_cast<std::int32_t>(vertices.size())});
+                            .vertexOffset = static_cast<std::int32_t>(vertices.size()),
+                            .isFaceted = isFaceted(mesh)});
         indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
         for (const scene::Vertex& vertex : mesh.vertices) {
             vertices.push_back({vertex.position, glm::packSnorm2x16(encodeOctahedral(vertex.normal)),
@@ -129,9 +153,8 @@ void GpuScene::sortKinds(const scene::Scene& scene) {
             known.try_emplace({instances.mesh[i], instances.material[i], mirrored}, m_kinds.size());
         if (isNew) {
             const scene::Material& material = scene.materials[instances.material[i]];
-            const bool masked = material.alphaMode == scene::AlphaMode::mask;
             m_kinds.push_back({.mesh = m_meshes[instances.mesh[i]],
-                               .variant = (material.baseColorTexture ? 1u : 0u) + (masked ? 2u : 0u),
+                               .variant = variantOf(m_meshes[instances.mesh[i]], material),
                                .doubleSided = material.doubleSided,
                                .mirrored = mirrored,
                                .textureSet = m_textureSets[instances.material[i]]});

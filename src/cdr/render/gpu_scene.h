@@ -15,10 +15,16 @@ struct MeshRange {
     std::uint32_t firstIndex = 0;
     std::uint32_t indexCount = 0;
     std::int32_t vertexOffset = 0;
+    bool isFaceted = false; ///< the vertices of every triangle share their normal and colour
 };
 
-/// Which of a technique's pipelines a material needs: textured + 2 * masked.
-inline constexpr std::size_t kPipelineVariants = 4;
+/// Which of a technique's pipelines a mesh and its material need: a sum of these.
+inline constexpr std::uint32_t kTexturedVariant = 1;
+inline constexpr std::uint32_t kMaskedVariant = 2;
+/// Every triangle is of one colour and normal and seen from one side, so its surface is encoded per vertex.
+/// Never textured or masked.
+inline constexpr std::uint32_t kFacetedVariant = 4;
+inline constexpr std::size_t kPipelineVariants = 5;
 
 /// What draws of the same mesh, material and handedness share. Consecutive draws of one kind bind nothing in
 /// between and may become one instanced draw.
