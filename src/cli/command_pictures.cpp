@@ -23,6 +23,11 @@ struct PicturesArguments {
     OutputOptions output;
 };
 
+/// Name of a result's files, without what the kinds of file add.
+std::string stemOf(const experiments::PictureResult& result) {
+    return fmt::format("{}_{}", result.scene, result.technique);
+}
+
 nlohmann::ordered_json toJson(const experiments::PictureResult& result) {
     return {{"scene", result.scene},
             {"technique", result.technique},
@@ -35,7 +40,9 @@ nlohmann::ordered_json toJson(const experiments::PictureResult& result) {
             {"overlap_wrong", result.wrong.overlapWrong},
             {"overlap_wrong_fraction", result.wrong.overlapFraction()},
             {"edge_wrong", result.wrong.edgeWrong},
-            {"flips", result.flips}};
+            {"flips", result.flips},
+            {"picture", stemOf(result) + ".png"},
+            {"heat_map", stemOf(result) + "_wrong.png"}};
 }
 
 void printTable(const Console& console, const std::vector<experiments::PictureResult>& results) {
@@ -76,7 +83,7 @@ void run(const GlobalOptions& global, PicturesArguments& arguments) {
 
     const std::string device = describe(session.device());
     for (const auto& result : results) {
-        const std::string stem = fmt::format("{}_{}", result.scene, result.technique);
+        const std::string stem = stemOf(result);
         image::writeImage(arguments.folder / (stem + ".png"), result.picture);
         image::writeImage(arguments.folder / (stem + "_wrong.png"), result.heatMap);
     }

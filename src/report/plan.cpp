@@ -1,0 +1,163 @@
+#include "plan.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace cdr::report {
+
+namespace {
+
+/// What the efforts differ in.
+struct Amounts {
+    std::string pictureFrames;
+    std::string pictureSize;
+    std::string probeDistances;
+    std::string probeSize;
+    std::string flickerFrames;
+    std::string flickerSize;
+    std::string timingFrames;
+    std::string timingSize;
+    std::vector<std::string> timingModes; ///< all when empty
+    std::string draws;
+    std::string cascades;
+    std::string threads; ///< to twice the CPUs when empty
+    std::string repeats;
+};
+
+const Amounts kSmallest{.pictureFrames = "1",
+                        .pictureSize = "160x90",
+                        .probeDistances = "100,1000000",
+                        .probeSize = "320x180",
+                        .flickerFrames = "4",
+                        .flickerSize = "160x90",
+                        .timingFrames = "2",
+                        .timingSize = "64x36",
+                        .timingModes = {"--modes", "cdr-2,cdr-5,log,logcdr-5,reversed,anchored"},
+                        .draws = "300,600",
+                        .cascades = "1",
+                        .threads = "1,2",
+                        .repeats = "2"};
+const Amounts kQuick{.pictureFrames = "2",
+                     .pictureSize = "1280x720",
+                     .probeDistances = "1,100,10000,1000000,100000000",
+                     .probeSize = "1280x720",
+                     .flickerFrames = "90",
+                     .flickerSize = "640x360",
+                     .timingFrames = "20",
+                     .timingSize = "640x360",
+                     .timingModes = {},
+                     .draws = "1000,20000",
+                     .cascades = "1,4",
+                     .threads = {},
+                     .repeats = "5"};
+const Amounts kFull{.pictureFrames = "12",
+                    .pictureSize = "1280x720",
+                    .probeDistances = "1,10,100,1000,10000,100000,1000000,10000000,100000000",
+                    .probeSize = "1280x720",
+                    .flickerFrames = "360",
+                    .flickerSize = "1280x720",
+                    .timingFrames = "10000",
+                    .timingSize = "1280x720",
+                    .timingModes = {},
+                    .draws = "1000,10000,100000,1000000",
+                    .cascades = "1,2,4,8",
+                    .threads = {},
+                    .repeats = "7"};
+
+const Amounts& amountsOf(Effort effort) {
+    switch (effort) {
+    case Effort::smallest:
+        return kSmallest;
+    case Effort::quick:
+        return kQuick;
+    case Effort::full:
+        break;
+    }
+    return kFull;
+}
+
+/// Safe to paste into a shell.
+std::string quoted(const std::string& argument) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./,:=+%";
+    if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string::npos) {
+        return argument;
+    }
+    std::string text = "'";
+    for (const char c : argument) {
+        text += c == '\'' ? "'\\''" : std::string(1, c);
+    }
+    return text + "'";
+}
+
+} // namespace
+
+std::filesystem::path Section::jsonFile() const {
+    return std::filesystem::path("data") / (name + ".json");
+}
+
+std::vector<std::string> Section::commandIn(const std::filesystem::path& root) const {
+    std::vector<std::string> command = arguments;
+    if (!folder.empty()) {
+        command.insert(command.end(), {"--out", (root / folder).string()});
+    }
+    command.insert(command.end(), {"--json", (root / jsonFile()).string()});
+    return command;
+}
+
+std::vector<Section> makePlan(const PlanOptions& options) {
+    const Amounts& amounts = amountsOf(options.effort);
+    const bool full = options.effort == Effort::full;
+    const auto rendered = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"--threads", fmt::format("{}", options.threads), "--seed",
+                                           fmt::format("{}", options.seed)});
+        return arguments;
+    };
+    std::vector<std::string> timing{"timing", "--frames", amounts.timingFrames, "--size", amounts.timingSize};
+    timing.insert(timing.end(), amounts.timingModes.begin(), amounts.timingModes.end());
+    std::vector<std::string> scaling{"scaling",       "--draws",        amounts.draws,
+                                     "--cascades",    amounts.cascades, "--repeats",
+                                     amounts.repeats, "--seed",         fmt::format("{}", options.seed)};
+    if (!amounts.threads.empty()) {
+        scaling.insert(scaling.end(), {"--threads", amounts.threads});
+    }
+    return {
+        {.name = "precision", .arguments = {"precision"}, .folder = {}, .expectedSeconds = 0.2},
+        {.name = "advise",
+         .arguments = {"advise", "--near", "0.001", "--far", "2000000", "--fov", "0.002", "--at", "1000000",
+                       "--separation", "0.01"},
+         .folder = {},
+         .expectedSeconds = 0.1},
+        {.name = "pictures",
+         .arguments =
+             rendered({"pictures", "--frames", amounts.pictureFrames, "--size", amounts.pictureSize}),
+         .folder = "pictures",
+         .expectedSeconds = full ? 40.0 : 12.0},
+        {.name = "probe",
+         .arguments = rendered({"probe", "--distances", amounts.probeDistances, "--size", amounts.probeSize}),
+         .folder = {},
+         .expectedSeconds = full ? 20.0 : 12.0},
+        {.name = "timing",
+         .arguments = rendered(std::move(timing)),
+         .folder = {},
+         .expectedSeconds = full ? 8000.0 : 25.0},
+        {.name = "scaling",
+         .arguments = std::move(scaling),
+         .folder = {},
+         .expectedSeconds = full ? 4000.0 : 25.0},
+    };
+}
+
+std::string commandLine(const Section& section, std::string_view device) {
+    std::string line = "cdr";
+    if (!device.empty()) {
+        line += " --device " + quoted(std::string(device));
+    }
+    for (const std::string& argument : section.commandIn("")) {
+        line += " " + quoted(argument);
+    }
+    return line;
+}
+
+} // namespace cdr::report
