@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
     cdr::cli::addRender(program, global);
     cdr::cli::addPrecision(program, global);
     cdr::cli::addPictures(program, global);
+    cdr::cli::addFlicker(program, global);
     cdr::cli::addProbe(program, global);
     cdr::cli::addAdvise(program, global);
     cdr::cli::addTiming(program, global);
