@@ -40,7 +40,7 @@ PairVideos::PairVideos(const std::filesystem::path& folder, std::span<const std:
     if (m_pairs.empty()) {
         throw base::InputError("videos show pairs of standard, cdr, log and logcdr; fewer than two are here");
     }
-    requireVideoEncoder();
+    requireEncodable(2 * width, height);
     base::makeFolder(folder);
     for (Pair& pair : m_pairs) {
         pair.video = std::make_unique<VideoWriter>(pair.path, 2 * width, height,

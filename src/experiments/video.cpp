@@ -38,7 +38,15 @@ std::vector<std::string> encoderArguments(const std::filesystem::path& output, s
             "file:" + std::filesystem::absolute(output).string()};
 }
 
-/// What VideoWriter's constructor refuses.
+const std::filesystem::path& checked(const std::filesystem::path& path, std::uint32_t width,
+                                     std::uint32_t height) {
+    requireEncodable(width, height);
+    base::requireWritable(path);
+    return path;
+}
+
+} // namespace
+
 void requireEncodable(std::uint32_t width, std::uint32_t height) {
     constexpr std::uint32_t kMostSide = 16384;
     const bool odd = width % 2 != 0 || height % 2 != 0;
@@ -46,19 +54,6 @@ void requireEncodable(std::uint32_t width, std::uint32_t height) {
         throw base::InputError(fmt::format("a video's sides must be even and 2 to {} pixels, not {}x{}",
                                            kMostSide, width, height));
     }
-}
-
-const std::filesystem::path& checked(const std::filesystem::path& path, std::uint32_t width,
-                                     std::uint32_t height) {
-    requireEncodable(width, height);
-    requireVideoEncoder();
-    base::requireWritable(path);
-    return path;
-}
-
-} // namespace
-
-void requireVideoEncoder() {
     if (!base::isInstalled("ffmpeg")) {
         throw base::InputError("videos need ffmpeg, which is not installed (Debian, Ubuntu: ffmpeg)");
     }

@@ -15,16 +15,16 @@ struct VideoTiming {
     std::uint32_t seconds = 19;
 };
 
-/// base::InputError unless ffmpeg is installed; the message names its package. Call before long work.
-void requireVideoEncoder();
+/// base::InputError unless frames of this size can be encoded: both sides even, which H.264's halved colour
+/// needs, and at most 16384, and ffmpeg installed; the message names its package. Call before long work.
+void requireEncodable(std::uint32_t width, std::uint32_t height);
 
 /// Encodes frames as they come into an .mp4 (H.264): ffmpeg runs as a program of its own, without a shell,
 /// and reads raw pixels from its standard input, so no frame is stored.
 class VideoWriter {
   public:
     /// @param path whole when finish() returns, absent before.
-    /// base::InputError when it cannot be created, for a side over 16384 or one that is odd, which H.264's
-    /// halved colour cannot hold, or without ffmpeg.
+    /// base::InputError when it cannot be created, or as requireEncodable().
     VideoWriter(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
                 const VideoTiming& timing);
 
