@@ -4,7 +4,7 @@ import { summary, verdicts } from "./logic/verdicts.js";
 import { h } from "./view/elements.js";
 import { fillAdvise } from "./view/section_advise.js";
 import { facts, fillEnvironment } from "./view/section_environment.js";
-import { fillFlicker } from "./view/section_flicker.js";
+import { fillFlicker, fillNearObject } from "./view/section_flicker.js";
 import { fillPictures } from "./view/section_pictures.js";
 import { fillPrecision } from "./view/section_precision.js";
 import { fillProbe } from "./view/section_probe.js";
@@ -17,6 +17,7 @@ const fillers = {
     precision: fillPrecision,
     pictures: fillPictures,
     flicker: fillFlicker,
+    "flicker-near": fillNearObject,
     probe: fillProbe,
     timing: fillTiming,
     scaling: fillScaling,

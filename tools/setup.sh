@@ -14,6 +14,8 @@ packages=(
     libturbojpeg0-dev nlohmann-json3-dev
     # plots: optional, only the --plot of timing and scaling asks for it, and says so where it is missing
     gnuplot-nox
+    # videos: optional, only flicker's --videos asks for it, and says so where it is missing
+    ffmpeg
     # tests, benchmarks and checks
     libbenchmark-dev libgtest-dev clang-format clang-tidy
 )

@@ -5,17 +5,12 @@ import { binomialP, chiSquared, chiSquaredP } from "./statistics.js";
 
 /** The techniques' results over the afc scene, without those that move cdr's boundary. */
 export function techniques(document) {
-    return document.results.filter((row) => row.scene === "afc" && !isMovedBoundary(row));
+    return document.results.filter((row) => !isMovedBoundary(row));
 }
 
 /** cdr with its boundary moved off the field, if it was measured. */
 export function movedBoundaries(document) {
     return document.results.filter(isMovedBoundary);
-}
-
-/** With a tiny object beside the camera, if it was measured. */
-export function nearObject(document) {
-    return document.results.filter((row) => row.scene === "afc-near" && !isMovedBoundary(row));
 }
 
 /** The thesis' six pairs: people's choice, the observer's, and the statistics of Table 6.9. */

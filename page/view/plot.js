@@ -72,8 +72,10 @@ class Plot {
         const font = `12px ${getComputedStyle(document.documentElement).getPropertyValue("--sans")}`;
         const axis = (label, log) => ({
             label, font, labelFont: font, labelSize: 22, stroke: colour("soft"),
-            grid: { stroke: colour("grid"), width: 1 }, ticks: { stroke: colour("grid"), width: 1, size: 5 },
-            values: (_, splits) => splits.map((value) => (value === null ? "" : log ? decadeLabel(value) : number(value, 3))),
+            grid: { stroke: colour("grid"), width: 1, ...(log ? { filter: decades } : {}) },
+            ticks: { stroke: colour("grid"), width: 1, size: 5, ...(log ? { filter: decades } : {}) },
+            ...(log ? { filter: decades } : {}),
+            values: (_, splits) => splits.map((value) => (value === null ? "" : log ? logLabel(value) : number(value, 3))),
         });
         return {
             width: Math.floor(this.area.clientWidth), height: kHeight,
@@ -208,10 +210,18 @@ class Plot {
     }
 }
 
-/** Whole powers of ten only; the finer splits of a logarithmic axis stay unlabelled. */
-function decadeLabel(value) {
+/** A power of ten, or between two a plain number (only far zoomed in). */
+function logLabel(value) {
     const exponent = Math.log10(value);
-    return Math.abs(exponent - Math.round(exponent)) < 1e-6 ? powerOfTen(value) : "";
+    return Math.abs(exponent - Math.round(exponent)) < 1e-6 ? powerOfTen(value) : number(value, 3);
+}
+
+/** Of a logarithmic axis' splits only whole powers of ten, every other one where they would crowd. */
+function decades(plot, splits, axis) {
+    const { min, max } = plot.scales[plot.axes[axis].scale];
+    const every = Math.ceil(Math.log10(max / min) / 11);
+    const keep = (value) => Number.isInteger(Math.round(1e6 * Math.log10(value)) / 1e6 / every);
+    return Math.log10(max / min) < 1 ? splits : splits.map((value) => (keep(value) ? value : null));
 }
 
 function swatch(series) {

@@ -14,9 +14,13 @@ export function fillPictures(document, folder) {
         const { title, text } = about[scene.name] ?? { title: scene.name, text: "" };
         const lens = `The thesis names no lens; here it is ${number(scene.results[0].fov_degrees, 4)}\u00b0 high.`;
         slot("pictures", "wipes").append(h("h3", {}, title), h("p", {}, `${text} ${scene.name === "cubes" ? lens : ""}`),
-            makeWipe({ scene: title, items: scene.results.map((result) => itemOf(result, folder)), alt: (item, kind) => altOf(title, item, kind) }));
+            makeWipe({ scene: title, ...sizeOf(document), items: scene.results.map((result) => itemOf(result, folder)), alt: (item, kind) => altOf(title, item, kind) }));
     }
     slot("pictures", "table").append(makeTable(document));
+}
+
+function sizeOf({ options }) {
+    return { width: options.width, height: options.height };
 }
 
 function itemOf(result, folder) {

@@ -5,8 +5,8 @@ import { h, slot } from "./elements.js";
 
 export function fillSource(row, document, report) {
     const device = document?.device?.name ? `${document.device.name}, ${document.device.driver}` : "no device: arithmetic alone";
-    slot(row.section, "source")?.append(h("details", { class: "source" },
-        h("summary", {}, `Repeat it: measured in ${duration(row.seconds)}`),
+    slot(partOf(row.section), "source").append(h("details", { class: "source" },
+        h("summary", {}, `Repeat ${row.section}: measured in ${duration(row.seconds)}`),
         h("div", {},
             h("pre", {}, h("code", {}, row.command)),
             h("p", {}, `On ${device}; ${describeRepeats(document)}cdr ${report.version}, commit ${report.commit}. `,
@@ -15,10 +15,14 @@ export function fillSource(row, document, report) {
 
 /** A section that failed says why instead of showing half of itself. */
 export function fillFailure(row) {
-    const first = document.querySelector(`#${row.section} [data-slot]`);
-    first?.before(h("p", { class: "notice", role: "note" }, row.json
+    slot(partOf(row.section), "source").before(h("p", { class: "notice", role: "note" }, row.json
         ? `Something went wrong here: ${row.failure}.`
         : `This experiment failed, so there is nothing to show: ${row.failure}.`));
+}
+
+/** The part of the page that a section fills: "flicker" for "flicker-near", too. */
+function partOf(section) {
+    return section.split("-")[0];
 }
 
 function describeRepeats(document) {

@@ -5,15 +5,15 @@ import { h } from "./elements.js";
 let count = 0; // names of radio groups are page-wide
 
 /**
- * @param {{scene: string, alt: (item: object, kind: string) => string,
+ * @param {{scene: string, width: number, height: number, alt: (item: object, kind: string) => string,
  *          items: {technique: string, title: string, note: string, picture: string, heatMap: string}[]}} options
  */
-export function makeWipe({ scene, items, alt }) {
+export function makeWipe({ scene, width, height, items, alt }) {
     const left = picker("Left", items, 0);
     const right = picker("Right", items, Math.min(items.length - 1, 3));
     const kinds = radios(`wipe-kind-${++count}`, [["picture", "Picture"], ["heatMap", "Heat map"]]);
-    const lower = h("img", { class: "lower", loading: "lazy" });
-    const upper = h("img", { class: "upper", loading: "lazy" });
+    const lower = h("img", { class: "lower", width, height });
+    const upper = h("img", { class: "upper", width, height });
     const names = [h("span", { class: "wipe-name of-left" }), h("span", { class: "wipe-name of-right" })];
     const caption = h("figcaption");
     const range = h("input", { type: "range", min: 0, max: 100, step: 1, value: 50 });

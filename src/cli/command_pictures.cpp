@@ -1,7 +1,7 @@
 #include "commands.h"
 #include "console.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/file.h>
 #include <cdr/image/codec.h>
 #include <cdr/scene/open_scene.h>
 
@@ -66,12 +66,7 @@ void run(const GlobalOptions& global, PicturesArguments& arguments) {
         arguments.options.techniques.push_back(depth::parseTechnique(name));
     }
     requireJsonWritable(arguments.output);
-    std::error_code error;
-    std::filesystem::create_directories(arguments.folder, error);
-    if (error) {
-        throw base::InputError(
-            fmt::format("{}: cannot be made: {}", arguments.folder.string(), error.message()));
-    }
+    base::makeFolder(arguments.folder);
     const Session session(global);
     const Console console(global, arguments.output);
     const auto results = experiments::runPictures(

@@ -80,9 +80,9 @@ void run(const GlobalOptions& global, const PrecisionArguments& arguments) {
     for (const auto& cell : result.table) {
         document["results"].push_back(toJson(cell));
     }
-    document["by_format"] = nlohmann::ordered_json::array();
+    auto& byFormat = base::addSection(document, "by_format");
     for (const auto& cell : result.byFormat) {
-        document["by_format"].push_back(toJson(cell));
+        byFormat.push_back(toJson(cell));
     }
     document["curve"] = {{"techniques", result.curveNames}, {"points", nlohmann::ordered_json::array()}};
     for (const auto& point : result.curve) {

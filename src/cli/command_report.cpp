@@ -1,6 +1,7 @@
 #include "commands.h"
 #include "console.h"
 
+#include <cdr/base/child_process.h>
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
 #include <cdr/base/worker_pool.h>
@@ -22,6 +23,7 @@ namespace cdr::cli {
 void addExperiments(CLI::App& program, const GlobalOptions& global) {
     addPrecision(program, global);
     addPictures(program, global);
+    addFlicker(program, global);
     addProbe(program, global);
     addAdvise(program, global);
     addTiming(program, global);
@@ -129,6 +131,7 @@ nlohmann::ordered_json makeManifest(const Session& session, const report::PlanOp
     nlohmann::ordered_json manifest = base::makeDocument(
         "report", session.documentDevice(),
         {{"effort", nameOf(options.effort)}, {"threads", options.threads}, {"seed", options.seed}});
+    manifest["videos"] = options.videos;
     manifest["made_at"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     return manifest;
 }
@@ -141,6 +144,9 @@ nlohmann::ordered_json fillFolder(const GlobalOptions& global, const ReportArgum
     nlohmann::ordered_json documents = nlohmann::ordered_json::object();
     fs::create_directory(root / "data");
     Forecast forecast(plan);
+    if (!arguments.plan.videos) {
+        console.line("No videos: ffmpeg is not installed (Debian, Ubuntu: ffmpeg)");
+    }
     console.line(fmt::format("{} sections, about {:.0f} s on two CPUs", plan.size(), forecast.secondsLeft()));
     for (std::size_t i = 0; i < plan.size(); ++i) {
         const report::Section& section = plan[i];
@@ -165,8 +171,9 @@ nlohmann::ordered_json fillFolder(const GlobalOptions& global, const ReportArgum
     return manifest;
 }
 
-void run(const GlobalOptions& global, const ReportArguments& arguments) {
+void run(const GlobalOptions& global, ReportArguments& arguments) {
     report::requirePage();
+    arguments.plan.videos = base::isInstalled("ffmpeg");
     requireJsonWritable(arguments.output);
     const report::PendingFolder folder(arguments.folder);
     const Console console(global, arguments.output);

@@ -11,6 +11,7 @@ void addDevices(CLI::App& program, const GlobalOptions& global);
 void addRender(CLI::App& program, const GlobalOptions& global);
 void addPrecision(CLI::App& program, const GlobalOptions& global);
 void addPictures(CLI::App& program, const GlobalOptions& global);
+void addFlicker(CLI::App& program, const GlobalOptions& global);
 void addProbe(CLI::App& program, const GlobalOptions& global);
 void addAdvise(CLI::App& program, const GlobalOptions& global);
 void addTiming(CLI::App& program, const GlobalOptions& global);

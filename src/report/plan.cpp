@@ -16,6 +16,8 @@ struct Amounts {
     std::string probeSize;
     std::string flickerFrames;
     std::string flickerSize;
+    std::string flipEvery;
+    std::string nearFrames;
     std::string timingFrames;
     std::string timingSize;
     std::vector<std::string> timingModes; ///< all when empty
@@ -31,6 +33,8 @@ const Amounts kSmallest{.pictureFrames = "1",
                         .probeSize = "320x180",
                         .flickerFrames = "4",
                         .flickerSize = "160x90",
+                        .flipEvery = "2",
+                        .nearFrames = "2",
                         .timingFrames = "2",
                         .timingSize = "64x36",
                         .timingModes = {"--modes", "cdr-2,cdr-5,log,logcdr-5,reversed,anchored"},
@@ -42,8 +46,10 @@ const Amounts kQuick{.pictureFrames = "2",
                      .pictureSize = "1280x720",
                      .probeDistances = "1,100,10000,1000000,100000000",
                      .probeSize = "1280x720",
-                     .flickerFrames = "90",
+                     .flickerFrames = "180",
                      .flickerSize = "640x360",
+                     .flipEvery = "10",
+                     .nearFrames = "30",
                      .timingFrames = "20",
                      .timingSize = "640x360",
                      .timingModes = {},
@@ -57,6 +63,8 @@ const Amounts kFull{.pictureFrames = "12",
                     .probeSize = "1280x720",
                     .flickerFrames = "360",
                     .flickerSize = "1280x720",
+                    .flipEvery = "1",
+                    .nearFrames = "360",
                     .timingFrames = "10000",
                     .timingSize = "1280x720",
                     .timingModes = {},
@@ -99,8 +107,8 @@ std::filesystem::path Section::jsonFile() const {
 
 std::vector<std::string> Section::commandIn(const std::filesystem::path& root) const {
     std::vector<std::string> command = arguments;
-    if (!folder.empty()) {
-        command.insert(command.end(), {"--out", (root / folder).string()});
+    if (!folderOption.empty()) {
+        command.insert(command.end(), {folderOption, (root / folder).string()});
     }
     command.insert(command.end(), {"--json", (root / jsonFile()).string()});
     return command;
@@ -122,30 +130,37 @@ std::vector<Section> makePlan(const PlanOptions& options) {
     if (!amounts.threads.empty()) {
         scaling.insert(scaling.end(), {"--threads", amounts.threads});
     }
+    Section flicker{.name = "flicker",
+                    .arguments =
+                        rendered({"flicker", "--frames", amounts.flickerFrames, "--size", amounts.flickerSize,
+                                  "--flip-every", amounts.flipEvery, "--moved"}),
+                    .expectedSeconds = full ? 1500.0 : 60.0};
+    if (options.videos) {
+        flicker.folderOption = "--videos";
+        flicker.folder = "videos";
+    }
     return {
-        {.name = "precision", .arguments = {"precision"}, .folder = {}, .expectedSeconds = 0.2},
+        {.name = "precision", .arguments = {"precision"}, .expectedSeconds = 0.3},
         {.name = "advise",
          .arguments = {"advise", "--near", "0.001", "--far", "2000000", "--fov", "0.002", "--at", "1000000",
                        "--separation", "0.01"},
-         .folder = {},
          .expectedSeconds = 0.1},
         {.name = "pictures",
          .arguments =
              rendered({"pictures", "--frames", amounts.pictureFrames, "--size", amounts.pictureSize}),
+         .folderOption = "--out",
          .folder = "pictures",
-         .expectedSeconds = full ? 40.0 : 12.0},
+         .expectedSeconds = full ? 20.0 : 3.0},
+        flicker,
+        {.name = "flicker-near",
+         .arguments = rendered({"flicker", "--near-object", "--frames", amounts.nearFrames, "--size",
+                                amounts.flickerSize, "--flip-every", amounts.flipEvery}),
+         .expectedSeconds = full ? 500.0 : 15.0},
         {.name = "probe",
          .arguments = rendered({"probe", "--distances", amounts.probeDistances, "--size", amounts.probeSize}),
-         .folder = {},
-         .expectedSeconds = full ? 20.0 : 12.0},
-        {.name = "timing",
-         .arguments = rendered(std::move(timing)),
-         .folder = {},
-         .expectedSeconds = full ? 8000.0 : 25.0},
-        {.name = "scaling",
-         .arguments = std::move(scaling),
-         .folder = {},
-         .expectedSeconds = full ? 4000.0 : 25.0},
+         .expectedSeconds = full ? 8.0 : 4.0},
+        {.name = "timing", .arguments = rendered(std::move(timing)), .expectedSeconds = full ? 8000.0 : 13.0},
+        {.name = "scaling", .arguments = std::move(scaling), .expectedSeconds = full ? 4000.0 : 25.0},
     };
 }
 

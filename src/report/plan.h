@@ -19,8 +19,9 @@ enum class Effort : std::uint8_t {
 /// One experiment of a report: a command of this program and where its results go.
 struct Section {
     std::string name;                   ///< of the section and of its JSON, such as "probe"
-    std::vector<std::string> arguments; ///< as typed, without --json and --out
-    std::string folder;                 ///< of its pictures or videos, for --out; empty when it has none
+    std::vector<std::string> arguments; ///< as typed, without where its results go
+    std::string folderOption{};         ///< such as "--out"; empty when it makes no pictures or videos
+    std::string folder{};               ///< of those
     double expectedSeconds = 0.0;       ///< on two unloaded cores under lavapipe
 
     /// The whole command, the program's name left out, with its results under `root`.
@@ -32,6 +33,7 @@ struct Section {
 /// What a report measures.
 struct PlanOptions {
     Effort effort = Effort::quick;
+    bool videos = true;      ///< false where ffmpeg is missing
     std::size_t threads = 1; ///< that cull, bin, record and cast the truth
     std::uint64_t seed = 2013;
 };
