@@ -112,6 +112,9 @@ function judgePeople(document) {
     if (rows.every((row) => row.flips.includes(null))) {
         return { status: "missing", sentence: "Not all four techniques were measured." };
     }
+    if (rows.every((row) => row.observer === null)) {
+        return { status: "open", sentence: `In ${document.options.frames} frames every pair flips equally often: too few to choose.` };
+    }
     const order = Object.entries(observerWins(document)).sort((a, b) => a[1] - b[1]).map(([name]) => name);
     const sameOrder = order.join() === Object.entries(table62).sort((a, b) => a[1] - b[1]).map(([name]) => name).join();
     let sentence = `An observer who only counts flips chooses as most people did in ${agreeing} of ${rows.length} pairs`;

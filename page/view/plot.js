@@ -92,7 +92,10 @@ class Plot {
                 points: { show: series.points ?? false, size: 7, fill: colour("card") },
                 show: !this.hidden.has(series.title),
             }))],
-            hooks: { setCursor: [(u) => this.read(u.cursor.idx)] },
+            hooks: {
+                setCursor: [(u) => this.read(u.cursor.idx)],
+                setScale: [(u, key) => { this.area.dataset[`range${key.toUpperCase()}`] = `${u.scales[key].min} ${u.scales[key].max}`; }],
+            },
         };
     }
 
