@@ -1,4 +1,4 @@
-// Numbers as people read them. A no-break space groups thousands and joins a unit; a true minus sign leads.
+// Numbers as people read them. Commas group thousands, a narrow no-break space joins a unit; a true minus sign leads.
 
 const kThin = "\u202f"; // narrow no-break space
 const kMinus = "\u2212";
@@ -27,7 +27,7 @@ export function fixed(value, decimals) {
         return "none";
     }
     const [whole, fraction] = Math.abs(value).toFixed(decimals).split(".");
-    const grouped = whole.replace(/\B(?=(\d{3})+$)/g, kThin);
+    const grouped = whole.replace(/\B(?=(\d{3})+$)/g, ",");
     const text = fraction ? `${grouped}.${fraction}` : grouped;
     return value < 0 && /[1-9]/.test(text) ? kMinus + text : text;
 }
@@ -46,7 +46,7 @@ export function signedPercent(value, decimals = 1) {
     return `${text.startsWith(kMinus) ? "" : "+"}${text}${kThin}%`;
 }
 
-/** A probability: small ones by their power of ten. */
+/** A probability. */
 export function probability(p) {
     return Number.isFinite(p) ? number(p, 3) : "none";
 }

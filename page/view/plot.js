@@ -13,6 +13,7 @@ const dashes = { standard: [], cdr: [9, 4], log: [], logcdr: [9, 4], reversed: [
 /**
  * A plot with its tools, legend and read-out.
  * @param {{title: string, caption: string, x: number[], xLabel: string, yLabel: string, logX: boolean, logY: boolean,
+ *          wholeX: boolean | undefined,
  *          series: {name: string, title: string, values: (number|null)[], dash?: number[], points?: boolean}[]}} options
  */
 export function makePlot(options) {
@@ -85,7 +86,7 @@ class Plot {
                 x: { time: false, distr: options.logX ? 3 : 1, range: (u, low, high) => (options.logX ? [low, high] : [low - 0.04 * (high - low), high + 0.04 * (high - low)]) },
                 y: { distr: options.logY ? 3 : 1, ...(options.logY ? {} : { range: (u, low, high) => [0, high * 1.05] }) },
             },
-            axes: [axis(options.xLabel, options.logX), { ...axis(options.yLabel, options.logY), size: 62 }],
+            axes: [{ ...axis(options.xLabel, options.logX), ...(options.wholeX ? { incrs: [1, 2, 5, 10, 20, 50] } : {}) }, { ...axis(options.yLabel, options.logY), size: 62 }],
             series: [{}, ...options.series.map((series) => ({
                 label: series.title, scale: "y", stroke: colour(colourOf(series.name)), width: 2, spanGaps: false,
                 dash: series.dash ?? dashes[series.name] ?? [],

@@ -14,13 +14,17 @@ export function fillScaling(document) {
     slot("scaling", "table").append(h("details", { class: "source" }, h("summary", {}, "Every point as a table"), h("div", {}, makeTable(document))));
 }
 
+function cascadesText(count) {
+    return `${count} ${count === 1 ? "cascade" : "cascades"}`;
+}
+
 function sentence(document) {
     const { cpus, best, points, differing, fastest } = summary(document);
     const images = differing === 0
         ? `All ${points} points drew the very image of one thread.`
         : `${differing} of ${points} points drew another image than one thread: a fault.`;
     const speed = best && best.threads > 1
-        ? `With no more threads than this machine\u2019s ${cpus} processors, recording was at best ${fixed(best.speedup, 2)} times as fast as on one, on ${best.threads} threads (${best.targets}, ${best.cascades} cascades, ${number(best.draws, 6)} draws).`
+        ? `With no more threads than this machine\u2019s ${cpus} processors, recording was at best ${fixed(best.speedup, 2)} times as fast as on one, on ${best.threads} threads (${best.targets}, ${cascadesText(best.cascades)}, ${number(best.draws, 6)} draws).`
         : `On this machine\u2019s ${cpus} processors no number of threads recorded faster than one.`;
     return `${speed} The least a draw took to record was ${number(fastest, 3)} ns. ${images}`;
 }
@@ -32,9 +36,9 @@ function figure(document, cascades, cubes, field, title, yLabel, ideal = false) 
         drawn.push({ name: "ideal", title: "ideal", values: x, dash: [4, 5] });
     }
     return makePlot({
-        title: `${title}, ${cascades} ${cascades === 1 ? "cascade" : "cascades"}, ${number(cubes, 7)} cubes`,
+        title: `${title}, ${cascadesText(cascades)}, ${number(cubes, 7)} cubes`,
         caption: "One line per way in which cascades reach the final picture. Medians over the repeats. Past the number of processors threads only wait for each other.",
-        x, xLabel: "threads", yLabel, logX: false, logY: false, series: drawn,
+        x, xLabel: "threads", yLabel, logX: false, wholeX: true, logY: false, series: drawn,
     });
 }
 

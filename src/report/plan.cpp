@@ -50,7 +50,7 @@ const Amounts kQuick{.pictureFrames = "2",
                      .flickerSize = "640x360",
                      .flipEvery = "10",
                      .nearFrames = "30",
-                     .timingFrames = "20",
+                     .timingFrames = "60",
                      .timingSize = "640x360",
                      .timingModes = {},
                      .draws = "1000,20000",
@@ -159,7 +159,7 @@ std::vector<Section> makePlan(const PlanOptions& options) {
         {.name = "probe",
          .arguments = rendered({"probe", "--distances", amounts.probeDistances, "--size", amounts.probeSize}),
          .expectedSeconds = full ? 8.0 : 4.0},
-        {.name = "timing", .arguments = rendered(std::move(timing)), .expectedSeconds = full ? 8000.0 : 13.0},
+        {.name = "timing", .arguments = rendered(std::move(timing)), .expectedSeconds = full ? 8000.0 : 40.0},
         {.name = "scaling", .arguments = std::move(scaling), .expectedSeconds = full ? 4000.0 : 25.0},
     };
 }

@@ -36,7 +36,9 @@ export async function open(browser, path, options = {}) {
     page.faults = [];
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.faults.push(message.text()));
     page.on("pageerror", (error) => page.faults.push(error.message));
-    page.on("requestfailed", (request) => page.faults.push(`${request.url()} failed: ${request.failure()?.errorText}`));
+    // A browser stops loading a video when it has seen enough of it.
+    page.on("requestfailed", (request) => request.resourceType() === "media" && request.failure()?.errorText === "net::ERR_ABORTED" ||
+        page.faults.push(`${request.url()} failed: ${request.failure()?.errorText}`));
     page.on("request", (request) => {
         if (!/^(file|data|blob):/.test(request.url())) {
             page.faults.push(`a request to ${request.url()}`);
