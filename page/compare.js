@@ -70,7 +70,7 @@ function allAnswers() {
 function showTally() {
     const answers = allAnswers();
     const people = new Set(answers.map((answer) => `${answer.participant} ${answer.seed}`)).size;
-    byId("counted").textContent = `${answers.length} answers of ${people} ${people === 1 ? "person" : "people"}.`;
+    byId("counted").textContent = `${answers.length} ${answers.length === 1 ? "answer" : "answers"} of ${people} ${people === 1 ? "person" : "people"}.`;
     byId("tally").replaceChildren(makeTally(answers));
 }
 

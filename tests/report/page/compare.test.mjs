@@ -99,7 +99,7 @@ test("answers survive a reload, and another lot starts anew", async () => {
     assert.equal(await page.locator("#trial-title").textContent(), "Video 2 of 6");
     assert.ok(await left(page).isDisabled());
     await page.locator("#results summary").click();
-    assert.match(await page.locator("#counted").textContent(), /^1 answers? of 1 person/);
+    assert.match(await page.locator("#counted").textContent(), /^1 answer of 1 person/);
     await page.goto(page.url().replace("seed=reload", "seed=other"));
     assert.ok(await page.locator("#welcome").isVisible());
     assert.equal(await page.locator("#seed").textContent(), "other");
