@@ -3,6 +3,8 @@ import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { binomialP, chiSquared, chiSquaredP } from "../../../page/logic/statistics.js";
+import { figure64, pairs, table41 } from "../../../page/logic/thesis.js";
 import { assertNoSidewaysScroll, close, contrast, folder, launch, makeReport, open, program, screenshot } from "./browser.mjs";
 
 let browser;
@@ -230,6 +232,23 @@ test("the printed commands give the same results again", () => {
         assert.deepEqual(second.results, first.results, row.command);
     }
     assert.deepEqual(readdirSync(join(again, "pictures")), readdirSync(join(report, "pictures")));
+});
+
+test("the program and the page quote the same thesis", () => {
+    const read = (name) => JSON.parse(readFileSync(join(report, "data", `${name}.json`))).results;
+    const cells = read("precision").filter((cell) => cell.thesis !== undefined);
+    assert.equal(cells.length, 16);
+    cells.forEach((cell) => assert.equal(table41[cell.separation][cell.technique], cell.thesis));
+    const modes = read("timing").filter((row) => row.thesis_pct !== null);
+    assert.ok(modes.length >= 4);
+    modes.forEach((row) => assert.equal(figure64[row.name], row.thesis_pct));
+    const { pairs: counted } = JSON.parse(readFileSync(join(report, "data", "flicker.json")));
+    assert.deepEqual(counted.map((pair) => [pair.left, pair.right, pair.humans_left, pair.humans_right]),
+        pairs.map((pair) => [pair.left, pair.right, ...pair.chosen]));
+    counted.forEach((pair, i) => {
+        assert.ok(Math.abs(pair.chi_squared_p / chiSquaredP(chiSquared(...pairs[i].chosen)) - 1) < 1e-9);
+        assert.ok(Math.abs(pair.binomial_p / binomialP(...pairs[i].chosen) - 1) < 1e-9);
+    });
 });
 
 test("without ffmpeg the page says so in place of the videos", async () => {
