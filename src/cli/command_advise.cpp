@@ -57,8 +57,9 @@ nlohmann::ordered_json toJson(const depth::AdviceRow& row) {
             {"format", nameOf(row.technique.format)},
             {"cascades", row.forecast.cascades},
             {"buffer_step", finiteOrNull(row.forecast.bufferStepView)},
-            {"vertex_step", finiteOrNull(row.forecast.vertexStepView)},
+            {"vertex_step", finiteOrNull(row.forecast.rounding.distanceGapView)},
             {"predicted", finiteOrNull(row.forecast.resolvedView())},
+            {"guaranteed", finiteOrNull(row.forecast.guaranteedView())},
             {"suffices", row.suffices}};
 }
 
@@ -71,8 +72,8 @@ void printTable(const Console& console, const depth::Advice& advice) {
     for (const depth::AdviceRow& row : advice.rows) {
         rows.push_back({row.technique.name, std::string(nameOf(row.technique.format)),
                         std::to_string(row.forecast.cascades), stepText(row.forecast.bufferStepView),
-                        stepText(row.forecast.vertexStepView), stepText(row.forecast.resolvedView()),
-                        row.suffices ? "yes" : "no"});
+                        stepText(row.forecast.rounding.distanceGapView),
+                        stepText(row.forecast.resolvedView()), row.suffices ? "yes" : "no"});
     }
     console.table({"technique", "format", "cascades", "depth step", "vertex rounding", "resolves", "enough"},
                   rows);

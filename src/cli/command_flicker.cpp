@@ -23,6 +23,7 @@ struct FlickerArguments {
     std::vector<std::string> techniques; ///< all presets when empty
     std::string format;                  ///< every technique's own when empty
     bool moved = false;
+    bool fittedRange = false;
     std::optional<std::filesystem::path> videos;
     std::optional<std::filesystem::path> tga;
     OutputOptions output;
@@ -109,6 +110,9 @@ std::vector<depth::Technique> techniquesOf(const FlickerArguments& arguments) {
     if (arguments.moved) {
         const auto moved = experiments::movedBoundaries();
         techniques.insert(techniques.end(), moved.begin(), moved.end());
+    }
+    if (arguments.fittedRange) {
+        techniques.push_back(experiments::fittedRange());
     }
     for (depth::Technique& technique : techniques) {
         technique.format =

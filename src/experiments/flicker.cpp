@@ -206,4 +206,11 @@ std::vector<depth::Technique> movedBoundaries() {
     return {before, behind};
 }
 
+depth::Technique fittedRange() {
+    depth::Technique technique = depth::parseTechnique("standard");
+    technique.name = "standard-fitted";
+    technique.split = depth::SplitFitted{.most = 1};
+    return technique;
+}
+
 } // namespace cdr::experiments

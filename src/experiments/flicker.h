@@ -67,4 +67,8 @@ std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOp
 /// field, `cdr-behind` farther.
 std::vector<depth::Technique> movedBoundaries();
 
+/// standard with near and far fitted to what is visible, one cascade: what engines do first,
+/// `standard-fitted`. Something near takes it all back.
+depth::Technique fittedRange();
+
 } // namespace cdr::experiments

@@ -111,13 +111,24 @@ TEST_F(FlickerTest, ARunThatIsInterruptedEndsAsOneThatIsNot) {
     expectSame(runFlicker(device(), options), expected);
 }
 
-TEST_F(FlickerTest, WithoutPicturesAResumedRunIsTheSameToo) {
+/// A fitted split remembers frames, and a coarse buffer shows where it cut. The
+/// frame before the cut is not enough: the bounds it keeps are those of frames before it.
+TEST_F(FlickerTest, AResumedRunRemembersWhatFittedSplitsDo) {
     FlickerOptions options = smallRun();
+    options.width = 640;
+    options.height = 360;
+    options.frames = 24;
+    options.nearObject = true;
+    options.techniques = {
+        makeTechnique(depth::Mapping::standard, depth::SplitFitted{.most = 2}, depth::DepthFormat::d16)};
     const auto expected = runFlicker(device(), options);
+    EXPECT_GT(expected[0].wrong.wrong, 0u);
     options.state = state();
-    Watcher cut{.last = 6};
-    EXPECT_THROW(runFlicker(device(), options, {.progress = cut.hooks().progress, .pictures = {}}),
-                 Interrupted);
+    for (const std::size_t step : {std::size_t{4}, std::size_t{9}, std::size_t{17}}) {
+        Watcher cut{.last = step};
+        EXPECT_THROW(runFlicker(device(), options, {.progress = cut.hooks().progress, .pictures = {}}),
+                     Interrupted);
+    }
     expectSame(runFlicker(device(), options), expected);
 }
 
@@ -183,17 +194,20 @@ TEST_F(FlickerTest, MovingTheBoundaryDecidesAboutCdr) {
     EXPECT_GT(results[1].wrong.fraction(), 1.5 * results[2].wrong.fraction());
 }
 
-/// Something beside the camera keeps near at 0.001: fitting the whole range to the content would not help,
-/// fitting cascades does.
-TEST_F(FlickerTest, ANearObjectDoesNotDisturbAnchored) {
+/// Fitting near and far to the field helps until something is beside the camera; fitting cascades still does.
+TEST_F(FlickerTest, ANearObjectDisturbsAFittedRangeAndNotFittedCascades) {
     FlickerOptions options = smallRun();
     options.frames = 4;
+    options.techniques = {fittedRange(), depth::parseTechnique("anchored")};
+    const auto without = runFlicker(device(), options);
     options.nearObject = true;
-    const auto results = runFlicker(device(), options);
-    EXPECT_EQ(results[0].scene, "afc-near");
-    EXPECT_GT(results[0].wrong.fraction(), 0.005);
-    EXPECT_LT(results[1].wrong.fraction(), 0.0001);
-    EXPECT_GE(results[1].cascades, 2u);
+    const auto with = runFlicker(device(), options);
+    EXPECT_EQ(without[0].scene, "afc");
+    EXPECT_EQ(with[0].scene, "afc-near");
+    EXPECT_LT(without[0].wrong.fraction(), 0.005);
+    EXPECT_GT(with[0].wrong.fraction(), 0.1);
+    EXPECT_LT(with[1].wrong.fraction(), 0.0001);
+    EXPECT_GE(with[1].cascades, 2u);
 }
 
 FlickerResult resultOf(const std::string& technique, std::uint64_t flips) {

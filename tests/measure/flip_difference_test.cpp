@@ -66,9 +66,9 @@ void expectFigures(const ImageRgba8& reference, const ImageRgba8& test, const Fi
     base::WorkerPool workers(2);
     const FlipDifference flip(viewing);
     const image::ImageFloat map = flip.map(reference, test, workers);
-    EXPECT_NEAR(flip.mean(reference, test, workers), expected.mean, 1e-4);
-    EXPECT_NEAR(static_cast<double>(map.at(0, 0)), expected.corner, 1e-4);
-    EXPECT_NEAR(static_cast<double>(map.at(map.width / 2, map.height / 2)), expected.middle, 1e-4);
+    EXPECT_NEAR(flip.mean(reference, test, workers), expected.mean, 1e-5);
+    EXPECT_NEAR(static_cast<double>(map.at(0, 0)), expected.corner, 1e-5);
+    EXPECT_NEAR(static_cast<double>(map.at(map.width / 2, map.height / 2)), expected.middle, 1e-5);
 }
 
 constexpr Rgba8 kRedBox{250, 30, 60, 255};

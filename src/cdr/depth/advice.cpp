@@ -65,7 +65,7 @@ std::optional<std::size_t> simplestOf(const std::vector<AdviceRow>& rows) {
 }
 
 std::string limitOf(const AdviceRow& row) {
-    if (row.forecast.bufferStepView >= 4.0 * row.forecast.vertexStepView) {
+    if (row.forecast.bufferStepView >= 4.0 * row.forecast.rounding.distanceGapView) {
         return "the steps of the depth buffer";
     }
     return isAnchored(row.technique.mapping) ? "float32 distances to the anchor plane"

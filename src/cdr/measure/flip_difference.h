@@ -21,7 +21,7 @@ struct Viewing {
 ///
 /// Colours are filtered by the eye's contrast sensitivity, compared in Hunt-adjusted L*a*b* by HyAB, and the
 /// difference is raised where edges or points appear or vanish. Borders repeat the outermost pixels. Alpha is
-/// not looked at. Arithmetic is float32, within 10^-4 of the float64 reference of the tests.
+/// not looked at. Arithmetic is float32, within 10^-5 of the float64 reference of the tests.
 class FlipDifference {
   public:
     /// base::InputError unless a degree spans between 1 and 1000 pixels.
