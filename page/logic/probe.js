@@ -37,7 +37,13 @@ export function reliability(document) {
         }
         worstRatio = Math.max(worstRatio, ratio);
     }
-    return { ...kinds, all: document.results.length, worstRatio };
+    return { ...kinds, all: document.results.length, worstRatio, beyondBound: beyondBound(document) };
+}
+
+/** How many are coarser than even the bound, where the document has one: every rounding at its worst. */
+function beyondBound(document) {
+    const known = document.results.filter((row) => "guaranteed" in row);
+    return known.length === 0 ? null : known.filter((row) => (row.resolved ?? Infinity) > (row.guaranteed ?? Infinity) * 1.0001 && (row.guaranteed ?? Infinity) < row.largest).length;
 }
 
 /** Measured over predicted, 1 where the ladder's ends hide the difference. */

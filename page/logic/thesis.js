@@ -1,6 +1,6 @@
 // What the thesis printed (Faleij and Ivannikov, Cascaded Deferred Rendering, BTH 2013). Facts only, each with its place.
 
-/** Names as the thesis writes them. */
+/** Names of techniques for people, those of the thesis as it writes them. */
 export const techniqueTitles = {
     standard: "Standard",
     cdr: "CDR",
@@ -8,6 +8,9 @@ export const techniqueTitles = {
     logcdr: "LogCDR",
     reversed: "Reversed",
     anchored: "Anchored",
+    "standard-fitted": "Standard, near and far fitted",
+    "cdr-before": "CDR, boundary before the field",
+    "cdr-behind": "CDR, boundary behind the field",
 };
 
 /** The techniques that the thesis has, in its order. */

@@ -175,9 +175,10 @@ function judgeTiming(document) {
 }
 
 function judgeProbe(document) {
-    const { within, coarser, finer, all, worstRatio } = reliability(document);
+    const { within, coarser, finer, all, worstRatio, beyondBound } = reliability(document);
     const sentence = `Of ${all} measured cases ${within} lie within a factor of two of the forecast, which adds float32\u2019s rounding of the vertex to the buffer\u2019s step; ${coarser} are coarser, ${finer} finer` +
-        (coarser ? `, the worst by a factor of ${number(worstRatio, 2)}` : "");
+        (coarser ? `, the worst by a factor of ${number(worstRatio, 2)}` : "") +
+        (beyondBound === null ? "" : `; ${beyondBound === 0 ? "none is" : `${beyondBound} are`} coarser than the bound that takes every rounding at its worst`);
     if (coarser === 0) {
         return { status: "no", sentence: `${sentence}. On this device a formula that knows the vertex can be relied on.` };
     }

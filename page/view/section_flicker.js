@@ -16,8 +16,15 @@ export function fillFlicker(document, folder) {
 export function fillNearObject(document) {
     slot("flicker", "near").append(
         h("h3", {}, "With something near the camera"),
-        h("p", {}, "Others fit their near plane to what is visible. One tiny object beside the camera takes that away, so this is the case that tells techniques apart in practice."),
+        h("p", {}, nearSentence(document)),
         measures("The same field with a tiny object beside the camera.", techniques(document)));
+}
+
+function nearSentence(document) {
+    const fitted = techniques(document).find((row) => row.technique === "standard-fitted");
+    return "Many engines fit near and far to what is visible. One tiny object beside the camera takes that back" +
+        (fitted ? `, and standard with a fitted range is wrong in ${percent(fitted.wrong_fraction)}` : "") +
+        ": this is the case that tells techniques apart in practice.";
 }
 
 function measures(caption, rows) {

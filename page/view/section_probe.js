@@ -29,9 +29,10 @@ function makeFigure(document, format) {
 
 function makeTable(document) {
     return table("Smallest resolved separation, measured and predicted.",
-        ["Technique", "format", "distance", "measured", "predicted", "ratio"],
+        ["Technique", "format", "distance", "measured", "predicted", "ratio", "at worst"],
         document.results.map((row) => [
             techniqueLabel(row.technique, techniqueTitles[row.technique] ?? row.technique), row.format.toUpperCase(), number(row.distance),
             row.resolved === null ? `over ${number(row.largest)}` : number(row.resolved), number(row.predicted),
-            row.resolved === null || row.predicted === null ? "" : number(judgedRatio(row), 2)]));
+            row.resolved === null || row.predicted === null ? "" : number(judgedRatio(row), 2),
+            row.guaranteed === undefined ? "" : number(row.guaranteed)]));
 }

@@ -133,7 +133,7 @@ std::vector<Section> makePlan(const PlanOptions& options) {
     Section flicker{.name = "flicker",
                     .arguments =
                         rendered({"flicker", "--frames", amounts.flickerFrames, "--size", amounts.flickerSize,
-                                  "--flip-every", amounts.flipEvery, "--moved"}),
+                                  "--flip-every", amounts.flipEvery, "--moved", "--fitted-range"}),
                     .expectedSeconds = full ? 1500.0 : 60.0};
     if (options.videos) {
         flicker.folderOption = "--videos";
@@ -153,7 +153,7 @@ std::vector<Section> makePlan(const PlanOptions& options) {
          .expectedSeconds = full ? 20.0 : 3.0},
         flicker,
         {.name = "flicker-near",
-         .arguments = rendered({"flicker", "--near-object", "--frames", amounts.nearFrames, "--size",
+         .arguments = rendered({"flicker", "--near-object", "--fitted-range", "--frames", amounts.nearFrames, "--size",
                                 amounts.flickerSize, "--flip-every", amounts.flipEvery}),
          .expectedSeconds = full ? 500.0 : 15.0},
         {.name = "probe",

@@ -119,5 +119,8 @@ test("the ladder's ends do not count as errors of the forecast", () => {
     assert.equal(judgedRatio(row(1e-6, 1e-9)), 1); // the finest rung, as forecast
     assert.equal(judgedRatio(row(0.01, null)), 0.01);
     const counts = reliability({ results: [row(0.1, 0.1), row(0.5, 0.1), row(0.01, 0.1), row(null, 0.01)] });
-    assert.deepEqual(counts, { within: 1, coarser: 2, finer: 1, all: 4, worstRatio: 100 });
+    assert.deepEqual(counts, { within: 1, coarser: 2, finer: 1, all: 4, worstRatio: 100, beyondBound: null });
+    const bounded = (resolved, guaranteed) => ({ ...row(resolved, 0.1), guaranteed });
+    const list = [bounded(0.1, 0.2), bounded(0.3, 0.2), bounded(null, 0.2), bounded(null, null), bounded(0.3, null), bounded(null, 5)];
+    assert.equal(reliability({ results: list }).beyondBound, 2);
 });
