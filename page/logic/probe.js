@@ -1,5 +1,7 @@
 // Chapter 7 says that formulas "are not reliable in practice": measured beside predicted, from `cdr probe`.
 
+const kRungs = 256; // pairs of the ladder, in equal ratios
+
 /** Series over distance of one depth format: what was measured, and what was predicted, per technique. */
 export function series(document, format) {
     const rows = document.results.filter((row) => row.format === format);
@@ -40,10 +42,15 @@ export function reliability(document) {
     return { ...kinds, all: document.results.length, worstRatio, beyondBound: beyondBound(document) };
 }
 
-/** How many are coarser than even the bound, where the document has one: every rounding at its worst. */
+/** How many are coarser than even the bound, every rounding at its worst, by more than the ladder tells apart. */
 function beyondBound(document) {
     const known = document.results.filter((row) => "guaranteed" in row);
-    return known.length === 0 ? null : known.filter((row) => (row.resolved ?? Infinity) > (row.guaranteed ?? Infinity) * 1.0001 && (row.guaranteed ?? Infinity) < row.largest).length;
+    const isBeyond = (row) => {
+        const rung = (row.largest / row.smallest) ** (1 / (kRungs - 1));
+        const bound = row.guaranteed ?? Infinity;
+        return bound < row.largest / rung && (row.resolved ?? Infinity) > bound * rung;
+    };
+    return known.length === 0 ? null : known.filter(isBeyond).length;
 }
 
 /** Measured over predicted, 1 where the ladder's ends hide the difference. */

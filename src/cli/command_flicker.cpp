@@ -211,6 +211,8 @@ void addFlicker(CLI::App& program, const GlobalOptions& global) {
                       "A tiny object stays beside the camera, so fitting near and far does not help");
     command->add_flag("--moved", arguments->moved,
                       "Adds cdr with its last boundary moved off the field: cdr-before and cdr-behind");
+    command->add_flag("--fitted-range", arguments->fittedRange,
+                      "Adds standard with near and far fitted to what is visible: standard-fitted");
     command->add_option("--flip-every", options.flipEvery, "Take FLIP of every so-many-th frame")
         ->check(CLI::Range(1u, kMaxFrames))
         ->capture_default_str();

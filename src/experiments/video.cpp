@@ -29,7 +29,7 @@ std::vector<std::string> encoderArguments(const std::filesystem::path& output, s
             "-preset",
             "veryfast",
             "-crf",
-            "16", // flicker is noise, which coarser settings smooth
+            "20", // flicker is noise, which coarser settings smooth
             "-pix_fmt",
             "yuv420p",
             "-movflags",
