@@ -53,6 +53,9 @@ export function probability(p) {
 
 /** Seconds as people say them. */
 export function duration(seconds) {
+    if (seconds < 0.1) {
+        return `under 0.1${kThin}s`;
+    }
     if (seconds < 60) {
         return `${number(seconds, 2)}${kThin}s`;
     }

@@ -8,9 +8,9 @@ export const techniqueTitles = {
     logcdr: "LogCDR",
     reversed: "Reversed",
     anchored: "Anchored",
-    "standard-fitted": "Standard, near and far fitted",
-    "cdr-before": "CDR, boundary before the field",
-    "cdr-behind": "CDR, boundary behind the field",
+    "standard-fitted": "Standard, fitted",
+    "cdr-before": "CDR, cut before",
+    "cdr-behind": "CDR, cut behind",
 };
 
 /** The techniques that the thesis has, in its order. */

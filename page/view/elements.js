@@ -22,14 +22,17 @@ function fill(element, properties, children) {
     return element;
 }
 
-/** A table in a region of its own that scrolls where a phone is narrower, reachable by keyboard. */
+/**
+ * A table in a region of its own that scrolls where a phone is narrower, reachable by keyboard.
+ * @param {(string|Node|object)[]|null} header none where the rows' own names say it all.
+ */
 export function table(caption, header, rows) {
     const cell = (tag, content, properties = {}) =>
         content?.properties ? h(tag, { ...properties, ...content.properties }, content.content) : h(tag, properties, content ?? "");
     return h("div", { class: "scroll", role: "region", "aria-label": caption, tabindex: 0 },
         h("table", {},
             h("caption", {}, caption),
-            h("thead", {}, h("tr", {}, header.map((content) => cell("th", content, { scope: "col" })))),
+            header && h("thead", {}, h("tr", {}, header.map((content) => cell("th", content, { scope: "col" })))),
             h("tbody", {}, rows.map((row) => h("tr", {}, row.map((content, i) =>
                 i === 0 ? cell("th", content, { scope: "row" }) : cell("td", content)))))));
 }

@@ -29,6 +29,7 @@ test("shares, durations, lists and ticks", () => {
     assert.equal(plain(percent(0.2664)), "26.6 %");
     assert.equal(plain(percent(1e-6, 1)), "0.0001 %");
     assert.equal(plain(duration(4.24)), "4.2 s");
+    assert.equal(plain(duration(0.0009)), "under 0.1 s");
     assert.equal(plain(duration(119.7)), "2 min 0 s");
     assert.equal(plain(duration(3 * 3600 + 125)), "3 h 2 min");
     assert.equal(list(["a"]), "a");
