@@ -65,7 +65,8 @@ while read -r name scene arguments; do
         said="there is no golden one yet; see $out/$name.png"
     fi
     if $approve_all || [[ " ${approved[*]-} " == *" $name "* ]]; then
-        cp "$out/$name.png" "$golden/$name.png"
+        cp "$out/$name.png" "$golden/.$name.png.new"
+        mv "$golden/.$name.png.new" "$golden/$name.png"
         verdict="$verdict, approved"
     elif [[ $verdict == DIFFERS ]]; then
         differing=$((differing + 1))

@@ -179,20 +179,20 @@ class Flicker {
 
 } // namespace
 
-std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOptions& given,
+std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOptions& options,
                                       const FlickerHooks& hooks) {
-    FlickerOptions options = given;
-    if (options.techniques.empty()) {
-        options.techniques.assign(depth::presets().begin(), depth::presets().end());
+    FlickerOptions complete = options;
+    if (complete.techniques.empty()) {
+        complete.techniques.assign(depth::presets().begin(), depth::presets().end());
     }
-    if (options.frames < 1 || options.flipEvery < 1) {
+    if (complete.frames < 1 || complete.flipEvery < 1) {
         throw base::InputError("flicker: there must be at least one frame, and FLIP of every first or more");
     }
     std::optional<FlickerStateFile> file;
-    if (options.state) {
-        file.emplace(*options.state, options, device.info());
+    if (complete.state) {
+        file.emplace(*complete.state, complete, device.info());
     }
-    return Flicker(device, options, hooks).run(file ? &*file : nullptr);
+    return Flicker(device, complete, hooks).run(file ? &*file : nullptr);
 }
 
 std::vector<depth::Technique> movedBoundaries() {
