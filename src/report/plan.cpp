@@ -10,68 +10,68 @@ namespace {
 
 /// What the efforts differ in.
 struct Amounts {
-    std::string pictureFrames;
-    std::string pictureSize;
-    std::string probeDistances;
-    std::string probeSize;
-    std::string flickerFrames;
-    std::string flickerSize;
-    std::string flipEvery;
-    std::string nearFrames;
-    std::string timingFrames;
-    std::string timingSize;
-    std::vector<std::string> timingModes; ///< all when empty
-    std::string draws;
-    std::string cascades;
-    std::string threads; ///< to twice the CPUs when empty
-    std::string repeats;
+    const char* pictureFrames;
+    const char* pictureSize;
+    const char* probeDistances;
+    const char* probeSize;
+    const char* flickerFrames;
+    const char* flickerSize;
+    const char* flipEvery;
+    const char* nearFrames;
+    const char* timingFrames;
+    const char* timingSize;
+    const char* timingModes; ///< a comma between them; all when empty
+    const char* draws;
+    const char* cascades;
+    const char* threads; ///< to twice the CPUs when empty
+    const char* repeats;
 };
 
-const Amounts kSmallest{.pictureFrames = "1",
-                        .pictureSize = "160x90",
-                        .probeDistances = "100,1000000",
-                        .probeSize = "320x180",
-                        .flickerFrames = "4",
-                        .flickerSize = "160x90",
-                        .flipEvery = "2",
-                        .nearFrames = "2",
-                        .timingFrames = "2",
-                        .timingSize = "64x36",
-                        .timingModes = {"--modes", "cdr-2,cdr-5,log,logcdr-5,reversed,anchored"},
-                        .draws = "300,600",
-                        .cascades = "1",
-                        .threads = "1,2",
-                        .repeats = "2"};
-const Amounts kQuick{.pictureFrames = "2",
-                     .pictureSize = "1280x720",
-                     .probeDistances = "1,100,10000,1000000,100000000",
-                     .probeSize = "1280x720",
-                     .flickerFrames = "180",
-                     .flickerSize = "640x360",
-                     .flipEvery = "10",
-                     .nearFrames = "30",
-                     .timingFrames = "60",
-                     .timingSize = "640x360",
-                     .timingModes = {},
-                     .draws = "1000,20000",
-                     .cascades = "1,4",
-                     .threads = {},
-                     .repeats = "5"};
-const Amounts kFull{.pictureFrames = "12",
-                    .pictureSize = "1280x720",
-                    .probeDistances = "1,10,100,1000,10000,100000,1000000,10000000,100000000",
-                    .probeSize = "1280x720",
-                    .flickerFrames = "360",
-                    .flickerSize = "1280x720",
-                    .flipEvery = "1",
-                    .nearFrames = "360",
-                    .timingFrames = "10000",
-                    .timingSize = "1280x720",
-                    .timingModes = {},
-                    .draws = "1000,10000,100000,1000000",
-                    .cascades = "1,2,4,8",
-                    .threads = {},
-                    .repeats = "7"};
+constexpr Amounts kSmallest{.pictureFrames = "1",
+                            .pictureSize = "160x90",
+                            .probeDistances = "100,1000000",
+                            .probeSize = "320x180",
+                            .flickerFrames = "4",
+                            .flickerSize = "160x90",
+                            .flipEvery = "2",
+                            .nearFrames = "2",
+                            .timingFrames = "2",
+                            .timingSize = "64x36",
+                            .timingModes = "cdr-2,cdr-5,log,logcdr-5,reversed,anchored",
+                            .draws = "300,600",
+                            .cascades = "1",
+                            .threads = "1,2",
+                            .repeats = "2"};
+constexpr Amounts kQuick{.pictureFrames = "2",
+                         .pictureSize = "1280x720",
+                         .probeDistances = "1,100,10000,1000000,100000000",
+                         .probeSize = "1280x720",
+                         .flickerFrames = "180",
+                         .flickerSize = "640x360",
+                         .flipEvery = "10",
+                         .nearFrames = "30",
+                         .timingFrames = "60",
+                         .timingSize = "640x360",
+                         .timingModes = "",
+                         .draws = "1000,20000",
+                         .cascades = "1,4",
+                         .threads = "",
+                         .repeats = "5"};
+constexpr Amounts kFull{.pictureFrames = "12",
+                        .pictureSize = "1280x720",
+                        .probeDistances = "1,10,100,1000,10000,100000,1000000,10000000,100000000",
+                        .probeSize = "1280x720",
+                        .flickerFrames = "360",
+                        .flickerSize = "1280x720",
+                        .flipEvery = "1",
+                        .nearFrames = "360",
+                        .timingFrames = "10000",
+                        .timingSize = "1280x720",
+                        .timingModes = "",
+                        .draws = "1000,10000,100000,1000000",
+                        .cascades = "1,2,4,8",
+                        .threads = "",
+                        .repeats = "7"};
 
 const Amounts& amountsOf(Effort effort) {
     switch (effort) {
@@ -123,12 +123,16 @@ std::vector<Section> makePlan(const PlanOptions& options) {
         return arguments;
     };
     std::vector<std::string> timing{"timing", "--frames", amounts.timingFrames, "--size", amounts.timingSize};
-    timing.insert(timing.end(), amounts.timingModes.begin(), amounts.timingModes.end());
+    if (*amounts.timingModes != '\0') {
+        timing.emplace_back("--modes");
+        timing.emplace_back(amounts.timingModes);
+    }
     std::vector<std::string> scaling{"scaling",       "--draws",        amounts.draws,
                                      "--cascades",    amounts.cascades, "--repeats",
                                      amounts.repeats, "--seed",         fmt::format("{}", options.seed)};
-    if (!amounts.threads.empty()) {
-        scaling.insert(scaling.end(), {"--threads", amounts.threads});
+    if (*amounts.threads != '\0') {
+        scaling.emplace_back("--threads");
+        scaling.emplace_back(amounts.threads);
     }
     Section flicker{.name = "flicker",
                     .arguments =
