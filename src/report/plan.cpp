@@ -116,7 +116,17 @@ std::vector<std::string> Section::commandIn(const std::filesystem::path& root) c
 
 std::vector<Section> makePlan(const PlanOptions& options) {
     const Amounts& amounts = amountsOf(options.effort);
-    const bool full = options.effort == Effort::full;
+    const auto seconds = [&](double quick, double full) {
+        switch (options.effort) {
+        case Effort::smallest:
+            return quick / 50.0;
+        case Effort::quick:
+            return quick;
+        case Effort::full:
+            break;
+        }
+        return full;
+    };
     const auto rendered = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.end(), {"--threads", fmt::format("{}", options.threads), "--seed",
                                            fmt::format("{}", options.seed)});
@@ -138,7 +148,7 @@ std::vector<Section> makePlan(const PlanOptions& options) {
                     .arguments =
                         rendered({"flicker", "--frames", amounts.flickerFrames, "--size", amounts.flickerSize,
                                   "--flip-every", amounts.flipEvery, "--moved", "--fitted-range"}),
-                    .expectedSeconds = full ? 1500.0 : 60.0};
+                    .expectedSeconds = seconds(60.0, 1500.0)};
     if (options.videos) {
         flicker.folderOption = "--videos";
         flicker.folder = "videos";
@@ -154,17 +164,19 @@ std::vector<Section> makePlan(const PlanOptions& options) {
              rendered({"pictures", "--frames", amounts.pictureFrames, "--size", amounts.pictureSize}),
          .folderOption = "--out",
          .folder = "pictures",
-         .expectedSeconds = full ? 20.0 : 3.0},
+         .expectedSeconds = seconds(3.0, 20.0)},
         flicker,
         {.name = "flicker-near",
          .arguments = rendered({"flicker", "--near-object", "--fitted-range", "--frames", amounts.nearFrames,
                                 "--size", amounts.flickerSize, "--flip-every", amounts.flipEvery}),
-         .expectedSeconds = full ? 500.0 : 15.0},
+         .expectedSeconds = seconds(15.0, 500.0)},
         {.name = "probe",
          .arguments = rendered({"probe", "--distances", amounts.probeDistances, "--size", amounts.probeSize}),
-         .expectedSeconds = full ? 8.0 : 4.0},
-        {.name = "timing", .arguments = rendered(std::move(timing)), .expectedSeconds = full ? 8000.0 : 40.0},
-        {.name = "scaling", .arguments = std::move(scaling), .expectedSeconds = full ? 4000.0 : 25.0},
+         .expectedSeconds = seconds(4.0, 8.0)},
+        {.name = "timing",
+         .arguments = rendered(std::move(timing)),
+         .expectedSeconds = seconds(40.0, 8000.0)},
+        {.name = "scaling", .arguments = std::move(scaling), .expectedSeconds = seconds(25.0, 4000.0)},
     };
 }
 

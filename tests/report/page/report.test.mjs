@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { binomialP, chiSquared, chiSquaredP } from "../../../page/logic/statistics.js";
@@ -257,6 +257,23 @@ test("without ffmpeg the page says so in place of the videos", async () => {
     const page = await open(browser, join(bare, "index.html"));
     assert.equal(await page.locator("video").count(), 0);
     assert.match(await page.locator("#flicker .notice").textContent(), /ffmpeg was not installed/);
+    await close(page);
+});
+
+test("an experiment that fails leaves the others their page, and says why", async () => {
+    const tools = join(folder, "tools");
+    mkdirSync(tools);
+    writeFileSync(join(tools, "ffmpeg"), "#!/bin/sh\necho 'no such encoder' >&2\nexit 1\n", { mode: 0o755 });
+    assert.throws(() => makeReport("failing", { ...process.env, PATH: tools }), (error) => {
+        assert.equal(error.status, 1);
+        assert.match(error.stderr.toString(), /^cdr: flicker: .*the report says so too\n$/);
+        return true;
+    });
+    const page = await open(browser, join(folder, "failing", "index.html"));
+    assert.match(await page.locator("#flicker .notice").textContent(), /^This experiment failed.*ffmpeg/);
+    assert.match(await page.locator("#flicker").textContent(), /With something near the camera/); // the other half is there
+    assert.equal(await page.locator("#verdict-list .badge.missing").count(), 2);
+    assert.ok(await page.locator("#pictures .wipe").count() === 2);
     await close(page);
 });
 
