@@ -4,7 +4,12 @@ import { fromCsv, makeAnswer, makeTrials, toCsv } from "./trials.js";
 
 /** @returns {{participant: string, seed: string, answers: object[]}} */
 export function startSession(participant, seed) {
-    return { participant: participant.trim().slice(0, 60) || "anonymous", seed: String(seed).slice(0, 60), answers: [] };
+    return { participant: plainText(participant) || "anonymous", seed: plainText(seed) || "0", answers: [] };
+}
+
+/** A short text that a spreadsheet takes for no formula, so that it reads from CSV as it was written. */
+export function plainText(text) {
+    return String(text).replace(/^[\s=+@-]+|\s+$/g, "").slice(0, 60);
 }
 
 /** The trial that comes next, with its number from 1, or null when all are answered. */
@@ -31,7 +36,7 @@ export function store(session) {
 export function restore(text, seed = null) {
     try {
         const { participant, seed: kept, csv } = JSON.parse(text);
-        if (seed !== null && kept !== seed) {
+        if (seed !== null && kept !== plainText(seed)) {
             return null;
         }
         const session = { ...startSession(participant, kept), answers: fromCsv(csv) };

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace cdr::cli {
@@ -25,7 +26,9 @@ struct PicturesArguments {
 
 /// Name of a result's files, without what the kinds of file add.
 std::string stemOf(const experiments::PictureResult& result) {
-    return fmt::format("{}_{}", result.scene, result.technique);
+    std::string stem = fmt::format("{}_{}", result.scene, result.technique);
+    std::replace(stem.begin(), stem.end(), '/', '-'); // as in "anchored/fitted"
+    return stem;
 }
 
 nlohmann::ordered_json toJson(const experiments::PictureResult& result) {

@@ -31,6 +31,12 @@ test("a reload goes on where it was", () => {
     assert.equal(nextTrial(restore(store(session))).number, 2);
 });
 
+test("a name that looks like a formula reads from the file as it was written", () => {
+    const done = answerAll(startSession("=-1+cmd()", "@seed"));
+    assert.equal(done.participant, "1+cmd()");
+    assert.deepEqual(restore(store(done), "@seed"), done);
+});
+
 test("what another page or another seed left is not taken", () => {
     const kept = store(answerAll(startSession("p", "a")));
     assert.equal(restore(kept, "b"), null);
