@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs whatever is missing to build, test and run cdr: distribution packages only, on Debian 12, Debian 13,
-# Ubuntu 24.04 or later. Where all is there it touches neither the system nor the network.
+# Installs whatever is missing to build, test and run cdr, on Debian 12, Debian 13, Ubuntu 24.04 or later: distribution
+# packages, and into page/node_modules the npm packages of the report's page. Where all is there it touches neither the
+# system nor the network.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -14,6 +15,10 @@ packages=(
     libturbojpeg0-dev nlohmann-json3-dev
     # plots: optional, only the --plot of timing and scaling asks for it, and says so where it is missing
     gnuplot-nox
+    # videos: optional, only flicker's --videos asks for it, and says so where it is missing
+    ffmpeg
+    # the report's videos: optional, it says so where they cannot be made
+    ffmpeg
     # tests, benchmarks and checks
     libbenchmark-dev libgtest-dev clang-format clang-tidy
 )
@@ -33,6 +38,12 @@ as_root() {
 
 command -v apt-get >/dev/null ||
     fail "needs apt; on another system install what its list of packages names, and Vulkan Memory Allocator"
+
+# By their commands, since a distribution of node from elsewhere brings npm along and refuses the package of that name.
+command -v node >/dev/null || packages+=(nodejs)
+command -v npm >/dev/null || packages+=(npm)
+# The browser that tests the report's page. Ubuntu's package of the name only fetches a snap; without it they skip.
+[[ $(. /etc/os-release && echo "$ID") == ubuntu ]] || packages+=(chromium)
 
 missing=()
 installed=" $(dpkg-query --show --showformat='${Package}=${db:Status-Status} ' "${packages[@]}" 2>/dev/null || true)"
@@ -54,4 +65,12 @@ if ((${#missing[@]})) || ! third_party/vma.sh --present; then
             apt-get install -q --yes --no-install-recommends "${missing[@]}" </dev/null
     fi
     third_party/vma.sh
+fi
+
+# The page of `cdr report`: exactly what package-lock.json names. The copy beside them says which lock they came from.
+lock=page/package-lock.json
+if ! cmp --silent "$lock" page/node_modules/.cdr-lock.json; then
+    echo "tools/setup.sh: installing the report page's npm packages into page/node_modules"
+    npm --prefix page ci --ignore-scripts --no-audit --no-fund --loglevel=error </dev/null
+    cp "$lock" page/node_modules/.cdr-lock.json
 fi

@@ -60,8 +60,9 @@ nlohmann::ordered_json toJson(const depth::AdviceRow& row) {
                                 {"format", nameOf(row.technique.format)},
                                 {"cascades", row.forecast.cascades},
                                 {"buffer_step", finiteOrNull(row.forecast.bufferStepView)},
-                                {"vertex_step", finiteOrNull(row.forecast.vertexStepView)},
+                                {"vertex_step", finiteOrNull(row.forecast.rounding.distanceGapView)},
                                 {"predicted", finiteOrNull(row.forecast.resolvedView())},
+                                {"guaranteed", finiteOrNull(row.forecast.guaranteedView())},
                                 {"suffices", row.suffices},
                                 {"cost", costOf(row)}};
     if (row.measured) {
@@ -94,7 +95,8 @@ void printTable(const Console& console, const depth::Advice& advice, bool measur
     for (const depth::AdviceRow& row : advice.rows) {
         rows.push_back({row.technique.name, std::string(nameOf(row.technique.format)),
                         std::to_string(row.forecast.cascades), stepText(row.forecast.bufferStepView),
-                        stepText(row.forecast.vertexStepView), stepText(row.forecast.resolvedView())});
+                        stepText(row.forecast.rounding.distanceGapView),
+                        stepText(row.forecast.resolvedView())});
         if (measured) {
             rows.back().push_back(row.measured ? measuredText(*row.measured) : "");
             rows.back().push_back(row.measured ? timeText(*row.measured) : "");

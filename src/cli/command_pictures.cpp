@@ -1,7 +1,7 @@
 #include "commands.h"
 #include "console.h"
 
-#include <cdr/base/error.h>
+#include <cdr/base/file.h>
 #include <cdr/image/codec.h>
 #include <cdr/scene/open_scene.h>
 
@@ -24,6 +24,13 @@ struct PicturesArguments {
     OutputOptions output;
 };
 
+/// Name of a result's files, without what the kinds of file add.
+std::string stemOf(const experiments::PictureResult& result) {
+    std::string stem = fmt::format("{}_{}", result.scene, result.technique);
+    std::replace(stem.begin(), stem.end(), '/', '-'); // as in "anchored/fitted"
+    return stem;
+}
+
 nlohmann::ordered_json toJson(const experiments::PictureResult& result) {
     return {{"scene", result.scene},
             {"technique", result.technique},
@@ -36,7 +43,9 @@ nlohmann::ordered_json toJson(const experiments::PictureResult& result) {
             {"overlap_wrong", result.wrong.overlapWrong},
             {"overlap_wrong_fraction", result.wrong.overlapFraction()},
             {"edge_wrong", result.wrong.edgeWrong},
-            {"flips", result.flips}};
+            {"flips", result.flips},
+            {"picture", stemOf(result) + ".png"},
+            {"heat_map", stemOf(result) + "_wrong.png"}};
 }
 
 void printTable(const Console& console, const std::vector<experiments::PictureResult>& results) {
@@ -60,12 +69,7 @@ void run(const GlobalOptions& global, PicturesArguments& arguments) {
         arguments.options.techniques.push_back(depth::parseTechnique(name));
     }
     requireJsonWritable(arguments.output);
-    std::error_code error;
-    std::filesystem::create_directories(arguments.folder, error);
-    if (error) {
-        throw base::InputError(
-            fmt::format("{}: cannot be made: {}", arguments.folder.string(), error.message()));
-    }
+    base::makeFolder(arguments.folder);
     const Session session(global);
     const Console console(global, arguments.output);
     const auto results = experiments::runPictures(
@@ -77,8 +81,7 @@ void run(const GlobalOptions& global, PicturesArguments& arguments) {
 
     const std::string device = describe(session.device());
     for (const auto& result : results) {
-        std::string stem = fmt::format("{}_{}", result.scene, result.technique);
-        std::replace(stem.begin(), stem.end(), '/', '-'); // as in "anchored/fitted"
+        const std::string stem = stemOf(result);
         image::writeImage(arguments.folder / (stem + ".png"), result.picture);
         image::writeImage(arguments.folder / (stem + "_wrong.png"), result.heatMap);
     }

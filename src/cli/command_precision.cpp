@@ -80,9 +80,15 @@ void run(const GlobalOptions& global, const PrecisionArguments& arguments) {
     for (const auto& cell : result.table) {
         document["results"].push_back(toJson(cell));
     }
-    document["by_format"] = nlohmann::ordered_json::array();
+    auto& byFormat = base::addSection(document, "by_format");
     for (const auto& cell : result.byFormat) {
-        document["by_format"].push_back(toJson(cell));
+        byFormat.push_back(toJson(cell));
+    }
+    document["curve"] = {{"techniques", result.curveNames}, {"points", nlohmann::ordered_json::array()}};
+    for (const auto& point : result.curve) {
+        std::vector<double> row{point.distanceView};
+        row.insert(row.end(), point.separations.begin(), point.separations.end());
+        document["curve"]["points"].push_back(row);
     }
     if (!arguments.curveFile.empty()) {
         writeCurve(arguments.curveFile, result);

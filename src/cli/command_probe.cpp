@@ -38,6 +38,7 @@ nlohmann::ordered_json toJson(const experiments::ProbeResult& result) {
             {"resolved", numberOrNull(result.resolvedView)},
             {"predicted", numberOrNull(result.predictedView)},
             {"ratio", numberOrNull(ratioOf(result))},
+            {"guaranteed", numberOrNull(result.guaranteedView)},
             {"smallest", result.smallestView},
             {"largest", result.largestView},
             {"cascades", result.cascades}};

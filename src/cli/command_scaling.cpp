@@ -152,12 +152,12 @@ void writeResults(const Session& session, const ScalingArguments& arguments,
                                         {"height", options.height},
                                         {"repeats", options.repeats},
                                         {"seed", options.seed}});
-    document["fits"] = nlohmann::ordered_json::array();
+    auto& fits = base::addSection(document, "fits");
     for (const auto& point : result.points) {
         document["results"].push_back(toJson(point));
     }
     for (const auto& fit : result.fits) {
-        document["fits"].push_back(toJson(fit));
+        fits.push_back(toJson(fit));
     }
     writeJson(arguments.output, document);
 }

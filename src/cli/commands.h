@@ -11,10 +11,15 @@ void addDevices(CLI::App& program, const GlobalOptions& global);
 void addRender(CLI::App& program, const GlobalOptions& global);
 void addPrecision(CLI::App& program, const GlobalOptions& global);
 void addPictures(CLI::App& program, const GlobalOptions& global);
+void addFlicker(CLI::App& program, const GlobalOptions& global);
 void addProbe(CLI::App& program, const GlobalOptions& global);
 void addAdvise(CLI::App& program, const GlobalOptions& global);
 void addTiming(CLI::App& program, const GlobalOptions& global);
 void addScaling(CLI::App& program, const GlobalOptions& global);
+void addReport(CLI::App& program, const GlobalOptions& global);
+
+/// The commands that a report is made of: all that measure.
+void addExperiments(CLI::App& program, const GlobalOptions& global);
 
 /// Adds `--json [FILE]`; without a file, or with "-", JSON goes to standard output and the table to standard
 /// error.

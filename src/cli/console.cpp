@@ -9,8 +9,9 @@ namespace cdr::cli {
 
 Console::Console(const GlobalOptions& global, const OutputOptions& output)
     : m_out(output.json == "-" ? stderr : stdout),
-      m_quiet(global.quiet),
-      m_terminal(::isatty(STDERR_FILENO) != 0) {}
+      m_quiet(global.quiet || !global.section.empty()),
+      m_showsProgress(!global.quiet && ::isatty(STDERR_FILENO) != 0),
+      m_section(global.section.empty() ? "" : global.section + ": ") {}
 
 void Console::line(const std::string& text) const {
     if (!m_quiet) {
@@ -45,18 +46,18 @@ void Console::table(const std::vector<std::string>& header,
 }
 
 void Console::progress(std::size_t done, std::size_t all, const std::string& what) const {
-    if (m_quiet || !m_terminal || all == 0) {
+    if (!m_showsProgress || all == 0) {
         return;
     }
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - m_start;
     const double left =
         done ? passed.count() / static_cast<double>(done) * static_cast<double>(all - done) : 0.0;
-    fmt::print(stderr, "\r\x1b[K{}/{} {}, {:.0f} s left", done, all, what, left);
+    fmt::print(stderr, "\r\x1b[K{}{}/{} {}, {:.0f} s left", m_section, done, all, what, left);
     std::fflush(stderr);
 }
 
 void Console::endProgress() const {
-    if (!m_quiet && m_terminal) {
+    if (m_showsProgress) {
         fmt::print(stderr, "\r\x1b[K");
     }
 }

@@ -30,8 +30,9 @@ class Console {
 
   private:
     std::FILE* m_out;
-    bool m_quiet;
-    bool m_terminal;
+    bool m_quiet; ///< no lines and tables
+    bool m_showsProgress;
+    std::string m_section; ///< of a report, in front of the progress; else empty
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 

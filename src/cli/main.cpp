@@ -53,12 +53,8 @@ int run(int argc, char** argv) {
     program.set_version_flag("--version", fmt::format("cdr {} ({})", build.version, build.commit));
     cdr::cli::addDevices(program, global);
     cdr::cli::addRender(program, global);
-    cdr::cli::addPrecision(program, global);
-    cdr::cli::addPictures(program, global);
-    cdr::cli::addProbe(program, global);
-    cdr::cli::addAdvise(program, global);
-    cdr::cli::addTiming(program, global);
-    cdr::cli::addScaling(program, global);
+    cdr::cli::addExperiments(program, global);
+    cdr::cli::addReport(program, global);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {

@@ -15,6 +15,7 @@ struct GlobalOptions {
     std::string device; ///< index or part of a name; empty for the best
     bool validate = false;
     bool quiet = false;
+    std::string section; ///< of a report that the command runs for: only its progress shows, under this name
 };
 
 /// What every command takes.

@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/base/sha256.h>
 #include <cdr/base/suggest.h>
+#include <cdr/image/srgb.h>
 #include <cdr/measure/wrong_pixels.h>
 
 #include <algorithm>
@@ -122,8 +123,7 @@ std::vector<image::ExrChannel> colorChannels(const render::Frame& frame, const i
     for (std::size_t c = 0; c < 3; ++c) {
         // EXR holds linear light.
         channels.push_back({std::string(1, "RGB"[c]), values(frame, [&](auto x, auto y) {
-                                const double s = picture.at(x, y)[c] / 255.0;
-                                return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+                                return image::linearOfSrgb()[picture.at(x, y)[c]];
                             })});
     }
     return channels;

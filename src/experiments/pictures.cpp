@@ -24,7 +24,7 @@ void addFrame(const render::Frame& frame, const measure::TruthImage& truth,
         result.heatMap = measure::heatMap(ids, truth, frame.color);
     }
     if (before) {
-        result.flips += measure::countFlips(*before, {ids, truth});
+        result.flips += measure::countFlips(*before, {ids, truth}).flips;
     }
     ++result.frames;
 }

@@ -88,7 +88,8 @@ depth::ForecastScene forecastScene(const scene::StagedScene& staged, const scene
             .farView = ladder.farView,
             .footprintSlope = 2.0 * std::tan(0.5 * camera.fovY) / height,
             .atView = ladder.distanceView,
-            .spanView = spanOf(staged)};
+            .spanView = spanOf(staged),
+            .somethingNear = false};
 }
 
 } // namespace
@@ -128,6 +129,7 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
                                    .distanceView = distanceView,
                                    .resolvedView = smallestResolved(frame.ids(), truth, ladder),
                                    .predictedView = forecast.resolvedView(),
+                                   .guaranteedView = forecast.guaranteedView(),
                                    .smallestView = scene::ladderSeparation(ladder, 0),
                                    .largestView = scene::ladderSeparation(ladder, scene::kLadderPairs - 1),
                                    .cascades = frame.cascades.size()});

@@ -37,9 +37,10 @@ struct ProbeResult {
     double distanceView = 0.0;
     /// The smallest separation that, with all larger ones, shows no wrong pixel; empty when the largest does.
     std::optional<double> resolvedView;
-    double predictedView = 0.0; ///< depth::forecast()
-    double smallestView = 0.0;  ///< of the ladder: `resolved` can be no less
-    double largestView = 0.0;   ///< of the ladder: null means more than this
+    double predictedView = 0.0;  ///< depth::forecast()
+    double guaranteedView = 0.0; ///< the same with every rounding at its worst
+    double smallestView = 0.0;   ///< of the ladder: `resolved` can be no less
+    double largestView = 0.0;    ///< of the ladder: null means more than this
     std::size_t cascades = 0;
 };
 

@@ -18,11 +18,12 @@ std::string readText(const fs::path& path) {
     return text.str();
 }
 
-ProgramResult runProgram(const std::string& arguments, const fs::path& folder) {
+ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
+                         const std::string& environment) {
     // What the program prints goes beside the folder, which stays as the program leaves it.
     const std::string log = folder.string() + ".log";
-    const std::string command = "cd '" + folder.string() + "' && '" CDR_PROGRAM "' " + arguments + " >'" +
-                                log + ".out' 2>'" + log + ".err' </dev/null";
+    const std::string command = "cd '" + folder.string() + "' && " + environment + " '" CDR_PROGRAM "' " +
+                                arguments + " >'" + log + ".out' 2>'" + log + ".err' </dev/null";
     const int status = std::system(command.c_str());
     ProgramResult result{.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
                          .out = readText(log + ".out"),

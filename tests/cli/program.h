@@ -12,7 +12,9 @@ struct ProgramResult {
 };
 
 /// Runs the cdr program in a shell with `arguments` as typed, in `folder`.
-ProgramResult runProgram(const std::string& arguments, const std::filesystem::path& folder);
+/// @param environment assignments for the program alone, as typed before it.
+ProgramResult runProgram(const std::string& arguments, const std::filesystem::path& folder,
+                         const std::string& environment = "");
 
 /// A fresh empty folder that is removed with the object.
 class TemporaryFolder {

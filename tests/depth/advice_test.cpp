@@ -45,9 +45,9 @@ TEST(Forecast, IsNearWhatTheProbeMeasured) {
 }
 
 TEST(Forecast, VertexRoundingIsFloat32sOfWhatTheShaderReceives) {
-    EXPECT_DOUBLE_EQ(forecastOf("reversed", DepthFormat::d32f, 1e6).vertexStepView, 0x1p-4);
-    EXPECT_DOUBLE_EQ(forecastOf("anchored", DepthFormat::d32f, 1e6).vertexStepView, 0x1p-19);
-    EXPECT_GT(forecastOf("log", DepthFormat::d32f, 1e6).vertexStepView, 1.0);
+    EXPECT_DOUBLE_EQ(forecastOf("reversed", DepthFormat::d32f, 1e6).rounding.distanceGapView, 0x1p-4);
+    EXPECT_DOUBLE_EQ(forecastOf("anchored", DepthFormat::d32f, 1e6).rounding.distanceGapView, 0x1p-19);
+    EXPECT_GT(forecastOf("log", DepthFormat::d32f, 1e6).rounding.depthGapView, 1.0);
 }
 
 AdviceQuestion question(double atView, double separationView) {

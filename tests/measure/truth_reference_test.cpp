@@ -70,7 +70,36 @@ Disagreement disagreement(const scene::Scene& scene, const scene::Camera& camera
     return result;
 }
 
+/// The worst of all tests of this program, printed at its end.
+class WorstDisagreement : public testing::Environment {
+  public:
+    void TearDown() override {
+        if (m_all.pixels == 0) {
+            return; // other tests alone ran
+        }
+        std::printf(
+            "truth against its second method: worst distance %.2e relative, %llu mistakes in %llu pixels\n",
+            m_all.distance, static_cast<unsigned long long>(m_all.mistakes),
+            static_cast<unsigned long long>(m_all.pixels));
+    }
+    void add(const Disagreement& d) { m_all.add(d); }
+
+  private:
+    Disagreement m_all;
+};
+
+WorstDisagreement& worst() {
+    // GoogleTest owns environments.
+    static auto* const kWorst = new WorstDisagreement;
+    [[maybe_unused]] static const auto* const kRegistered = testing::AddGlobalTestEnvironment(kWorst);
+    return *kWorst;
+}
+
+[[maybe_unused]] const WorstDisagreement& kRegisteredBeforeMain = worst();
+
 void print(const char* what, double distance, const Disagreement& d) {
+    worst().add(d);
+    testing::Test::RecordProperty("worst_distance_relative", std::to_string(d.distance * 1e15) + "e-15");
     std::printf(
         "%s at %.0e: %llu pixels, %llu covered; ids differ %llu at ties, %llu else; distance at worst "
         "%.2e relative\n",

@@ -24,6 +24,10 @@ nlohmann::ordered_json makeDocument(const std::string& command, const DocumentDe
             {"results", nlohmann::ordered_json::array()}};
 }
 
+nlohmann::ordered_json& addSection(nlohmann::ordered_json& document, const std::string& name) {
+    return document[name] = nlohmann::ordered_json::array();
+}
+
 void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_json& document) {
     const std::string text = document.dump(2) + "\n";
     if (path == "-") {

@@ -26,6 +26,10 @@ struct DocumentDevice {
 nlohmann::ordered_json makeDocument(const std::string& command, const DocumentDevice& device,
                                     nlohmann::ordered_json options);
 
+/// Adds a section of its own behind the results, an empty array, for what is not one row per result: pairs of
+/// them, fits through them. Not a name of the envelope.
+nlohmann::ordered_json& addSection(nlohmann::ordered_json& document, const std::string& name);
+
 /// Writes a document, indented, whole or not at all; "-" is standard output.
 void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_json& document);
 

@@ -22,22 +22,6 @@ fs::path temporaryBeside(const fs::path& path) {
     return temporary;
 }
 
-/// Removes a file when it goes out of scope, unless it was renamed away.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(fs::path path) : m_path(std::move(path)) {}
-    ~TemporaryFile() {
-        std::error_code ignored;
-        fs::remove(m_path, ignored);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    const fs::path& path() const { return m_path; }
-
-  private:
-    fs::path m_path;
-};
-
 void writeStream(const fs::path& path, std::span<const std::uint8_t> bytes) {
     std::ofstream stream(path, std::ios::binary);
     if (!stream) {
@@ -78,17 +62,29 @@ Bytes readFile(const fs::path& path, std::uintmax_t maxBytes) {
     return bytes;
 }
 
-void writeBesideThenRename(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-    if (path.filename().empty() || fs::is_directory(path)) {
-        throw InputError(path.string() + ": names a folder, not a file to write");
+PendingFile::PendingFile(fs::path path) : m_path(std::move(path)), m_temporary(temporaryBeside(m_path)) {
+    if (m_path.filename().empty() || fs::is_directory(m_path)) {
+        throw InputError(m_path.string() + ": names a folder, not a file to write");
     }
-    const TemporaryFile temporary(temporaryBeside(path));
-    write(temporary.path());
+}
+
+PendingFile::~PendingFile() {
+    std::error_code ignored;
+    fs::remove(m_temporary, ignored);
+}
+
+void PendingFile::commit() const {
     std::error_code error;
-    fs::rename(temporary.path(), path, error);
+    fs::rename(m_temporary, m_path, error);
     if (error) {
-        throw InputError(path.string() + ": cannot be written: " + error.message());
+        throw InputError(m_path.string() + ": cannot be written: " + error.message());
     }
+}
+
+void writeBesideThenRename(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+    const PendingFile file(path);
+    write(file.temporary());
+    file.commit();
 }
 
 void writeFile(const fs::path& path, std::span<const std::uint8_t> bytes) {
@@ -100,12 +96,17 @@ void writeText(const fs::path& path, std::string_view text) {
 }
 
 void requireWritable(const fs::path& path) {
-    if (path.filename().empty() || fs::is_directory(path)) {
-        throw InputError(path.string() + ": names a folder, not a file to write");
-    }
-    const TemporaryFile probe(temporaryBeside(path));
-    if (!std::ofstream(probe.path(), std::ios::binary)) {
+    const PendingFile probe(path);
+    if (!std::ofstream(probe.temporary(), std::ios::binary)) {
         throw InputError(path.string() + ": cannot be written, its folder is missing or read-only");
+    }
+}
+
+void makeFolder(const fs::path& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error) {
+        throw InputError(path.string() + ": cannot be made: " + error.message());
     }
 }
 

@@ -71,7 +71,7 @@ std::string saysOf(const AdviceRow& row) {
 }
 
 std::string limitOf(const AdviceRow& row) {
-    if (row.forecast.bufferStepView >= 4.0 * row.forecast.vertexStepView) {
+    if (row.forecast.bufferStepView >= 4.0 * row.forecast.rounding.distanceGapView) {
         return "the steps of the depth buffer";
     }
     return isAnchored(row.technique.mapping) ? "float32 distances to the anchor plane"

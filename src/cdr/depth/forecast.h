@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/depth/rounding.h>
 #include <cdr/depth/technique.h>
 
 #include <cstddef>
@@ -7,31 +8,33 @@
 
 namespace cdr::depth {
 
-/// What a forecast is made for: a camera, and content around one distance and something at the near plane,
-/// which keeps near where it is.
+/// What a forecast is made for: a camera, content around one distance, and, unless told otherwise, something
+/// at the near plane, which keeps near where it is and takes fitted cascades of its own.
 struct ForecastScene {
     double nearView = 0.1;       ///< > 0
     double farView = 1e5;        ///< > nearView
     double footprintSlope = 0.0; ///< 2 tan(fovY / 2) / height
     double atView = 1e5;         ///< centre of the content, within the range
     double spanView = 32.0;      ///< depth of the content
+    bool somethingNear = true;   ///< whether something is at the near plane
 };
 
 /// What a technique is predicted to resolve at a distance.
 struct Forecast {
     std::size_t cascades = 1;
     double bufferStepView = 0.0; ///< of the depth buffer, in the cascade that holds the distance
-    double vertexStepView = 0.0; ///< what float32 arithmetic makes of a vertex before the buffer sees it
-    /// Two surfaces this far apart come out in order: each may be off by the vertex rounding, and a step must
-    /// fit between.
-    double resolvedView() const { return bufferStepView + 2.0 * vertexStepView; }
+    DepthRounding rounding;      ///< of one surface, before the buffer sees it
+
+    /// Surfaces this far apart come out in order but for a pixel here and there: a step of the buffer, and
+    /// what float32 takes from two surfaces, at two deviations.
+    double resolvedView() const;
+    /// Surfaces this far apart come out in order everywhere: a step of the buffer, and every rounding of both
+    /// surfaces at its worst.
+    double guaranteedView() const { return bufferStepView + 2.0 * rounding.worstView(); }
 };
 
-/// Predicts the smallest separation a technique resolves. The vertex rounding, from DESIGN section 3:
-/// - w in float32: the gap between float32 values around w;
-/// - log, the logarithm taken in float32 besides: w ln(f/n) 2^-24;
-/// - anchored: the gap between float32 values around the cascade's thickness.
-/// base::InputError for an unusable range or a distance outside it.
+/// Predicts the smallest separation a technique resolves. base::InputError for an unusable range, a
+/// distance outside it, or a split fitted to pixels without footprintSlope.
 Forecast forecast(const Technique& technique, const ForecastScene& scene);
 
 /// The cascades the technique would cut.

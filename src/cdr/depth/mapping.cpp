@@ -53,6 +53,16 @@ double zNdcAt(const DepthRange& range, double distanceView) {
     return (terms.scale * offsetView + terms.offset) / distanceView;
 }
 
+double depthSlope(const DepthRange& range, double distanceView) {
+    const double n = range.nearView;
+    if (isLog(range.mapping)) {
+        return 1.0 / (distanceView * std::log(*range.farView / n));
+    }
+    // Every linear mapping falls off as this scale over w.
+    const double scale = range.farView ? *range.farView * n / (*range.farView - n) : n;
+    return scale / (distanceView * distanceView);
+}
+
 double distanceViewAt(const DepthRange& range, double zNdc) {
     const double n = range.nearView;
     if (isLog(range.mapping)) {

@@ -74,6 +74,9 @@ DepthRange depthRange(Mapping mapping, const Cascades& cascades, std::size_t ind
 /// Depth of a point at view distance w, w within the range.
 double zNdcAt(const DepthRange& range, double distanceView);
 
+/// How much depth changes per unit of view distance at w, as a positive number.
+double depthSlope(const DepthRange& range, double distanceView);
+
 /// Inverse of zNdcAt().
 double distanceViewAt(const DepthRange& range, double zNdc);
 

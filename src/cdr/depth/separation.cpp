@@ -11,12 +11,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Depth falls off as c/w for every linear mapping; this is that c.
-double hyperbolaScale(const DepthRange& range) {
-    return range.farView ? *range.farView * range.nearView / (*range.farView - range.nearView)
-                         : range.nearView;
-}
-
 /// Solves c/w - c/(w + gap) = step for the gap.
 double hyperbolicGap(double c, double step, double distanceView) {
     const double left = c - distanceView * step;
@@ -50,7 +44,8 @@ double separationView(const DepthRange& range, DepthFormat format, double distan
     if (isLog(range.mapping)) {
         return distanceView * std::expm1(step * std::log(*range.farView / range.nearView));
     }
-    return hyperbolicGap(hyperbolaScale(range), step, distanceView);
+    const double c = depthSlope(range, distanceView) * distanceView * distanceView;
+    return hyperbolicGap(c, step, distanceView);
 }
 
 double separationView(Mapping mapping, const Cascades& cascades, DepthFormat format, double distanceView) {

@@ -13,9 +13,31 @@ struct IdFrame {
     TruthImage truth;
 };
 
-/// Pixels that flicker from one frame to the next: inner in both frames, the same object in truth, yet drawn
-/// as different objects, so at least one of the two is wrong. A wrong pixel that stays put does not flip.
+/// Flicker between frames.
+struct FlipCount {
+    std::uint64_t flips = 0;    ///< pixels drawn as different objects where the truth stays the same
+    std::uint64_t compared = 0; ///< pixels where the truth stays the same
+
+    double perThousand() const {
+        return compared ? 1000.0 * static_cast<double>(flips) / static_cast<double>(compared) : 0.0;
+    }
+    FlipCount& operator+=(const FlipCount& other);
+    bool operator==(const FlipCount&) const = default;
+};
+
+/// Per pixel: 1 where both frames are inner (innerMask()) and show the same object in truth, else 0.
 /// base::InputError when the sizes differ.
-std::uint64_t countFlips(const IdFrame& before, const IdFrame& after);
+image::Raster<std::uint8_t> steadyMask(const TruthImage& before,
+                                       const image::Raster<std::uint8_t>& innerBefore,
+                                       const TruthImage& after,
+                                       const image::Raster<std::uint8_t>& innerAfter);
+
+/// Flips of the steady pixels: drawn as different objects, so at least one of the two is wrong. A wrong pixel
+/// that stays put does not flip. base::InputError when the sizes differ.
+FlipCount countFlips(const image::ImageU32& idsBefore, const image::ImageU32& idsAfter,
+                     const image::Raster<std::uint8_t>& steady);
+
+/// countFlips() over the two frames' steadyMask().
+FlipCount countFlips(const IdFrame& before, const IdFrame& after);
 
 } // namespace cdr::measure

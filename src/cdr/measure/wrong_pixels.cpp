@@ -68,8 +68,13 @@ image::Raster<std::uint8_t> innerMask(const TruthImage& truth) {
 }
 
 WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth) {
+    return countWrong(ids, truth, innerMask(truth));
+}
+
+WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth,
+                       const image::Raster<std::uint8_t>& inner) {
     requireSameSize(ids, truth, "wrong pixels: the id image's size");
-    const image::Raster<std::uint8_t> inner = innerMask(truth);
+    requireSameSize(inner, truth, "wrong pixels: the mask's size");
     WrongPixels count;
     for (std::size_t i = 0; i < ids.pixels.size(); ++i) {
         const bool wrong = ids.pixels[i] != truth.pixels[i].id;

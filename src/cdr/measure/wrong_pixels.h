@@ -33,6 +33,9 @@ image::Raster<std::uint8_t> innerMask(const TruthImage& truth);
 
 /// Compares ids (object index + 1) of one size; base::InputError when the sizes differ.
 WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth);
+/// The same with the truth's innerMask() at hand, for those who compare several ids with one truth.
+WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth,
+                       const image::Raster<std::uint8_t>& inner);
 
 /// The heat map: red (255, 0, 0) where wrong off edges, orange (255, 165, 0) where wrong on edges, else the
 /// picture as grey at half its brightness. Opaque. base::InputError when the sizes differ.

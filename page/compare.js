@@ -1,0 +1,123 @@
+// The experiment on people: shows the trials of logic/session.js and keeps their answers.
+
+import { answered, freshSeed, nextTrial, restore, startSession, store } from "./logic/session.js";
+import { fromCsv, maxBytes, toCsv, withoutRepeats } from "./logic/trials.js";
+import { makeTally } from "./view/tally.js";
+import { Trial } from "./view/trial.js";
+
+const kKey = "cdr-compare";
+const byId = (id) => document.getElementById(id);
+
+/** Local storage, where the browser lends it to a page opened from a file. */
+const kept = {
+    read() {
+        try {
+            return localStorage.getItem(kKey);
+        } catch {
+            return null;
+        }
+    },
+    write(text) {
+        try {
+            localStorage.setItem(kKey, text);
+        } catch {
+            // Then the answers live as long as the page.
+        }
+    },
+};
+
+const askedSeed = new URLSearchParams(location.search).get("seed");
+let session = restore(kept.read(), askedSeed);
+let others = [];
+const trial = new Trial({
+    onAnswer(answer) {
+        session = answered(session, answer);
+        kept.write(store(session));
+        showNext(true);
+    },
+});
+
+function show(id) {
+    for (const section of ["welcome", "trial", "done"]) {
+        byId(section).hidden = section !== id;
+    }
+}
+
+function showWelcome(seed) {
+    session = startSession("", seed);
+    byId("seed").textContent = session.seed;
+    byId("seed-link").href = `?seed=${encodeURIComponent(session.seed)}`;
+    show("welcome");
+    showTally();
+}
+
+/** @param {boolean} focus whether somebody is at work, whose keyboard should land in the right place. */
+function showNext(focus) {
+    const next = nextTrial(session);
+    show(next ? "trial" : "done");
+    if (next) {
+        trial.begin(next, focus);
+    } else if (focus) {
+        byId("done-title").focus();
+    }
+    showTally();
+}
+
+function allAnswers() {
+    return withoutRepeats([...session.answers, ...others]);
+}
+
+function showTally() {
+    const answers = allAnswers();
+    const people = new Set(answers.map((answer) => `${answer.participant} ${answer.seed}`)).size;
+    byId("counted").textContent = `${answers.length} ${answers.length === 1 ? "answer" : "answers"} of ${people} ${people === 1 ? "person" : "people"}.`;
+    byId("tally").replaceChildren(makeTally(answers));
+}
+
+function download(name, text) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([text], { type: "text/csv;charset=utf-8" }));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+/** Adds files of answers; one that is none is named, and the others count. */
+async function loadFiles(files) {
+    const refused = [];
+    for (const file of files) {
+        try {
+            if (file.size > maxBytes) {
+                throw new Error(`over the limit of ${maxBytes} bytes`);
+            }
+            others = withoutRepeats([...others, ...fromCsv(await file.text())]);
+        } catch (error) {
+            refused.push(`${file.name}: ${error.message}`);
+        }
+    }
+    byId("refused").hidden = refused.length === 0;
+    byId("refused").textContent = refused.join("; ");
+    showTally();
+}
+
+byId("start").addEventListener("submit", (event) => {
+    event.preventDefault();
+    session = startSession(byId("participant").value, session.seed);
+    kept.write(store(session));
+    showNext(true);
+});
+byId("save").addEventListener("click", () => download(`answers-${session.seed}.csv`, toCsv(session.answers)));
+byId("save-all").addEventListener("click", () => download("answers-all.csv", toCsv(allAnswers())));
+byId("again").addEventListener("click", () => {
+    others = allAnswers();
+    showWelcome(freshSeed(crypto.getRandomValues(new Uint8Array(8))));
+    byId("participant").value = "";
+    byId("participant").focus();
+});
+byId("load").addEventListener("change", (event) => loadFiles(event.target.files));
+
+if (session) {
+    showNext(false);
+} else {
+    showWelcome(askedSeed ?? freshSeed(crypto.getRandomValues(new Uint8Array(8))));
+}

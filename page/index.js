@@ -1,0 +1,51 @@
+// The report's page: fills each section from window.cdrReport, which data.js sets.
+
+import { summary, verdicts } from "./logic/verdicts.js";
+import { h } from "./view/elements.js";
+import { fillAdvise } from "./view/section_advise.js";
+import { facts, fillEnvironment } from "./view/section_environment.js";
+import { fillFlicker, fillNearObject } from "./view/section_flicker.js";
+import { fillPictures } from "./view/section_pictures.js";
+import { fillPrecision } from "./view/section_precision.js";
+import { fillProbe } from "./view/section_probe.js";
+import { fillScaling } from "./view/section_scaling.js";
+import { fillTiming } from "./view/section_timing.js";
+import { fillFailure, fillSource } from "./view/source.js";
+import { fillVerdicts, repeatInSections } from "./view/verdict_list.js";
+
+const fillers = {
+    precision: fillPrecision,
+    pictures: fillPictures,
+    flicker: fillFlicker,
+    "flicker-near": fillNearObject,
+    probe: fillProbe,
+    timing: fillTiming,
+    scaling: fillScaling,
+    advise: fillAdvise,
+};
+
+function fillPage({ report, sections }) {
+    const judged = verdicts(sections);
+    document.getElementById("facts").append(...facts(report).map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))));
+    document.getElementById("summary").textContent = summary(judged, report.results.reduce((sum, row) => sum + row.seconds, 0));
+    fillVerdicts(document.getElementById("verdict-list"), judged);
+    repeatInSections(judged);
+    for (const row of report.results) {
+        const results = sections[row.section];
+        if (row.failure) {
+            fillFailure(row);
+        }
+        if (results && fillers[row.section]) {
+            fillers[row.section](results, row.folder);
+        }
+        fillSource(row, results, report);
+    }
+    fillEnvironment(report);
+}
+
+if (window.cdrReport) {
+    fillPage(window.cdrReport);
+} else {
+    document.getElementById("main").prepend(h("p", { class: "notice" },
+        "There are no results here: data.js is missing from this folder. `cdr report --quick -o report` measures them."));
+}

@@ -1,0 +1,69 @@
+// Chapter 7 says that formulas "are not reliable in practice": measured beside predicted, from `cdr probe`.
+
+const kRungs = 256; // pairs of the ladder, in equal ratios
+
+/** Series over distance of one depth format: what was measured, and what was predicted, per technique. */
+export function series(document, format) {
+    const rows = document.results.filter((row) => row.format === format);
+    const x = [...new Set(rows.map((row) => row.distance))].sort((a, b) => a - b);
+    const techniques = [...new Set(rows.map((row) => row.technique))];
+    const valuesOf = (technique, field) => x.map((distance) =>
+        rows.find((row) => row.technique === technique && row.distance === distance)?.[field] ?? null);
+    return {
+        x,
+        measured: techniques.map((name) => ({ name, values: valuesOf(name, "resolved") })),
+        predicted: techniques.map((name) => ({ name, values: valuesOf(name, "predicted") })),
+    };
+}
+
+/** Depth formats in the order of the document. */
+export function formats(document) {
+    return [...new Set(document.results.map((row) => row.format))];
+}
+
+/**
+ * How well the forecast holds. A measured value at the ladder's smallest rung says only "this or finer", and none
+ * says "coarser than its widest", so both are judged by whether the forecast lies there too.
+ */
+export function reliability(document) {
+    const kinds = { within: 0, coarser: 0, finer: 0 };
+    let worstRatio = 1;
+    for (const row of document.results) {
+        const ratio = judgedRatio(row);
+        if (ratio > 2) {
+            ++kinds.coarser;
+        } else if (ratio < 0.5) {
+            ++kinds.finer;
+        } else {
+            ++kinds.within;
+        }
+        worstRatio = Math.max(worstRatio, ratio);
+    }
+    return { ...kinds, all: document.results.length, worstRatio, beyondBound: beyondBound(document) };
+}
+
+/** How many are coarser than even the bound, every rounding at its worst, by more than the ladder tells apart. */
+function beyondBound(document) {
+    const known = document.results.filter((row) => "guaranteed" in row);
+    const isBeyond = (row) => {
+        const rung = (row.largest / row.smallest) ** (1 / (kRungs - 1));
+        const bound = row.guaranteed ?? Infinity;
+        return bound < row.largest / rung && (row.resolved ?? Infinity) > bound * rung;
+    };
+    return known.length === 0 ? null : known.filter(isBeyond).length;
+}
+
+/** Measured over predicted, 1 where the ladder's ends hide the difference. */
+export function judgedRatio(row) {
+    const predicted = row.predicted ?? Infinity;
+    if (row.resolved === null) {
+        return predicted > row.largest / 2 ? 1 : row.largest / predicted;
+    }
+    if (predicted === Infinity) {
+        return row.resolved / row.largest; // the widest rung is as coarse as could be seen
+    }
+    if (row.resolved <= row.smallest * 1.0001 && predicted <= row.smallest) {
+        return 1;
+    }
+    return row.resolved / predicted;
+}

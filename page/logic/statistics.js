@@ -1,0 +1,60 @@
+// The statistics of the two-alternative forced choice: chi-squared of the thesis (section 6.1.5), and the exact binomial
+// test beside it, since its approximation is poor for twelve answers.
+
+/** Chi-squared of two counts against equal expectation, one degree of freedom. NaN without any answer. */
+export function chiSquared(a, b) {
+    return (a - b) ** 2 / (a + b);
+}
+
+/** Chance of a chi-squared of one degree of freedom at or above `x`. */
+export function chiSquaredP(x) {
+    return erfc(Math.sqrt(x / 2));
+}
+
+/** Two-sided exact p of `a` against `b` answers when both are equally likely. NaN without any answer. */
+export function binomialP(a, b) {
+    const n = a + b;
+    if (n === 0) {
+        return NaN;
+    }
+    let term = 0.5 ** n; // of the next outcome, C(n, i) / 2^n
+    let tail = 0;
+    for (let i = 0; i <= Math.min(a, b); ++i) {
+        tail += term;
+        term *= (n - i) / (i + 1);
+    }
+    return Math.min(1, 2 * tail);
+}
+
+/** Wilson's 95 % interval of a share, as [low, high] in 0..1. */
+export function wilson95(hits, all) {
+    if (all === 0) {
+        return [0, 1];
+    }
+    const z = 1.959963984540054;
+    const share = hits / all;
+    const shrink = 1 + z ** 2 / all;
+    const middle = share + z ** 2 / (2 * all);
+    const reach = z * Math.sqrt((share * (1 - share)) / all + z ** 2 / (4 * all ** 2));
+    return [Math.max(0, (middle - reach) / shrink), Math.min(1, (middle + reach) / shrink)];
+}
+
+/** Complementary error function for x >= 0: series near 0, continued fraction (Lentz) beyond. */
+function erfc(x) {
+    const square = x * x;
+    const scale = Math.exp(-square) / Math.sqrt(Math.PI);
+    if (x < 2) {
+        let term = 2 * x;
+        let sum = term;
+        for (let n = 1; Math.abs(term) > 1e-17 * sum; ++n) {
+            term *= square / (n + 0.5);
+            sum += term;
+        }
+        return 1 - scale * sum;
+    }
+    let fraction = x;
+    for (let n = 60; n > 0; --n) {
+        fraction = x + n / 2 / fraction;
+    }
+    return scale / fraction;
+}

@@ -1,0 +1,48 @@
+import { scenes } from "../logic/pictures.js";
+import { number, percent } from "../logic/format.js";
+import { techniqueTitles } from "../logic/thesis.js";
+import { h, slot, table, techniqueLabel } from "./elements.js";
+import { makeWipe } from "./wipe.js";
+
+const about = {
+    cubes: { title: "Cubes at 12,000 units", text: "Figures 6.1 to 6.3: near plane 0.01, far plane 100,000." },
+    afc: { title: "Cubes at 1,000,000 units", text: "The scene of the experiment on people: near plane 0.001, far plane 2,000,000." },
+};
+
+export function fillPictures(document, folder) {
+    for (const scene of scenes(document)) {
+        const { title, text } = about[scene.name] ?? { title: scene.name, text: "" };
+        const lens = `The thesis names no lens; here it is ${number(scene.results[0].fov_degrees, 4)}\u00b0 high.`;
+        slot("pictures", "wipes").append(h("h3", {}, title), h("p", {}, `${text} ${scene.name === "cubes" ? lens : ""}`),
+            makeWipe({ scene: title, ...sizeOf(document), items: scene.results.map((result) => itemOf(result, folder)), alt: (item, kind) => altOf(title, item, kind) }));
+    }
+    slot("pictures", "table").append(makeTable(document));
+}
+
+function sizeOf({ options }) {
+    return { width: options.width, height: options.height };
+}
+
+function itemOf(result, folder) {
+    return {
+        technique: result.technique,
+        title: techniqueTitles[result.technique] ?? result.technique,
+        note: `${percent(result.wrong_fraction)} wrong off edges, ${percent(result.overlap_wrong_fraction)} where cubes overlap`,
+        picture: `${folder}/${result.picture}`,
+        heatMap: `${folder}/${result.heat_map}`,
+    };
+}
+
+function altOf(scene, item, kind) {
+    return kind === "picture"
+        ? `${scene} under ${item.title}: ${item.note}.`
+        : `Heat map of ${scene} under ${item.title}, wrong pixels red: ${item.note}.`;
+}
+
+function makeTable(document) {
+    return table("Wrong pixels, summed over the frames. Inner: the true object is shared by all eight neighbours.",
+        ["Technique", "scene", "frames", "inner pixels", "wrong", "wrong share", "where objects overlap"],
+        document.results.map((r) => [
+            techniqueLabel(r.technique, techniqueTitles[r.technique] ?? r.technique), r.scene, r.frames, number(r.pixels, 7), number(r.wrong, 7),
+            percent(r.wrong_fraction), percent(r.overlap_wrong_fraction)]));
+}

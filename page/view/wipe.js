@@ -1,0 +1,57 @@
+// Two pictures over each other and a bar between them: a range input, so mouse, touch and keyboard all move it.
+
+import { h } from "./elements.js";
+
+let count = 0; // names of radio groups are page-wide
+
+/**
+ * @param {{scene: string, width: number, height: number, alt: (item: object, kind: string) => string,
+ *          items: {technique: string, title: string, note: string, picture: string, heatMap: string}[]}} options
+ */
+export function makeWipe({ scene, width, height, items, alt }) {
+    const left = picker("Left", items, 0);
+    const right = picker("Right", items, Math.min(items.length - 1, 3));
+    const kinds = radios(`wipe-kind-${++count}`, [["picture", "Picture"], ["heatMap", "Heat map"]]);
+    const lower = h("img", { class: "lower", width, height });
+    const upper = h("img", { class: "upper", width, height });
+    const names = [h("span", { class: "wipe-name of-left" }), h("span", { class: "wipe-name of-right" })];
+    const caption = h("figcaption");
+    const range = h("input", { type: "range", min: 0, max: 100, step: 1, value: 50 });
+    const stage = h("div", { class: "wipe-stage" }, lower, upper, h("div", { class: "wipe-bar" }), names, range);
+
+    const show = () => {
+        const [a, b] = [items[left.select.value], items[right.select.value]];
+        const kind = kinds.value();
+        upper.src = a[kind];
+        lower.src = b[kind];
+        upper.alt = alt(a, kind);
+        lower.alt = alt(b, kind);
+        names[0].textContent = a.title;
+        names[1].textContent = b.title;
+        range.setAttribute("aria-label", `${scene}: how much of ${a.title} covers ${b.title}`);
+        caption.textContent = `${a.title}: ${a.note}. ${b.title}: ${b.note}.`;
+    };
+    const move = () => {
+        stage.style.setProperty("--at", `${range.value}%`);
+        range.setAttribute("aria-valuetext", `${range.value} percent`);
+    };
+    range.addEventListener("input", move);
+    for (const control of [left.select, right.select, kinds.element]) {
+        control.addEventListener("change", show);
+    }
+    show();
+    move();
+    return h("figure", { class: "wipe" }, h("div", { class: "choices" }, left.label, right.label, kinds.element), stage, caption);
+}
+
+function picker(label, items, chosen) {
+    const select = h("select", {}, items.map((item, i) => h("option", { value: i, selected: i === chosen }, item.title)));
+    return { select, label: h("label", {}, label, select) };
+}
+
+function radios(name, options) {
+    const inputs = options.map(([value], i) => h("input", { type: "radio", name, value, checked: i === 0 }));
+    const element = h("fieldset", {}, h("legend", { class: "visually-hidden" }, "What is shown"),
+        options.map(([, title], i) => h("label", {}, inputs[i], title)));
+    return { element, value: () => inputs.find((input) => input.checked).value };
+}

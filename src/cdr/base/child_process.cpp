@@ -1,0 +1,135 @@
+#include <cdr/base/child_process.h>
+#include <cdr/base/error.h>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+namespace cdr::base {
+
+namespace {
+
+/// What the child reads and writes instead of ours.
+class FileActions {
+  public:
+    FileActions() { posix_spawn_file_actions_init(&m_actions); }
+    ~FileActions() { posix_spawn_file_actions_destroy(&m_actions); }
+    FileActions(const FileActions&) = delete;
+    FileActions& operator=(const FileActions&) = delete;
+
+    void redirect(int from, int to) { posix_spawn_file_actions_adddup2(&m_actions, from, to); }
+    void redirectToNew(const char* path, int to) {
+        posix_spawn_file_actions_addopen(&m_actions, to, path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    }
+    const posix_spawn_file_actions_t* get() const { return &m_actions; }
+
+  private:
+    posix_spawn_file_actions_t m_actions{};
+};
+
+} // namespace
+
+ChildProcess::ChildProcess(std::vector<std::string> arguments, const Output& output)
+    : m_name(arguments.at(0)),
+      m_errors(std::tmpfile()) {
+    // A socket and not a pipe: writing to one whose reader has gone can fail without raising SIGPIPE.
+    std::array<int, 2> ends{-1, -1};
+    if (!m_errors || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+        throw RunError(m_name + ": cannot be started: " + std::strerror(errno));
+    }
+    ::fcntl(::fileno(m_errors.get()), F_SETFD, FD_CLOEXEC);
+    m_input = ends[0];
+    ::shutdown(ends[1], SHUT_WR);
+    FileActions actions;
+    actions.redirect(ends[1], STDIN_FILENO);
+    actions.redirectToNew(output.file ? output.file->c_str() : "/dev/null", STDOUT_FILENO);
+    actions.redirect(::fileno(m_errors.get()), STDERR_FILENO);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) {
+        argv.push_back(argument.data());
+    }
+    argv.push_back(nullptr);
+    const int error = ::posix_spawnp(&m_child, argv[0], actions.get(), nullptr, argv.data(), environ);
+    ::close(ends[1]);
+    if (error != 0) {
+        closeInput();
+        m_child = -1;
+        if (error == ENOENT) {
+            throw InputError(m_name + " is not installed");
+        }
+        throw RunError(m_name + ": cannot be started: " + std::strerror(error));
+    }
+}
+
+ChildProcess::~ChildProcess() {
+    closeInput();
+    if (m_child > 0) {
+        ::kill(m_child, SIGKILL);
+        wait();
+    }
+}
+
+void ChildProcess::closeInput() {
+    if (m_input >= 0) {
+        ::close(m_input);
+        m_input = -1;
+    }
+}
+
+int ChildProcess::wait() {
+    int status = 0;
+    while (::waitpid(m_child, &status, 0) < 0 && errno == EINTR) {
+    }
+    m_child = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string ChildProcess::lastWords() const {
+    std::string said(400, '\0');
+    std::rewind(m_errors.get());
+    said.resize(std::fread(said.data(), 1, said.size(), m_errors.get()));
+    while (!said.empty() && said.back() == '\n') {
+        said.pop_back();
+    }
+    return said;
+}
+
+void ChildProcess::write(std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t sent = ::send(m_input, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR) {
+            continue;
+        }
+        if (sent < 0) {
+            closeInput();
+            wait(); // so that all it has to say is there
+            throw RunError(m_name + " ended early: " + lastWords());
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(sent));
+    }
+}
+
+void ChildProcess::finish() {
+    closeInput();
+    if (const int status = wait(); status != 0) {
+        throw RunError(m_name + " failed: " + lastWords());
+    }
+}
+
+bool isInstalled(const std::string& program) {
+    try {
+        const ChildProcess started({program, "-version"}, {});
+    } catch (const InputError&) {
+        return false;
+    }
+    return true;
+}
+
+} // namespace cdr::base

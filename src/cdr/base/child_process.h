@@ -1,0 +1,58 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cdr::base {
+
+/// Another program that runs beside this one, started from an argument vector without a shell. It inherits no
+/// open file but the three standard ones, and its standard error is kept to be quoted.
+class ChildProcess {
+  public:
+    /// Where its standard output goes.
+    struct Output {
+        std::optional<std::filesystem::path> file; ///< made anew; /dev/null when empty
+    };
+
+    /// @param arguments the program, looked up in PATH, then its arguments.
+    /// base::InputError when there is no such program, base::RunError when it cannot be started.
+    ChildProcess(std::vector<std::string> arguments, const Output& output);
+    /// Ends a child that was not waited for: its input closes, and it is killed.
+    ~ChildProcess();
+    ChildProcess(const ChildProcess&) = delete;
+    ChildProcess& operator=(const ChildProcess&) = delete;
+
+    /// Sends bytes to its standard input; blocks while it is busy. base::RunError, with its own words, when
+    /// it no longer reads.
+    void write(std::span<const std::uint8_t> bytes);
+
+    /// Closes its standard input and waits for it to end. base::RunError, with its own words, unless it exits
+    /// with status 0.
+    void finish();
+
+  private:
+    struct CloseFile {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    std::string lastWords() const;
+    void closeInput();
+    int wait();
+
+    std::string m_name;
+    std::unique_ptr<std::FILE, CloseFile> m_errors; ///< without a name, gone when closed
+    int m_input = -1;
+    pid_t m_child = -1;
+};
+
+/// Whether a program of that name can be started.
+bool isInstalled(const std::string& program);
+
+} // namespace cdr::base

@@ -1,0 +1,61 @@
+#include <cdr/base/error.h>
+#include <cdr/image/compare.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace cdr::image {
+
+namespace {
+
+int difference(const Rgba8& a, const Rgba8& b) {
+    int largest = 0;
+    for (std::size_t c = 0; c < a.size(); ++c) {
+        largest = std::max(largest, std::abs(int{a[c]} - int{b[c]}));
+    }
+    return largest;
+}
+
+} // namespace
+
+Comparison compare(const ImageRgba8& golden, const ImageRgba8& render, const Tolerance& tolerance) {
+    Comparison comparison{.sameSize = golden.width == render.width && golden.height == render.height,
+                          .pixels = golden.pixels.size()};
+    if (!comparison.sameSize || golden.pixels.empty()) {
+        return comparison;
+    }
+    for (std::size_t i = 0; i < golden.pixels.size(); ++i) {
+        const int here = difference(golden.pixels[i], render.pixels[i]);
+        comparison.largest = std::max(comparison.largest, here);
+        comparison.beyond += here > tolerance.channel ? 1 : 0;
+    }
+    comparison.passes = static_cast<double>(comparison.beyond) <=
+                        tolerance.pixelShare * static_cast<double>(comparison.pixels);
+    return comparison;
+}
+
+std::string describe(const Comparison& comparison) {
+    if (!comparison.sameSize) {
+        return "the sizes differ";
+    }
+    return fmt::format("{} of {} pixels beyond the tolerance, the largest difference is {} of 255",
+                       comparison.beyond, comparison.pixels, comparison.largest);
+}
+
+ImageRgba8 differencePicture(const ImageRgba8& golden, const ImageRgba8& render, int gain) {
+    if (golden.width != render.width || golden.height != render.height) {
+        throw base::InputError("difference: the sizes differ");
+    }
+    ImageRgba8 picture(golden.width, golden.height, {0, 0, 0, 255});
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const int bright = gain * std::abs(int{golden.pixels[i][c]} - int{render.pixels[i][c]});
+            picture.pixels[i][c] = static_cast<std::uint8_t>(std::min(bright, 255));
+        }
+    }
+    return picture;
+}
+
+} // namespace cdr::image

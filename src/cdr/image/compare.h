@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cdr/image/image.h>
+
+#include <cstdint>
+#include <string>
+
+namespace cdr::image {
+
+/// How far a picture may stray from another and still pass as the same.
+struct Tolerance {
+    int channel = 5;           ///< of 255, in either direction, in any of red, green, blue and alpha
+    double pixelShare = 0.001; ///< of the pixels that may go beyond
+};
+
+/// How two pictures differ.
+struct Comparison {
+    bool sameSize = false;
+    std::uint64_t pixels = 0;
+    std::uint64_t beyond = 0; ///< pixels with a channel beyond the tolerance
+    int largest = 0;          ///< difference of any channel, absolute
+    bool passes = false;
+};
+
+/// Compares every channel of every pixel. Pictures of different sizes, or without pixels, never pass.
+Comparison compare(const ImageRgba8& golden, const ImageRgba8& render, const Tolerance& tolerance = {});
+
+/// The comparison in one line.
+std::string describe(const Comparison& comparison);
+
+/// Absolute differences, `gain` times as bright, opaque. base::InputError when the sizes differ.
+ImageRgba8 differencePicture(const ImageRgba8& golden, const ImageRgba8& render, int gain);
+
+} // namespace cdr::image

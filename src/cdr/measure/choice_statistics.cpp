@@ -1,0 +1,44 @@
+#include <cdr/base/error.h>
+#include <cdr/measure/choice_statistics.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cdr::measure {
+
+namespace {
+
+constexpr unsigned kMostTrials = 1'000'000;
+
+void requireTrials(const ChoiceCounts& counts) {
+    if (counts.left > kMostTrials || counts.right > kMostTrials || counts.all() == 0) {
+        throw base::InputError("choices: between one and a million must have been made for either side");
+    }
+}
+
+} // namespace
+
+double chiSquared(const ChoiceCounts& counts) {
+    requireTrials(counts);
+    const double difference = static_cast<double>(counts.left) - static_cast<double>(counts.right);
+    return difference * difference / static_cast<double>(counts.all());
+}
+
+double chiSquaredTail(double chiSquared) {
+    return std::erfc(std::sqrt(0.5 * chiSquared));
+}
+
+double binomialTail(const ChoiceCounts& counts) {
+    requireTrials(counts);
+    const unsigned trials = counts.all();
+    const unsigned fewer = std::min(counts.left, counts.right);
+    // Both tails of the symmetric distribution; an even split is their middle and counted in each.
+    double tail = 0.0;
+    for (unsigned k = 0; k <= fewer; ++k) {
+        tail += std::exp(std::lgamma(trials + 1.0) - std::lgamma(k + 1.0) - std::lgamma(trials - k + 1.0) -
+                         trials * std::log(2.0));
+    }
+    return std::min(1.0, 2.0 * tail);
+}
+
+} // namespace cdr::measure

@@ -1,0 +1,221 @@
+#include "commands.h"
+#include "console.h"
+
+#include <cdr/base/child_process.h>
+#include <cdr/base/error.h>
+#include <cdr/base/file.h>
+#include <cdr/base/worker_pool.h>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <report/folder.h>
+#include <report/page.h>
+#include <report/plan.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+
+namespace cdr::cli {
+
+void addExperiments(CLI::App& program, const GlobalOptions& global) {
+    addPrecision(program, global);
+    addPictures(program, global);
+    addFlicker(program, global);
+    addProbe(program, global);
+    addAdvise(program, global);
+    addTiming(program, global);
+    addScaling(program, global);
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMaxJsonBytes = 200'000'000;
+
+struct ReportArguments {
+    report::PlanOptions plan;
+    fs::path folder = "report";
+    OutputOptions output;
+};
+
+/// What one section came to.
+struct SectionOutcome {
+    double seconds = 0.0;
+    std::string failure;             ///< empty when it went well
+    nlohmann::ordered_json document; ///< null when there is none
+};
+
+/// Runs the very command that the page prints.
+void runCommand(const GlobalOptions& global, std::vector<std::string> command) {
+    CLI::App program;
+    program.require_subcommand(1);
+    addExperiments(program, global);
+    std::reverse(command.begin(), command.end()); // as CLI11 takes them
+    program.parse(std::move(command));
+}
+
+/// A section that fails (a format the device lacks, a disk that is full) leaves the others their page.
+SectionOutcome runSection(const GlobalOptions& global, const report::Section& section, const fs::path& root) {
+    SectionOutcome outcome;
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        runCommand(global, section.commandIn(root));
+    } catch (const std::exception& error) {
+        outcome.failure = error.what();
+    }
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (const fs::path json = root / section.jsonFile(); fs::exists(json)) {
+        outcome.document = nlohmann::ordered_json::parse(base::readFile(json, kMaxJsonBytes));
+    }
+    return outcome;
+}
+
+/// How long a plan takes, told by what is done of it: all predictions are off by one common factor, that of
+/// the machine.
+class Forecast {
+  public:
+    explicit Forecast(const std::vector<report::Section>& plan) {
+        for (const report::Section& section : plan) {
+            m_left += section.expectedSeconds;
+        }
+    }
+
+    void done(const report::Section& section, double seconds) {
+        m_left -= section.expectedSeconds;
+        m_expected += section.expectedSeconds;
+        m_taken += seconds;
+    }
+    double secondsLeft() const { return m_left * (m_expected > kTooFew ? m_taken / m_expected : 1.0); }
+
+  private:
+    static constexpr double kTooFew = 5.0; ///< seconds that say nothing of the machine yet
+    double m_left = 0.0;
+    double m_expected = 0.0;
+    double m_taken = 0.0;
+};
+
+nlohmann::ordered_json describe(const report::Section& section, const SectionOutcome& outcome,
+                                const GlobalOptions& global) {
+    nlohmann::ordered_json row{{"section", section.name},
+                               {"command", report::commandLine(section, global.device)},
+                               {"seconds", outcome.seconds},
+                               {"folder", section.folder},
+                               {"json", nullptr},
+                               {"failure", nullptr}};
+    if (!outcome.document.is_null()) {
+        row["json"] = section.jsonFile().generic_string();
+    }
+    if (!outcome.failure.empty()) {
+        row["failure"] = outcome.failure;
+    }
+    return row;
+}
+
+std::string_view nameOf(report::Effort effort) {
+    switch (effort) {
+    case report::Effort::smallest:
+        return "smallest";
+    case report::Effort::quick:
+        return "quick";
+    case report::Effort::full:
+        break;
+    }
+    return "full";
+}
+
+nlohmann::ordered_json makeManifest(const Session& session, const report::PlanOptions& options) {
+    nlohmann::ordered_json manifest = base::makeDocument(
+        "report", session.documentDevice(),
+        {{"effort", nameOf(options.effort)}, {"threads", options.threads}, {"seed", options.seed}});
+    manifest["videos"] = options.videos;
+    manifest["made_at"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+    return manifest;
+}
+
+/// Runs the plan into `root`; the results and the page's data go there too.
+nlohmann::ordered_json fillFolder(const GlobalOptions& global, const ReportArguments& arguments,
+                                  const fs::path& root, const Console& console) {
+    const std::vector<report::Section> plan = report::makePlan(arguments.plan);
+    nlohmann::ordered_json manifest = makeManifest(Session(global), arguments.plan);
+    nlohmann::ordered_json documents = nlohmann::ordered_json::object();
+    fs::create_directory(root / "data");
+    Forecast forecast(plan);
+    if (!arguments.plan.videos) {
+        console.line("No videos: ffmpeg is not installed (Debian, Ubuntu: ffmpeg)");
+    }
+    console.line(fmt::format("{} sections, about {:.0f} s on two CPUs", plan.size(), forecast.secondsLeft()));
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+        const report::Section& section = plan[i];
+        GlobalOptions inside = global;
+        inside.section =
+            fmt::format("{}/{} {}, {:.0f} s to go", i + 1, plan.size(), section.name, forecast.secondsLeft());
+        const SectionOutcome outcome = runSection(inside, section, root);
+        console.endProgress();
+        forecast.done(section, outcome.seconds);
+        console.line(fmt::format("{}/{} {}: {:.1f} s{}", i + 1, plan.size(), section.name, outcome.seconds,
+                                 outcome.failure.empty() ? "" : ", failed: " + outcome.failure));
+        manifest["results"].push_back(describe(section, outcome, global));
+        documents[section.name] = outcome.document;
+    }
+    report::writePage(root);
+    report::writeData(root, {{"report", manifest}, {"sections", documents}});
+    manifest["files"] = nlohmann::ordered_json::array();
+    for (const fs::path& file : report::filesUnder(root)) {
+        manifest["files"].push_back(file.generic_string());
+    }
+    base::writeDocument(root / report::kManifest, manifest);
+    return manifest;
+}
+
+void run(const GlobalOptions& global, ReportArguments& arguments) {
+    report::requirePage();
+    arguments.plan.videos = base::isInstalled("ffmpeg");
+    requireJsonWritable(arguments.output);
+    const report::PendingFolder folder(arguments.folder);
+    const Console console(global, arguments.output);
+    const nlohmann::ordered_json manifest = fillFolder(global, arguments, folder.temporary(), console);
+    folder.commit();
+    console.line(fmt::format("Open {}", (arguments.folder / "index.html").string()));
+    writeJson(arguments.output, manifest);
+    for (const auto& row : manifest.at("results")) {
+        if (!row.at("failure").is_null()) {
+            throw base::RunError(fmt::format("{}: {}; the report says so too",
+                                             row.at("section").get<std::string>(),
+                                             row.at("failure").get<std::string>()));
+        }
+    }
+}
+
+} // namespace
+
+void addReport(CLI::App& program, const GlobalOptions& global) {
+    CLI::App* command = program.add_subcommand(
+        "report", "Every experiment in one folder with a page that opens offline, the thesis beside it");
+    auto arguments = std::make_shared<ReportArguments>();
+    const auto effort = [&](const char* name, report::Effort value, const char* help) {
+        return command->add_flag_callback(
+            name, [arguments, value] { arguments->plan.effort = value; }, help);
+    };
+    CLI::Option* quick = effort("--quick", report::Effort::quick, "A few frames of each: minutes (default)");
+    CLI::Option* full = effort("--full", report::Effort::full, "The thesis' own numbers of frames: hours");
+    CLI::Option* smallest =
+        effort("--smallest", report::Effort::smallest, "As little as fills a page, for its tests");
+    quick->excludes(full)->excludes(smallest);
+    full->excludes(smallest);
+    command->add_option("-o,--out", arguments->folder, "Folder of the report; an older report is replaced")
+        ->capture_default_str();
+    command
+        ->add_option("--threads", arguments->plan.threads,
+                     "Threads that cull, bin, record and cast the truth")
+        ->check(CLI::Range(std::size_t{1}, base::WorkerPool::kMaxThreads))
+        ->capture_default_str();
+    command->add_option("--seed", arguments->plan.seed, "Seed of everything random")->capture_default_str();
+    addJson(*command, arguments->output);
+    command->callback([&global, arguments] { run(global, *arguments); });
+}
+
+} // namespace cdr::cli

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cdr/depth/technique.h>
+#include <cdr/gpu/device.h>
+#include <cdr/image/image.h>
+#include <cdr/measure/flips.h>
+#include <cdr/measure/wrong_pixels.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// The 2AFC experiment (thesis section 6.1) without people: the same frames, measured against the truth.
+struct FlickerOptions {
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    std::uint32_t frames = 360; ///< spread evenly over one turn of the camera
+    std::size_t threads = 1;
+    std::uint64_t seed = 2013;
+    std::vector<depth::Technique> techniques; ///< all presets when empty
+    /// Puts a tiny object beside the camera (scene afc-near), so that fitting near and far does not help.
+    bool nearObject = false;
+    std::uint32_t flipEvery = 1; ///< FLIP is taken of every so-many-th frame; at least 1
+    /// Where the state is kept, a file; a run that finds one goes on from there, to the same results.
+    std::optional<std::filesystem::path> state;
+};
+
+/// One technique over all frames.
+struct FlickerResult {
+    std::string scene;
+    std::string technique;
+    std::string format;
+    std::uint32_t frames = 0;
+    measure::WrongPixels wrong;   ///< summed over the frames
+    measure::FlipCount flips;     ///< summed over neighbouring frames
+    double flipSum = 0.0;         ///< of the mean FLIP of each frame it was taken of
+    std::uint32_t flipFrames = 0; ///< frames FLIP was taken of
+    double duplicationSum = 0.0;  ///< of each frame's draws per visible instance
+    std::size_t cascades = 0;     ///< the most of any frame
+
+    /// Mean FLIP against the truth-ordered render (measure::orderByTruth), over all pixels.
+    double meanFlip() const { return flipFrames ? flipSum / flipFrames : 0.0; }
+    double duplication() const { return frames ? duplicationSum / frames : 1.0; }
+};
+
+/// What a caller may do while the frames go by. Either may be empty.
+struct FlickerHooks {
+    /// Called before each frame with how many of all are done.
+    std::function<void(std::size_t done, std::size_t all, const std::string& what)> progress;
+    /// Receives every frame's pictures in the techniques' order, from the first frame on also where a run
+    /// resumes.
+    std::function<void(std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures)> pictures;
+};
+
+/// One result per technique, in their order. base::InputError for unusable options or a state that belongs to
+/// another run.
+std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOptions& options,
+                                      const FlickerHooks& hooks = {});
+
+/// cdr with its last boundary moved off the field, which it straddles: `cdr-before` cuts nearer than the
+/// field, `cdr-behind` farther.
+std::vector<depth::Technique> movedBoundaries();
+
+/// standard with near and far fitted to what is visible, one cascade: what engines do first,
+/// `standard-fitted`. Something near takes it all back.
+depth::Technique fittedRange();
+
+} // namespace cdr::experiments

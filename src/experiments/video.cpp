@@ -1,0 +1,82 @@
+#include "video.h"
+
+#include <cdr/base/error.h>
+
+#include <fmt/format.h>
+
+namespace cdr::experiments {
+
+namespace {
+
+std::vector<std::string> encoderArguments(const std::filesystem::path& output, std::uint32_t width,
+                                          std::uint32_t height, const VideoTiming& timing) {
+    return {"ffmpeg",
+            "-hide_banner",
+            "-loglevel",
+            "error",
+            "-f",
+            "rawvideo",
+            "-pixel_format",
+            "rgba",
+            "-video_size",
+            fmt::format("{}x{}", width, height),
+            "-framerate",
+            fmt::format("{}/{}", timing.frames, timing.seconds),
+            "-i",
+            "pipe:0",
+            "-c:v",
+            "libx264",
+            "-preset",
+            "veryfast",
+            "-crf",
+            "20", // flicker is noise, which coarser settings smooth
+            "-pix_fmt",
+            "yuv420p",
+            "-movflags",
+            "+faststart",
+            "-y",
+            "file:" + std::filesystem::absolute(output).string()};
+}
+
+const std::filesystem::path& checked(const std::filesystem::path& path, std::uint32_t width,
+                                     std::uint32_t height) {
+    requireEncodable(width, height);
+    base::requireWritable(path);
+    return path;
+}
+
+} // namespace
+
+void requireEncodable(std::uint32_t width, std::uint32_t height) {
+    constexpr std::uint32_t kMostSide = 16384;
+    const bool odd = width % 2 != 0 || height % 2 != 0;
+    if (width == 0 || height == 0 || width > kMostSide || height > kMostSide || odd) {
+        throw base::InputError(fmt::format("a video's sides must be even and 2 to {} pixels, not {}x{}",
+                                           kMostSide, width, height));
+    }
+    if (!base::isInstalled("ffmpeg")) {
+        throw base::InputError("videos need ffmpeg, which is not installed (Debian, Ubuntu: ffmpeg)");
+    }
+}
+
+VideoWriter::VideoWriter(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
+                         const VideoTiming& timing)
+    : m_width(width),
+      m_height(height),
+      m_file(checked(path, width, height)),
+      m_encoder(encoderArguments(m_file.temporary(), width, height, timing), {}) {}
+
+void VideoWriter::add(const image::ImageRgba8& frame) {
+    if (frame.width != m_width || frame.height != m_height) {
+        throw base::InputError(fmt::format("video: a frame of {}x{} in a video of {}x{}", frame.width,
+                                           frame.height, m_width, m_height));
+    }
+    m_encoder.write({frame.pixels.front().data(), frame.pixels.size() * sizeof(image::Rgba8)});
+}
+
+void VideoWriter::finish() {
+    m_encoder.finish();
+    m_file.commit();
+}
+
+} // namespace cdr::experiments

@@ -1,0 +1,194 @@
+#include "plan.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace cdr::report {
+
+namespace {
+
+/// What the efforts differ in.
+struct Amounts {
+    const char* pictureFrames;
+    const char* pictureSize;
+    const char* probeDistances;
+    const char* probeSize;
+    const char* flickerFrames;
+    const char* flickerSize;
+    const char* flipEvery;
+    const char* nearFrames;
+    const char* timingFrames;
+    const char* timingSize;
+    const char* timingModes; ///< a comma between them; all when empty
+    const char* draws;
+    const char* cascades;
+    const char* threads; ///< to twice the CPUs when empty
+    const char* repeats;
+};
+
+constexpr Amounts kSmallest{.pictureFrames = "1",
+                            .pictureSize = "160x90",
+                            .probeDistances = "100,1000000",
+                            .probeSize = "320x180",
+                            .flickerFrames = "4",
+                            .flickerSize = "160x90",
+                            .flipEvery = "2",
+                            .nearFrames = "2",
+                            .timingFrames = "2",
+                            .timingSize = "64x36",
+                            .timingModes = "cdr-2,cdr-5,log,logcdr-5,reversed,anchored",
+                            .draws = "300,600",
+                            .cascades = "1",
+                            .threads = "1,2",
+                            .repeats = "2"};
+constexpr Amounts kQuick{.pictureFrames = "2",
+                         .pictureSize = "1280x720",
+                         .probeDistances = "1,100,10000,1000000,100000000",
+                         .probeSize = "1280x720",
+                         .flickerFrames = "180",
+                         .flickerSize = "640x360",
+                         .flipEvery = "10",
+                         .nearFrames = "30",
+                         .timingFrames = "60",
+                         .timingSize = "640x360",
+                         .timingModes = "",
+                         .draws = "1000,20000",
+                         .cascades = "1,4",
+                         .threads = "",
+                         .repeats = "5"};
+constexpr Amounts kFull{.pictureFrames = "12",
+                        .pictureSize = "1280x720",
+                        .probeDistances = "1,10,100,1000,10000,100000,1000000,10000000,100000000",
+                        .probeSize = "1280x720",
+                        .flickerFrames = "360",
+                        .flickerSize = "1280x720",
+                        .flipEvery = "1",
+                        .nearFrames = "360",
+                        .timingFrames = "10000",
+                        .timingSize = "1280x720",
+                        .timingModes = "",
+                        .draws = "1000,10000,100000,1000000",
+                        .cascades = "1,2,4,8",
+                        .threads = "",
+                        .repeats = "7"};
+
+const Amounts& amountsOf(Effort effort) {
+    switch (effort) {
+    case Effort::smallest:
+        return kSmallest;
+    case Effort::quick:
+        return kQuick;
+    case Effort::full:
+        break;
+    }
+    return kFull;
+}
+
+/// Safe to paste into a shell.
+std::string quoted(const std::string& argument) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./,:=+%";
+    if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string::npos) {
+        return argument;
+    }
+    std::string text = "'";
+    for (const char c : argument) {
+        text += c == '\'' ? "'\\''" : std::string(1, c);
+    }
+    return text + "'";
+}
+
+} // namespace
+
+std::filesystem::path Section::jsonFile() const {
+    return std::filesystem::path("data") / (name + ".json");
+}
+
+std::vector<std::string> Section::commandIn(const std::filesystem::path& root) const {
+    std::vector<std::string> command = arguments;
+    if (!folderOption.empty()) {
+        command.insert(command.end(), {folderOption, (root / folder).string()});
+    }
+    command.insert(command.end(), {"--json", (root / jsonFile()).string()});
+    return command;
+}
+
+std::vector<Section> makePlan(const PlanOptions& options) {
+    const Amounts& amounts = amountsOf(options.effort);
+    const auto seconds = [&](double quick, double full) {
+        switch (options.effort) {
+        case Effort::smallest:
+            return quick / 50.0;
+        case Effort::quick:
+            return quick;
+        case Effort::full:
+            break;
+        }
+        return full;
+    };
+    const auto rendered = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"--threads", fmt::format("{}", options.threads), "--seed",
+                                           fmt::format("{}", options.seed)});
+        return arguments;
+    };
+    std::vector<std::string> timing{"timing", "--frames", amounts.timingFrames, "--size", amounts.timingSize};
+    if (*amounts.timingModes != '\0') {
+        timing.emplace_back("--modes");
+        timing.emplace_back(amounts.timingModes);
+    }
+    std::vector<std::string> scaling{"scaling",       "--draws",        amounts.draws,
+                                     "--cascades",    amounts.cascades, "--repeats",
+                                     amounts.repeats, "--seed",         fmt::format("{}", options.seed)};
+    if (*amounts.threads != '\0') {
+        scaling.emplace_back("--threads");
+        scaling.emplace_back(amounts.threads);
+    }
+    Section flicker{.name = "flicker",
+                    .arguments =
+                        rendered({"flicker", "--frames", amounts.flickerFrames, "--size", amounts.flickerSize,
+                                  "--flip-every", amounts.flipEvery, "--moved", "--fitted-range"}),
+                    .expectedSeconds = seconds(60.0, 1500.0)};
+    if (options.videos) {
+        flicker.folderOption = "--videos";
+        flicker.folder = "videos";
+    }
+    return {
+        {.name = "precision", .arguments = {"precision"}, .expectedSeconds = 0.3},
+        {.name = "advise",
+         .arguments = {"advise", "--near", "0.001", "--far", "2000000", "--fov", "0.002", "--at", "1000000",
+                       "--separation", "0.01"},
+         .expectedSeconds = 0.1},
+        {.name = "pictures",
+         .arguments =
+             rendered({"pictures", "--frames", amounts.pictureFrames, "--size", amounts.pictureSize}),
+         .folderOption = "--out",
+         .folder = "pictures",
+         .expectedSeconds = seconds(3.0, 20.0)},
+        flicker,
+        {.name = "flicker-near",
+         .arguments = rendered({"flicker", "--near-object", "--fitted-range", "--frames", amounts.nearFrames,
+                                "--size", amounts.flickerSize, "--flip-every", amounts.flipEvery}),
+         .expectedSeconds = seconds(15.0, 500.0)},
+        {.name = "probe",
+         .arguments = rendered({"probe", "--distances", amounts.probeDistances, "--size", amounts.probeSize}),
+         .expectedSeconds = seconds(4.0, 8.0)},
+        {.name = "timing",
+         .arguments = rendered(std::move(timing)),
+         .expectedSeconds = seconds(40.0, 8000.0)},
+        {.name = "scaling", .arguments = std::move(scaling), .expectedSeconds = seconds(25.0, 4000.0)},
+    };
+}
+
+std::string commandLine(const Section& section, std::string_view device) {
+    std::string line = "cdr";
+    if (!device.empty()) {
+        line += " --device " + quoted(std::string(device));
+    }
+    for (const std::string& argument : section.commandIn("")) {
+        line += " " + quoted(argument);
+    }
+    return line;
+}
+
+} // namespace cdr::report

@@ -1,0 +1,101 @@
+#include <cdr/base/child_process.h>
+#include <cdr/base/error.h>
+#include <cdr/base/file.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <functional>
+#include <string>
+
+namespace cdr::base {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class ChildProcessTest : public testing::Test {
+  protected:
+    ChildProcessTest() {
+        std::string name = testing::TempDir() + "cdr_child_XXXXXX";
+        m_folder = ::mkdtemp(name.data());
+    }
+    ~ChildProcessTest() override { fs::remove_all(m_folder); }
+
+    fs::path file(const std::string& name) const { return m_folder / name; }
+
+  private:
+    fs::path m_folder;
+};
+
+std::string whatOf(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST_F(ChildProcessTest, StreamsItsInputToItsOutput) {
+    Bytes sent(3'000'000);
+    for (std::size_t i = 0; i < sent.size(); ++i) {
+        sent[i] = static_cast<std::uint8_t>(i * 7 + i / 251);
+    }
+    ChildProcess cat({"cat"}, {.file = file("out")});
+    cat.write(std::span(sent).first(1'000'001));
+    cat.write(std::span(sent).subspan(1'000'001));
+    cat.finish();
+    EXPECT_EQ(readFile(file("out"), 1 << 24), sent);
+}
+
+/// No shell looks at them.
+TEST_F(ChildProcessTest, ArgumentsArriveAsTheyAre) {
+    ChildProcess({"printf", "%s", "a b'\"$HOME;`id`"}, {.file = file("out")}).finish();
+    const Bytes out = readFile(file("out"), 1000);
+    EXPECT_EQ(std::string(out.begin(), out.end()), "a b'\"$HOME;`id`");
+}
+
+/// Each must see the end of its input while the others' is still open.
+TEST_F(ChildProcessTest, ChildrenDoNotHoldEachOthersInput) {
+    ChildProcess first({"cat"}, {.file = file("1")});
+    ChildProcess second({"cat"}, {.file = file("2")});
+    const Bytes text{'x'};
+    first.write(text);
+    first.finish();
+    second.write(text);
+    second.finish();
+    EXPECT_EQ(readFile(file("1"), 10), text);
+    EXPECT_EQ(readFile(file("2"), 10), text);
+}
+
+TEST_F(ChildProcessTest, FailureIsReportedInItsOwnWords) {
+    ChildProcess failing({"ls", "/nowhere-at-all"}, {});
+    EXPECT_NE(whatOf([&] { failing.finish(); }).find("nowhere-at-all"), std::string::npos);
+}
+
+TEST_F(ChildProcessTest, WritingToOneThatHasEndedIsAnError) {
+    ChildProcess ended({"true"}, {});
+    const Bytes block(1 << 16);
+    EXPECT_THROW(
+        {
+            for (int i = 0; i < 1000; ++i) {
+                ended.write(block); // more than any buffer holds
+            }
+        },
+        RunError);
+}
+
+TEST_F(ChildProcessTest, AMissingProgramIsBadInput) {
+    EXPECT_THROW(ChildProcess({"no-such-program-cdr"}, {}), InputError);
+    EXPECT_FALSE(isInstalled("no-such-program-cdr"));
+    EXPECT_TRUE(isInstalled("cat"));
+}
+
+TEST_F(ChildProcessTest, OneThatIsNotWaitedForIsEnded) {
+    const ChildProcess endless({"cat", "/dev/zero"}, {});
+}
+
+} // namespace
+
+} // namespace cdr::base

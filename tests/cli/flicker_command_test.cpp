@@ -1,0 +1,124 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cdr::cli_test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// The result to reproduce: in wrong pixels, not in flips.
+TEST(FlickerCommand, WrongPixelsComeInTheThesisOrder) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("flicker --frames 12 --size 640x360 --threads 2 --json f.json", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "f.json"));
+    EXPECT_EQ(document.at("command"), "flicker");
+    std::vector<std::string> order;
+    std::vector<double> fractions;
+    for (const json& row : document.at("results")) {
+        order.push_back(row.at("technique"));
+        fractions.push_back(row.at("wrong_fraction"));
+        EXPECT_EQ(row.at("scene"), "afc");
+        EXPECT_EQ(row.at("frames"), 12);
+        EXPECT_NEAR(row.at("wrong").get<double>() / row.at("pixels").get<double>(), fractions.back(), 1e-12);
+        EXPECT_NEAR(row.at("flips_per_thousand").get<double>(),
+                    1000.0 * row.at("flips").get<double>() / row.at("compared").get<double>(), 1e-9);
+        EXPECT_GE(row.at("mean_flip"), 0.0);
+        EXPECT_LT(row.at("mean_flip"), 1.0);
+        EXPECT_GE(row.at("duplication"), 1.0);
+        EXPECT_GE(row.at("cascades"), 1);
+    }
+    EXPECT_EQ(order, (std::vector<std::string>{"standard", "cdr", "log", "logcdr", "reversed", "anchored"}));
+    EXPECT_TRUE(std::is_sorted(fractions.rbegin(), fractions.rend())) << result.out;
+    EXPECT_LT(document.at("results")[5].at("mean_flip"),
+              0.1 * document.at("results")[0].at("mean_flip").get<double>());
+
+    const json& pairs = document.at("pairs");
+    ASSERT_EQ(pairs.size(), 6u);
+    std::vector<double> chiSquared;
+    for (const json& pair : pairs) {
+        chiSquared.push_back(pair.at("chi_squared"));
+        EXPECT_EQ(pair.at("humans_left").get<int>() + pair.at("humans_right").get<int>(), 12);
+        EXPECT_EQ(pair.at("agree").get<bool>(), pair.at("observer") == pair.at("humans"));
+    }
+    const std::vector<double> thesis{5.333, 12, 12, 12, 12, 8.333};
+    EXPECT_TRUE(std::equal(thesis.begin(), thesis.end(), chiSquared.begin(),
+                           [](double a, double b) { return std::abs(a - b) < 1e-3; }));
+}
+
+TEST(FlickerCommand, WritesVideosFramesAndStateAndGoesOnFromIt) {
+    const TemporaryFolder folder;
+    const std::string arguments = "--validate flicker --frames 3 --size 128x72 --techniques standard,log "
+                                  "--format d24 --state . --tga frames --videos v --json ";
+    const ProgramResult first = runProgram(arguments + "a.json", folder.path());
+    if (first.err.find("need ffmpeg") != std::string::npos) {
+        GTEST_SKIP() << "ffmpeg is not installed";
+    }
+    ASSERT_EQ(first.status, 0) << first.err;
+    EXPECT_EQ(first.err, ""); // progress is for terminals
+    EXPECT_GT(fs::file_size(folder.path() / "v" / "standard_log.mp4"), 1000u);
+    EXPECT_TRUE(fs::exists(folder.path() / "flicker_state.json"));
+    const std::string frame = readText(folder.path() / "frames" / "log" / "0002.tga");
+    EXPECT_EQ(frame.size(), 18u + 3 * 128 * 72);
+    fs::remove_all(folder.path() / "frames");
+
+    const ProgramResult again = runProgram(arguments + "b.json", folder.path());
+    ASSERT_EQ(again.status, 0) << again.err;
+    EXPECT_EQ(readText(folder.path() / "a.json"), readText(folder.path() / "b.json"));
+    EXPECT_EQ(readText(folder.path() / "frames" / "log" / "0002.tga"), frame);
+    EXPECT_EQ(json::parse(readText(folder.path() / "a.json")).at("results")[0].at("format"), "d24");
+
+    const ProgramResult other = runProgram("flicker --frames 4 --size 128x72 --state .", folder.path());
+    EXPECT_EQ(other.status, 2);
+    EXPECT_NE(other.err.find("another version"), std::string::npos) << other.err;
+}
+
+struct BadFlicker {
+    const char* arguments;
+    const char* says;
+};
+
+class BadFlickerCommand : public testing::TestWithParam<BadFlicker> {};
+
+TEST_P(BadFlickerCommand, IsOneLineAndStatusTwo) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(GetParam().arguments, folder.path());
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_NE(result.err.find(GetParam().says), std::string::npos) << result.err;
+    EXPECT_TRUE(folder.isEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, BadFlickerCommand,
+    testing::Values(BadFlicker{"flicker --frames 0", "--frames"},
+                    BadFlicker{"flicker --techniques nonsense", "nonsense"},
+                    BadFlicker{"flicker --format d99", "d99"}, BadFlicker{"flicker --size 12", "12"},
+                    BadFlicker{"flicker --flip-every 0", "--flip-every"},
+                    BadFlicker{"flicker --state missing/state.json", "missing"},
+                    BadFlicker{"flicker --json missing/f.json", "missing"},
+                    BadFlicker{"flicker --techniques standard,reversed --videos v", "pairs"},
+                    BadFlicker{"flicker --size 64x35 --videos v", "128x35"}));
+
+TEST(FlickerCommand, AMissingEncoderIsNamed) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("flicker --frames 1 --size 64x36 --videos v", folder.path(), "PATH=/nowhere");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err, "cdr: videos need ffmpeg, which is not installed (Debian, Ubuntu: ffmpeg)\n");
+    EXPECT_TRUE(folder.isEmpty());
+}
+
+} // namespace
+
+} // namespace cdr::cli_test

@@ -1,0 +1,138 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <string>
+
+namespace cdr::cli_test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Where npm's packages were missing at build time, `cdr report` has no page; it then says so and does
+/// nothing.
+bool hasPage() {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "file") << "x";
+    return runProgram("report --smallest -o file", folder.path()).status == 2;
+}
+
+class ReportCommand : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!hasPage()) {
+            GTEST_SKIP() << "built without the report's page: tools/setup.sh fetches its npm packages";
+        }
+    }
+
+    ProgramResult report(const std::string& arguments) const {
+        return runProgram("report --smallest " + arguments, m_folder.path());
+    }
+    fs::path path(const std::string& name) const { return m_folder.path() / name; }
+    std::set<std::string> names() const {
+        std::set<std::string> found;
+        for (const auto& entry : fs::directory_iterator(m_folder.path())) {
+            found.insert(entry.path().filename().string());
+        }
+        return found;
+    }
+    void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+
+  private:
+    TemporaryFolder m_folder;
+};
+
+TEST_F(ReportCommand, WritesOneFolderThatHoldsAllOfItsFiles) {
+    const ProgramResult result = report("-o made --json manifest.json");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(names(), (std::set<std::string>{"made", "manifest.json"}));
+    const json manifest = json::parse(readText(path("made/report.json")));
+    EXPECT_EQ(manifest, json::parse(readText(path("manifest.json"))));
+    EXPECT_EQ(manifest.at("command"), "report");
+    EXPECT_EQ(manifest.at("options").at("effort"), "smallest");
+    std::set<std::string> sections;
+    for (const json& row : manifest.at("results")) {
+        sections.insert(row.at("section"));
+        EXPECT_TRUE(row.at("failure").is_null()) << row;
+        EXPECT_TRUE(fs::is_regular_file(path("made") / row.at("json").get<std::string>())) << row;
+        EXPECT_EQ(row.at("command").get<std::string>().find("/tmp"), std::string::npos) << row;
+    }
+    EXPECT_EQ(sections, (std::set<std::string>{"precision", "advise", "pictures", "flicker", "flicker-near",
+                                               "probe", "timing", "scaling"}));
+    for (const char* file : {"index.html", "compare.html", "data.js", "LICENSES.txt"}) {
+        const json& files = manifest.at("files");
+        EXPECT_NE(std::find(files.begin(), files.end(), file), files.end()) << file;
+    }
+}
+
+TEST_F(ReportCommand, ReplacesAnOlderReportWhole) {
+    ASSERT_EQ(report("-o made").status, 0);
+    fs::remove(path("made/index.html"));
+    const ProgramResult again = report("-o made/"); // a slash more names the same folder
+    ASSERT_EQ(again.status, 0) << again.err;
+    EXPECT_TRUE(fs::exists(path("made/index.html")));
+    EXPECT_EQ(names(), std::set<std::string>{"made"});
+}
+
+TEST_F(ReportCommand, LeavesAFolderThatIsNoReportAlone) {
+    fs::create_directory(path("thesis"));
+    write("thesis/chapter.txt", "years of work");
+    const ProgramResult result = report("-o thesis");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("not a report"), std::string::npos) << result.err;
+    EXPECT_EQ(readText(path("thesis/chapter.txt")), "years of work");
+    EXPECT_EQ(names(), std::set<std::string>{"thesis"});
+}
+
+TEST_F(ReportCommand, LeavesAReportAloneThatHoldsMoreThanItsOwnFiles) {
+    ASSERT_EQ(report("-o made").status, 0);
+    write("made/answers.csv", "of twelve people");
+    const ProgramResult result = report("-o made");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("answers.csv"), std::string::npos) << result.err;
+    EXPECT_TRUE(fs::exists(path("made/answers.csv")));
+}
+
+TEST_F(ReportCommand, TrustsNoManifest) {
+    fs::create_directory(path("odd"));
+    for (const char* manifest :
+         {"", "[]", "{}", R"({"command":"report"})", R"({"command":"report","files":7})",
+          R"({"command":["report"],"files":[]})", R"({"command":"timing","files":[]})"}) {
+        write("odd/report.json", manifest);
+        EXPECT_EQ(report("-o odd").status, 2) << manifest;
+        EXPECT_EQ(readText(path("odd/report.json")), manifest);
+    }
+}
+
+TEST_F(ReportCommand, LeavesNothingBehindWhenItCannotRun) {
+    fs::create_directory(path("empty"));
+    write("file", "x");
+    for (const char* arguments : {"-o file", "-o missing/report", "-o /", "--quick", "--full", "--threads 0",
+                                  "--device nobody-has-this -o empty", "--json missing/x.json -o empty"}) {
+        const ProgramResult result = report(arguments);
+        EXPECT_EQ(result.status, 2) << arguments << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    }
+    EXPECT_EQ(names(), (std::set<std::string>{"empty", "file"}));
+    EXPECT_TRUE(fs::is_empty(path("empty")));
+}
+
+TEST_F(ReportCommand, QuotesADeviceWhoseNameIsNoWord) {
+    const ProgramResult result = report("--device 'LLVM ' -o made");
+    if (result.status == 2) {
+        GTEST_SKIP() << "no device of that name here: " << result.err;
+    }
+    const json manifest = json::parse(readText(path("made/report.json")));
+    EXPECT_EQ(manifest.at("results").at(0).at("command"),
+              "cdr --device 'LLVM ' precision --json data/precision.json");
+}
+
+} // namespace
+
+} // namespace cdr::cli_test

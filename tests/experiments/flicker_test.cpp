@@ -1,0 +1,247 @@
+#include <cdr/base/error.h>
+#include <cdr/base/file.h>
+#include <cdr/base/sha256.h>
+
+#include <experiments/flicker.h>
+#include <experiments/flicker_pairs.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace cdr;
+using namespace cdr::experiments;
+
+class FlickerTest : public testing::Test {
+  protected:
+    FlickerTest() {
+        std::string name = testing::TempDir() + "cdr_flicker_XXXXXX";
+        m_folder = ::mkdtemp(name.data());
+    }
+    ~FlickerTest() override { fs::remove_all(m_folder); }
+
+    void TearDown() override {
+        for (const std::string& message : m_instance.validation().messages()) {
+            ADD_FAILURE() << message;
+        }
+    }
+
+    const gpu::Device& device() const { return m_device; }
+    fs::path state() const { return m_folder / "state.json"; }
+
+  private:
+    fs::path m_folder;
+    gpu::Instance m_instance{{.validate = true, .extensions = {}}};
+    gpu::Device m_device{m_instance, ""};
+};
+
+FlickerOptions smallRun() {
+    FlickerOptions options;
+    options.width = 320;
+    options.height = 180;
+    options.frames = 6;
+    options.techniques = {depth::parseTechnique("log"), depth::parseTechnique("anchored")};
+    return options;
+}
+
+/// All that a result holds.
+auto figures(const FlickerResult& r) {
+    return std::tuple(r.scene, r.technique, r.format, r.frames, r.wrong.pixels, r.wrong.wrong,
+                      r.wrong.edgeWrong, r.wrong.overlapPixels, r.wrong.overlapWrong, r.flips.flips,
+                      r.flips.compared, r.flipSum, r.flipFrames, r.duplicationSum, r.cascades);
+}
+
+void expectSame(const std::vector<FlickerResult>& a, const std::vector<FlickerResult>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(figures(a[i]), figures(b[i])) << a[i].technique;
+    }
+}
+
+struct Interrupted : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Hooks that note a hash of every picture, and fail before step `last` of the run.
+struct Watcher {
+    std::size_t last = 1000;
+    std::map<std::uint32_t, std::vector<std::string>> pictures{};
+
+    FlickerHooks hooks() {
+        return {.progress =
+                    [this](std::size_t done, std::size_t, const std::string&) {
+                        if (done == last) {
+                            throw Interrupted("here");
+                        }
+                    },
+                .pictures =
+                    [this](std::uint32_t frame, const std::vector<image::ImageRgba8>& shown) {
+                        for (const image::ImageRgba8& picture : shown) {
+                            pictures[frame].push_back(base::sha256Of(picture.pixels));
+                        }
+                    }};
+    }
+};
+
+/// Interrupted twice, once between two techniques of a frame: the same figures, the same pictures.
+TEST_F(FlickerTest, ARunThatIsInterruptedEndsAsOneThatIsNot) {
+    FlickerOptions options = smallRun();
+    Watcher whole;
+    const auto expected = runFlicker(device(), options, whole.hooks());
+    EXPECT_GT(expected[0].flips.compared, 0u);
+    EXPECT_GT(expected[0].flipSum, 0.0);
+
+    options.state = state();
+    for (const std::size_t step : {std::size_t{5}, std::size_t{8}}) {
+        Watcher cut{.last = step};
+        EXPECT_THROW(runFlicker(device(), options, cut.hooks()), Interrupted);
+        EXPECT_TRUE(fs::exists(state()));
+    }
+    Watcher rest;
+    expectSame(runFlicker(device(), options, rest.hooks()), expected);
+    EXPECT_EQ(rest.pictures, whole.pictures);
+    // And once done it says the same again, without pictures too.
+    expectSame(runFlicker(device(), options), expected);
+}
+
+/// A fitted split remembers frames, and a coarse buffer shows where it cut. The
+/// frame before the cut is not enough: the bounds it keeps are those of frames before it.
+TEST_F(FlickerTest, AResumedRunRemembersWhatFittedSplitsDo) {
+    FlickerOptions options = smallRun();
+    options.width = 640;
+    options.height = 360;
+    options.frames = 24;
+    options.nearObject = true;
+    options.techniques = {
+        makeTechnique(depth::Mapping::standard, depth::SplitFitted{.most = 2}, depth::DepthFormat::d16)};
+    const auto expected = runFlicker(device(), options);
+    EXPECT_GT(expected[0].wrong.wrong, 0u);
+    options.state = state();
+    for (const std::size_t step : {std::size_t{4}, std::size_t{9}, std::size_t{17}}) {
+        Watcher cut{.last = step};
+        EXPECT_THROW(runFlicker(device(), options, {.progress = cut.hooks().progress, .pictures = {}}),
+                     Interrupted);
+    }
+    expectSame(runFlicker(device(), options), expected);
+}
+
+TEST_F(FlickerTest, AStateOfAnotherRunIsRefused) {
+    FlickerOptions options = smallRun();
+    options.frames = 1;
+    options.state = state();
+    runFlicker(device(), options);
+    const auto refused = [&](const FlickerOptions& other) {
+        try {
+            runFlicker(device(), other);
+        } catch (const base::InputError& error) {
+            return std::string(error.what()).find('\n') == std::string::npos;
+        }
+        return false;
+    };
+    const auto with = [&](auto change) {
+        FlickerOptions other = options;
+        change(other);
+        return other;
+    };
+    EXPECT_TRUE(refused(with([](auto& o) { o.frames = 2; })));
+    EXPECT_TRUE(refused(with([](auto& o) { o.seed = 1; })));
+    EXPECT_TRUE(refused(with([](auto& o) { o.width = 322; })));
+    EXPECT_TRUE(refused(with([](auto& o) { o.nearObject = true; })));
+    EXPECT_TRUE(refused(with([](auto& o) { o.techniques.pop_back(); })));
+    EXPECT_TRUE(refused(with([](auto& o) { o.techniques[0].format = depth::DepthFormat::d24; })));
+    EXPECT_FALSE(refused(with([](auto& o) { o.threads = 2; }))); // which changes nothing
+}
+
+TEST_F(FlickerTest, ADamagedStateIsRefused) {
+    FlickerOptions options = smallRun();
+    options.frames = 1;
+    options.state = state();
+    runFlicker(device(), options);
+    const base::Bytes whole = base::readFile(state(), 1 << 20);
+    const std::string text(whole.begin(), whole.end());
+    for (const std::string& damaged : {text.substr(0, text.size() / 2), std::string("[]"), std::string(),
+                                       std::string(2 << 20, ' '), std::string("{\"digest\": 3}")}) {
+        base::writeText(state(), damaged);
+        EXPECT_THROW(runFlicker(device(), options), base::InputError) << damaged.substr(0, 40);
+    }
+}
+
+TEST_F(FlickerTest, ThreadsDoNotChangeTheFigures) {
+    FlickerOptions options = smallRun();
+    options.frames = 2;
+    const auto one = runFlicker(device(), options);
+    options.threads = 3;
+    expectSame(runFlicker(device(), options), one);
+}
+
+/// The field straddles cdr's boundary: the half in front of it is as bad as standard. Cut in front of the
+/// field nearly all is right, cut behind it nearly all is as bad.
+TEST_F(FlickerTest, MovingTheBoundaryDecidesAboutCdr) {
+    FlickerOptions options = smallRun();
+    options.frames = 4;
+    options.techniques = movedBoundaries();
+    options.techniques.push_back(depth::parseTechnique("cdr"));
+    const auto results = runFlicker(device(), options);
+    EXPECT_EQ(results[0].technique, "cdr-before");
+    EXPECT_LT(results[0].wrong.fraction(), 0.2 * results[2].wrong.fraction());
+    EXPECT_GT(results[1].wrong.fraction(), 1.5 * results[2].wrong.fraction());
+}
+
+/// Fitting near and far to the field helps until something is beside the camera; fitting cascades still does.
+TEST_F(FlickerTest, ANearObjectDisturbsAFittedRangeAndNotFittedCascades) {
+    FlickerOptions options = smallRun();
+    options.frames = 4;
+    options.techniques = {fittedRange(), depth::parseTechnique("anchored")};
+    const auto without = runFlicker(device(), options);
+    options.nearObject = true;
+    const auto with = runFlicker(device(), options);
+    EXPECT_EQ(without[0].scene, "afc");
+    EXPECT_EQ(with[0].scene, "afc-near");
+    EXPECT_LT(without[0].wrong.fraction(), 0.005);
+    EXPECT_GT(with[0].wrong.fraction(), 0.1);
+    EXPECT_LT(with[1].wrong.fraction(), 0.0001);
+    EXPECT_GE(with[1].cascades, 2u);
+}
+
+FlickerResult resultOf(const std::string& technique, std::uint64_t flips) {
+    FlickerResult result;
+    result.technique = technique;
+    result.flips = {.flips = flips, .compared = 1000};
+    return result;
+}
+
+TEST(FlickerPairs, TheObserverTakesTheSideWithFewerFlips) {
+    const auto pairs = comparePairs({resultOf("logcdr", 9), resultOf("cdr", 50), resultOf("log", 9),
+                                     resultOf("standard", 40), resultOf("anchored", 0)});
+    ASSERT_EQ(pairs.size(), 6u);
+    EXPECT_EQ(pairs[0].left, "standard");
+    EXPECT_EQ(pairs[0].right, "cdr");
+    EXPECT_EQ(pairs[0].observer, Side::left); // against the people, and it says so
+    EXPECT_FALSE(pairs[0].agree());
+    EXPECT_EQ(pairs[1].observer, Side::right);
+    EXPECT_TRUE(pairs[1].agree());
+    EXPECT_EQ(pairs[5].observer, std::nullopt); // as many on both sides
+    EXPECT_FALSE(pairs[5].agree());
+    EXPECT_EQ(comparePairs({resultOf("cdr", 1), resultOf("log", 1), resultOf("reversed", 0)}).size(), 1u);
+}
+
+/// The pairs add up to Table 6.2.
+TEST(FlickerPairs, CountsAddUpToTheThesisTotals) {
+    std::map<std::string_view, unsigned> chosen;
+    for (const ThesisPair& pair : kThesisPairs) {
+        chosen[pair.left] += pair.humans.left;
+        chosen[pair.right] += pair.humans.right;
+        EXPECT_EQ(pair.humans.all(), 12u);
+    }
+    EXPECT_EQ(chosen, (std::map<std::string_view, unsigned>{
+                          {"standard", 2}, {"cdr", 10}, {"log", 25}, {"logcdr", 35}}));
+}
+
+} // namespace

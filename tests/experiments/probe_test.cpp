@@ -1,0 +1,42 @@
+#include <experiments/probe.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace {
+
+using namespace cdr;
+using namespace cdr::experiments;
+
+/// What the thesis missed (chapter 7): a prediction that holds in practice. Within a factor of four wherever
+/// a rung of the ladder is resolved, and above the ladder's widest rung where none is.
+TEST(Probe, PredictionsHoldOverTechniquesFormatsAndDistances) {
+    const gpu::Instance instance{{.validate = true, .extensions = {}}};
+    const gpu::Device device(instance, "");
+    ProbeOptions options;
+    options.distancesView = {10.0, 1e6};
+    options.threads = 2;
+    std::size_t resolved = 0;
+    for (const ProbeResult& row : runProbe(device, options, [](auto, auto, const auto&) {})) {
+        const std::string name = row.technique + " " + row.format + " at " + std::to_string(row.distanceView);
+        if (!row.resolvedView) {
+            EXPECT_GT(row.predictedView, row.largestView / 4.0) << name;
+            continue;
+        }
+        ++resolved;
+        const double ratio = *row.resolvedView / row.predictedView;
+        std::printf("%s: measured %.3g, predicted %.3g, ratio %.2f\n", name.c_str(), *row.resolvedView,
+                    row.predictedView, ratio);
+        EXPECT_LT(ratio, 4.0) << name;
+        EXPECT_GT(ratio, 0.25) << name;
+        // The probe counts pixels whose gap is half the separation, so twice the guarantee is what it must
+        // resolve.
+        EXPECT_LE(*row.resolvedView, 2.0 * row.guaranteedView) << name;
+    }
+    EXPECT_GE(resolved, 15u);
+    for (const std::string& message : instance.validation().messages()) {
+        ADD_FAILURE() << message;
+    }
+}
+
+} // namespace

@@ -1,0 +1,56 @@
+// golden_compare GOLDEN RENDER [SHEET]: whether a rendered picture is the golden one within the tolerance.
+// Prints one line; writes golden, render and ten times their difference side by side to SHEET, a PNG.
+// Exit status: 0 the same, 1 not, 2 a picture is missing or unreadable.
+
+#include <cdr/base/error.h>
+#include <cdr/base/file.h>
+#include <cdr/image/codec.h>
+#include <cdr/image/compare.h>
+#include <cdr/image/compose.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace cdr;
+
+image::ImageRgba8 readPicture(const std::string& path) {
+    constexpr std::uintmax_t kMostBytes = 64 << 20;
+    return image::decodeImage(base::readFile(path, kMostBytes), path);
+}
+
+void writeSheet(const std::string& path, const image::ImageRgba8& golden, const image::ImageRgba8& render) {
+    image::ImageRgba8 sheet(3 * golden.width, golden.height);
+    image::paste(sheet, golden, 0, 0);
+    image::paste(sheet, render, golden.width, 0);
+    image::paste(sheet, image::differencePicture(golden, render, 10), 2 * golden.width, 0);
+    image::writeImage(path, sheet);
+}
+
+int run(const std::vector<std::string>& arguments) {
+    if (arguments.size() < 2 || arguments.size() > 3) {
+        throw base::InputError("usage: golden_compare GOLDEN RENDER [SHEET]");
+    }
+    const image::ImageRgba8 golden = readPicture(arguments[0]);
+    const image::ImageRgba8 render = readPicture(arguments[1]);
+    const image::Comparison comparison = image::compare(golden, render);
+    std::printf("%s\n", image::describe(comparison).c_str());
+    if (arguments.size() == 3 && comparison.sameSize) {
+        writeSheet(arguments[2], golden, render);
+    }
+    return comparison.passes ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run({argv + 1, argv + argc});
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "golden_compare: %s\n", error.what());
+        return 2;
+    }
+}

@@ -1,0 +1,83 @@
+#include "fixture.h"
+
+#include <cdr/base/error.h>
+#include <cdr/measure/truth_shading.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace cdr::render_test {
+
+namespace {
+
+class TruthShadingTest : public RenderTest {};
+
+int largestStep(const image::Rgba8& a, const image::Rgba8& b) {
+    int largest = 0;
+    for (std::size_t c = 0; c < a.size(); ++c) {
+        largest = std::max(largest, std::abs(int{a[c]} - int{b[c]}));
+    }
+    return largest;
+}
+
+/// Two programs that share no line light the same surfaces alike.
+void expectAlike(const render::Frame& frame, const scene::Scene& scene, const scene::Camera& camera) {
+    base::WorkerPool workers(2);
+    const auto truth = measure::castTruth(scene, camera, frame.width(), frame.height(), workers);
+    const auto shaded = measure::shadeTruth(scene, camera, truth, workers);
+    const auto inner = measure::innerMask(truth);
+    std::size_t alike = 0;
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        const auto id = frame.surfaces.pixels[i].idAndCascade & 0xffffffu;
+        if (id == truth.pixels[i].id && (inner.pixels[i] != 0 || id == 0)) {
+            // Where two faces of one box meet either may show.
+            (largestStep(shaded.pixels[i], frame.color.pixels[i]) <= 2 ? alike : off)++;
+        }
+    }
+    EXPECT_GT(alike, truth.pixels.size() / 2);
+    EXPECT_LT(off * 200, alike);
+}
+
+TEST_F(TruthShadingTest, LooksAsTheRendererDoes) {
+    const scene::StagedScene staged = scene::makeAfc(2013);
+    const scene::Camera camera = staged.path.at(40);
+    const auto frame = draw(staged.scene, camera, smallOptions(depth::parseTechnique("anchored")));
+    expectAlike(frame, staged.scene, camera);
+}
+
+TEST_F(TruthShadingTest, ColorsLightsAndStretchedBoxesToo) {
+    scene::Scene scene = boxScene();
+    scene.background = glm::vec3(0.2f, 0.1f, 0.4f);
+    scene.materials[0].baseColorFactor = glm::vec4(0.9f, 0.4f, 0.2f, 1.0f);
+    scene.lights.push_back({.position = {-8.0, 3.0, 4.0}, .color = {0.2f, 0.5f, 1.0f}, .halfDistance = 9.0});
+    addBox(scene, {0.0, 0.0, 0.0}, glm::mat3(3.0f, 0.5f, 0.0f, -0.4f, 1.5f, 0.2f, 0.0f, -0.3f, 2.0f));
+    addBox(scene, {2.0, 2.0, -3.0}, glm::mat3(4.0f));
+    const scene::Camera camera = scene::lookAt({.fovY = 0.9}, {1.0, 2.0, 6.0}, glm::dvec3(0.0));
+    expectAlike(draw(scene, camera, smallOptions(depth::parseTechnique("standard"))), scene, camera);
+}
+
+TEST_F(TruthShadingTest, RefusesWhatHasNoFlatFaces) {
+    scene::Scene scene = boxScene();
+    scene.meshes[0].boxHalfSides.reset();
+    addBox(scene, glm::dvec3(0.0));
+    base::WorkerPool workers(1);
+    EXPECT_THROW(measure::shadeTruth(scene, {}, measure::TruthImage(2, 2), workers), base::InputError);
+}
+
+TEST(OrderByTruth, ReplacesOnlyWhatIsWrong) {
+    image::ImageRgba8 picture(2, 1, {1, 1, 1, 255});
+    const image::ImageRgba8 shaded(2, 1, {9, 9, 9, 255});
+    image::ImageU32 ids(2, 1, 5);
+    measure::TruthImage truth(2, 1, {.id = 5});
+    EXPECT_EQ(measure::orderByTruth(picture, ids, truth, shaded), picture);
+    ids.at(1, 0) = 6;
+    image::ImageRgba8 expected = picture;
+    expected.at(1, 0) = shaded.at(1, 0);
+    EXPECT_EQ(measure::orderByTruth(picture, ids, truth, shaded), expected);
+    EXPECT_THROW(measure::orderByTruth(picture, ids, truth, {1, 1}), base::InputError);
+}
+
+} // namespace
+
+} // namespace cdr::render_test

@@ -1,0 +1,46 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { binomialP, chiSquared, chiSquaredP, wilson95 } from "../../../page/logic/statistics.js";
+
+const near = (actual, expected, tolerance) =>
+    assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected} within ${tolerance}`);
+
+test("chi-squared is Table 6.9's", () => {
+    near(chiSquared(2, 10), 5.333, 5e-4);
+    near(chiSquared(1, 11), 8.333, 5e-4);
+    assert.equal(chiSquared(0, 12), 12);
+    assert.equal(chiSquared(6, 6), 0);
+});
+
+test("the p of chi-squared is the tables' one, on both branches of erfc", () => {
+    near(chiSquaredP(3.841458820694124), 0.05, 1e-12);
+    near(chiSquaredP(6.634896601021213), 0.01, 1e-12);
+    near(chiSquaredP(10.827566170662733), 0.001, 1e-13);
+    near(chiSquaredP(0.45493642311957283), 0.5, 1e-12);
+    assert.equal(chiSquaredP(0), 1);
+    // Either side of where the branches meet, x = 2^2 * 2.
+    near(chiSquaredP(8 - 1e-9) / chiSquaredP(8 + 1e-9), 1, 1e-8);
+});
+
+test("the exact p counts both tails", () => {
+    near(binomialP(2, 10), 0.03857421875, 1e-15); // 2 (1 + 12 + 66) / 4096
+    near(binomialP(1, 11), 0.00634765625, 1e-15);
+    near(binomialP(0, 12), 0.00048828125, 1e-15);
+    near(binomialP(12, 0), 0.00048828125, 1e-15);
+    assert.equal(binomialP(6, 6), 1);
+    assert.equal(binomialP(1, 0), 1);
+});
+
+test("without answers there is no p", () => {
+    assert.ok(Number.isNaN(binomialP(0, 0)));
+    assert.ok(Number.isNaN(chiSquared(0, 0)));
+});
+
+test("Wilson's interval holds its share and stays in 0 to 1", () => {
+    const [low, high] = wilson95(0, 12);
+    near(low, 0, 1e-15);
+    near(high, 0.24249, 1e-4);
+    const middle = wilson95(6, 12);
+    near(middle[0] + middle[1], 1, 1e-12);
+    assert.deepEqual(wilson95(0, 0), [0, 1]);
+});

@@ -1,0 +1,126 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { table41 } from "../../../page/logic/thesis.js";
+import { checkPercentages, tableRows } from "../../../page/logic/precision.js";
+import { judgedRatio, reliability } from "../../../page/logic/probe.js";
+import { rankAgreement } from "../../../page/logic/timing.js";
+import { observerWins, pairRows } from "../../../page/logic/flicker.js";
+import { statuses, verdicts } from "../../../page/logic/verdicts.js";
+
+const precision = (factor = 1) => ({
+    results: Object.entries(table41).flatMap(([separation, row]) => Object.entries(row).map(([technique, depth]) =>
+        ({ technique, format: "d24", separation: Number(separation), depth: depth * factor }))),
+});
+const flicker = (shares, flips) => ({
+    options: { frames: 9 },
+    results: Object.keys(shares).map((technique) =>
+        ({ scene: "afc", technique, pixels: 1000, wrong_fraction: shares[technique], flips: flips[technique], flips_per_thousand: flips[technique] })),
+});
+const timing = (overheads, spread, frames = 300) => ({
+    options: { frames }, device: { name: "a device" }, noise_floor_pct: 0, noise_floor_ci95: [-1, 1],
+    results: [{ name: "standard", ci95: [0, 0] }, ...Object.entries(overheads).map(([name, [overhead, thesis]]) =>
+        ({ name, overhead_pct: overhead, ci95: [overhead - spread, overhead + spread], thesis_pct: thesis }))],
+});
+const pictures = (standard, log, cdr) => ({
+    results: [["standard", 0.3, standard], ["log", log, log], ["cdr", cdr, cdr]].map(([technique, share, overlap]) =>
+        ({ scene: "cubes", technique, wrong_fraction: share, overlap_wrong_fraction: overlap })),
+});
+const verdictOf = (id, sections) => verdicts(sections).find((verdict) => verdict.id === id);
+
+test("without any results every verdict still has words", () => {
+    for (const verdict of verdicts({})) {
+        assert.ok(verdict.status in statuses);
+        assert.ok(verdict.sentence.length > 20 && !/undefined|NaN|null/.test(verdict.sentence), verdict.sentence);
+    }
+    assert.equal(verdictOf("figure-6-4", {}).status, "missing");
+    assert.equal(verdictOf("table-6-9", {}).status, "yes"); // the thesis' counts are enough
+});
+
+test("Table 4.1 holds to a tenth of a percent and no further", () => {
+    assert.equal(verdictOf("table-4-1", { precision: precision() }).status, "yes");
+    assert.equal(verdictOf("table-4-1", { precision: precision(1.0009) }).status, "yes");
+    assert.equal(verdictOf("table-4-1", { precision: precision(1.0011) }).status, "no");
+    const one = precision();
+    one.results[0].depth *= 2;
+    const verdict = verdictOf("table-4-1", { precision: one });
+    assert.equal(verdict.status, "partly");
+    assert.match(verdict.sentence, /^1 of 16.*100/);
+    one.results[1].depth = null; // never reached
+    assert.match(verdictOf("table-4-1", { precision: one }).sentence, /^2 of 16/);
+    assert.equal(tableRows(one).length, 4);
+});
+
+test("of the thesis' percentages chapter 4's follow from its table, two of the conclusion's do not", () => {
+    assert.deepEqual(checkPercentages().map((claim) => claim.agrees), [true, true, true, false, true, false]);
+    const { sentence } = verdictOf("percentages", { precision: precision() });
+    assert.match(sentence, /99,565.*98,000.*2,801,701.*2,975,000/);
+});
+
+test("the pictures need both: standard wrong, the others right", () => {
+    const status = (...shares) => verdictOf("figures-6", { pictures: pictures(...shares) }).status;
+    assert.equal(status(0.76, 0, 0.0002), "yes");
+    assert.equal(status(0.76, 0, 0.02), "partly");
+    assert.equal(status(0.2, 0, 0), "partly");
+    assert.equal(status(0.2, 0.2, 0.2), "no");
+    assert.equal(verdictOf("figures-6", { pictures: { results: [] } }).status, "missing");
+});
+
+test("an observer that counts flips is compared with people, and a disagreement is explained", () => {
+    const shares = { standard: 0.26, cdr: 0.12, log: 0.03, logcdr: 0.01 };
+    const agreeing = flicker(shares, { standard: 90, cdr: 60, log: 40, logcdr: 8 });
+    assert.equal(verdictOf("table-6-2", { flicker: agreeing }).status, "yes");
+    assert.equal(verdictOf("order", { flicker: agreeing }).status, "yes");
+    assert.deepEqual(observerWins(agreeing), { standard: 0, cdr: 1, log: 2, logcdr: 3 });
+
+    const steady = flicker(shares, { standard: 5, cdr: 60, log: 40, logcdr: 8 });
+    const verdict = verdictOf("table-6-2", { flicker: steady });
+    assert.equal(verdict.status, "partly");
+    assert.match(verdict.sentence, /in 3 of 6 pairs/);
+    assert.match(verdict.sentence, /Of Standard and CDR people chose CDR, though Standard flips less: it has more wrong pixels \(26.*against 12.*but they stay put/);
+
+    const still = flicker(shares, { standard: 0, cdr: 0, log: 0, logcdr: 0 });
+    assert.equal(verdictOf("table-6-2", { flicker: still }).status, "open");
+    assert.ok(pairRows(still).every((row) => row.observer === null && !row.agree));
+});
+
+test("the order of quality is judged step by step", () => {
+    const flips = { standard: 4, cdr: 3, log: 2, logcdr: 1 };
+    const verdict = verdictOf("order", { flicker: flicker({ standard: 0.2, cdr: 0.3, log: 0.1, logcdr: 0.05 }, flips) });
+    assert.equal(verdict.status, "partly");
+    assert.match(verdict.sentence, /2 of 3 steps/);
+});
+
+test("timing is undecided while its intervals are wide or its frames few", () => {
+    const figures = { "cdr-2": [3.4, 3.4], log: [4.4, 4.4], "logcdr-5": [10.4, 10.4] };
+    assert.equal(verdictOf("figure-6-4", { timing: timing(figures, 1) }).status, "yes");
+    assert.equal(verdictOf("figure-6-4", { timing: timing(figures, 6) }).status, "open");
+    assert.equal(verdictOf("figure-6-4", { timing: timing(figures, 1, 5) }).status, "open");
+    const other = { "cdr-2": [-5, 3.4], log: [-7, 4.4], "logcdr-5": [-9, 10.4] };
+    assert.equal(verdictOf("figure-6-4", { timing: timing(other, 1) }).status, "no");
+    const shifted = { "cdr-2": [13, 3.4], log: [14, 4.4], "logcdr-5": [15, 10.4] };
+    assert.equal(verdictOf("figure-6-4", { timing: timing(shifted, 1) }).status, "partly");
+});
+
+test("Kendall's tau-b counts ties as its definition says", () => {
+    const rows = (pairs) => pairs.map(([overhead, thesis]) => ({ overhead, thesis }));
+    assert.equal(rankAgreement(rows([[1, 1], [2, 2], [3, 3]])), 1);
+    assert.equal(rankAgreement(rows([[3, 1], [2, 2], [1, 3]])), -1);
+    // Concordant 4, discordant 1, one tie in thesis: 3 / sqrt(5 * 6).
+    assert.ok(Math.abs(rankAgreement(rows([[1, 1], [2, 2], [3, 2], [2.5, 3]])) - 3 / Math.sqrt(30)) < 1e-12);
+    assert.ok(Number.isNaN(rankAgreement(rows([[1, 1]]))));
+});
+
+test("the ladder's ends do not count as errors of the forecast", () => {
+    const row = (resolved, predicted) => ({ resolved, predicted, smallest: 1e-6, largest: 1 });
+    assert.equal(judgedRatio(row(0.2, 0.1)), 2);
+    assert.equal(judgedRatio(row(null, 60)), 1); // none of the rungs, as forecast
+    assert.equal(judgedRatio(row(null, null)), 1);
+    assert.equal(judgedRatio(row(null, 0.1)), 10); // none, though forecast
+    assert.equal(judgedRatio(row(1e-6, 1e-9)), 1); // the finest rung, as forecast
+    assert.equal(judgedRatio(row(0.01, null)), 0.01);
+    const counts = reliability({ results: [row(0.1, 0.1), row(0.5, 0.1), row(0.01, 0.1), row(null, 0.01)] });
+    assert.deepEqual(counts, { within: 1, coarser: 2, finer: 1, all: 4, worstRatio: 100, beyondBound: null });
+    const bounded = (resolved, guaranteed) => ({ ...row(resolved, 0.1), guaranteed });
+    const list = [bounded(0.1, 0.2), bounded(0.3, 0.2), bounded(null, 0.2), bounded(null, null), bounded(0.3, null), bounded(null, 5)];
+    assert.equal(reliability({ results: list }).beyondBound, 2);
+});

@@ -1,0 +1,169 @@
+import assert from "node:assert/strict";
+import { copyFileSync, mkdirSync, readFileSync, rmSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { makeTrials, toCsv, makeAnswer, fromCsv } from "../../../page/logic/trials.js";
+import { assertNoSidewaysScroll, close, folder, launch, makeReport, open, screenshot } from "./browser.mjs";
+
+let browser;
+let report;
+before(async () => {
+    report = makeReport();
+    browser = await launch();
+});
+after(async () => {
+    await browser?.close();
+    rmSync(folder, { recursive: true });
+});
+
+/** Opens the page as somebody new would: nothing kept. Videos play as fast as browsers can. */
+async function openCompare(query = "", options = {}) {
+    const page = await open(browser, `${join(report, "compare.html")}${query}`, { acceptDownloads: true, ...options });
+    await page.evaluate(() => {
+        const video = document.getElementById("video");
+        video.defaultPlaybackRate = 16;
+        video.playbackRate = 16;
+    });
+    return page;
+}
+
+const left = (page) => page.locator("#left");
+const play = (page) => page.locator("#play");
+
+async function start(page, name) {
+    await page.fill("#participant", name);
+    await page.click("#start button");
+    await page.locator("#trial").waitFor();
+}
+
+/** Plays the video to its end. */
+async function watch(page, how) {
+    await how();
+    await page.waitForFunction(() => !document.getElementById("left").disabled, null, { timeout: 30_000 });
+}
+
+async function savedBy(page, button) {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
+    return readFileSync(await download.path(), "utf8");
+}
+
+test("by mouse, from start to file", async () => {
+    const page = await openCompare("?seed=mouse");
+    await screenshot(page, "compare-welcome");
+    await start(page, "Ada");
+    const trials = makeTrials("mouse");
+    for (const [i, trial] of trials.entries()) {
+        assert.equal(await page.locator("#trial-title").textContent(), `Video ${i + 1} of 6`);
+        assert.equal(await page.locator("#progress").evaluate((p) => p.value), i);
+        const shown = await page.locator("#video").evaluate((video) => [video.src.split("/").pop(), getComputedStyle(video).transform]);
+        assert.equal(shown[0], `${trial.pair.left}_${trial.pair.right}.mp4`);
+        assert.equal(shown[1] !== "none", trial.mirrored, "mirrored swaps the sides");
+        assert.ok(await left(page).isDisabled(), "no answer before the video");
+        await watch(page, () => play(page).click());
+        if (i === 1) {
+            await screenshot(page, "compare-trial");
+        }
+        await (i % 2 ? page.locator("#right") : left(page)).click();
+    }
+    assert.ok(await page.locator("#done").isVisible());
+    const answers = fromCsv(await savedBy(page, "#save"));
+    assert.deepEqual(answers.map((a) => [a.participant, a.seed, a.trial, a.chosen]),
+        trials.map((trial, i) => ["Ada", "mouse", i + 1, i % 2 ? trial.right : trial.left]));
+    await close(page);
+});
+
+test("by keyboard alone, and the arrows wait for the end of the video", async () => {
+    const page = await openCompare("?seed=keys");
+    await page.locator("#participant").focus();
+    await page.keyboard.type("Bea");
+    await page.keyboard.press("Enter");
+    for (let i = 0; i < 6; ++i) {
+        await page.keyboard.press("ArrowLeft"); // too early
+        assert.equal(await page.locator("#trial-title").textContent(), `Video ${i + 1} of 6`);
+        await watch(page, () => page.keyboard.press("Space"));
+        await page.keyboard.press("ArrowRight");
+    }
+    assert.equal(await page.evaluate(() => document.activeElement.id), "done-title");
+    const answers = fromCsv(await savedBy(page, "#save"));
+    assert.deepEqual(answers.map((a) => a.side), Array(6).fill("right"));
+    assert.ok(answers.every((a) => a.plays === 1));
+    await close(page);
+});
+
+test("answers survive a reload, and another lot starts anew", async () => {
+    const page = await openCompare("?seed=reload");
+    await start(page, "Cy");
+    await watch(page, () => play(page).click());
+    await left(page).click();
+    await page.reload();
+    assert.equal(await page.locator("#trial-title").textContent(), "Video 2 of 6");
+    assert.ok(await left(page).isDisabled());
+    await page.locator("#results summary").click();
+    assert.match(await page.locator("#counted").textContent(), /^1 answer of 1 person/);
+    await page.goto(page.url().replace("seed=reload", "seed=other"));
+    assert.ok(await page.locator("#welcome").isVisible());
+    assert.equal(await page.locator("#seed").textContent(), "other");
+    await close(page);
+});
+
+test("files of others are counted once, with both tests; a strange file is named", async () => {
+    const page = await openCompare("?seed=load");
+    await page.locator("#results summary").click();
+    const files = [...Array(12).keys()].map((person) => {
+        const trials = makeTrials(person);
+        const answers = trials.map((trial, i) => {
+            const wanted = trial.pair.chosen[0] > person ? trial.pair.left : trial.pair.right; // as in 2013
+            const side = trial.left === wanted ? "left" : "right";
+            return makeAnswer({ participant: `p${person}`, seed: person, number: i + 1, trial, side, seconds: 1, plays: 1 });
+        });
+        return { name: `p${person}.csv`, mimeType: "text/csv", buffer: Buffer.from(toCsv(answers)) };
+    });
+    const strange = { name: "strange.csv", mimeType: "text/csv", buffer: Buffer.from("<img src=x onerror=alert(1)>\n1,2") };
+    await page.setInputFiles("#load", [...files, strange, files[0]]);
+    await page.waitForFunction(() => document.getElementById("counted").textContent.startsWith("72 answers of 12 people"));
+    assert.match(await page.locator("#refused").textContent(), /^strange\.csv: not answers of this experiment/);
+    const rows = await page.$$eval("#tally tbody tr", (list) => list.map((row) => [...row.cells].map((cell) => cell.textContent)));
+    assert.deepEqual(rows[0].slice(1), ["2 : 10", "5.333", "0.0386", "2 : 10", "5.333", "0.0386"]);
+    assert.deepEqual(rows[5].slice(1, 4), ["1 : 11", "8.333", "0.00635"]);
+    assert.deepEqual(rows[1].slice(1, 4), ["0 : 12", "12.000", "0.000488"]);
+    assert.equal(fromCsv(await savedBy(page, "#save-all")).length, 72);
+    await screenshot(page, "compare-results");
+    await close(page);
+});
+
+test("without videos it says what makes them", async () => {
+    const alone = join(folder, "alone");
+    mkdirSync(alone);
+    copyFileSync(join(report, "compare.html"), join(alone, "compare.html"));
+    const page = await open(browser, join(alone, "compare.html"));
+    await page.click("#start button");
+    await page.locator("#missing").waitFor();
+    assert.match(await page.locator("#missing").textContent(), /cdr report --quick -o/);
+    assert.ok(await play(page).isDisabled() && await left(page).isDisabled());
+    page.faults = page.faults.filter((fault) => !/\.mp4|ERR_FILE_NOT_FOUND/.test(fault)); // the missing video itself
+    await close(page);
+});
+
+test("a browser that lends no storage still runs it", async () => {
+    const page = await open(browser, join(report, "compare.html"));
+    await page.context().addInitScript(() => Object.defineProperty(window, "localStorage", { get() { throw new Error("denied"); } }));
+    await page.reload();
+    await start(page, "Di");
+    assert.equal(await page.locator("#trial-title").textContent(), "Video 1 of 6");
+    await close(page);
+});
+
+test("on a phone, by touch, in the dark", async () => {
+    const page = await openCompare("?seed=phone", { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, colorScheme: "dark" });
+    await assertNoSidewaysScroll(page);
+    await page.fill("#participant", "Eve");
+    await page.locator("#start button").tap();
+    await watch(page, () => play(page).tap());
+    await assertNoSidewaysScroll(page);
+    await screenshot(page, "compare-phone-dark");
+    await page.locator("#right").tap();
+    assert.equal(await page.locator("#trial-title").textContent(), "Video 2 of 6");
+    await page.locator("#results summary").tap();
+    await assertNoSidewaysScroll(page);
+    await close(page);
+});

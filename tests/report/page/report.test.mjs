@@ -1,0 +1,293 @@
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { binomialP, chiSquared, chiSquaredP } from "../../../page/logic/statistics.js";
+import { figure64, pairs, table41 } from "../../../page/logic/thesis.js";
+import { assertNoSidewaysScroll, close, contrast, folder, launch, makeReport, open, program, screenshot } from "./browser.mjs";
+
+let browser;
+let report;
+before(async () => {
+    report = makeReport();
+    browser = await launch();
+});
+after(async () => {
+    await browser?.close();
+    rmSync(folder, { recursive: true });
+});
+
+const openReport = (options) => open(browser, join(report, "index.html"), options);
+
+async function openAll(page) {
+    await page.evaluate(() => document.querySelectorAll("details").forEach((d) => { d.open = true; }));
+    await page.waitForFunction(() => [...document.querySelectorAll(".plot-area")].every((area) => area.querySelector("canvas")));
+}
+
+test("every plot draws, every picture and video loads, nothing goes wrong", async () => {
+    const page = await openReport();
+    await openAll(page);
+    const plots = await page.$$eval(".plot-area canvas", (canvases) => canvases.map((canvas) => {
+        const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+        const colours = new Map();
+        for (let i = 0; i < data.length; i += 4) {
+            if (data[i + 3] > 200) {
+                const key = (data[i] << 16) | (data[i + 1] << 8) | data[i + 2];
+                colours.set(key, (colours.get(key) ?? 0) + 1);
+            }
+        }
+        return [...colours.values()].filter((count) => count > 100).length; // axes, grid and lines have a colour each
+    }));
+    assert.ok(plots.length >= 5, `${plots.length} plots`);
+    plots.forEach((colours, i) => assert.ok(colours >= 4, `plot ${i} has ${colours} colours`));
+
+    await page.waitForFunction(() => [...document.images].every((image) => image.complete));
+    const pictures = await page.$$eval("img", (images) => images.map((image) => [image.src, image.naturalWidth, image.alt]));
+    assert.ok(pictures.length >= 4);
+    pictures.forEach(([src, width, alt]) => assert.ok(width > 0 && alt.length > 20, `${src}: ${width} wide, "${alt}"`));
+
+    await page.waitForFunction(() => [...document.querySelectorAll("video")].every((video) => video.readyState >= 1));
+    const videos = await page.$$eval("video", (list) => list.map((video) => [video.videoWidth, video.duration]));
+    assert.equal(videos.length, 6);
+    videos.forEach(([width, seconds]) => assert.ok(width === 320 && Math.abs(seconds - 19) < 0.5, `${width}, ${seconds} s`));
+    await screenshot(page, "report-light");
+    await close(page);
+});
+
+test("every picture of every technique loads when it is chosen, and its heat map", async () => {
+    const page = await openReport();
+    for (const wipe of await page.$$(".wipe")) {
+        const techniques = await (await wipe.$("select")).$$eval("option", (options) => options.map((o) => o.textContent));
+        assert.deepEqual(techniques, ["Standard", "CDR", "Logarithmic", "LogCDR", "Reversed", "Anchored"]);
+        for (const kind of await wipe.$$("input[type=radio]")) {
+            await kind.check();
+            for (let i = 0; i < techniques.length; ++i) {
+                await (await wipe.$("select")).selectOption(String(i));
+                const upper = await wipe.$("img.upper");
+                await upper.evaluate((image) => image.decode());
+                assert.match(await upper.getAttribute("alt"), new RegExp(techniques[i]));
+            }
+        }
+    }
+    await close(page);
+});
+
+test("plots read out and zoom by mouse and by keyboard", async () => {
+    const page = await openReport();
+    const area = page.locator("#precision .plot-area");
+    const readout = page.locator("#precision .readout");
+    const range = () => area.getAttribute("data-range-x");
+    await area.scrollIntoViewIfNeeded();
+    const all = await range();
+
+    const box = await area.boundingBox();
+    await page.mouse.move(box.x + box.width * 0.5, box.y + box.height * 0.5);
+    assert.match(await readout.textContent(), /view distance: \S/);
+    assert.match(await page.locator("#precision .legend output").first().textContent(), /\d/);
+
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width * 0.7, box.y + box.height * 0.52, { steps: 4 });
+    await page.mouse.up();
+    const zoomed = await range();
+    assert.notEqual(zoomed, all);
+    await page.locator("#precision button[aria-label='Show all']").click();
+    assert.equal(await range(), all);
+
+    await area.focus();
+    await page.keyboard.press("Home");
+    const first = await readout.textContent();
+    await page.keyboard.press("ArrowRight");
+    assert.notEqual(await readout.textContent(), first);
+    await page.keyboard.press("+");
+    const [low, high] = (await range()).split(" ").map(Number);
+    const [allLow, allHigh] = all.split(" ").map(Number);
+    assert.ok(Math.log10(high / low) < 0.7 * Math.log10(allHigh / allLow), `${low} to ${high}`);
+    await page.keyboard.press("End"); // out of view: the range follows
+    assert.ok(Number((await range()).split(" ")[1]) > high);
+    await page.keyboard.press("0");
+    assert.equal(await range(), all);
+
+    const legend = page.locator("#precision .legend button").first();
+    await legend.focus();
+    await page.keyboard.press("Enter");
+    assert.equal(await legend.getAttribute("aria-pressed"), "false");
+    await close(page);
+});
+
+test("the bar between two pictures moves by mouse and by keyboard", async () => {
+    const page = await openReport();
+    const stage = page.locator(".wipe-stage").first();
+    const at = () => stage.evaluate((element) => element.querySelector(".wipe-bar").getBoundingClientRect().x - element.getBoundingClientRect().x);
+    await stage.scrollIntoViewIfNeeded();
+    const { x, y, width, height } = await stage.boundingBox();
+    await page.mouse.move(x + width * 0.5, y + height * 0.5);
+    await page.mouse.down();
+    await page.mouse.move(x + width * 0.8, y + height * 0.5, { steps: 5 });
+    await page.mouse.up();
+    assert.ok(Math.abs(await at() / width - 0.8) < 0.05, `${await at()} of ${width}`);
+    const before = await at();
+    await page.keyboard.press("ArrowLeft"); // the mouse left the focus on it
+    assert.ok(await at() < before);
+    await page.keyboard.press("Home");
+    assert.ok(Math.abs(await at()) < 3);
+    const clipped = await stage.locator(".upper").evaluate((image) => getComputedStyle(image).clipPath);
+    assert.match(clipped, /100%/);
+    await close(page);
+});
+
+test("a phone reads values by touch and scrolls down only", async () => {
+    const page = await openReport({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+    await openAll(page);
+    await assertNoSidewaysScroll(page);
+    const area = page.locator("#precision .plot-area");
+    await area.scrollIntoViewIfNeeded();
+    await area.tap();
+    assert.match(await page.locator("#precision .readout").textContent(), /view distance: \S/);
+    const small = await page.$$eval("button, select, summary, .contents a", (elements) => elements
+        .filter((e) => e.offsetParent && e.getBoundingClientRect().height < 32).map((e) => e.textContent));
+    assert.deepEqual(small, [], "too small for a finger");
+    await screenshot(page, "report-phone");
+    await close(page);
+});
+
+test("dark is dark, light is light, and both can be read", async () => {
+    const paper = {};
+    for (const colorScheme of ["light", "dark"]) {
+        const page = await openReport({ colorScheme });
+        paper[colorScheme] = await page.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number)[0]);
+        for (const selector of ["body", ".lead", "a", "figcaption", ".badge", ".verdict .badge.yes", "caption"]) {
+            assert.ok(await contrast(page, selector) >= 4.5, `${selector} in ${colorScheme}: ${await contrast(page, selector)}`);
+        }
+        if (colorScheme === "dark") {
+            await openAll(page);
+            await screenshot(page, "report-dark");
+        }
+        await close(page);
+    }
+    assert.ok(paper.light > 200 && paper.dark < 60, JSON.stringify(paper));
+});
+
+test("plots change their colours with the scheme", async () => {
+    const page = await openReport({ colorScheme: "light" });
+    const pixels = () => page.$eval("#precision canvas", (canvas) => canvas.toDataURL());
+    const light = await pixels();
+    await page.emulateMedia({ colorScheme: "dark" });
+    // The plot draws when the browser gets round to it.
+    await page.waitForFunction((before) => document.querySelector("#precision canvas").toDataURL() !== before, light);
+    await close(page);
+});
+
+test("the keyboard reaches the results first, and sees where it is", async () => {
+    const page = await openReport();
+    await page.keyboard.press("Tab");
+    const skip = page.locator(".skip");
+    assert.ok(await skip.evaluate((element) => element === document.activeElement && element.getBoundingClientRect().x >= 0));
+    await page.keyboard.press("Tab");
+    const outline = await page.evaluate(() => getComputedStyle(document.activeElement).outlineWidth);
+    assert.ok(parseFloat(outline) >= 2, outline);
+    await close(page);
+});
+
+test("headings, landmarks and tables are what they look like", async () => {
+    const page = await openReport();
+    const found = await page.evaluate(() => ({
+        h1: document.querySelectorAll("h1").length,
+        mains: document.querySelectorAll("main").length,
+        unnamed: [...document.querySelectorAll("section")].filter((s) => !s.getAttribute("aria-labelledby")).length,
+        captionless: [...document.querySelectorAll("table")].filter((t) => !t.caption?.textContent).length,
+        deadLinks: [...document.querySelectorAll("a[href^='#']")].filter((a) => !document.querySelector(a.getAttribute("href"))).length,
+        empty: [...document.querySelectorAll("[data-slot]")].filter((slot) => !slot.childElementCount).map((slot) => slot.dataset.slot),
+        undefinedText: /undefined|NaN|\[object/.test(document.getElementById("main").innerText),
+    }));
+    assert.deepEqual(found, { h1: 1, mains: 1, unnamed: 0, captionless: 0, deadLinks: 0, empty: [], undefinedText: false });
+    await close(page);
+});
+
+test("each section names its command, device and commit, and links its JSON", async () => {
+    const page = await openReport();
+    const manifest = JSON.parse(readFileSync(join(report, "report.json")));
+    const sources = await page.$$eval(".source pre code", (codes) => codes.map((code) => code.textContent));
+    assert.equal(manifest.results.length, 8);
+    for (const row of manifest.results) {
+        assert.equal(row.failure, null);
+        assert.ok(sources.includes(row.command), row.command);
+        const json = JSON.parse(readFileSync(join(report, row.json)));
+        assert.equal(json.commit, manifest.commit);
+        assert.ok(json.results.length > 0);
+        assert.ok(await page.locator(`a[href="${row.json}"]`).count() === 1);
+    }
+    assert.deepEqual(manifest.files.filter((file) => !existsSync(join(report, file))), []);
+    assert.match(readFileSync(join(report, "LICENSES.txt"), "utf8"), /uplot 1\.6\.32[^]*Leon Sorokin[^]*WITHOUT WARRANTY OF ANY KIND/);
+    await close(page);
+});
+
+test("the printed commands give the same results again", () => {
+    const again = join(folder, "again");
+    mkdirSync(join(again, "data"), { recursive: true });
+    const manifest = JSON.parse(readFileSync(join(report, "report.json")));
+    for (const name of ["precision", "pictures", "probe", "advise"]) {
+        const row = manifest.results.find((result) => result.section === name);
+        execFileSync(program, row.command.split(" ").slice(1), { cwd: again, stdio: "pipe" });
+        const [first, second] = [report, again].map((root) => JSON.parse(readFileSync(join(root, row.json))));
+        assert.deepEqual(second.results, first.results, row.command);
+    }
+    assert.deepEqual(readdirSync(join(again, "pictures")), readdirSync(join(report, "pictures")));
+});
+
+test("the program and the page quote the same thesis", () => {
+    const read = (name) => JSON.parse(readFileSync(join(report, "data", `${name}.json`))).results;
+    const cells = read("precision").filter((cell) => cell.thesis !== undefined);
+    assert.equal(cells.length, 16);
+    cells.forEach((cell) => assert.equal(table41[cell.separation][cell.technique], cell.thesis));
+    const modes = read("timing").filter((row) => row.thesis_pct !== null);
+    assert.ok(modes.length >= 4);
+    modes.forEach((row) => assert.equal(figure64[row.name], row.thesis_pct));
+    const { pairs: counted } = JSON.parse(readFileSync(join(report, "data", "flicker.json")));
+    assert.deepEqual(counted.map((pair) => [pair.left, pair.right, pair.humans_left, pair.humans_right]),
+        pairs.map((pair) => [pair.left, pair.right, ...pair.chosen]));
+    counted.forEach((pair, i) => {
+        assert.ok(Math.abs(pair.chi_squared_p / chiSquaredP(chiSquared(...pairs[i].chosen)) - 1) < 1e-9);
+        assert.ok(Math.abs(pair.binomial_p / binomialP(...pairs[i].chosen) - 1) < 1e-9);
+    });
+});
+
+test("without ffmpeg the page says so in place of the videos", async () => {
+    const bare = makeReport("bare", { ...process.env, PATH: join(folder, "nowhere") });
+    const page = await open(browser, join(bare, "index.html"));
+    assert.equal(await page.locator("video").count(), 0);
+    assert.match(await page.locator("#flicker .notice").textContent(), /ffmpeg was not installed/);
+    await close(page);
+});
+
+test("an experiment that fails leaves the others their page, and says why", async () => {
+    const tools = join(folder, "tools");
+    mkdirSync(tools);
+    writeFileSync(join(tools, "ffmpeg"), "#!/bin/sh\necho 'no such encoder' >&2\nexit 1\n", { mode: 0o755 });
+    assert.throws(() => makeReport("failing", { ...process.env, PATH: tools }), (error) => {
+        assert.equal(error.status, 1);
+        assert.match(error.stderr.toString(), /^cdr: flicker: .*the report says so too\n$/);
+        return true;
+    });
+    const page = await open(browser, join(folder, "failing", "index.html"));
+    assert.match(await page.locator("#flicker .notice").textContent(), /^This experiment failed.*ffmpeg/);
+    assert.match(await page.locator("#flicker").textContent(), /With something near the camera/); // the other half is there
+    assert.equal(await page.locator("#verdict-list .badge.missing").count(), 2);
+    assert.ok(await page.locator("#pictures .wipe").count() === 2);
+    await close(page);
+});
+
+test("results cannot become markup", async () => {
+    const page = await open(browser, join(report, "index.html"));
+    await page.route("**/data.js", async (route) => {
+        const data = readFileSync(join(report, "data.js"), "utf8").replace("window.cdrReport = ", "").replace(/;\s*$/, "");
+        const parsed = JSON.parse(data);
+        parsed.report.device.name = "<img src=x onerror=alert(1)></script><script>window.owned = 1</script>";
+        parsed.report.results[0].failure = "<b id=owned>bold</b>";
+        await route.fulfill({ contentType: "text/javascript", body: `window.cdrReport = ${JSON.stringify(parsed)};` });
+    });
+    await page.reload();
+    assert.equal(await page.evaluate(() => window.owned ?? document.querySelectorAll("#owned, img[src=x]").length), 0);
+    assert.match(await page.locator("#precision .notice").textContent(), /<b id=owned>/);
+    await close(page);
+});
