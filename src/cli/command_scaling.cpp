@@ -147,11 +147,13 @@ void writeResults(const Session& session, const ScalingArguments& arguments,
     if (!arguments.plot.empty()) {
         experiments::writePlot(arguments.plot, experiments::scalingPlot(result, describe(session.device())));
     }
-    auto document = base::makeDocument("scaling", session.documentDevice(),
-                                       {{"width", options.width},
-                                        {"height", options.height},
-                                        {"repeats", options.repeats},
-                                        {"seed", options.seed}});
+    auto document =
+        base::makeDocument("scaling", session.documentDevice(),
+                           {{"width", options.width},
+                            {"height", options.height},
+                            {"repeats", options.repeats},
+                            {"placement", options.placement == base::Placement::pinned ? "pinned" : "free"},
+                            {"seed", options.seed}});
     auto& fits = base::addSection(document, "fits");
     for (const auto& point : result.points) {
         document["results"].push_back(toJson(point));
@@ -208,6 +210,9 @@ void addScaling(CLI::App& program, const GlobalOptions& global) {
                      "How draws reach the device: secondaries, primaries (the control; both by default), "
                      "gpu-driven")
         ->delimiter(',');
+    command->add_flag_callback(
+        "--free", [&options] { options.placement = base::Placement::free; },
+        "Let the kernel place threads, instead of pinning each to a CPU");
     command->add_option("--cascades", options.cascades, "Numbers of cascades")
         ->delimiter(',')
         ->capture_default_str();

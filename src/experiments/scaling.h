@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/thread_placement.h>
 #include <cdr/gpu/device.h>
 #include <cdr/measure/scaling_law.h>
 #include <cdr/render/draw_path.h>
@@ -30,6 +31,9 @@ struct ScalingOptions {
     /// Secondaries, and the control: one primary per cascade, no secondaries.
     std::vector<render::Submission> submissions{render::Submission::secondaries,
                                                 render::Submission::primaries};
+    /// Pinned, the caller too, what is measured is how recording scales; free, how the kernel places threads
+    /// as well.
+    base::Placement placement = base::Placement::pinned;
     std::uint32_t repeats = 7; ///< timed frames of each point, after one that warms up
     std::uint64_t seed = 2013;
 };

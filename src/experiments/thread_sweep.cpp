@@ -35,7 +35,8 @@ std::string hashOf(const render::Frame& frame) {
 ThreadSweep::ThreadSweep(const gpu::Device& device, const ScalingOptions& options,
                          const scene::StagedScene& staged, const render::GpuScene& gpuScene,
                          std::vector<std::size_t> threads, ScalingPoint common)
-    : m_camera(staged.path.at(0)),
+    : m_cpus(options.placement == base::Placement::pinned ? base::allowedCpus() : std::vector<std::size_t>()),
+      m_camera(staged.path.at(0)),
       m_threads(std::move(threads)),
       m_common(std::move(common)),
       m_samples(m_threads.size()) {
@@ -49,6 +50,7 @@ ThreadSweep::ThreadSweep(const gpu::Device& device, const ScalingOptions& option
                                   .technique = technique,
                                   .targets = m_common.targets,
                                   .threads = count,
+                                  .placement = options.placement,
                                   .submission = m_common.submission,
                                   // A draw is a command here: that is what is counted.
                                   .batching = render::Batching::perObject}));
@@ -65,6 +67,7 @@ void ThreadSweep::hash(const std::function<void()>& step) {
 }
 
 void ThreadSweep::repeat(std::size_t number, const std::function<void()>& step) {
+    const base::PinnedThread pin(0, m_cpus);
     for (std::size_t i = 0; i < m_renderers.size(); ++i) {
         const std::size_t point = (number + i) % m_renderers.size();
         step();

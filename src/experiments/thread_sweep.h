@@ -39,6 +39,7 @@ class ThreadSweep {
         std::vector<double> frame;
     };
 
+    std::vector<std::size_t> m_cpus; ///< to pin the caller to the first of; empty to leave it free
     scene::Camera m_camera;
     std::vector<std::size_t> m_threads;
     ScalingPoint m_common;

@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <barrier>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
 
 namespace {
 
+using cdr::base::allowedCpus;
+using cdr::base::PinnedThread;
+using cdr::base::Placement;
 using cdr::base::WorkerPool;
 
 class WorkerPoolThreads : public testing::TestWithParam<std::size_t> {};
@@ -87,6 +91,36 @@ TEST(EvenRange, CoversWithoutGapInNearlyEqualParts) {
             EXPECT_EQ(next, count);
         }
     }
+}
+
+TEST(WorkerPool, PinsItsThreadsAndNotTheCaller) {
+    const std::vector<std::size_t> cpus = allowedCpus();
+    if (cpus.empty()) {
+        GTEST_SKIP() << "this system does not say where threads run";
+    }
+    WorkerPool pool(3, Placement::pinned);
+    std::vector<std::vector<std::size_t>> seen(3);
+    // Each worker waits for the others, so that all three take one job.
+    std::barrier everyone(3);
+    pool.run(3, [&](std::size_t, std::size_t worker) {
+        seen[worker] = allowedCpus();
+        everyone.arrive_and_wait();
+    });
+    EXPECT_EQ(seen[0], cpus);
+    EXPECT_EQ(seen[1], std::vector{cpus[1 % cpus.size()]});
+    EXPECT_EQ(seen[2], std::vector{cpus[2 % cpus.size()]});
+}
+
+TEST(PinnedThread, GivesTheCpusBack) {
+    const std::vector<std::size_t> cpus = allowedCpus();
+    if (cpus.empty()) {
+        GTEST_SKIP() << "this system does not say where threads run";
+    }
+    {
+        const PinnedThread pin(0, cpus);
+        EXPECT_EQ(allowedCpus(), std::vector{cpus.front()});
+    }
+    EXPECT_EQ(allowedCpus(), cpus);
 }
 
 } // namespace

@@ -37,14 +37,19 @@ struct WorkerPool::Batch {
     }
 };
 
-WorkerPool::WorkerPool(std::size_t threads) {
+WorkerPool::WorkerPool(std::size_t threads, Placement placement) {
     if (threads < 1 || threads > kMaxThreads) {
         throw InputError("threads must be 1 to " + std::to_string(kMaxThreads) + ", not " +
                          std::to_string(threads));
     }
+    const std::vector<std::size_t> cpus =
+        placement == Placement::pinned ? allowedCpus() : std::vector<std::size_t>();
     m_threads.reserve(threads - 1);
     for (std::size_t worker = 1; worker < threads; ++worker) {
-        m_threads.emplace_back([this, worker](const std::stop_token& stop) { serve(stop, worker); });
+        m_threads.emplace_back([this, worker, cpus](const std::stop_token& stop) {
+            const PinnedThread pin(worker, cpus);
+            serve(stop, worker);
+        });
     }
 }
 
@@ -55,10 +60,13 @@ void WorkerPool::run(std::size_t jobs, const Job& body) {
     // One job needs no second thread; waking one would only cost.
     const bool shared = jobs > 1 && !m_threads.empty();
     if (shared) {
-        const std::lock_guard lock(m_mutex);
-        m_batch = &batch;
-        ++m_batchNumber;
-        m_busyWorkers = m_threads.size();
+        {
+            const std::lock_guard lock(m_mutex);
+            m_batch = &batch;
+            ++m_batchNumber;
+            m_busyWorkers = m_threads.size();
+        }
+        // Not under the lock, where workers would wake only to wait for it.
         m_batchPosted.notify_all();
     }
     batch.work(0);

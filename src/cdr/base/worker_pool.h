@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/thread_placement.h>
 #include <cdr/base/trace.h>
 
 #include <condition_variable>
@@ -20,7 +21,8 @@ class WorkerPool {
   public:
     /// @param threads workers, the caller included; at least 1 and at most kMaxThreads, else
     /// base::InputError.
-    explicit WorkerPool(std::size_t threads);
+    /// @param placement of the threads it starts; the caller, worker 0, stays as it is.
+    explicit WorkerPool(std::size_t threads, Placement placement = Placement::free);
     ~WorkerPool();
     WorkerPool(const WorkerPool&) = delete;
     WorkerPool& operator=(const WorkerPool&) = delete;

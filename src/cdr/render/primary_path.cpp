@@ -7,18 +7,12 @@ namespace cdr::render {
 PrimaryPath::PrimaryPath(const gpu::Device& device, HostDraws draws, const std::string& name)
     : m_device(device),
       m_draws(std::move(draws)),
-      m_betweenPool(device, vk::CommandBufferLevel::ePrimary, name) {
-    for (std::size_t worker = 0; worker < m_draws.workers().threads(); ++worker) {
-        m_pools.emplace_back(device, vk::CommandBufferLevel::ePrimary,
-                             name + " worker " + std::to_string(worker));
-    }
-}
+      m_pools(device, vk::CommandBufferLevel::ePrimary, m_draws.workers().threads(), name),
+      m_betweenPool(device, vk::CommandBufferLevel::ePrimary, name) {}
 
 void PrimaryPath::begin(const CutView&) {
     m_betweenPool.reset();
-    for (gpu::CommandPool& pool : m_pools) {
-        pool.reset();
-    }
+    m_pools.beginFrame();
     m_between = nullptr;
     m_scopes.clear();
     m_commands.clear();
@@ -67,7 +61,7 @@ std::span<const vk::CommandBuffer> PrimaryPath::end(const CutView& view) {
         const base::IndexRange draws{recording.lists.range(scope.cascades.begin).begin,
                                      recording.lists.range(scope.cascades.end - 1).end};
         const base::JobSpan span(recording.trace, worker, job, scope.cascades.begin, draws.size());
-        m_commands[scope.slot] = m_pools[worker].next();
+        m_commands[scope.slot] = m_pools.next(worker);
         recordScope(m_commands[scope.slot], scope, recording);
     });
     m_draws.flush();

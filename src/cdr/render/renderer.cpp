@@ -71,7 +71,7 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_extent(checkedExtent(device, options)),
       m_aspect(static_cast<double>(options.width) / static_cast<double>(options.height)),
       m_split(options.technique, options.height),
-      m_workers(options.threads),
+      m_workers(options.threads, options.placement),
       m_geometry(device, gpuScene, options.technique, options.batching),
       m_binning(options.submission == Submission::gpuDriven
                     ? std::make_unique<BinningPass>(device, scene, gpuScene)

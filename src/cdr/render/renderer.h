@@ -24,7 +24,8 @@ struct RenderOptions {
     std::uint32_t height = 720;
     depth::Technique technique;
     TargetsChoice targets = TargetsKind::single;
-    std::size_t threads = 1; ///< that cull, bin and record, the caller's included
+    std::size_t threads = 1;                           ///< that cull, bin and record, the caller's included
+    base::Placement placement = base::Placement::free; ///< of those threads but the caller's
     Submission submission = Submission::secondaries;
     Batching batching = Batching::instanced;
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight

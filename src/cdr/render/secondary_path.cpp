@@ -34,12 +34,8 @@ std::vector<DrawJob> makeJobs(const scene::DrawLists& lists, std::size_t threads
 SecondaryPath::SecondaryPath(const gpu::Device& device, HostDraws draws, const std::string& name)
     : m_device(device),
       m_draws(std::move(draws)),
-      m_primaryPool(device, vk::CommandBufferLevel::ePrimary, name) {
-    for (std::size_t worker = 0; worker < m_draws.workers().threads(); ++worker) {
-        m_pools.emplace_back(device, vk::CommandBufferLevel::eSecondary,
-                             name + " worker " + std::to_string(worker));
-    }
-}
+      m_pools(device, vk::CommandBufferLevel::eSecondary, m_draws.workers().threads(), name),
+      m_primaryPool(device, vk::CommandBufferLevel::ePrimary, name) {}
 
 void SecondaryPath::begin(const CutView& view) {
     recordJobs(m_draws.recording(view));
@@ -50,11 +46,9 @@ void SecondaryPath::begin(const CutView& view) {
 }
 
 void SecondaryPath::recordJobs(const GeometryPass::Recording& recording) {
-    for (gpu::CommandPool& pool : m_pools) {
-        pool.reset();
-    }
     const GeometryPass& pass = m_draws.pass();
-    m_jobs = makeJobs(recording.lists, m_pools.size());
+    m_pools.beginFrame();
+    m_jobs = makeJobs(recording.lists, m_pools.workers());
     m_commands.assign(m_jobs.size(), nullptr);
     m_cascadeBegins.assign(recording.lists.cascades() + 1, m_jobs.size());
     for (std::size_t job = m_jobs.size(); job-- > 0;) {
@@ -72,7 +66,7 @@ void SecondaryPath::recordJobs(const GeometryPass::Recording& recording) {
     m_draws.workers().run(m_jobs.size(), [&](std::size_t job, std::size_t worker) {
         const DrawJob& work = m_jobs[job];
         const base::JobSpan span(recording.trace, worker, job, work.cascade, work.draws.size());
-        const vk::CommandBuffer commands = m_pools[worker].next();
+        const vk::CommandBuffer commands = m_pools.next(worker);
         commands.begin(begin);
         pass.record(commands, work, recording);
         commands.end();

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/gpu/commands.h>
 #include <cdr/render/host_draws.h>
+#include <cdr/render/worker_command_pools.h>
 
 #include <string>
 #include <vector>
@@ -34,7 +34,7 @@ class SecondaryPath final : public DrawPath {
 
     const gpu::Device& m_device;
     HostDraws m_draws;
-    std::vector<gpu::CommandPool> m_pools; ///< by worker
+    WorkerCommandPools m_pools;
     gpu::CommandPool m_primaryPool;
     vk::CommandBuffer m_primary;
     std::vector<DrawJob> m_jobs;

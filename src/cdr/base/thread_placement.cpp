@@ -1,0 +1,64 @@
+#include <cdr/base/thread_placement.h>
+
+#if defined(__linux__)
+#include <sched.h>
+#endif
+
+namespace cdr::base {
+
+#if defined(__linux__)
+
+namespace {
+
+void allow(const std::vector<std::size_t>& cpus) {
+    if (cpus.empty()) {
+        return;
+    }
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    for (const std::size_t cpu : cpus) {
+        CPU_SET(cpu, &set);
+    }
+    // Refused where the CPU has gone meanwhile; then the thread stays where it may be.
+    static_cast<void>(sched_setaffinity(0, sizeof(set), &set));
+}
+
+} // namespace
+
+std::vector<std::size_t> allowedCpus() {
+    std::vector<std::size_t> cpus;
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof(set), &set) == 0) {
+        for (std::size_t cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+            if (CPU_ISSET(cpu, &set)) {
+                cpus.push_back(cpu);
+            }
+        }
+    }
+    return cpus;
+}
+
+PinnedThread::PinnedThread(std::size_t number, const std::vector<std::size_t>& cpus)
+    : m_before(allowedCpus()) {
+    if (!cpus.empty()) {
+        allow({cpus[number % cpus.size()]});
+    }
+}
+
+PinnedThread::~PinnedThread() {
+    allow(m_before);
+}
+
+#else
+
+std::vector<std::size_t> allowedCpus() {
+    return {};
+}
+
+PinnedThread::PinnedThread(std::size_t, const std::vector<std::size_t>&) {}
+
+PinnedThread::~PinnedThread() = default;
+
+#endif
+
+} // namespace cdr::base
