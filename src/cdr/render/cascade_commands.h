@@ -5,6 +5,9 @@
 
 #include <vulkan/vulkan.hpp>
 
+#include <cstddef>
+#include <vector>
+
 namespace cdr::render {
 
 /// Where targets put a frame's work, in the order in which the device runs it: rendering scopes that draw
@@ -15,6 +18,12 @@ class CascadeCommands {
     CascadeCommands() = default;
     CascadeCommands(const CascadeCommands&) = delete;
     CascadeCommands& operator=(const CascadeCommands&) = delete;
+
+    /// Whether a cascade draws nothing for certain.
+    virtual bool isEmpty(std::size_t cascade) const = 0;
+    /// The cascades that may draw something, the nearest first; the farthest where none does, so that there
+    /// is a scope to clear in.
+    std::vector<std::size_t> drawnCascades(std::size_t cascades) const;
 
     /// Takes what comes next, outside any rendering scope. Ask again after drawScope().
     virtual vk::CommandBuffer primary() = 0;

@@ -55,17 +55,18 @@ CascadeLayers::Layer CascadeLayers::makeLayer(std::size_t number) const {
 }
 
 void CascadeLayers::record(CascadeCommands& commands, std::size_t cascades) const {
+    const std::vector<std::size_t> drawn = commands.drawnCascades(cascades);
     auto load = vk::AttachmentLoadOp::eClear;
-    for (std::size_t left = cascades; left > 0;) {
+    for (std::size_t left = drawn.size(); left > 0;) {
         const std::size_t count = std::min(m_layers.size(), left);
-        drawLayers(commands, {left - count, left});
+        drawLayers(commands, std::span(drawn).subspan(left - count, count));
         mergeLayers(commands.primary(), count, load);
         left -= count;
         load = vk::AttachmentLoadOp::eLoad;
     }
 }
 
-void CascadeLayers::drawLayers(CascadeCommands& commands, base::IndexRange cascades) const {
+void CascadeLayers::drawLayers(CascadeCommands& commands, std::span<const std::size_t> cascades) const {
     const auto scopeOf = [&](std::size_t layer) {
         return GBufferScope{.gbuffer = m_layers[layer].gbuffer,
                             .depth = m_layers[layer].depth,
@@ -77,7 +78,7 @@ void CascadeLayers::drawLayers(CascadeCommands& commands, base::IndexRange casca
         beginGBuffer(commands.primary(), scopeOf(layer));
     }
     for (std::size_t layer = 0; layer < cascades.size(); ++layer) {
-        const std::size_t cascade = cascades.end - 1 - layer;
+        const std::size_t cascade = cascades[cascades.size() - 1 - layer];
         commands.drawScope(scopeOf(layer), {cascade, cascade + 1});
     }
 }

@@ -3,6 +3,7 @@
 #include <cdr/render/merge_pass.h>
 #include <cdr/render/targets.h>
 
+#include <span>
 #include <vector>
 
 namespace cdr::render {
@@ -32,7 +33,7 @@ class CascadeLayers {
         MergePass::Source source;
     };
     Layer makeLayer(std::size_t number) const;
-    void drawLayers(CascadeCommands& commands, base::IndexRange cascades) const;
+    void drawLayers(CascadeCommands& commands, std::span<const std::size_t> cascades) const;
     void mergeLayers(vk::CommandBuffer primary, std::size_t count, vk::AttachmentLoadOp load) const;
 
     const gpu::Device& m_device;

@@ -19,6 +19,7 @@ class GpuDrivenPath final : public DrawPath {
     bool needsVisible() const override { return false; }
     void bin(const CutView& view, FrameStats& stats) override;
     void begin(const CutView& view) override;
+    bool isEmpty(std::size_t) const override { return false; } ///< only the device knows
     vk::CommandBuffer primary() override { return m_primary; }
     void drawScope(const GBufferScope& scope, base::IndexRange cascades) override;
     std::span<const vk::CommandBuffer> end(const CutView& view) override;

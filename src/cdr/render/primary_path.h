@@ -19,6 +19,7 @@ class PrimaryPath final : public DrawPath {
     bool needsVisible() const override { return true; }
     void bin(const CutView& view, FrameStats& stats) override { m_draws.bin(view, stats); }
     void begin(const CutView& view) override;
+    bool isEmpty(std::size_t cascade) const override { return m_draws.lists().range(cascade).size() == 0; }
     vk::CommandBuffer primary() override;
     void drawScope(const GBufferScope& scope, base::IndexRange cascades) override;
     std::span<const vk::CommandBuffer> end(const CutView& view) override;

@@ -13,11 +13,12 @@ void SingleTargets::record(CascadeCommands& commands, std::size_t cascades) {
     GBufferScope scope{
         .gbuffer = m_gbuffer, .depth = m_depth, .clearColor = true, .reversedDepth = m_reversedDepth};
     beginGBuffer(commands.primary(), scope);
-    for (std::size_t cascade = cascades; cascade-- > 0;) {
+    const std::vector<std::size_t> drawn = commands.drawnCascades(cascades);
+    for (auto cascade = drawn.rbegin(); cascade != drawn.rend(); ++cascade) {
         if (!scope.clearColor) {
             chainGBufferScopes(commands.primary(), scope);
         }
-        commands.drawScope(scope, {cascade, cascade + 1});
+        commands.drawScope(scope, {*cascade, *cascade + 1});
         scope.clearColor = false;
     }
 }
