@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs whatever is missing to build, test and run cdr, on Debian 12, Debian 13, Ubuntu 24.04 or later: distribution
-# packages, and into page/node_modules the npm packages of the report's page. Where all is there it touches neither the
+# packages, and into src/page/node_modules the npm packages of the report's page. Where all is there it touches neither the
 # system nor the network.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -68,9 +68,9 @@ if ((${#missing[@]})) || ! third_party/vma.sh --present; then
 fi
 
 # The page of `cdr report`: exactly what package-lock.json names. The copy beside them says which lock they came from.
-lock=page/package-lock.json
-if ! cmp --silent "$lock" page/node_modules/.cdr-lock.json; then
-    echo "tools/setup.sh: installing the report page's npm packages into page/node_modules"
-    npm --prefix page ci --ignore-scripts --no-audit --no-fund --loglevel=error </dev/null
-    cp "$lock" page/node_modules/.cdr-lock.json
+lock=src/page/package-lock.json
+if ! cmp --silent "$lock" src/page/node_modules/.cdr-lock.json; then
+    echo "tools/setup.sh: installing the report page's npm packages into src/page/node_modules"
+    npm --prefix src/page ci --ignore-scripts --no-audit --no-fund --loglevel=error </dev/null
+    cp "$lock" src/page/node_modules/.cdr-lock.json
 fi

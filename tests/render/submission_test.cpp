@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/scene/open_scene.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace cdr::render_test {
@@ -159,10 +160,19 @@ TEST_F(SubmissionTest, FramesInFlightLeaveTheNextFrameAsItIs) {
 TEST_F(SubmissionTest, AnEmptySceneIsDrawnHoweverSubmitted) {
     const scene::Scene scene = boxScene();
     const scene::Camera camera = scene::makeRotation(1, 1).path.at(0);
-    for (const Submission submission : render::kSubmissions) {
-        render::RenderOptions options = tinyOptions(depth::parseTechnique("cdr"));
-        options.submission = submission;
-        EXPECT_EQ(draw(scene, camera, options).stats.draws, 0u) << nameOf(submission);
+    for (const depth::Technique& technique : techniques()) {
+        for (const Submission submission : render::kSubmissions) {
+            for (const TargetsKind targets : render::kTargetsKinds) {
+                render::RenderOptions options = tinyOptions(technique);
+                options.submission = submission;
+                options.targets = targets;
+                const render::Frame frame = draw(scene, camera, options);
+                EXPECT_EQ(frame.stats.draws, 0u);
+                const std::vector<std::uint32_t>& ids = frame.ids().pixels;
+                EXPECT_EQ(std::count(ids.begin(), ids.end(), 0u), std::ptrdiff_t(ids.size()))
+                    << technique.name << " " << nameOf(submission) << " " << nameOf(targets);
+            }
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { duration, fixed, list, number, percent, powerOfTen, signedPercent } from "../../../page/logic/format.js";
+import { duration, fixed, list, number, percent, powerOfTen, signedPercent } from "../../../src/page/logic/format.js";
 
 const plain = (text) => text.replaceAll("\u202f", " ");
 

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { around, panned } from "../../../page/logic/ranges.js";
+import { around, panned } from "../../../src/page/logic/ranges.js";
 
 const close = (actual, expected) => actual.forEach((value, i) =>
     assert.ok(Math.abs(value / expected[i] - 1) < 1e-12, `${actual} is not ${expected}`));

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { answered, freshSeed, nextTrial, restore, startSession, store } from "../../../page/logic/session.js";
+import { answered, freshSeed, nextTrial, restore, startSession, store } from "../../../src/page/logic/session.js";
 
 const answerAll = (session) => {
     while (nextTrial(session)) {

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { binomialP, chiSquared, chiSquaredP, wilson95 } from "../../../page/logic/statistics.js";
+import { binomialP, chiSquared, chiSquaredP, wilson95 } from "../../../src/page/logic/statistics.js";
 
 const near = (actual, expected, tolerance) =>
     assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected} within ${tolerance}`);

@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { formatRow, parseRows } from "../../../page/logic/csv.js";
-import { randomFrom, shuffled } from "../../../page/logic/random.js";
-import { pairs, table62, thesisTechniques } from "../../../page/logic/thesis.js";
-import { columns, fromCsv, makeAnswer, makeTrials, pairName, tally, toCsv, withoutRepeats } from "../../../page/logic/trials.js";
+import { formatRow, parseRows } from "../../../src/page/logic/csv.js";
+import { randomFrom, shuffled } from "../../../src/page/logic/random.js";
+import { pairs, table62, thesisTechniques } from "../../../src/page/logic/thesis.js";
+import { columns, fromCsv, makeAnswer, makeTrials, pairName, tally, toCsv, withoutRepeats } from "../../../src/page/logic/trials.js";
 
 const answersOf = (seed, participant, side = "left") =>
     makeTrials(seed).map((trial, number) =>

@@ -1,11 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { table41 } from "../../../page/logic/thesis.js";
-import { checkPercentages, tableRows } from "../../../page/logic/precision.js";
-import { judgedRatio, reliability } from "../../../page/logic/probe.js";
-import { rankAgreement } from "../../../page/logic/timing.js";
-import { observerWins, pairRows } from "../../../page/logic/flicker.js";
-import { statuses, verdicts } from "../../../page/logic/verdicts.js";
+import { table41 } from "../../../src/page/logic/thesis.js";
+import { checkPercentages, tableRows } from "../../../src/page/logic/precision.js";
+import { judgedRatio, reliability } from "../../../src/page/logic/probe.js";
+import { rankAgreement } from "../../../src/page/logic/timing.js";
+import { observerWins, pairRows } from "../../../src/page/logic/flicker.js";
+import { statuses, verdicts } from "../../../src/page/logic/verdicts.js";
 
 const precision = (factor = 1) => ({
     results: Object.entries(table41).flatMap(([separation, row]) => Object.entries(row).map(([technique, depth]) =>

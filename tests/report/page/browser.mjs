@@ -9,7 +9,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 // The packages live with the page, which is not above this file.
-const { chromium } = createRequire(new URL("../../../page/package.json", import.meta.url))("playwright-core");
+const { chromium } = createRequire(new URL("../../../src/page/package.json", import.meta.url))("playwright-core");
 
 export const program = process.env.CDR_PROGRAM;
 export const folder = mkdtempSync(join(tmpdir(), "cdr_report_"));

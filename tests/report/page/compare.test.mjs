@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { copyFileSync, mkdirSync, readFileSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { makeTrials, toCsv, makeAnswer, fromCsv } from "../../../page/logic/trials.js";
+import { makeTrials, toCsv, makeAnswer, fromCsv } from "../../../src/page/logic/trials.js";
 import { assertNoSidewaysScroll, close, folder, launch, makeReport, open, screenshot } from "./browser.mjs";
 
 let browser;

@@ -3,8 +3,8 @@ import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { binomialP, chiSquared, chiSquaredP } from "../../../page/logic/statistics.js";
-import { figure64, pairs, table41 } from "../../../page/logic/thesis.js";
+import { binomialP, chiSquared, chiSquaredP } from "../../../src/page/logic/statistics.js";
+import { figure64, pairs, table41 } from "../../../src/page/logic/thesis.js";
 import { assertNoSidewaysScroll, close, contrast, folder, launch, makeReport, open, program, screenshot } from "./browser.mjs";
 
 let browser;

@@ -39,7 +39,7 @@ async function licences() {
     const uplot = join(here, "node_modules/uplot");
     const { name, version } = JSON.parse(await readFile(join(uplot, "package.json"), "utf8"));
     const text = await readFile(join(uplot, "LICENSE"), "utf8");
-    const own = await readFile(join(here, "../LICENSE"), "utf8");
+    const own = await readFile(join(here, "../../LICENSE"), "utf8");
     return `This page is a part of cdr:\n\n${own}\nIt holds ${name} ${version}:\n\n${text}`;
 }
 
