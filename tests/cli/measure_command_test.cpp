@@ -123,8 +123,53 @@ TEST(ScalingCommand, DrawsTheSameImageWithAnyNumberOfThreads) {
         all.insert(seen.begin(), seen.end());
     }
     EXPECT_EQ(all.size(), 4u); // other scenes and splits are other images
-    EXPECT_EQ(document.at("fits").size(), 4u);
-    EXPECT_EQ(lineCount(readText(folder.path() / "s.csv")), 13u);
+    // Secondaries and the control.
+    EXPECT_EQ(document.at("results").size(), 24u);
+    EXPECT_EQ(document.at("fits").size(), 8u);
+    EXPECT_EQ(lineCount(readText(folder.path() / "s.csv")), 25u);
+}
+
+TEST(TimingCommand, TimesThroughputAndModesThatAreNoFigures) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("--validate timing --frames 11 --in-flight 3 --size 64x36 "
+                   "--modes naive,anchored/gpu-driven,standard/primaries --json t.json",
+                   folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = readJson(folder.path() / "t.json");
+    EXPECT_EQ(document.at("options").at("mode"), "throughput");
+    EXPECT_EQ(document.at("options").at("frames_in_flight"), 3);
+    std::vector<std::tuple<std::string, std::string, std::string>> modes;
+    for (const json& row : document.at("results")) {
+        modes.emplace_back(row.at("name"), row.at("submission"), row.at("batching"));
+        EXPECT_GT(row.at("median_us").get<double>(), 0.0);
+        EXPECT_TRUE(row.at("execute_us").is_null()); // frames that overlap have no parts of their own
+    }
+    EXPECT_EQ(modes, (std::vector<std::tuple<std::string, std::string, std::string>>{
+                         {"standard", "secondaries", "instanced"},
+                         {"standard-again", "secondaries", "instanced"},
+                         {"naive", "secondaries", "per-object"},
+                         {"anchored/gpu-driven", "gpu-driven", "instanced"},
+                         {"standard/primaries", "primaries", "instanced"}}));
+}
+
+TEST(RenderCommand, HowDrawsAreSubmittedChangesNoHash) {
+    const TemporaryFolder folder;
+    std::set<std::string> hashes;
+    for (const char* how : {"--submission secondaries --batching per-object", "--submission primaries",
+                            "--submission gpu-driven", "--batching push-constants"}) {
+        const ProgramResult result = runProgram(
+            std::string("--validate render rotation --size 96x54 --split count:3 --json r.json ") + how,
+            folder.path());
+        ASSERT_EQ(result.status, 0) << how << ": " << result.err;
+        const json row = readJson(folder.path() / "r.json").at("results").at(0);
+        EXPECT_NE(std::string(how).find(row.at("submission").get<std::string>()) == std::string::npos &&
+                      std::string(how).find(row.at("batching").get<std::string>()) == std::string::npos,
+                  true)
+            << how;
+        hashes.insert(row.at("hash").get<std::string>());
+    }
+    EXPECT_EQ(hashes.size(), 1u);
 }
 
 TEST(RenderCommand, TracesWorkersCascadesAndTheDevice) {

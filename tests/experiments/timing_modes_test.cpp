@@ -71,6 +71,7 @@ TEST(Scaling, UnusableOptionsAreRefused) {
     refused([](ScalingOptions& o) { o.threads = {1, 257}; });
     refused([](ScalingOptions& o) { o.cascades = {65}; });
     refused([](ScalingOptions& o) { o.targets = {}; });
+    refused([](ScalingOptions& o) { o.submissions = {}; });
     refused([](ScalingOptions& o) { o.repeats = 0; });
 }
 
