@@ -209,7 +209,9 @@ std::vector<glm::dvec3> seamPoints(const scene::SourceMesh& mesh, double pieceRa
             for (std::size_t i = 0; i < 3; ++i) {
                 const glm::dvec3 p = mesh.positions[mesh.indices[3 * triangle + i]];
                 const glm::dvec3 q = mesh.positions[mesh.indices[3 * triangle + (i + 1) % 3]];
-                const auto edge = std::minmax(Key{p.x, p.y, p.z}, Key{q.x, q.y, q.z});
+                const Key from{p.x, p.y, p.z};
+                const Key to{q.x, q.y, q.z};
+                const std::pair<Key, Key> edge = std::minmax(from, to);
                 const auto [found, isNew] = clusterOf.try_emplace(edge, c);
                 if (!isNew && found->second != c) {
                     points.push_back(p);
