@@ -120,7 +120,7 @@ void GpuScene::uploadMaterials(const gpu::Device& device, const scene::Scene& sc
                                .baseColorRg = glm::packHalf2x16(glm::vec2(material.baseColorFactor)),
                                .baseColorBa = glm::packHalf2x16(
                                    glm::vec2(material.baseColorFactor.b, material.baseColorFactor.a))});
-        // Untextured materials read the white pixel, so that every pipeline has a valid set 1.
+        // Untextured materials read the white pixel, so that every pipeline has a valid set.
         const std::size_t texture =
             material.baseColorTexture.value_or(static_cast<std::uint32_t>(scene.textures.size()));
         const vk::DescriptorSet set = gpu::allocateSet(device, *m_pool, *m_textureLayout);
