@@ -1,3 +1,5 @@
+#include "../support/temporary_folder.h"
+
 #include <cdr/base/child_process.h>
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
@@ -16,16 +18,10 @@ namespace fs = std::filesystem;
 
 class ChildProcessTest : public testing::Test {
   protected:
-    ChildProcessTest() {
-        std::string name = testing::TempDir() + "cdr_child_XXXXXX";
-        m_folder = ::mkdtemp(name.data());
-    }
-    ~ChildProcessTest() override { fs::remove_all(m_folder); }
-
-    fs::path file(const std::string& name) const { return m_folder / name; }
+    fs::path file(const std::string& name) const { return m_folder.path() / name; }
 
   private:
-    fs::path m_folder;
+    cdr::test::TemporaryFolder m_folder;
 };
 
 std::string whatOf(const std::function<void()>& action) {

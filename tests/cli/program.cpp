@@ -33,13 +33,4 @@ ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
     return result;
 }
 
-TemporaryFolder::TemporaryFolder() {
-    std::string name = testing::TempDir() + "cdr_cli_XXXXXX";
-    m_path = ::mkdtemp(name.data());
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    fs::remove_all(m_path);
-}
-
 } // namespace cdr::cli_test

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "../support/temporary_folder.h"
+
 #include <filesystem>
 #include <string>
 
@@ -16,19 +18,7 @@ struct ProgramResult {
 ProgramResult runProgram(const std::string& arguments, const std::filesystem::path& folder,
                          const std::string& environment = "");
 
-/// A fresh empty folder that is removed with the object.
-class TemporaryFolder {
-  public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const std::filesystem::path& path() const { return m_path; }
-    bool isEmpty() const { return std::filesystem::is_empty(m_path); }
-
-  private:
-    std::filesystem::path m_path;
-};
+using test::TemporaryFolder;
 
 std::string readText(const std::filesystem::path& path);
 

@@ -1,3 +1,5 @@
+#include "../support/temporary_folder.h"
+
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
 #include <cdr/base/sha256.h>
@@ -21,12 +23,6 @@ using namespace cdr::experiments;
 
 class FlickerTest : public testing::Test {
   protected:
-    FlickerTest() {
-        std::string name = testing::TempDir() + "cdr_flicker_XXXXXX";
-        m_folder = ::mkdtemp(name.data());
-    }
-    ~FlickerTest() override { fs::remove_all(m_folder); }
-
     void TearDown() override {
         for (const std::string& message : m_instance.validation().messages()) {
             ADD_FAILURE() << message;
@@ -34,10 +30,10 @@ class FlickerTest : public testing::Test {
     }
 
     const gpu::Device& device() const { return m_device; }
-    fs::path state() const { return m_folder / "state.json"; }
+    fs::path state() const { return m_folder.path() / "state.json"; }
 
   private:
-    fs::path m_folder;
+    cdr::test::TemporaryFolder m_folder;
     gpu::Instance m_instance{{.validate = true, .extensions = {}}};
     gpu::Device m_device{m_instance, ""};
 };

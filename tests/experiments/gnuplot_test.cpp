@@ -1,3 +1,5 @@
+#include "../support/temporary_folder.h"
+
 #include <cdr/base/error.h>
 
 #include <experiments/gnuplot.h>
@@ -17,17 +19,11 @@ using cdr::base::RunError;
 
 class GnuplotTest : public testing::Test {
   protected:
-    GnuplotTest() {
-        std::string name = testing::TempDir() + "cdr_plot_XXXXXX";
-        m_folder = ::mkdtemp(name.data());
-    }
-    ~GnuplotTest() override { fs::remove_all(m_folder); }
-
-    const fs::path& folder() const { return m_folder; }
+    const fs::path& folder() const { return m_folder.path(); }
     bool isMissing() const { return std::system("gnuplot --version >/dev/null 2>&1") != 0; }
 
   private:
-    fs::path m_folder;
+    cdr::test::TemporaryFolder m_folder;
 };
 
 std::string beginOf(const fs::path& path, std::size_t bytes) {

@@ -1,3 +1,5 @@
+#include "../support/temporary_folder.h"
+
 #include <cdr/base/error.h>
 
 #include <experiments/video.h>
@@ -16,22 +18,16 @@ using namespace cdr::experiments;
 
 class VideoTest : public testing::Test {
   protected:
-    VideoTest() {
-        std::string name = testing::TempDir() + "cdr_video_XXXXXX";
-        m_folder = ::mkdtemp(name.data());
-    }
-    ~VideoTest() override { fs::remove_all(m_folder); }
-
     void SetUp() override {
         if (!base::isInstalled("ffmpeg")) {
             GTEST_SKIP() << "ffmpeg is not installed";
         }
     }
 
-    const fs::path& folder() const { return m_folder; }
+    const fs::path& folder() const { return m_folder.path(); }
 
   private:
-    fs::path m_folder;
+    cdr::test::TemporaryFolder m_folder;
 };
 
 image::ImageRgba8 frameOf(std::uint8_t grey) {
