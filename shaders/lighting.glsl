@@ -13,9 +13,21 @@ vec2 rayAt(vec2 pixel, vec2 pictureSize) {
     return (pixel / pictureSize * 2.0 - 1.0) * vec2(1.0, -1.0) * header.rayScale;
 }
 
+// Difference of two view distances, each an anchor plane (a float and its rest) and what lies ahead of it.
+float distanceBetween(vec2 fromAnchor, float fromAhead, vec2 toAnchor, float toAhead) {
+    return (toAnchor.x - fromAnchor.x) + (toAnchor.y - fromAnchor.y) + (toAhead - fromAhead);
+}
+
+// What a colour becomes through the fog between the camera and a point on a ray.
+vec3 throughFog(vec3 color, vec2 ray, float distanceView) {
+    float distance = distanceView * length(vec3(ray, 1.0));
+    return mix(header.fog.rgb, color, exp(-header.fog.a * distance));
+}
+
 // Light that falls on a point `ahead` of an anchor plane (a float and its rest), view-space x and y `across`.
-vec3 lightOn(vec3 normal, vec2 across, vec2 anchor, float ahead) {
-    vec3 light = header.ambient.rgb;
+// openness: the share of ambient light that reaches it.
+vec3 lightOn(vec3 normal, vec2 across, vec2 anchor, float ahead, float openness) {
+    vec3 light = openness * header.ambient.rgb;
     for (uint i = 0u; i < header.lightCount; ++i) {
         LightRecord record = lights[i];
         // Subtracting float from float and rest from rest keeps the small difference of two large distances.

@@ -1,13 +1,29 @@
 #version 460
+#extension GL_GOOGLE_include_directive : require
 
 // Lays one layer G-buffer over the accumulated one; a merged pixel is the layer's own, bit for bit.
 layout(set = 0, binding = 0) uniform usampler2D layerBuffer;
 
 layout(location = 0) out uvec4 outSurface;
 
+#ifdef OCCLUDED
+// And works out ambient occlusion on the layer alone, as the thesis' method 2 has it: what other cascades hold is not there.
+#include "shared.h"
+#include "surface.glsl"
+layout(push_constant) uniform Push { LayerPush layer; };
+
+float distanceOf(uvec4 surface) { return layer.anchorView + aheadOf(surface); }
+float aheadBetween(uvec4 from, uvec4 to) { return aheadOf(to) - aheadOf(from); }
+#include "occlusion.glsl"
+#endif
+
 void main() {
-    outSurface = texelFetch(layerBuffer, ivec2(gl_FragCoord.xy), 0);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    outSurface = texelFetch(layerBuffer, pixel, 0);
     if (outSurface.w == 0u) {
         discard; // background: what lies farther stays
     }
+#ifdef OCCLUDED
+    outSurface.x = withOcclusion(outSurface.x, occlusionAt(layerBuffer, pixel, outSurface, layer.rayScale, layer.radius));
+#endif
 }

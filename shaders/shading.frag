@@ -7,23 +7,57 @@
 #include "lighting.glsl"
 
 // Deferred shading of the final G-buffer.
+layout(constant_id = 0) const uint kFoggy = 0u;
+
 layout(set = 0, binding = 0) uniform usampler2D surfaceBuffer;
+// OCCLUDED: by an image of the whole picture, or else OCCLUDED_PER_LAYER by what the layers left in the surfaces.
+#if defined(OCCLUDED)
+layout(set = 0, binding = 2) uniform sampler2D occlusionImage;
+float occlusionIn(ivec2 pixel, uvec4 surface) { return texelFetch(occlusionImage, pixel, 0).r; }
+#elif defined(OCCLUDED_PER_LAYER)
+float occlusionIn(ivec2 pixel, uvec4 surface) { return occlusionOf(surface); }
+#endif
 
 layout(location = 0) out vec4 outColor;
 
+vec2 anchorOf(uvec4 surface) { return header.anchors[(surface.w >> kIdBits) & kCascadeMask]; }
+
+// Averages the 4 x 4 pixels around that lie on about the same surface: what the noise of occlusion.glsl repeats in.
+float opennessAt(ivec2 pixel, uvec4 surface, vec3 normal) {
+#if defined(OCCLUDED) || defined(OCCLUDED_PER_LAYER)
+    ivec2 last = textureSize(surfaceBuffer, 0) - 1;
+    vec2 sum = vec2(0.0);
+    for (int i = 0; i < 16; ++i) {
+        ivec2 there = clamp(pixel + ivec2(i & 3, i >> 2) - 2, ivec2(0), last);
+        uvec4 other = texelFetch(surfaceBuffer, there, 0);
+        float apart = distanceBetween(anchorOf(surface), aheadOf(surface), anchorOf(other), aheadOf(other));
+        if (other.w != 0u && abs(apart) < header.occlusionRadius && dot(normal, normalOf(other)) > 0.8) {
+            sum += vec2(occlusionIn(there, other), 1.0);
+        }
+    }
+    return 1.0 - sum.x / sum.y; // the pixel itself counts
+#else
+    return 1.0;
+#endif
+}
+
 void main() {
-    uvec4 surface = texelFetch(surfaceBuffer, ivec2(gl_FragCoord.xy), 0);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    uvec4 surface = texelFetch(surfaceBuffer, pixel, 0);
     if (surface.w == 0u) {
-        outColor = vec4(header.background.rgb, 1.0);
+        outColor = vec4(kFoggy != 0u ? header.fog.rgb : header.background.rgb, 1.0);
         return;
     }
-    vec3 albedo = albedoOf(surface);
-    if ((surface.w & kIdUnlit) != 0u) {
-        outColor = vec4(albedo, 1.0);
-        return;
-    }
+    vec3 color = albedoOf(surface);
     float ahead = aheadOf(surface);
-    vec2 anchor = header.anchors[(surface.w >> kIdBits) & kCascadeMask];
-    vec2 across = rayAt(gl_FragCoord.xy, vec2(textureSize(surfaceBuffer, 0))) * (anchor.x + ahead);
-    outColor = vec4(albedo * lightOn(normalOf(surface), across, anchor, ahead), 1.0);
+    vec2 anchor = anchorOf(surface);
+    vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(surfaceBuffer, 0)));
+    if ((surface.w & kIdUnlit) == 0u) {
+        vec3 normal = normalOf(surface);
+        color *= lightOn(normal, ray * (anchor.x + ahead), anchor, ahead, opennessAt(pixel, surface, normal));
+    }
+    if (kFoggy != 0u) {
+        color = throughFog(color, ray, anchor.x + ahead);
+    }
+    outColor = vec4(color, 1.0);
 }

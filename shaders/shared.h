@@ -67,13 +67,21 @@ struct LightRecord {
     vec4 color;        // linear
 };
 
+// What merging needs of a layer to work out its ambient occlusion; push constants.
+struct LayerPush {
+    vec2 rayScale; // as ShadingHeader has it
+    float anchorView;
+    float radius;
+};
+
 // What the shading pass needs, followed by the lights.
 struct ShadingHeader {
     vec4 ambient;
     vec4 background;
     vec2 rayScale; // view-space x and y per unit of view distance at the right and top edges of the picture
     uint lightCount;
-    uint pad0;
+    float occlusionRadius;
+    vec4 fog;                    // linear colour, and what it takes per unit of distance
     vec2 anchors[kCascadeSlots]; // each cascade's anchor plane as a float and its rest
 };
 
@@ -83,7 +91,8 @@ static_assert(sizeof(CascadePush) == 40);
 static_assert(kPushedRecordOffset % 16 == 0 && kPushedRecordOffset >= sizeof(CascadePush));
 static_assert(kPushedRecordOffset + sizeof(DrawRecord) <= 128); // what every device has
 static_assert(sizeof(LightRecord) == 48);
-static_assert(sizeof(ShadingHeader) == 48 + 8 * kCascadeSlots);
+static_assert(sizeof(LayerPush) == 16);
+static_assert(sizeof(ShadingHeader) == 64 + 8 * kCascadeSlots);
 } // namespace cdr::shaders
 #endif
 

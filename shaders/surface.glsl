@@ -1,6 +1,7 @@
 // The G-buffer: 16 bytes a pixel in one image of four uints, because one wide store and one wide load cost a software
 // rasteriser far less than four narrow ones.
-//   x: albedo, square root of linear, three unorm8 (a square root stands in for the sRGB curve)
+//   x: albedo, square root of linear, three unorm8 (a square root stands in for the sRGB curve); above it ambient occlusion
+//      where layers work it out, unorm8, 0 is open
 //   y: normal, view space, octahedral, two snorm16
 //   z: view distance beyond the cascade's anchor plane, float bits
 //   w: id word, kIdBits; 0 is background
@@ -22,6 +23,9 @@ vec3 albedoOf(uvec4 surface) {
 }
 
 vec3 normalOf(uvec4 surface) { return normalize(decodeOctahedral(unpackSnorm2x16(surface.y))); }
+
+float occlusionOf(uvec4 surface) { return unpackUnorm4x8(surface.x).a; }
+uint withOcclusion(uint albedo, float occlusion) { return (albedo & 0xffffffu) | (packUnorm4x8(vec4(occlusion, 0.0, 0.0, 0.0)) << 24); }
 
 float aheadOf(uvec4 surface) { return uintBitsToFloat(surface.z); }
 

@@ -2,6 +2,7 @@
 #include <cdr/render/cascade_layers.h>
 #include <cdr/render/gbuffer_rendering.h>
 #include <cdr/shaders/merge_frag.h>
+#include <cdr/shaders/merge_occluded_frag.h>
 
 #include <fmt/format.h>
 
@@ -23,16 +24,32 @@ const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& o
     return options;
 }
 
+FullscreenPassOptions mergeOptions(const TargetsOptions& options) {
+    FullscreenPassOptions merge{.name = "merge",
+                                .fragmentSpirv = kMergeFrag,
+                                .bindings = {vk::DescriptorType::eCombinedImageSampler},
+                                .format = kGBufferFormat,
+                                .constants = {}};
+    if (options.occlusionRadius > 0.0) {
+        merge.fragmentSpirv = kMergeOccludedFrag;
+        merge.pushBytes = sizeof(shaders::LayerPush);
+    }
+    return merge;
+}
+
+shaders::LayerPush makeLayerPush(const CascadeDraws& cascade, double radius) {
+    // Vulkan's y points down, hence the sign.
+    return {.rayScale = {1.0f / cascade.push.projectionX, -1.0f / cascade.push.projectionY},
+            .anchorView = cascade.push.anchorView,
+            .radius = static_cast<float>(radius)};
+}
+
 } // namespace
 
 CascadeLayers::CascadeLayers(const gpu::Device& device, const TargetsOptions& options, std::size_t layers)
     : m_device(device),
       m_options(checked(device, options, layers)),
-      m_merge(device, {.name = "merge",
-                       .fragmentSpirv = kMergeFrag,
-                       .bindings = {vk::DescriptorType::eCombinedImageSampler},
-                       .format = kGBufferFormat,
-                       .constants = {}}),
+      m_merge(device, mergeOptions(options)),
       m_accumulated(makeGBuffer(device, options.extent, "G-buffer")) {
     grow(layers);
 }
@@ -60,13 +77,18 @@ CascadeLayers::Layer CascadeLayers::makeLayer(std::size_t number) const {
             .source = std::move(source)};
 }
 
-void CascadeLayers::record(CascadeCommands& commands, std::size_t cascades) const {
-    const std::vector<std::size_t> drawn = commands.drawnCascades(cascades);
+void CascadeLayers::record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) const {
+    const std::vector<std::size_t> drawn = commands.drawnCascades(cascades.size());
     auto load = vk::AttachmentLoadOp::eClear;
     for (std::size_t left = drawn.size(); left > 0;) {
         const std::size_t count = std::min(m_layers.size(), left);
-        drawLayers(commands, std::span(drawn).subspan(left - count, count));
-        mergeLayers(commands.primary(), count, load);
+        const std::span<const std::size_t> batch = std::span(drawn).subspan(left - count, count);
+        drawLayers(commands, batch);
+        std::vector<shaders::LayerPush> layers;
+        for (auto cascade = batch.rbegin(); cascade != batch.rend(); ++cascade) {
+            layers.push_back(makeLayerPush(cascades[*cascade], m_options.occlusionRadius));
+        }
+        mergeLayers(commands.primary(), layers, load);
         left -= count;
         load = vk::AttachmentLoadOp::eLoad;
     }
@@ -89,18 +111,21 @@ void CascadeLayers::drawLayers(CascadeCommands& commands, std::span<const std::s
     }
 }
 
-void CascadeLayers::mergeLayers(vk::CommandBuffer primary, std::size_t count,
+void CascadeLayers::mergeLayers(vk::CommandBuffer primary, std::span<const shaders::LayerPush> layers,
                                 vk::AttachmentLoadOp load) const {
-    std::vector<vk::DescriptorSet> sources;
-    m_device.beginLabel(primary, fmt::format("merge {} layers", count).c_str());
+    m_device.beginLabel(primary, fmt::format("merge {} layers", layers.size()).c_str());
+    std::vector<FullscreenPass::Draw> draws;
     std::vector<vk::ImageMemoryBarrier2> barriers{
         load == vk::AttachmentLoadOp::eClear ? attachBarrier(m_accumulated) : chainBarrier(m_accumulated)};
-    for (std::size_t layer = 0; layer < count; ++layer) {
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
         barriers.push_back(readBarrier(m_layers[layer].gbuffer));
-        sources.push_back(m_layers[layer].source.set());
+        draws.push_back({.set = m_layers[layer].source.set()});
+        if (m_options.occlusionRadius > 0.0) {
+            draws.back().push = std::as_bytes(layers.subspan(layer, 1));
+        }
     }
     gpu::pipelineBarrier(primary, barriers);
-    m_merge.record(primary, sources, m_accumulated, load);
+    m_merge.record(primary, draws, m_accumulated, load);
     m_device.endLabel(primary);
 }
 

@@ -22,7 +22,7 @@ class CascadeLayers {
     /// Draws as many cascades as there are layers with no barrier in between, merges them, and so on. The
     /// farthest go first, so that what is merged later lies on top: the nearest surface wins, as in `single`,
     /// bit for bit.
-    void record(CascadeCommands& commands, std::size_t cascades) const;
+    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) const;
 
     const gpu::Image& accumulated() const { return m_accumulated; }
 
@@ -34,7 +34,9 @@ class CascadeLayers {
     };
     Layer makeLayer(std::size_t number) const;
     void drawLayers(CascadeCommands& commands, std::span<const std::size_t> cascades) const;
-    void mergeLayers(vk::CommandBuffer primary, std::size_t count, vk::AttachmentLoadOp load) const;
+    /// @param layers what each layer holds.
+    void mergeLayers(vk::CommandBuffer primary, std::span<const shaders::LayerPush> layers,
+                     vk::AttachmentLoadOp load) const;
 
     const gpu::Device& m_device;
     TargetsOptions m_options;

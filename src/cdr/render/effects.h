@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -19,12 +21,38 @@ std::string_view nameOf(Antialias antialias);
 /// base::InputError with a suggestion for an unknown name.
 Antialias parseAntialias(std::string_view name);
 
+/// Ambient light that corners do not get (McGuire, Mara and Luebke 2012).
+struct Occlusion {
+    double radius = 0.0; ///< within which surfaces take each other's light, scene units; 0 for none
+    /// Works it out on each cascade's layer before layers are merged, as the thesis' method 2 has it, instead
+    /// of over the whole picture: what lies in another cascade then takes no light. For targets with layers.
+    bool perLayer = false;
+
+    bool operator==(const Occlusion&) const = default;
+};
+
+/// Fog as thick everywhere.
+struct Fog {
+    double visibility = 0.0; ///< distance at which it leaves 2 % of a colour, scene units; 0 for none
+    glm::vec3 color{0.45f, 0.55f, 0.65f}; ///< linear
+
+    /// What it takes per scene unit (Koschmieder's relation of visibility and extinction).
+    double extinction() const;
+    bool operator==(const Fog&) const = default;
+};
+
 /// What makes a picture look finished, and measurements do without. None of it knows the technique: effects
 /// read the one metric distance of the G-buffer.
 struct Effects {
     Antialias antialias = Antialias::none;
+    Occlusion occlusion{};
+    Fog fog{};
 
     bool operator==(const Effects&) const = default;
 };
+
+/// base::InputError, naming the value, unless every length is finite and not negative and colours lie in [0,
+/// 1].
+void requireUsable(const Effects& effects);
 
 } // namespace cdr::render

@@ -49,8 +49,8 @@ PassInputs FullscreenPass::makeInputs() const {
     return inputs;
 }
 
-void FullscreenPass::record(vk::CommandBuffer primary, std::span<const vk::DescriptorSet> sets,
-                            const gpu::Image& into, vk::AttachmentLoadOp load) const {
+void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> draws, const gpu::Image& into,
+                            vk::AttachmentLoadOp load) const {
     const vk::RenderingAttachmentInfo color{.imageView = into.view(),
                                             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
                                             .loadOp = load,
@@ -61,11 +61,20 @@ void FullscreenPass::record(vk::CommandBuffer primary, std::span<const vk::Descr
                             .colorAttachmentCount = 1,
                             .pColorAttachments = &color});
     gpu::bindFullscreenPipeline(primary, *m_pipeline, extent);
-    for (const vk::DescriptorSet set : sets) {
-        primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, set, {});
+    for (const Draw& draw : draws) {
+        primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, draw.set, {});
+        if (!draw.push.empty()) {
+            primary.pushConstants<std::byte>(*m_layout, kStage, 0, draw.push);
+        }
         primary.draw(3, 1, 0, 0);
     }
     primary.endRendering();
+}
+
+void FullscreenPass::record(vk::CommandBuffer primary, const PassInputs& inputs,
+                            const gpu::Image& into) const {
+    const Draw draw{.set = inputs.set()};
+    record(primary, {&draw, 1}, into, vk::AttachmentLoadOp::eDontCare);
 }
 
 } // namespace cdr::render

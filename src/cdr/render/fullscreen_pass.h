@@ -4,6 +4,7 @@
 
 #include <vulkan/vulkan.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -21,7 +22,7 @@ struct FullscreenPassOptions {
     std::uint32_t pushBytes = 0;          ///< of push constants that the fragment shader reads
 };
 
-/// What a FullscreenPass reads in one draw; freed with its descriptors.
+/// The descriptors a FullscreenPass reads in one draw.
 class PassInputs {
   public:
     PassInputs() = default;
@@ -47,11 +48,16 @@ class FullscreenPass {
     /// Inputs with nothing set; they must not outlive the pass.
     PassInputs makeInputs() const;
 
-    vk::PipelineLayout layout() const { return *m_layout; }
-
-    /// One rendering scope over `into`, in the colour attachment layout, that draws once per set, in order.
-    void record(vk::CommandBuffer primary, std::span<const vk::DescriptorSet> sets, const gpu::Image& into,
-                vk::AttachmentLoadOp load = vk::AttachmentLoadOp::eDontCare) const;
+    /// One draw over the whole picture.
+    struct Draw {
+        vk::DescriptorSet set;
+        std::span<const std::byte> push{}; ///< as many bytes as the options say
+    };
+    /// One rendering scope over `into`, in the colour attachment layout, that draws in order.
+    void record(vk::CommandBuffer primary, std::span<const Draw> draws, const gpu::Image& into,
+                vk::AttachmentLoadOp load) const;
+    /// The same with one draw that overwrites every pixel.
+    void record(vk::CommandBuffer primary, const PassInputs& inputs, const gpu::Image& into) const;
 
   private:
     const gpu::Device& m_device;

@@ -1,6 +1,5 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/geometry_pass.h>
-#include <cdr/render/view_transform.h>
 
 #include <algorithm>
 

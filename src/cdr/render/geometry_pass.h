@@ -3,6 +3,7 @@
 #include <cdr/base/worker_pool.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/render/geometry_pipelines.h>
+#include <cdr/render/view_transform.h>
 #include <cdr/scene/bin.h>
 #include <cdr/scene/camera.h>
 #include <cdr/shaders/shared.h>
@@ -18,12 +19,6 @@ namespace cdr::render {
 struct DrawJob {
     std::size_t cascade = 0;
     base::IndexRange draws; ///< into scene::DrawLists::instance
-};
-
-/// What the draws of one cascade share, on the CPU side.
-struct CascadeDraws {
-    double anchorView = 0.0;
-    shaders::CascadePush push{};
 };
 
 /// How the draws of one technique over one scene are recorded.

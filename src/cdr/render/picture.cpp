@@ -56,8 +56,7 @@ void Picture::finish(vk::CommandBuffer primary) const {
     m_device.beginLabel(primary, "picture");
     if (m_lit) {
         gpu::pipelineBarrier(primary, {readBarrier(m_lit->image), attachBarrier(m_encoded)});
-        const vk::DescriptorSet set = m_lit->inputs.set();
-        m_lit->pass.record(primary, {&set, 1}, m_encoded);
+        m_lit->pass.record(primary, m_lit->inputs, m_encoded);
     }
     gpu::pipelineBarrier(
         primary,

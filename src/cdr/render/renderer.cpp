@@ -49,6 +49,12 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         throw base::InputError(fmt::format("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,
                                            options.framesInFlight));
     }
+    requireUsable(options.effects);
+    if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {
+        throw base::InputError(fmt::format("ambient occlusion per layer needs targets with layers "
+                                           "(accumulate, pool or layers), not {}",
+                                           nameOf(options.targets.kind)));
+    }
     const std::uint32_t most = device.info().maxImageSide;
     for (const std::uint32_t side : {options.width, options.height}) {
         if (side < 1 || side > most) {
@@ -61,6 +67,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
     gpu::requireDeviceBytes(device,
                             predictGBufferBytes(extent) +
                                 Picture::predictBytes(pictureOptions(extent, options)) +
+                                ShadingPass::predictBytes(extent, options.effects) +
                                 std::uint64_t{extent.width} * extent.height * kDepthBytes,
                             fmt::format("a {}x{} picture", extent.width, extent.height));
     return extent;
@@ -81,12 +88,14 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_binning(options.submission == Submission::gpuDriven
                     ? std::make_unique<BinningPass>(device, scene, gpuScene)
                     : nullptr),
-      m_targets(makeTargets(device, options.targets,
-                            {.extent = m_extent,
-                             .depthFormat = m_geometry.pipelines().depthFormat(),
-                             .reversedDepth = depth::isReversed(options.technique.mapping)})),
+      m_targets(makeTargets(
+          device, options.targets,
+          {.extent = m_extent,
+           .depthFormat = m_geometry.pipelines().depthFormat(),
+           .reversedDepth = depth::isReversed(options.technique.mapping),
+           .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0})),
       m_picture(device, pictureOptions(m_extent, options)),
-      m_shading(device, m_targets->gbuffer(), m_picture.lit()),
+      m_shading(device, m_targets->gbuffer(), m_picture.lit(), options.effects),
       m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
       m_surfaceCopy(device, m_extent, sizeof(Surface), "surface copy") {
     m_workers.setTrace(options.trace);
@@ -151,7 +160,7 @@ void Renderer::launch(Slot& slot, Destination destination) {
     slot.path->bin(view, slot.stats);
     slot.stats.times.binMs = watch.lap("bin");
     slot.path->begin(view);
-    m_targets->record(*slot.path, slot.cascades.size());
+    m_targets->record(*slot.path, slot.draws);
     m_shading.record(slot.path->primary(), slot.shading);
     m_picture.finish(slot.path->primary());
     if (destination == Destination::host) {

@@ -2,30 +2,67 @@
 #include <cdr/render/gbuffer_rendering.h>
 #include <cdr/render/shading_pass.h>
 #include <cdr/shaders/shading_frag.h>
+#include <cdr/shaders/shading_layers_occluded_frag.h>
+#include <cdr/shaders/shading_occluded_frag.h>
 
 #include <algorithm>
 
 namespace cdr::render {
 
-ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into)
+namespace {
+
+constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
+constexpr auto kBuffer = vk::DescriptorType::eStorageBuffer;
+
+bool isOccluded(const Effects& effects) {
+    return effects.occlusion.radius > 0.0;
+}
+
+bool isOccludedPerLayer(const Effects& effects) {
+    return isOccluded(effects) && effects.occlusion.perLayer;
+}
+
+FullscreenPassOptions passOptions(vk::Format format, const Effects& effects) {
+    FullscreenPassOptions options{.name = "shading",
+                                  .fragmentSpirv = kShadingFrag,
+                                  .bindings = {kImage, kBuffer},
+                                  .format = format,
+                                  .constants = {effects.fog.visibility > 0.0 ? 1u : 0u}};
+    if (isOccludedPerLayer(effects)) {
+        options.fragmentSpirv = kShadingLayersOccludedFrag;
+    } else if (isOccluded(effects)) {
+        options.fragmentSpirv = kShadingOccludedFrag;
+        options.bindings.push_back(kImage);
+    }
+    return options;
+}
+
+} // namespace
+
+ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into,
+                         const Effects& effects)
     : m_device(device),
       m_gbuffer(gbuffer),
       m_into(into),
-      m_pass(device,
-             {.name = "shading",
-              .fragmentSpirv = kShadingFrag,
-              .bindings = {vk::DescriptorType::eCombinedImageSampler, vk::DescriptorType::eStorageBuffer},
-              .format = into.options().format,
-              .constants = {}}) {}
+      m_effects(effects),
+      m_occlusion(isOccluded(effects) && !isOccludedPerLayer(effects)
+                      ? std::make_unique<OcclusionPass>(device, gbuffer)
+                      : nullptr),
+      m_pass(device, passOptions(into.options().format, effects)) {}
 
 ShadingInputs ShadingPass::makeInputs(const scene::Scene& scene) const {
     ShadingInputs inputs;
+    inputs.m_effects = m_effects;
     inputs.m_lights = gpu::Buffer(
         m_device, sizeof(shaders::ShadingHeader) + scene.lights.size() * sizeof(shaders::LightRecord),
         vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites, "lights");
     inputs.m_inputs = m_pass.makeInputs();
     inputs.m_inputs.setImage(0, m_gbuffer);
     inputs.m_inputs.setBuffer(1, inputs.m_lights);
+    if (m_occlusion) {
+        inputs.m_inputs.setImage(2, m_occlusion->image());
+        inputs.m_occlusion = m_occlusion->makeInputs(inputs.m_lights);
+    }
     return inputs;
 }
 
@@ -36,6 +73,8 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     header.background = glm::vec4(scene.background, 0.0f);
     header.rayScale = glm::vec2(lens.tanX, lens.tanY);
     header.lightCount = static_cast<std::uint32_t>(scene.lights.size());
+    header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
+    header.fog = glm::vec4(m_effects.fog.color, m_effects.fog.extinction());
     std::transform(anchorsView.begin(), anchorsView.end(), header.anchors, splitDouble);
     auto* lights = reinterpret_cast<shaders::LightRecord*>(&header + 1);
     for (const scene::PointLight& light : scene.lights) {
@@ -45,11 +84,17 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
 }
 
 void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs) const {
-    m_device.beginLabel(primary, "shading");
     gpu::pipelineBarrier(primary, {readBarrier(m_gbuffer), attachBarrier(m_into)});
-    const vk::DescriptorSet set = inputs.m_inputs.set();
-    m_pass.record(primary, {&set, 1}, m_into);
+    if (m_occlusion) {
+        m_occlusion->record(primary, inputs.m_occlusion);
+    }
+    m_device.beginLabel(primary, "shading");
+    m_pass.record(primary, inputs.m_inputs, m_into);
     m_device.endLabel(primary);
+}
+
+std::uint64_t ShadingPass::predictBytes(vk::Extent2D extent, const Effects& effects) {
+    return isOccluded(effects) && !isOccludedPerLayer(effects) ? OcclusionPass::predictBytes(extent) : 0;
 }
 
 } // namespace cdr::render

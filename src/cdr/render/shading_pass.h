@@ -1,16 +1,19 @@
 #pragma once
 
+#include <cdr/render/effects.h>
 #include <cdr/render/fullscreen_pass.h>
+#include <cdr/render/occlusion_pass.h>
 #include <cdr/render/view_transform.h>
 #include <cdr/scene/scene.h>
 
 #include <vulkan/vulkan.hpp>
 
+#include <memory>
 #include <span>
 
 namespace cdr::render {
 
-/// What lighting reads besides surfaces: one frame slot's lights and anchors.
+/// What lighting reads besides surfaces: one frame slot's lights, anchors and effects.
 class ShadingInputs {
   public:
     /// Uploads a frame's; the last frame that used them must have finished.
@@ -22,15 +25,19 @@ class ShadingInputs {
 
   private:
     friend class ShadingPass;
+    Effects m_effects;
     gpu::Buffer m_lights;
     PassInputs m_inputs;
+    PassInputs m_occlusion; ///< where it is worked out over the whole picture
 };
 
-/// Deferred shading: reads the final G-buffer, sums ambient and point lights.
+/// Deferred shading: reads the final G-buffer, sums ambient and point lights, less what occlusion and fog
+/// take.
 class ShadingPass {
   public:
     /// @param into what record() writes.
-    ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into);
+    ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into,
+                const Effects& effects);
 
     /// Inputs for as many lights as the scene has.
     ShadingInputs makeInputs(const scene::Scene& scene) const;
@@ -39,10 +46,15 @@ class ShadingPass {
     /// colour attachment layout.
     void record(vk::CommandBuffer primary, const ShadingInputs& inputs) const;
 
+    /// Device bytes of what the effects keep between passes.
+    static std::uint64_t predictBytes(vk::Extent2D extent, const Effects& effects);
+
   private:
     const gpu::Device& m_device;
     const gpu::Image& m_gbuffer;
     const gpu::Image& m_into;
+    Effects m_effects;
+    std::unique_ptr<OcclusionPass> m_occlusion; ///< null unless it is for the whole picture
     FullscreenPass m_pass;
 };
 

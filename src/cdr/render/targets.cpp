@@ -44,6 +44,10 @@ std::string_view nameOf(TargetsKind kind) {
     return kNames[static_cast<std::size_t>(kind)];
 }
 
+bool hasLayers(TargetsKind kind) {
+    return kind != TargetsKind::single && kind != TargetsKind::onePass;
+}
+
 TargetsChoice::TargetsChoice(TargetsKind ofKind)
     : kind(ofKind),
       layers(ofKind == TargetsKind::pool ? kDefaultPoolLayers : 0) {}

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -55,6 +56,8 @@ struct TargetsOptions {
     vk::Extent2D extent;
     vk::Format depthFormat = vk::Format::eUndefined;
     bool reversedDepth = false; ///< clear to 0 instead of 1
+    /// Of ambient occlusion that each layer works out for itself before it is merged; 0 for none.
+    double occlusionRadius = 0.0;
 };
 
 /// One way for cascades to reach the final G-buffer. Owns its images; every frame starts from nothing.
@@ -72,10 +75,13 @@ class Targets {
     /// surface, in the colour attachment layout, written by colour attachment output. The number of cascades
     /// may change from frame to frame; base::RunError, with both figures, when it asks for more memory than
     /// there is.
-    virtual void record(CascadeCommands& commands, std::size_t cascades) = 0;
+    virtual void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) = 0;
 
     virtual const gpu::Image& gbuffer() const = 0;
 };
+
+/// Whether cascades are drawn into layers of their own before they meet: accumulate, pool and layers.
+bool hasLayers(TargetsKind kind);
 
 /// Makes the targets chosen. base::RunError, with both figures, when the device has too little memory for
 /// them; base::InputError for a pool whose layers are out of range.

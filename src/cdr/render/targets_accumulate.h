@@ -11,7 +11,7 @@ class AccumulateTargets final : public Targets {
     AccumulateTargets(const gpu::Device& device, const TargetsOptions& options)
         : m_layers(device, options, 1) {}
 
-    void record(CascadeCommands& commands, std::size_t cascades) override {
+    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) override {
         m_layers.record(commands, cascades);
     }
     const gpu::Image& gbuffer() const override { return m_layers.accumulated(); }

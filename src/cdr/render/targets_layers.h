@@ -10,8 +10,8 @@ class LayersTargets final : public Targets {
   public:
     LayersTargets(const gpu::Device& device, const TargetsOptions& options) : m_layers(device, options, 1) {}
 
-    void record(CascadeCommands& commands, std::size_t cascades) override {
-        m_layers.grow(cascades);
+    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) override {
+        m_layers.grow(cascades.size());
         m_layers.record(commands, cascades);
     }
     const gpu::Image& gbuffer() const override { return m_layers.accumulated(); }

@@ -54,11 +54,11 @@ DepthSlice OnePassTargets::depthSlice(std::size_t cascade, std::size_t cascades)
     }
 }
 
-void OnePassTargets::record(CascadeCommands& commands, std::size_t cascades) {
+void OnePassTargets::record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) {
     const GBufferScope scope{
         .gbuffer = m_gbuffer, .depth = m_depth, .clearColor = true, .reversedDepth = m_reversedDepth};
     beginGBuffer(commands.primary(), scope);
-    commands.drawScope(scope, {0, cascades}); // front to back
+    commands.drawScope(scope, {0, cascades.size()}); // front to back
 }
 
 } // namespace cdr::render

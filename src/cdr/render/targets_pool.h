@@ -11,7 +11,7 @@ class PoolTargets final : public Targets {
     PoolTargets(const gpu::Device& device, const TargetsOptions& options, std::size_t layers)
         : m_layers(device, options, layers) {}
 
-    void record(CascadeCommands& commands, std::size_t cascades) override {
+    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) override {
         m_layers.record(commands, cascades);
     }
     const gpu::Image& gbuffer() const override { return m_layers.accumulated(); }

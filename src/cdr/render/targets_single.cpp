@@ -9,11 +9,11 @@ SingleTargets::SingleTargets(const gpu::Device& device, const TargetsOptions& op
       m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth")),
       m_reversedDepth(options.reversedDepth) {}
 
-void SingleTargets::record(CascadeCommands& commands, std::size_t cascades) {
+void SingleTargets::record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) {
     GBufferScope scope{
         .gbuffer = m_gbuffer, .depth = m_depth, .clearColor = true, .reversedDepth = m_reversedDepth};
     beginGBuffer(commands.primary(), scope);
-    const std::vector<std::size_t> drawn = commands.drawnCascades(cascades);
+    const std::vector<std::size_t> drawn = commands.drawnCascades(cascades.size());
     for (auto cascade = drawn.rbegin(); cascade != drawn.rend(); ++cascade) {
         if (!scope.clearColor) {
             chainGBufferScopes(commands.primary(), scope);

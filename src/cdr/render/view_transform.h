@@ -45,7 +45,13 @@ struct DepthSlice {
     float max = 1.0f;
 };
 
-/// What the draws of one cascade share.
+/// What the draws of one cascade share, on the CPU side.
+struct CascadeDraws {
+    double anchorView = 0.0;
+    shaders::CascadePush push{};
+};
+
+/// CascadeDraws::push.
 shaders::CascadePush makeCascadePush(const depth::ClipTerms& terms, const depth::Cascade& clipRange,
                                      const Lens& lens, const DepthSlice& slice, std::uint32_t cascade);
 

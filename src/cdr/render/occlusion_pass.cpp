@@ -1,0 +1,48 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/render/gbuffer_rendering.h>
+#include <cdr/render/occlusion_pass.h>
+#include <cdr/shaders/occlusion_frag.h>
+
+namespace cdr::render {
+
+namespace {
+
+constexpr auto kFormat = vk::Format::eR8Unorm;
+
+} // namespace
+
+OcclusionPass::OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffer)
+    : m_device(device),
+      m_gbuffer(gbuffer),
+      m_image(device,
+              {.extent = gbuffer.options().extent,
+               .format = kFormat,
+               .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled},
+              "occlusion"),
+      m_pass(device,
+             {.name = "occlusion",
+              .fragmentSpirv = kOcclusionFrag,
+              .bindings = {vk::DescriptorType::eCombinedImageSampler, vk::DescriptorType::eStorageBuffer},
+              .format = kFormat,
+              .constants = {}}) {}
+
+PassInputs OcclusionPass::makeInputs(const gpu::Buffer& lights) const {
+    PassInputs inputs = m_pass.makeInputs();
+    inputs.setImage(0, m_gbuffer);
+    inputs.setBuffer(1, lights);
+    return inputs;
+}
+
+void OcclusionPass::record(vk::CommandBuffer primary, const PassInputs& inputs) const {
+    m_device.beginLabel(primary, "ambient occlusion");
+    gpu::pipelineBarrier(primary, {attachBarrier(m_image)});
+    m_pass.record(primary, inputs, m_image);
+    gpu::pipelineBarrier(primary, {readBarrier(m_image)});
+    m_device.endLabel(primary);
+}
+
+std::uint64_t OcclusionPass::predictBytes(vk::Extent2D extent) {
+    return std::uint64_t{extent.width} * extent.height;
+}
+
+} // namespace cdr::render

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cdr/render/fullscreen_pass.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstdint>
+
+namespace cdr::render {
+
+/// Works out ambient occlusion of a final G-buffer over the whole picture, across cascades.
+class OcclusionPass {
+  public:
+    OcclusionPass(const gpu::Device& device, const gpu::Image& gbuffer);
+
+    /// @param lights shaders::ShadingHeader and the lights, for the lens, the anchors and the radius.
+    PassInputs makeInputs(const gpu::Buffer& lights) const;
+
+    /// Reads the G-buffer in shader read layout and leaves image() so.
+    void record(vk::CommandBuffer primary, const PassInputs& inputs) const;
+
+    /// 8 bits: 0 is open, 1 is closed.
+    const gpu::Image& image() const { return m_image; }
+
+    static std::uint64_t predictBytes(vk::Extent2D extent);
+
+  private:
+    const gpu::Device& m_device;
+    const gpu::Image& m_gbuffer;
+    gpu::Image m_image;
+    FullscreenPass m_pass;
+};
+
+} // namespace cdr::render

@@ -1,0 +1,71 @@
+#include "effect_options.h"
+
+#include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
+
+#include <fmt/format.h>
+
+#include <sstream>
+#include <vector>
+
+namespace cdr::cli {
+
+namespace {
+
+std::vector<std::string> partsOf(const std::string& text, char separator) {
+    std::vector<std::string> parts;
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, separator);) {
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+render::Occlusion occlusionOf(const std::string& text) {
+    const std::vector<std::string> parts = partsOf(text, ':');
+    if (parts.empty() || parts.size() > 2 || (parts.size() == 2 && parts[1] != "layers")) {
+        throw base::InputError(
+            fmt::format("--occlusion takes RADIUS or RADIUS:layers, not '{}'", text.substr(0, 60)));
+    }
+    return {.radius = base::parseNumber("--occlusion", parts[0]), .perLayer = parts.size() == 2};
+}
+
+render::Fog fogOf(const std::string& text) {
+    const std::vector<std::string> parts = partsOf(text, ',');
+    if (parts.size() != 1 && parts.size() != 4) {
+        throw base::InputError(
+            fmt::format("--fog takes VISIBILITY or VISIBILITY,r,g,b, not '{}'", text.substr(0, 60)));
+    }
+    render::Fog fog{.visibility = base::parseNumber("--fog", parts[0])};
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        fog.color[static_cast<int>(i) - 1] = static_cast<float>(base::parseNumber("--fog", parts[i]));
+    }
+    return fog;
+}
+
+} // namespace
+
+void addEffectOptions(CLI::App& command, EffectArguments& arguments) {
+    command.add_option("--antialias", arguments.antialias, "How edges are smoothed: none or edges")
+        ->capture_default_str();
+    command.add_option("--occlusion", arguments.occlusion,
+                       "Ambient occlusion within RADIUS scene units; RADIUS:layers works it out on each "
+                       "cascade's layer alone, as the thesis' method 2 has it");
+    command.add_option("--fog", arguments.fog,
+                       "Fog with a VISIBILITY in scene units, in which 2 % of a colour is left; "
+                       "VISIBILITY,r,g,b gives its linear colour");
+}
+
+render::Effects effectsOf(const EffectArguments& arguments) {
+    render::Effects effects{.antialias = render::parseAntialias(arguments.antialias)};
+    if (!arguments.occlusion.empty()) {
+        effects.occlusion = occlusionOf(arguments.occlusion);
+    }
+    if (!arguments.fog.empty()) {
+        effects.fog = fogOf(arguments.fog);
+    }
+    requireUsable(effects);
+    return effects;
+}
+
+} // namespace cdr::cli

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cdr/render/effects.h>
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace cdr::cli {
+
+/// The effects of a picture as a command line gives them.
+struct EffectArguments {
+    std::string antialias = "none";
+    std::string occlusion; ///< RADIUS or RADIUS:layers
+    std::string fog;       ///< VISIBILITY or VISIBILITY,r,g,b
+};
+
+void addEffectOptions(CLI::App& command, EffectArguments& arguments);
+
+/// base::InputError that names the option for text that does not parse, and for values out of range.
+render::Effects effectsOf(const EffectArguments& arguments);
+
+} // namespace cdr::cli
