@@ -6,6 +6,7 @@
 #include <cdr/base/file.h>
 #include <cdr/base/suggest.h>
 #include <cdr/render/renderer.h>
+#include <cdr/scene/levels.h>
 #include <cdr/scene/open_scene.h>
 
 #include <experiments/aov.h>
@@ -29,6 +30,7 @@ struct RenderArguments {
     std::string targets = "single";
     std::string submission = "secondaries";
     std::string batching = "instanced";
+    std::string detail = "none";
     std::size_t threads = 1;
     std::string size = "1280x720";
     std::uint32_t frame = 0;
@@ -144,6 +146,7 @@ nlohmann::ordered_json frameJson(const render::RenderOptions& options, const ren
             {"layers", options.targets.layers},
             {"submission", nameOf(options.submission)},
             {"batching", nameOf(options.batching)},
+            {"detail", nameOf(options.detail)},
             {"threads", options.threads},
             {"cascades", frame.cascades.size()},
             {"draws", frame.stats.draws},
@@ -167,14 +170,18 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                                   .targets = render::parseTargets(arguments.targets),
                                   .threads = arguments.threads,
                                   .submission = render::parseSubmission(arguments.submission),
-                                  .batching = render::parseBatching(arguments.batching)};
+                                  .batching = render::parseBatching(arguments.batching),
+                                  .detail = scene::parseDetail(arguments.detail)};
     checkArguments(arguments, name);
     base::WorkerPool workers(arguments.threads);
     std::optional<base::Trace> trace;
     if (!arguments.trace.empty()) {
         options.trace = &trace.emplace(options.threads);
     }
-    const scene::OpenedScene opened = scene::openScene(arguments.scene, arguments.seed);
+    scene::OpenedScene opened = scene::openScene(arguments.scene, arguments.seed);
+    if (options.detail.mode != scene::DetailMode::none) {
+        scene::makeLevels(opened.staged.scene, workers);
+    }
     const scene::Scene& scene = opened.staged.scene;
     cameraAt(arguments, opened.staged.path,
              arguments.frame); // an unusable camera ends here, before the device is made
@@ -246,6 +253,10 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
         .add_option("--batching", arguments.batching,
                     "How draws become commands: per-object, push-constants or instanced")
         ->capture_default_str();
+    command
+        .add_option("--detail", arguments.detail,
+                    "Level of detail by projected error: none, object[:PIXELS] or cascade[:PIXELS]")
+        ->capture_default_str();
     command.add_option("--threads", arguments.threads, "Threads that cull, bin and record")
         ->capture_default_str();
 }
@@ -271,7 +282,7 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
     auto arguments = std::make_shared<RenderArguments>();
     command
         ->add_option("scene", arguments->scene,
-                     "cubes, afc, afc-near, rotation, ladder, or a .gltf or .glb file")
+                     "cubes, afc, afc-near, rotation, ladder, mixed, boulders, or a .gltf or .glb file")
         ->required();
     addTechniqueOptions(*command, *arguments);
     addCameraOptions(*command, *arguments);

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cdr/image/image.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::measure {
+
+/// How far around a pixel countCracks() looks for what it shows unless told: an error of half a pixel moves a
+/// silhouette by one at the picture's corners, and rasterisation rounds by another.
+inline constexpr std::uint32_t kCrackReach = 2;
+
+/// A place where a picture shows what the whole one shows nowhere near.
+struct Crack {
+    std::uint32_t x = 0; ///< pixels from the top left
+    std::uint32_t y = 0;
+    std::uint32_t id = 0; ///< object index + 1 of what shows through, 0 for background
+
+    bool operator==(const Crack&) const = default;
+};
+
+/// Hunts for holes: every pixel of `ids` whose id occurs nowhere in `whole` within `reach` pixels along rows
+/// and columns, so what lies behind shows through where nothing of it is to be seen. Silhouettes that move by
+/// `reach` pixels or less are none; neither, thus, are holes that close to the silhouette of what lies
+/// behind. An object that shows through itself is not found. Row by row.
+/// @param whole ids of the same view without holes; base::InputError when the sizes differ.
+std::vector<Crack> findCracks(const image::ImageU32& ids, const image::ImageU32& whole,
+                              std::uint32_t reach = kCrackReach);
+
+} // namespace cdr::measure
