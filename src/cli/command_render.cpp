@@ -31,6 +31,7 @@ struct RenderArguments {
     std::string submission = "secondaries";
     std::string batching = "instanced";
     std::string detail = "none";
+    std::string antialias = "none";
     std::size_t threads = 1;
     std::string size = "1280x720";
     std::uint32_t frame = 0;
@@ -171,7 +172,8 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                                   .threads = arguments.threads,
                                   .submission = render::parseSubmission(arguments.submission),
                                   .batching = render::parseBatching(arguments.batching),
-                                  .detail = scene::parseDetail(arguments.detail)};
+                                  .detail = scene::parseDetail(arguments.detail),
+                                  .effects = {.antialias = render::parseAntialias(arguments.antialias)}};
     checkArguments(arguments, name);
     base::WorkerPool workers(arguments.threads);
     std::optional<base::Trace> trace;
@@ -285,6 +287,8 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
                      "cubes, afc, afc-near, rotation, ladder, mixed, boulders, or a .gltf or .glb file")
         ->required();
     addTechniqueOptions(*command, *arguments);
+    command->add_option("--antialias", arguments->antialias, "How edges are smoothed: none or edges")
+        ->capture_default_str();
     addCameraOptions(*command, *arguments);
     command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--aov", arguments->aov, "Output: color, id, distance, normal, cascade or wrong")

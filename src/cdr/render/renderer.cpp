@@ -40,6 +40,10 @@ class Stopwatch {
     base::Trace::Clock::time_point m_last = base::Trace::Clock::now();
 };
 
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options) {
+    return {.extent = extent, .antialias = options.effects.antialias};
+}
+
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options) {
     if (options.framesInFlight < 1 || options.framesInFlight > kMaxFramesInFlight) {
         throw base::InputError(fmt::format("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,
@@ -56,7 +60,8 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
     const vk::Extent2D extent{options.width, options.height};
     constexpr std::uint64_t kDepthBytes = 4;
     gpu::requireDeviceBytes(device,
-                            predictGBufferBytes(extent) + ShadingPass::predictBytes(extent) +
+                            predictGBufferBytes(extent) +
+                                Picture::predictBytes(pictureOptions(extent, options)) +
                                 std::uint64_t{extent.width} * extent.height * kDepthBytes,
                             fmt::format("a {}x{} picture", extent.width, extent.height));
     return extent;
@@ -81,7 +86,8 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
                             {.extent = m_extent,
                              .depthFormat = m_geometry.pipelines().depthFormat(),
                              .reversedDepth = depth::isReversed(options.technique.mapping)})),
-      m_shading(device, m_targets->gbuffer(), m_extent),
+      m_picture(device, pictureOptions(m_extent, options)),
+      m_shading(device, m_targets->gbuffer(), m_picture.lit()),
       m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
       m_surfaceCopy(device, m_extent, sizeof(Surface), "surface copy") {
     m_workers.setTrace(options.trace);
@@ -149,6 +155,7 @@ void Renderer::launch(Slot& slot, Destination destination) {
     slot.path->begin(view);
     m_targets->record(*slot.path, slot.cascades.size());
     m_shading.record(slot.path->primary(), slot.shading);
+    m_picture.finish(slot.path->primary());
     if (destination == Destination::host) {
         recordReadback(slot.path->primary());
     }
@@ -225,7 +232,7 @@ void Renderer::recordReadback(vk::CommandBuffer primary) const {
                      vk::PipelineStageFlagBits2::eFragmentShader, vk::AccessFlagBits2::eShaderSampledRead,
                      vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
                      vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal)});
-    m_colorCopy.record(primary, m_shading.picture());
+    m_colorCopy.record(primary, m_picture.encoded());
     m_surfaceCopy.record(primary, gbuffer);
     recordHostBarrier(primary);
     m_device.endLabel(primary);

@@ -3,9 +3,11 @@
 #include <cdr/base/worker_pool.h>
 #include <cdr/depth/technique.h>
 #include <cdr/render/draw_path.h>
+#include <cdr/render/effects.h>
 #include <cdr/render/frame.h>
 #include <cdr/render/frame_split.h>
 #include <cdr/render/gpu_scene.h>
+#include <cdr/render/picture.h>
 #include <cdr/render/readback.h>
 #include <cdr/render/shading_pass.h>
 #include <cdr/render/targets.h>
@@ -28,7 +30,8 @@ struct RenderOptions {
     base::Placement placement = base::Placement::free; ///< of those threads but the caller's
     Submission submission = Submission::secondaries;
     Batching batching = Batching::instanced;
-    scene::Detail detail; ///< none unless told; meshes without levels are drawn in full whatever it says
+    scene::Detail detail{}; ///< none unless told; meshes without levels are drawn in full whatever it says
+    Effects effects{};
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
     /// none.
@@ -91,6 +94,7 @@ class Renderer {
     GeometryPass m_geometry;
     std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
     std::unique_ptr<Targets> m_targets;
+    Picture m_picture;
     ShadingPass m_shading;
     Readback m_colorCopy;
     Readback m_surfaceCopy;
