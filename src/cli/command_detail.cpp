@@ -24,19 +24,32 @@ struct DetailArguments {
     OutputOptions output;
 };
 
-nlohmann::ordered_json toJson(const experiments::DetailResult& result) {
-    return {{"mode", result.mode},
-            {"frame_ms", result.frameMs},
-            {"record_ms", result.recordMs},
-            {"execute_ms", result.executeMs},
-            {"execute_speedup", result.speedup},
-            {"ci95", {result.speedup95.low, result.speedup95.high}},
-            {"triangles", result.triangles},
-            {"flip", result.flip},
-            {"largest_flip", result.largestFlip},
-            {"pixels", result.pixels},
-            {"other_ids", result.otherIds},
-            {"cracks", result.cracks}};
+std::string pictureOf(const experiments::DetailResult& result) {
+    return result.mode + ".png";
+}
+
+std::string crackPictureOf(const experiments::DetailResult& result) {
+    return result.mode + "_cracks.png";
+}
+
+nlohmann::ordered_json toJson(const experiments::DetailResult& result, bool hasPictures) {
+    nlohmann::ordered_json row{{"mode", result.mode},
+                               {"frame_ms", result.frameMs},
+                               {"record_ms", result.recordMs},
+                               {"execute_ms", result.executeMs},
+                               {"execute_speedup", result.speedup},
+                               {"ci95", {result.speedup95.low, result.speedup95.high}},
+                               {"triangles", result.triangles},
+                               {"flip", result.flip},
+                               {"largest_flip", result.largestFlip},
+                               {"pixels", result.pixels},
+                               {"other_ids", result.otherIds},
+                               {"cracks", result.cracks}};
+    if (hasPictures) {
+        row["picture"] = pictureOf(result);
+        row["cracks_picture"] = crackPictureOf(result);
+    }
+    return row;
 }
 
 void printTable(const Console& console, const experiments::DetailReport& report) {
@@ -94,10 +107,10 @@ void run(const GlobalOptions& global, DetailArguments& arguments) {
                                         {"split", nameOf(options.technique.split)},
                                         {"error_pixels", options.pixels}});
     for (const auto& result : report.results) {
-        document["results"].push_back(toJson(result));
+        document["results"].push_back(toJson(result, !arguments.folder.empty()));
         if (!arguments.folder.empty()) {
-            image::writeImage(arguments.folder / (result.mode + ".png"), result.picture);
-            image::writeImage(arguments.folder / (result.mode + "_cracks.png"), result.cracked);
+            image::writeImage(arguments.folder / pictureOf(result), result.picture);
+            image::writeImage(arguments.folder / crackPictureOf(result), result.cracked);
         }
     }
     document["scene_triangles"] = report.sceneTriangles;

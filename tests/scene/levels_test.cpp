@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -28,7 +30,7 @@ double distanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::d
     double centreU = 0.5;
     double centreV = 0.5;
     double step = 0.5;
-    for (int round = 0; round < 30; ++round) {
+    for (int round = 0; round < 24; ++round) {
         double nextU = centreU;
         double nextV = centreV;
         for (int i = -2; i <= 2; ++i) {
@@ -88,6 +90,31 @@ glm::dvec3 pointOn(const Mesh& mesh, const Indices& indices, Random& random) {
     }
     const glm::dvec3 a = cornerOf(mesh, indices, i);
     return a + u * (cornerOf(mesh, indices, i + 1) - a) + v * (cornerOf(mesh, indices, i + 2) - a);
+}
+
+using Point = std::array<float, 3>;
+
+/// Edges of one triangle only, by where they lie: vertices may be double.
+std::set<std::pair<Point, Point>> openEdges(const Mesh& mesh, const Indices& indices) {
+    std::map<std::pair<Point, Point>, int> uses;
+    const auto pointAt = [&](std::size_t corner) {
+        const glm::vec3& p = mesh.vertices[indices[corner]].position;
+        return Point{p.x, p.y, p.z};
+    };
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Point a = pointAt(i + k);
+            const Point b = pointAt(i + (k + 1) % 3);
+            ++uses[{std::min(a, b), std::max(a, b)}];
+        }
+    }
+    std::set<std::pair<Point, Point>> open;
+    for (const auto& [edge, count] : uses) {
+        if (count == 1) {
+            open.insert(edge);
+        }
+    }
+    return open;
 }
 
 std::set<Edge> bordersOf(const Indices& indices) {
@@ -160,7 +187,7 @@ TEST(Levels, NoPointOfALevelIsFartherThanItsErrorSays) {
         Random random(7);
         for (const MeshLevel& level : levels) {
             double farthest = 0.0;
-            for (int i = 0; i < 300; ++i) {
+            for (int i = 0; i < 120; ++i) {
                 farthest = std::max(
                     farthest, distanceToSurface(pointOn(mesh, mesh.indices, random), mesh, level.indices));
                 farthest = std::max(
@@ -197,14 +224,16 @@ TEST(Levels, GrowCoarserAndStop) {
 }
 
 TEST(Levels, BordersStay) {
+    std::size_t levels = 0;
     for (const Mesh& mesh : makeGlobe({.radius = 1000.0, .cells = 24, .pieceRadius = 300.0}).meshes) {
-        const std::set<Edge> borders = bordersOf(mesh.indices);
+        const auto borders = openEdges(mesh, mesh.indices);
         ASSERT_FALSE(borders.empty());
-        const std::vector<MeshLevel> levels = makeLevels(mesh);
-        for (const MeshLevel& level : levels) {
-            EXPECT_EQ(bordersOf(level.indices), borders);
+        for (const MeshLevel& level : makeLevels(mesh)) {
+            EXPECT_EQ(openEdges(mesh, level.indices), borders);
+            ++levels;
         }
     }
+    EXPECT_GT(levels, 20u);
 }
 
 /// Where normals jump the vertices are double; a level that let one side go its own way would tear it.

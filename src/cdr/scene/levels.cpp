@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 
 namespace cdr::scene {
 
@@ -31,23 +30,41 @@ void requireUsable(const LevelOptions& options) {
     }
 }
 
-/// The indices with equal vertices taken as one, so that triangles of meshes without an index buffer touch.
-std::vector<std::uint32_t> sharedIndices(const Mesh& mesh) {
-    std::vector<std::uint32_t> shared(mesh.indices.size());
-    meshopt_generateShadowIndexBuffer(shared.data(), mesh.indices.data(), mesh.indices.size(),
+/// A mesh as the simplifier wants it: equal vertices are one, so that triangles of meshes without an index
+/// buffer touch, and none is unused, since one in the same place would count as a seam.
+struct Shared {
+    std::vector<std::uint32_t> indices;
+    std::vector<glm::vec3> positions;
+    std::vector<std::uint32_t> vertices; ///< by position: the mesh's
+};
+
+Shared sharedBy(const Mesh& mesh) {
+    constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
+    Shared shared;
+    shared.indices.resize(mesh.indices.size());
+    meshopt_generateShadowIndexBuffer(shared.indices.data(), mesh.indices.data(), mesh.indices.size(),
                                       mesh.vertices.data(), mesh.vertices.size(), sizeof(Vertex),
                                       sizeof(Vertex));
+    std::vector<std::uint32_t> places(mesh.vertices.size(), kUnseen);
+    for (std::uint32_t& index : shared.indices) {
+        std::uint32_t& place = places[index];
+        if (place == kUnseen) {
+            place = static_cast<std::uint32_t>(shared.positions.size());
+            shared.positions.push_back(mesh.vertices[index].position);
+            shared.vertices.push_back(index);
+        }
+        index = place;
+    }
     return shared;
 }
 
-std::vector<std::uint32_t> simplified(const std::vector<std::uint32_t>& indices,
-                                      std::span<const glm::vec3> positions, std::size_t targetTriangles) {
-    std::vector<std::uint32_t> coarse(indices.size());
+std::vector<std::uint32_t> simplified(const Shared& mesh, std::size_t targetTriangles) {
+    std::vector<std::uint32_t> coarse(mesh.indices.size());
     // The target alone decides how far to go; what it costs is measured afterwards.
     constexpr float kAnyError = std::numeric_limits<float>::max();
-    coarse.resize(meshopt_simplify(coarse.data(), indices.data(), indices.size(), &positions[0].x,
-                                   positions.size(), sizeof(glm::vec3), 3 * targetTriangles, kAnyError,
-                                   meshopt_SimplifyLockBorder, nullptr));
+    coarse.resize(meshopt_simplify(coarse.data(), mesh.indices.data(), mesh.indices.size(),
+                                   &mesh.positions[0].x, mesh.positions.size(), sizeof(glm::vec3),
+                                   3 * targetTriangles, kAnyError, meshopt_SimplifyLockBorder, nullptr));
     return coarse;
 }
 
@@ -56,27 +73,29 @@ std::vector<std::uint32_t> simplified(const std::vector<std::uint32_t>& indices,
 std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options) {
     requireUsable(options);
     std::vector<MeshLevel> levels;
-    const std::vector<std::uint32_t> full = sharedIndices(mesh);
-    std::vector<glm::vec3> positions;
-    for (const Vertex& vertex : mesh.vertices) {
-        positions.push_back(vertex.position);
+    if (mesh.indices.empty()) {
+        return levels;
     }
-    std::size_t triangles = full.size() / 3;
+    const Shared full = sharedBy(mesh);
+    std::size_t triangles = full.indices.size() / 3;
     while (levels.size() < options.most) {
         const auto target = static_cast<std::size_t>(static_cast<double>(triangles) * options.ratio);
         if (target < options.leastTriangles || target == 0) {
             break;
         }
-        MeshLevel level{.indices = simplified(full, positions, target)};
+        MeshLevel level{.indices = simplified(full, target)};
         const std::size_t left = level.indices.size() / 3;
         const double gain = 1.0 - static_cast<double>(left) / static_cast<double>(triangles);
         if (left < options.leastTriangles || left == 0 || left == triangles || gain < options.leastGain) {
             break;
         }
         // Rounded up, and never below the level before, so that coarser always says more.
-        const auto error = static_cast<float>(surfaceDeviation(positions, full, level.indices));
+        const auto error = static_cast<float>(surfaceDeviation(full.positions, full.indices, level.indices));
         level.error = std::nextafter(error, std::numeric_limits<float>::infinity());
         level.error = levels.empty() ? level.error : std::max(level.error, levels.back().error);
+        for (std::uint32_t& index : level.indices) {
+            index = full.vertices[index];
+        }
         triangles = left;
         levels.push_back(std::move(level));
     }
