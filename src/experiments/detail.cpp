@@ -43,6 +43,16 @@ struct Samples {
     std::vector<double> executeMs;
 };
 
+measure::SeenImage seenIn(const render::Frame& frame) {
+    measure::SeenImage seen(frame.width(), frame.height());
+    for (std::uint32_t y = 0; y < seen.height; ++y) {
+        for (std::uint32_t x = 0; x < seen.width; ++x) {
+            seen.at(x, y) = {.id = frame.id(x, y), .distanceView = frame.distanceView(x, y)};
+        }
+    }
+    return seen;
+}
+
 image::ImageRgba8 markCracks(image::ImageRgba8 picture, const std::vector<measure::Crack>& cracks) {
     constexpr std::uint32_t kAround = 3;
     for (const measure::Crack& crack : cracks) {
@@ -96,18 +106,18 @@ class Comparison {
     void compare(std::uint32_t frame) {
         const scene::Camera camera = cameraOf(frame);
         const render::Frame whole = m_renderers.front()->render(camera);
-        const image::ImageU32 wholeIds = whole.ids();
+        const measure::SeenImage wholeSeen = seenIn(whole);
         for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
             const render::Frame shown = mode == 0 ? whole : m_renderers[mode]->render(camera);
-            const image::ImageU32 ids = shown.ids();
+            const measure::SeenImage seen = seenIn(shown);
             DetailResult& result = m_results[mode];
             const double flip = m_flip.mean(whole.color, shown.color, m_workers);
-            const std::vector<measure::Crack> cracks = measure::findCracks(ids, wholeIds);
+            const std::vector<measure::Crack> cracks = measure::findCracks(seen, wholeSeen);
             result.flip += flip / m_options.frames;
             result.largestFlip = std::max(result.largestFlip, flip);
-            result.pixels += ids.pixels.size();
-            for (std::size_t i = 0; i < ids.pixels.size(); ++i) {
-                result.otherIds += ids.pixels[i] != wholeIds.pixels[i] ? 1 : 0;
+            result.pixels += seen.pixels.size();
+            for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
+                result.otherIds += seen.pixels[i].id != wholeSeen.pixels[i].id ? 1 : 0;
             }
             result.cracks += cracks.size();
             result.triangles += static_cast<double>(trianglesOf(shown, kModes[mode].mode)) / m_options.frames;

@@ -6,50 +6,60 @@
 namespace {
 
 using namespace cdr::measure;
-using cdr::image::ImageU32;
+const SeenPixel kBackground{};
+const SeenPixel kNear{.id = 7, .distanceView = 10.0};
+const SeenPixel kFar{.id = 9, .distanceView = 20.0};
 
 /// Object 7 in the left 12 columns, object 9 beyond; background in the last 4 rows.
-ImageU32 twoObjects() {
-    ImageU32 ids(24, 20, 7);
+SeenImage twoObjects() {
+    SeenImage ids(24, 20);
     for (std::uint32_t y = 0; y < ids.height; ++y) {
         for (std::uint32_t x = 0; x < ids.width; ++x) {
-            ids.at(x, y) = y >= 16 ? 0 : (x < 12 ? 7 : 9);
+            ids.at(x, y) = y >= 16 ? kBackground : (x < 12 ? kNear : kFar);
         }
     }
     return ids;
 }
 
 TEST(Cracks, AreWhatShowsThrough) {
-    const ImageU32 whole = twoObjects();
+    const SeenImage whole = twoObjects();
     EXPECT_TRUE(findCracks(whole, whole).empty());
-    ImageU32 torn = whole;
-    torn.at(5, 4) = 0;  // background inside an object
-    torn.at(2, 8) = 9;  // an object inside another
-    torn.at(23, 0) = 0; // in a corner
+    SeenImage torn = whole;
+    torn.at(5, 4) = kBackground;  // background inside an object
+    torn.at(2, 8) = kFar;         // an object inside another
+    torn.at(23, 0) = kBackground; // in a corner
     EXPECT_EQ(findCracks(torn, whole), (std::vector<Crack>{{23, 0, 0}, {5, 4, 0}, {2, 8, 9}}));
 }
 
 TEST(Cracks, SilhouettesMayMoveByTheReach) {
-    const ImageU32 whole = twoObjects();
-    ImageU32 moved = whole;
-    for (std::uint32_t x = 0; x < moved.width; ++x) {
-        moved.at(x, 15) = 0;
-        moved.at(x, 14) = 0;
-        moved.at(x, 16) = 7;
+    const SeenImage whole = twoObjects();
+    SeenImage moved = whole;
+    for (std::uint32_t y = 0; y < moved.height; ++y) {
+        moved.at(10, y) = kFar; // two columns from where it was
+        moved.at(9, y) = kFar;  // three
     }
-    // Object 7 came where it was not, in the row beneath object 9 and 2 columns from itself.
     const std::vector<Crack> cracks = findCracks(moved, whole);
-    EXPECT_EQ(cracks.size(), 10u);
+    EXPECT_EQ(cracks.size(), 16u); // not where it hides background
     for (const Crack& crack : cracks) {
-        EXPECT_EQ(crack.id, 7u);
-        EXPECT_GE(crack.x, 14u);
+        EXPECT_EQ(crack.x, 9u);
     }
-    EXPECT_EQ(findCracks(moved, whole, 1).size(), 11u + 24u);
-    EXPECT_TRUE(findCracks(moved, whole, 24).empty());
+    EXPECT_EQ(findCracks(moved, whole, 1).size(), 32u);
+    EXPECT_TRUE(findCracks(moved, whole, 3).empty());
+}
+
+/// A speck that no pixel's centre met before is no hole.
+TEST(Cracks, WhatComesInFrontIsNone) {
+    const SeenImage whole = twoObjects();
+    SeenImage speck = whole;
+    speck.at(4, 4) = {.id = 3, .distanceView = 5.0};
+    speck.at(4, 19) = {.id = 3, .distanceView = 5.0};
+    EXPECT_TRUE(findCracks(speck, whole).empty());
+    speck.at(4, 4).distanceView = 11.0;
+    EXPECT_EQ(findCracks(speck, whole), (std::vector<Crack>{{4, 4, 3}}));
 }
 
 TEST(Cracks, PicturesOfOtherSizesAreRefused) {
-    EXPECT_THROW(findCracks(ImageU32(3, 4), ImageU32(4, 3)), cdr::base::InputError);
+    EXPECT_THROW(findCracks(SeenImage(3, 4), SeenImage(4, 3)), cdr::base::InputError);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <cdr/image/image.h>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace cdr::measure {
@@ -10,6 +11,13 @@ namespace cdr::measure {
 /// How far around a pixel countCracks() looks for what it shows unless told: an error of half a pixel moves a
 /// silhouette by one at the picture's corners, and rasterisation rounds by another.
 inline constexpr std::uint32_t kCrackReach = 2;
+
+/// What a picture shows in a pixel.
+struct SeenPixel {
+    std::uint32_t id = 0;                                          ///< object index + 1, 0 for background
+    double distanceView = std::numeric_limits<double>::infinity(); ///< infinity for background
+};
+using SeenImage = image::Raster<SeenPixel>;
 
 /// A place where a picture shows what the whole one shows nowhere near.
 struct Crack {
@@ -20,12 +28,13 @@ struct Crack {
     bool operator==(const Crack&) const = default;
 };
 
-/// Hunts for holes: every pixel of `ids` whose id occurs nowhere in `whole` within `reach` pixels along rows
-/// and columns, so what lies behind shows through where nothing of it is to be seen. Silhouettes that move by
-/// `reach` pixels or less are none; neither, thus, are holes that close to the silhouette of what lies
-/// behind. An object that shows through itself is not found. Row by row.
-/// @param whole ids of the same view without holes; base::InputError when the sizes differ.
-std::vector<Crack> findCracks(const image::ImageU32& ids, const image::ImageU32& whole,
+/// Hunts for holes: every pixel of `shown` that shows something farther than `whole` does there, of an id
+/// that occurs nowhere in `whole` within `reach` pixels along rows and columns. So what lies behind shows
+/// through where nothing of it is to be seen. Silhouettes that move by `reach` pixels or less are none;
+/// neither, thus, are holes that close to the silhouette of what lies behind. An object that shows through
+/// itself is not found. Row by row.
+/// @param whole the same view without holes; base::InputError when the sizes differ.
+std::vector<Crack> findCracks(const SeenImage& shown, const SeenImage& whole,
                               std::uint32_t reach = kCrackReach);
 
 } // namespace cdr::measure
