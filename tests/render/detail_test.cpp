@@ -179,7 +179,7 @@ TEST_F(DetailRenderTest, OneLevelPerObjectOpensNoCrack) {
     const scene::StagedScene staged = smallBoulders();
     EXPECT_EQ(hunt(staged.scene, camerasAlong(staged.path, 16), kByObject), 0u);
     const scene::Scene large = largeBoulder();
-    for (const double pixels : {0.5, 2.0}) {
+    for (const double pixels : {2.0, 4.0}) {
         EXPECT_EQ(hunt(large, camerasAround(16), {.mode = DetailMode::perObject, .pixels = pixels}), 0u);
     }
 }
