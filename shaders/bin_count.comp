@@ -12,7 +12,7 @@ uint landingOf(InstanceSphere sphere) {
     precise double dz = sphere.z - view.position[2];
     precise double vx = dx * view.right[0] + dy * view.right[1] + dz * view.right[2];
     precise double vy = dx * view.up[0] + dy * view.up[1] + dz * view.up[2];
-    precise double w = dx * view.ahead[0] + dy * view.ahead[1] + dz * view.ahead[2];
+    double w = viewDistance(sphere);
     precise double sideX = w * view.sinX - abs(vx) * view.cosX;
     precise double sideY = w * view.sinY - abs(vy) * view.cosY;
     double depth = min(w - view.nearView, view.farView - w);

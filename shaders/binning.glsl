@@ -12,13 +12,22 @@ layout(set = 0, binding = 2, std430) readonly buffer Looks { InstanceLook looks[
 layout(set = 0, binding = 3, std430) readonly buffer Materials { MaterialRecord materials[]; };
 layout(set = 0, binding = 4, std430) readonly buffer Runs { KindRun runs[]; };
 layout(set = 0, binding = 5, std430) readonly buffer Groups { RunGroup groups[]; };
-layout(set = 0, binding = 6, std430) buffer Landings { uint landings[]; };       // by instance: packLanding()
-layout(set = 0, binding = 7, std430) buffer Blocks { uint blockDraws[]; };       // by bucket, then block
-layout(set = 0, binding = 8, std430) buffer RunFirsts { uint runFirsts[]; };     // by bucket, then run
-layout(set = 0, binding = 9, std430) writeonly buffer Records { DrawRecord records[]; };
-layout(set = 0, binding = 10, std430) writeonly buffer Commands { IndirectCommand commands[]; }; // by bucket, then run
-layout(set = 0, binding = 11, std430) writeonly buffer Counts { uint commandCounts[]; }; // by bucket, then group
-layout(set = 0, binding = 12, std430) buffer Result { BinningResult result; };
+layout(set = 0, binding = 6, std430) readonly buffer Levels { CoarserLevel levels[]; };
+layout(set = 0, binding = 7, std430) buffer Landings { uint landings[]; };       // by instance: packLanding()
+layout(set = 0, binding = 8, std430) buffer Blocks { uint blockDraws[]; };       // by bucket, then block
+layout(set = 0, binding = 9, std430) buffer RunFirsts { uint runFirsts[]; };     // by bucket, then run
+layout(set = 0, binding = 10, std430) writeonly buffer Records { DrawRecord records[]; };
+layout(set = 0, binding = 11, std430) writeonly buffer Commands { IndirectCommand commands[]; }; // by bucket, then run
+layout(set = 0, binding = 12, std430) writeonly buffer Counts { uint commandCounts[]; }; // by bucket, then group
+layout(set = 0, binding = 13, std430) buffer Result { BinningResult result; };
+
+double viewDistance(InstanceSphere sphere) {
+    precise double dx = sphere.x - view.position[0];
+    precise double dy = sphere.y - view.position[1];
+    precise double dz = sphere.z - view.position[2];
+    precise double w = dx * view.ahead[0] + dy * view.ahead[1] + dz * view.ahead[2];
+    return w;
+}
 
 uint bucketCount() { return 2u * view.cascades; }
 

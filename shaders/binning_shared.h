@@ -41,12 +41,23 @@ struct MaterialRecord {
     uint pad0;
 };
 
-// Consecutive instances of one mesh, material and handedness: one instanced draw per bucket.
+// Consecutive instances of one mesh, material and handedness: one instanced draw per bucket. A run that has
+// levels of detail to choose from is a single instance.
 struct KindRun {
     uint firstIndex;
     uint indexCount;
     int vertexOffset;
-    uint pad0;
+    uint instance;   // the first
+    uint firstLevel; // into the coarser levels
+    uint levels;     // how many there are to choose from
+    float boundingRadius;
+};
+
+// A mesh's level of detail but for level 0.
+struct CoarserLevel {
+    uint firstIndex;
+    uint indexCount;
+    float error; // scene::MeshLevel::error
 };
 
 // Consecutive runs between which nothing is bound: one indirect draw with a count per bucket.
@@ -54,6 +65,9 @@ struct RunGroup {
     uint begin;
     uint end;
 };
+
+// scene::DetailMode.
+CDR_CONST kDetailPerCascade = 2u;
 
 // One frame's camera and cascades.
 struct BinningView {
@@ -67,15 +81,16 @@ struct BinningView {
     double sinY;
     double nearView;
     double farView;
-    double wideSpan;  // scene::binByDistance()'s, where hasWideSpan
-    uint hasWideSpan; // 0 where nothing is wide: no arithmetic with infinities
+    double wideSpan;   // scene::binByDistance()'s, where hasWideSpan
+    double levelSlope; // scene::LevelRule
+    uint hasWideSpan;  // 0 where nothing is wide: no arithmetic with infinities
     uint instances;
     uint cascades;
     uint blocks;
     uint runs;
     uint groups;
     uint recordCapacity;
-    uint pad0;
+    uint detailMode;                 // scene::DetailMode
     double nearViews[kCascadeSlots]; // clip ranges; the far ends ascend
     double farViews[kCascadeSlots];
     double anchors[kCascadeSlots]; // view distance of each cascade's anchor plane
@@ -100,8 +115,9 @@ struct BinningResult {
 static_assert(sizeof(InstanceSphere) == 32);
 static_assert(sizeof(InstanceLook) == 48);
 static_assert(sizeof(MaterialRecord) == 16);
-static_assert(sizeof(KindRun) == 16);
-static_assert(sizeof(BinningView) == 184 + 3 * 8 * kCascadeSlots);
+static_assert(sizeof(KindRun) == 28); // tight in std430 too: all members are words
+static_assert(sizeof(CoarserLevel) == 12);
+static_assert(sizeof(BinningView) == 192 + 3 * 8 * kCascadeSlots);
 static_assert(sizeof(IndirectCommand) == 20);
 static_assert(kBinBuckets == 2 * kCascadeSlots);
 } // namespace cdr::shaders

@@ -11,8 +11,8 @@ packages=(
     # Vulkan: loader, shader compiler, validation, and lavapipe, a driver that needs no graphics card
     libvulkan-dev glslang-tools vulkan-validationlayers mesa-vulkan-drivers
     # libraries
-    libcli11-dev libfmt-dev libglm-dev libopenexr-dev libspng-dev libssl-dev libstb-dev libtinygltf-dev
-    libturbojpeg0-dev nlohmann-json3-dev
+    libcli11-dev libfmt-dev libglm-dev libmeshoptimizer-dev libopenexr-dev libspng-dev libssl-dev libstb-dev
+    libtinygltf-dev libturbojpeg0-dev nlohmann-json3-dev
     # plots: optional, only the --plot of timing and scaling asks for it, and says so where it is missing
     gnuplot-nox
     # videos: optional, only flicker's --videos asks for it, and says so where it is missing

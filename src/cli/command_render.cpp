@@ -7,6 +7,7 @@
 #include <cdr/base/file.h>
 #include <cdr/base/suggest.h>
 #include <cdr/render/renderer.h>
+#include <cdr/scene/levels.h>
 #include <cdr/scene/open_scene.h>
 
 #include <experiments/aov.h>
@@ -31,6 +32,7 @@ struct RenderArguments {
     std::string submission = "secondaries";
     std::string batching = "instanced";
     EffectArguments effects;
+    std::string detail = "none";
     std::size_t threads = 1;
     std::string size = "1280x720";
     std::uint32_t frame = 0;
@@ -146,6 +148,7 @@ nlohmann::ordered_json frameJson(const render::RenderOptions& options, const ren
             {"layers", options.targets.layers},
             {"submission", nameOf(options.submission)},
             {"batching", nameOf(options.batching)},
+            {"detail", nameOf(options.detail)},
             {"threads", options.threads},
             {"cascades", frame.cascades.size()},
             {"draws", frame.stats.draws},
@@ -170,6 +173,7 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                                   .threads = arguments.threads,
                                   .submission = render::parseSubmission(arguments.submission),
                                   .batching = render::parseBatching(arguments.batching),
+                                  .detail = scene::parseDetail(arguments.detail),
                                   .effects = effectsOf(arguments.effects)};
     checkArguments(arguments, name);
     base::WorkerPool workers(arguments.threads);
@@ -177,7 +181,10 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     if (!arguments.trace.empty()) {
         options.trace = &trace.emplace(options.threads);
     }
-    const scene::OpenedScene opened = scene::openScene(arguments.scene, arguments.seed);
+    scene::OpenedScene opened = scene::openScene(arguments.scene, arguments.seed);
+    if (options.detail.mode != scene::DetailMode::none) {
+        scene::makeLevels(opened.staged.scene, workers);
+    }
     const scene::Scene& scene = opened.staged.scene;
     cameraAt(arguments, opened.staged.path,
              arguments.frame); // an unusable camera ends here, before the device is made
@@ -249,6 +256,10 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
         .add_option("--batching", arguments.batching,
                     "How draws become commands: per-object, push-constants or instanced")
         ->capture_default_str();
+    command
+        .add_option("--detail", arguments.detail,
+                    "Level of detail by projected error: none, object[:PIXELS] or cascade[:PIXELS]")
+        ->capture_default_str();
     command.add_option("--threads", arguments.threads, "Threads that cull, bin and record")
         ->capture_default_str();
 }
@@ -274,7 +285,7 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
     auto arguments = std::make_shared<RenderArguments>();
     command
         ->add_option("scene", arguments->scene,
-                     "cubes, afc, afc-near, rotation, ladder, or a .gltf or .glb file")
+                     "cubes, afc, afc-near, rotation, ladder, mixed, boulders, or a .gltf or .glb file")
         ->required();
     addTechniqueOptions(*command, *arguments);
     addEffectOptions(*command, arguments->effects);

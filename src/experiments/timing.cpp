@@ -1,5 +1,7 @@
 #include "timing.h"
 
+#include "shuffled_order.h"
+
 #include <cdr/base/error.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/generators.h>
@@ -7,8 +9,6 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <numeric>
-#include <random>
 
 namespace cdr::experiments {
 
@@ -54,27 +54,6 @@ scene::Scene unshared(scene::Scene scene) {
     }
     return scene;
 }
-
-/// A fresh order of the modes for each frame, so that what a mode leaves in the caches burdens all others
-/// alike.
-class Order {
-  public:
-    Order(std::size_t modes, std::uint64_t seed) : m_random(seed), m_order(modes) {
-        std::iota(m_order.begin(), m_order.end(), std::size_t{0});
-    }
-
-    const std::vector<std::size_t>& next() {
-        // Fisher and Yates by hand: std::shuffle may differ between standard libraries.
-        for (std::size_t i = m_order.size(); i > 1; --i) {
-            std::swap(m_order[i - 1], m_order[m_random() % i]);
-        }
-        return m_order;
-    }
-
-  private:
-    std::mt19937_64 m_random;
-    std::vector<std::size_t> m_order;
-};
 
 TimingResult summarise(const TimingMode& mode, const Samples& samples, const Samples& standard,
                        std::uint64_t seed) {
@@ -173,7 +152,7 @@ class Race {
     scene::Scene m_unsharedScene;
     render::GpuScene m_unsharedGpuScene;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
-    Order m_order;
+    ShuffledOrder m_order;
     std::vector<Samples> m_samples; ///< by mode
 };
 

@@ -3,6 +3,7 @@
 import { summary, verdicts } from "./logic/verdicts.js";
 import { h } from "./view/elements.js";
 import { fillAdvise } from "./view/section_advise.js";
+import { fillDetail } from "./view/section_detail.js";
 import { facts, fillEnvironment } from "./view/section_environment.js";
 import { fillFlicker, fillNearObject } from "./view/section_flicker.js";
 import { fillPictures } from "./view/section_pictures.js";
@@ -21,6 +22,7 @@ const fillers = {
     probe: fillProbe,
     timing: fillTiming,
     scaling: fillScaling,
+    detail: fillDetail,
     advise: fillAdvise,
 };
 

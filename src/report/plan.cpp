@@ -25,6 +25,9 @@ struct Amounts {
     const char* cascades;
     const char* threads; ///< to twice the CPUs when empty
     const char* repeats;
+    const char* detailScene;
+    const char* detailFrames;
+    const char* detailSize;
 };
 
 constexpr Amounts kSmallest{.pictureFrames = "1",
@@ -41,7 +44,10 @@ constexpr Amounts kSmallest{.pictureFrames = "1",
                             .draws = "300,600",
                             .cascades = "1",
                             .threads = "1,2",
-                            .repeats = "2"};
+                            .repeats = "2",
+                            .detailScene = "cubes",
+                            .detailFrames = "2",
+                            .detailSize = "160x90"};
 constexpr Amounts kQuick{.pictureFrames = "2",
                          .pictureSize = "1280x720",
                          .probeDistances = "1,100,10000,1000000,100000000",
@@ -56,7 +62,10 @@ constexpr Amounts kQuick{.pictureFrames = "2",
                          .draws = "1000,20000",
                          .cascades = "1,4",
                          .threads = "",
-                         .repeats = "5"};
+                         .repeats = "5",
+                         .detailScene = "boulders",
+                         .detailFrames = "6",
+                         .detailSize = "1280x720"};
 constexpr Amounts kFull{.pictureFrames = "12",
                         .pictureSize = "1280x720",
                         .probeDistances = "1,10,100,1000,10000,100000,1000000,10000000,100000000",
@@ -71,7 +80,10 @@ constexpr Amounts kFull{.pictureFrames = "12",
                         .draws = "1000,10000,100000,1000000",
                         .cascades = "1,2,4,8",
                         .threads = "",
-                        .repeats = "7"};
+                        .repeats = "7",
+                        .detailScene = "boulders",
+                        .detailFrames = "120",
+                        .detailSize = "1280x720"};
 
 const Amounts& amountsOf(Effort effort) {
     switch (effort) {
@@ -177,6 +189,12 @@ std::vector<Section> makePlan(const PlanOptions& options) {
          .arguments = rendered(std::move(timing)),
          .expectedSeconds = seconds(40.0, 8000.0)},
         {.name = "scaling", .arguments = std::move(scaling), .expectedSeconds = seconds(25.0, 4000.0)},
+        {.name = "detail",
+         .arguments = rendered(
+             {"detail", amounts.detailScene, "--frames", amounts.detailFrames, "--size", amounts.detailSize}),
+         .folderOption = "--out",
+         .folder = "detail",
+         .expectedSeconds = seconds(20.0, 300.0)},
     };
 }
 

@@ -10,7 +10,7 @@ namespace cdr::gpu {
 namespace {
 
 /// What shaders/binning.glsl binds, and its workgroups' size.
-constexpr std::uint32_t kGpuDrivenStorageBuffers = 13;
+constexpr std::uint32_t kGpuDrivenStorageBuffers = 14;
 constexpr std::uint32_t kGpuDrivenInvocations = 256;
 
 std::string kindOf(vk::PhysicalDeviceType type) {

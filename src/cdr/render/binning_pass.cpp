@@ -67,7 +67,8 @@ vk::MemoryBarrier2 barrier(vk::PipelineStageFlags2 stages, vk::AccessFlags2 acce
 
 } // namespace
 
-BinningPass::BinningPass(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene)
+BinningPass::BinningPass(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
+                         scene::DetailMode detail)
     : m_device(checked(device, scene)),
       m_instances(scene.instances.size()),
       m_setLayout(gpu::makeSetLayout(device, std::vector(kBindings, kStorage),
@@ -77,25 +78,28 @@ BinningPass::BinningPass(const gpu::Device& device, const scene::Scene& scene, c
       m_scan(makePipeline(kBinScanComp, "bin, scan")),
       m_fill(makePipeline(kBinFillComp, "bin, fill")),
       m_commands(makePipeline(kBinCommandsComp, "bin, commands")) {
-    uploadInstances(scene, gpuScene);
+    uploadInstances(scene, gpuScene, detail);
 }
 
 vk::UniquePipeline BinningPass::makePipeline(std::span<const std::uint32_t> spirv, const char* name) const {
     return gpu::makeComputePipeline(m_device, spirv, *m_layout, name);
 }
 
-void BinningPass::uploadInstances(const scene::Scene& scene, const GpuScene& gpuScene) {
+void BinningPass::uploadInstances(const scene::Scene& scene, const GpuScene& gpuScene,
+                                  scene::DetailMode detail) {
     std::vector<shaders::InstanceSphere> spheres;
     std::vector<shaders::InstanceLook> looks;
     std::vector<shaders::MaterialRecord> materials;
     std::vector<shaders::KindRun> runs;
     std::vector<shaders::RunGroup> groups;
+    std::vector<shaders::CoarserLevel> levels;
     const std::vector<DrawKind>& kinds = gpuScene.kinds();
     const std::size_t mostCommands = m_device.physical().getProperties().limits.maxDrawIndirectCount;
     for (std::size_t i = 0; i < m_instances; ++i) {
         const DrawSource& source = gpuScene.sources()[i];
-        if (i == 0 || source.kind != gpuScene.sources()[i - 1].kind) {
-            const MeshRange& mesh = kinds[source.kind].mesh;
+        const MeshRange& mesh = kinds[source.kind].mesh;
+        const bool hasLevels = detail != scene::DetailMode::none && mesh.levelCount > 0;
+        if (i == 0 || hasLevels || source.kind != gpuScene.sources()[i - 1].kind) {
             if (m_groups.empty() || !bindAlike(kinds[m_groups.back().kind], kinds[source.kind]) ||
                 m_groups.back().end - m_groups.back().begin == mostCommands) {
                 m_groups.push_back({.begin = runs.size(), .end = runs.size(), .kind = source.kind});
@@ -103,7 +107,10 @@ void BinningPass::uploadInstances(const scene::Scene& scene, const GpuScene& gpu
             runs.push_back({.firstIndex = mesh.firstIndex,
                             .indexCount = mesh.indexCount,
                             .vertexOffset = mesh.vertexOffset,
-                            .pad0 = 0});
+                            .instance = static_cast<std::uint32_t>(i),
+                            .firstLevel = mesh.firstLevel,
+                            .levels = hasLevels ? mesh.levelCount : 0,
+                            .boundingRadius = mesh.boundingRadius});
             m_groups.back().end = runs.size();
         }
         spheres.push_back({.x = source.position.x,
@@ -116,6 +123,9 @@ void BinningPass::uploadInstances(const scene::Scene& scene, const GpuScene& gpu
     for (const MaterialWords& words : gpuScene.materials()) {
         materials.push_back({words.alphaCutoff, words.baseColorRg, words.baseColorBa, 0});
     }
+    for (const LevelRange& level : gpuScene.levels()) {
+        levels.push_back({level.firstIndex, level.indexCount, level.error});
+    }
     for (const GeometryPass::RunGroup& group : m_groups) {
         groups.push_back({static_cast<std::uint32_t>(group.begin), static_cast<std::uint32_t>(group.end)});
     }
@@ -126,8 +136,8 @@ void BinningPass::uploadInstances(const scene::Scene& scene, const GpuScene& gpu
                                  vk::BufferUsageFlagBits::eStorageBuffer, name);
     };
     m_sceneBuffers = {upload(spheres, "instance spheres"), upload(looks, "instance looks"),
-                      upload(materials, "materials"), upload(runs, "kind runs"),
-                      upload(groups, "run groups")};
+                      upload(materials, "materials"),      upload(runs, "kind runs"),
+                      upload(groups, "run groups"),        upload(levels, "coarser levels")};
 }
 
 void BinningPass::bindScene(vk::DescriptorSet set) const {

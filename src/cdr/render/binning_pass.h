@@ -2,6 +2,7 @@
 
 #include <cdr/gpu/memory.h>
 #include <cdr/render/draw_path.h>
+#include <cdr/scene/detail.h>
 #include <cdr/scene/scene.h>
 
 #include <array>
@@ -15,7 +16,10 @@ class BinningPass {
   public:
     /// base::InputError when the device cannot do it, naming what it lacks; base::RunError, with both
     /// figures, when the scene is too large for its memory or its buffers.
-    BinningPass(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene);
+    /// @param detail unless none, an instance whose mesh has levels is a run of its own, so that each draw
+    /// may have another level.
+    BinningPass(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
+                scene::DetailMode detail);
 
     std::size_t instances() const { return m_instances; }
     std::size_t runs() const { return m_runs; }
@@ -28,11 +32,11 @@ class BinningPass {
     void record(vk::CommandBuffer commands, vk::DescriptorSet set, std::size_t cascades) const;
 
     /// Storage buffers of the set; the first is the view, the next kSceneBuffers are the scene's.
-    static constexpr std::uint32_t kBindings = 13;
-    static constexpr std::uint32_t kSceneBuffers = 5;
+    static constexpr std::uint32_t kBindings = 14;
+    static constexpr std::uint32_t kSceneBuffers = 6;
 
   private:
-    void uploadInstances(const scene::Scene& scene, const GpuScene& gpuScene);
+    void uploadInstances(const scene::Scene& scene, const GpuScene& gpuScene, scene::DetailMode detail);
     vk::UniquePipeline makePipeline(std::span<const std::uint32_t> spirv, const char* name) const;
 
     const gpu::Device& m_device;

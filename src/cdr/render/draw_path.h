@@ -5,6 +5,7 @@
 #include <cdr/render/frame.h>
 #include <cdr/render/geometry_pass.h>
 #include <cdr/scene/cull.h>
+#include <cdr/scene/detail.h>
 
 #include <vulkan/vulkan.hpp>
 
@@ -42,6 +43,7 @@ struct CutView {
     const scene::VisibleList& visible;
     const depth::Cascades& clipRanges;      ///< depth::clipRange() of each cascade, nearest first
     std::span<const CascadeDraws> cascades; ///< as many
+    scene::LevelRule levels{};              ///< which level of detail each draw is of
 };
 
 /// One way for a frame's draws to reach the device, for one frame slot: it owns the slot's command pools and

@@ -83,6 +83,7 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
     const CascadeDraws& cascade = recording.cascades[job.cascade];
     const std::size_t wideBegin = recording.lists.wideBegin(job.cascade);
     const std::uint32_t* instances = recording.lists.instance.data();
+    const std::uint8_t* levels = recording.lists.level.empty() ? nullptr : recording.lists.level.data();
     const DrawSource* sources = m_scene.sources().data();
     const MaterialWords* materials = m_scene.materials().data();
     beginJob(commands, cascade, recording.recordBuffer, recording.extent);
@@ -90,13 +91,17 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
     DrawRecordMaker records(recording.camera, cascade.anchorView);
     for (std::size_t first = job.draws.begin; first < job.draws.end;) {
         const std::uint32_t kindIndex = sources[instances[first]].kind;
+        const std::uint32_t level = levels == nullptr ? 0 : levels[first];
         const bool wide = first >= wideBegin;
-        // A run ends with its kind, its bucket or its job.
+        // A run ends with its kind, its level, its bucket or its job.
         const std::size_t limit = m_batching != Batching::instanced ? first + 1
                                   : wide                            ? job.draws.end
                                                                     : std::min(wideBegin, job.draws.end);
+        const auto isOfRun = [&](std::size_t draw) {
+            return sources[instances[draw]].kind == kindIndex && (levels == nullptr || levels[draw] == level);
+        };
         std::size_t end = first;
-        for (; end < limit && sources[instances[end]].kind == kindIndex; ++end) {
+        for (; end < limit && isOfRun(end); ++end) {
             // Culled instances lie scattered in memory, where the hardware foresees nothing.
             __builtin_prefetch(&sources[instances[std::min(end + kPrefetchDraws, job.draws.end - 1)]]);
             const DrawSource& source = sources[instances[end]];
@@ -109,8 +114,9 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
                 commands, m_pipelines.layout(), static_cast<VkShaderStageFlags>(GeometryPipelines::kStages),
                 shaders::kPushedRecordOffset, sizeof(shaders::DrawRecord), &recording.records[first]);
         }
-        m_drawIndexed(commands, kind.mesh.indexCount, static_cast<std::uint32_t>(end - first),
-                      kind.mesh.firstIndex, kind.mesh.vertexOffset, static_cast<std::uint32_t>(first));
+        const LevelRange indices = m_scene.indicesOf(kind.mesh, level);
+        m_drawIndexed(commands, indices.indexCount, static_cast<std::uint32_t>(end - first),
+                      indices.firstIndex, kind.mesh.vertexOffset, static_cast<std::uint32_t>(first));
         first = end;
     }
 }

@@ -38,6 +38,8 @@ shaders::BinningView viewOf(const CutView& view, double wideSpan) {
     block.farView = camera.farView;
     block.hasWideSpan = std::isfinite(wideSpan) ? 1 : 0;
     block.wideSpan = std::isfinite(wideSpan) ? wideSpan : 0.0;
+    block.levelSlope = view.levels.slope;
+    block.detailMode = static_cast<std::uint32_t>(view.levels.mode);
     block.cascades = static_cast<std::uint32_t>(view.clipRanges.size());
     double farthest = 0.0;
     for (std::size_t c = 0; c < view.clipRanges.size(); ++c) {

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <span>
@@ -47,18 +48,24 @@ vk::UniqueSampler makeSampler(const gpu::Device& device, bool repeatU, bool repe
                                                 .addressModeV = mode(repeatV)});
 }
 
-bool isFaceted(const scene::Mesh& mesh) {
+bool areFaceted(const std::vector<scene::Vertex>& vertices, const std::vector<std::uint32_t>& indices) {
     const auto looksLike = [&](std::uint32_t a, std::uint32_t b) {
-        return mesh.vertices[a].normal == mesh.vertices[b].normal &&
-               mesh.vertices[a].color == mesh.vertices[b].color;
+        return vertices[a].normal == vertices[b].normal && vertices[a].color == vertices[b].color;
     };
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        if (!looksLike(mesh.indices[i], mesh.indices[i + 1]) ||
-            !looksLike(mesh.indices[i], mesh.indices[i + 2])) {
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        if (!looksLike(indices[i], indices[i + 1]) || !looksLike(indices[i], indices[i + 2])) {
             return false;
         }
     }
     return true;
+}
+
+/// At every level, since they share pipelines.
+bool isFaceted(const scene::Mesh& mesh) {
+    return areFaceted(mesh.vertices, mesh.indices) &&
+           std::all_of(mesh.levels.begin(), mesh.levels.end(), [&](const scene::MeshLevel& level) {
+               return areFaceted(mesh.vertices, level.indices);
+           });
 }
 
 std::uint32_t variantOf(const MeshRange& mesh, const scene::Material& material) {
@@ -74,6 +81,9 @@ std::uint64_t predictBytes(const scene::Scene& scene) {
     std::uint64_t bytes = 0;
     for (const scene::Mesh& mesh : scene.meshes) {
         bytes += mesh.vertices.size() * sizeof(PackedVertex) + mesh.indices.size() * sizeof(std::uint32_t);
+        for (const scene::MeshLevel& level : mesh.levels) {
+            bytes += level.indices.size() * sizeof(std::uint32_t);
+        }
     }
     for (const scene::Texture& texture : scene.textures) {
         bytes += texture.pixels.pixels.size() * sizeof(image::Rgba8);
@@ -98,8 +108,17 @@ void GpuScene::uploadMeshes(const gpu::Device& device, const scene::Scene& scene
         m_meshes.push_back({.firstIndex = static_cast<std::uint32_t>(indices.size()),
                             .indexCount = static_cast<std::uint32_t>(mesh.indices.size()),
                             .vertexOffset = static_cast<std::int32_t>(vertices.size()),
+                            .firstLevel = static_cast<std::uint32_t>(m_levels.size()),
+                            .levelCount = static_cast<std::uint32_t>(mesh.levels.size()),
+                            .boundingRadius = mesh.boundingRadius,
                             .isFaceted = isFaceted(mesh)});
         indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
+        for (const scene::MeshLevel& level : mesh.levels) {
+            m_levels.push_back({.firstIndex = static_cast<std::uint32_t>(indices.size()),
+                                .indexCount = static_cast<std::uint32_t>(level.indices.size()),
+                                .error = level.error});
+            indices.insert(indices.end(), level.indices.begin(), level.indices.end());
+        }
         for (const scene::Vertex& vertex : mesh.vertices) {
             vertices.push_back({vertex.position, glm::packSnorm2x16(encodeOctahedral(vertex.normal)),
                                 vertex.uv, vertex.color});

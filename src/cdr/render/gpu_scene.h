@@ -12,10 +12,20 @@ namespace cdr::render {
 
 /// Where a mesh lies in the shared vertex and index buffers.
 struct MeshRange {
+    std::uint32_t firstIndex = 0; ///< of the mesh itself, level of detail 0
+    std::uint32_t indexCount = 0;
+    std::int32_t vertexOffset = 0; ///< the same for all levels
+    std::uint32_t firstLevel = 0;  ///< its coarser levels, into GpuScene::levels()
+    std::uint32_t levelCount = 0;
+    float boundingRadius = 0.0f; ///< object space
+    bool isFaceted = false;      ///< the vertices of every triangle share their normal and colour
+};
+
+/// A coarser level of a mesh in the shared index buffer.
+struct LevelRange {
     std::uint32_t firstIndex = 0;
     std::uint32_t indexCount = 0;
-    std::int32_t vertexOffset = 0;
-    bool isFaceted = false; ///< the vertices of every triangle share their normal and colour
+    float error = 0.0f; ///< scene::MeshLevel::error
 };
 
 /// Which of a technique's pipelines a mesh and its material need: a sum of these.
@@ -67,6 +77,13 @@ class GpuScene {
     /// By instance.
     const std::vector<DrawSource>& sources() const { return m_sources; }
     const std::vector<DrawKind>& kinds() const { return m_kinds; }
+    /// The coarser levels of all meshes, mesh by mesh.
+    const std::vector<LevelRange>& levels() const { return m_levels; }
+    /// The indices of a mesh at a level of detail, at most MeshRange::levelCount.
+    LevelRange indicesOf(const MeshRange& mesh, std::uint32_t level) const {
+        return level == 0 ? LevelRange{mesh.firstIndex, mesh.indexCount, 0.0f}
+                          : m_levels[mesh.firstLevel + level - 1];
+    }
 
     /// Binding 0, locations 0 to 3.
     static vk::VertexInputBindingDescription vertexBinding();
@@ -81,6 +98,7 @@ class GpuScene {
     gpu::Buffer m_vertices;
     gpu::Buffer m_indices;
     std::vector<MeshRange> m_meshes;
+    std::vector<LevelRange> m_levels;
     std::vector<gpu::Image> m_textures; ///< the scene's, then one white pixel
     std::vector<vk::UniqueSampler> m_samplers;
     vk::UniqueDescriptorSetLayout m_textureLayout;

@@ -9,6 +9,7 @@ namespace cdr::render {
 void HostDraws::bin(const CutView& view, FrameStats& stats) {
     scene::binByDistance(view.visible, view.clipRanges, m_pass.pipelines().wideSpan(view.clipRanges.size()),
                          m_workers, m_lists);
+    scene::chooseLevels(m_scene, view.camera, view.clipRanges, view.levels, m_workers, m_lists);
     growRecords();
     stats.visible = m_lists.visible;
     stats.draws = m_lists.draws();

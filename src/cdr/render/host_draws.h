@@ -8,15 +8,17 @@ namespace cdr::render {
 /// Draws that the CPU bins, and the buffer their records are written to: what both recorded paths share.
 class HostDraws {
   public:
-    HostDraws(const gpu::Device& device, const GeometryPass& pass, base::WorkerPool& workers,
-              vk::Extent2D extent, base::Trace* trace)
+    HostDraws(const gpu::Device& device, const scene::Scene& scene, const GeometryPass& pass,
+              base::WorkerPool& workers, vk::Extent2D extent, base::Trace* trace)
         : m_device(device),
+          m_scene(scene),
           m_pass(pass),
           m_workers(workers),
           m_extent(extent),
           m_trace(trace) {}
 
-    /// Bins and makes room for the records. base::RunError when the device has no buffer as large.
+    /// Bins, chooses levels of detail and makes room for the records. base::RunError when the device has no
+    /// buffer as large.
     void bin(const CutView& view, FrameStats& stats);
     /// What recording the binned draws reads; the view must outlive it.
     GeometryPass::Recording recording(const CutView& view) const;
@@ -31,6 +33,7 @@ class HostDraws {
     void growRecords();
 
     const gpu::Device& m_device;
+    const scene::Scene& m_scene;
     const GeometryPass& m_pass;
     base::WorkerPool& m_workers;
     vk::Extent2D m_extent;

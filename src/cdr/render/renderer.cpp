@@ -55,6 +55,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
                                            "(accumulate, pool or layers), not {}",
                                            nameOf(options.targets.kind)));
     }
+    scene::requireUsable(options.detail);
     const std::uint32_t most = device.info().maxImageSide;
     for (const std::uint32_t side : {options.width, options.height}) {
         if (side < 1 || side > most) {
@@ -86,7 +87,7 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_workers(options.threads, options.placement),
       m_geometry(device, gpuScene, options.technique, options.batching),
       m_binning(options.submission == Submission::gpuDriven
-                    ? std::make_unique<BinningPass>(device, scene, gpuScene)
+                    ? std::make_unique<BinningPass>(device, scene, gpuScene, options.detail.mode)
                     : nullptr),
       m_targets(makeTargets(
           device, options.targets,
@@ -119,7 +120,7 @@ std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {
     if (m_binning != nullptr) {
         return std::make_unique<GpuDrivenPath>(m_device, *m_binning, m_geometry, m_extent, name);
     }
-    HostDraws draws(m_device, m_geometry, m_workers, m_extent, m_options.trace);
+    HostDraws draws(m_device, m_scene, m_geometry, m_workers, m_extent, m_options.trace);
     if (m_options.submission == Submission::primaries) {
         return std::make_unique<PrimaryPath>(m_device, std::move(draws), name);
     }
@@ -155,7 +156,8 @@ void Renderer::launch(Slot& slot, Destination destination) {
                        .aspect = m_aspect,
                        .visible = m_visible,
                        .clipRanges = slot.clipRanges,
-                       .cascades = slot.draws};
+                       .cascades = slot.draws,
+                       .levels = scene::levelRule(m_options.detail, slot.camera, m_extent.height)};
     slot.destination = destination;
     slot.path->bin(view, slot.stats);
     slot.stats.times.binMs = watch.lap("bin");

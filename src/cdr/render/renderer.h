@@ -30,6 +30,7 @@ struct RenderOptions {
     base::Placement placement = base::Placement::free; ///< of those threads but the caller's
     Submission submission = Submission::secondaries;
     Batching batching = Batching::instanced;
+    scene::Detail detail{}; ///< none unless told; meshes without levels are drawn in full whatever it says
     Effects effects{};
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
@@ -45,8 +46,9 @@ inline constexpr std::size_t kMaxFramesInFlight = 8;
 class Renderer {
   public:
     /// The device, the scene and its GpuScene must outlive the renderer.
-    /// base::InputError for a picture of no or too many pixels, a depth format the device lacks, or a
-    /// submission it cannot do; base::RunError when its memory does not suffice, with both figures.
+    /// base::InputError for a picture of no or too many pixels, a depth format the device lacks, a
+    /// submission it cannot do, or an unusable detail; base::RunError when its memory does not suffice, with
+    /// both figures.
     Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
              const RenderOptions& options);
     /// Waits for what is in flight.

@@ -23,6 +23,10 @@ struct DrawLists {
         std::uint16_t bucket = 0;
         std::uint16_t cascades = 0;
     };
+    /// By entry of `instance`: the level of detail it is drawn at (chooseLevels()); empty where all are drawn
+    /// in full.
+    std::vector<std::uint8_t> level;
+
     std::vector<Landing> landings; ///< scratch of binByDistance(), by index into the visible list
 
     std::size_t cascades() const { return begins.size() / 2; }

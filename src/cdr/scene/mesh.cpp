@@ -34,6 +34,7 @@ Mesh makeBox(const glm::vec3& halfSides) {
 Mesh unshareVertices(const Mesh& mesh) {
     Mesh unshared = mesh;
     unshared.vertices.clear();
+    unshared.levels.clear();
     for (std::uint32_t& index : unshared.indices) {
         unshared.vertices.push_back(mesh.vertices[index]);
         index = static_cast<std::uint32_t>(unshared.vertices.size() - 1);

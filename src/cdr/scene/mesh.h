@@ -18,6 +18,13 @@ struct Vertex {
     glm::u8vec4 color{255}; ///< linear, multiplies the material's base colour
 };
 
+/// A coarser form of a mesh, over the mesh's own vertices.
+struct MeshLevel {
+    std::vector<std::uint32_t> indices; ///< three per triangle, each below the mesh's vertices.size()
+    /// Object space: how far the two surfaces lie apart where they lie farthest apart (Hausdorff distance).
+    float error = 0.0f;
+};
+
 /// An indexed triangle list. Front faces are counter-clockwise in object space; under an instance that
 /// mirrors they stay the front faces (glTF 2.0, section 3.7.4), though they are clockwise in world space.
 ///
@@ -28,10 +35,16 @@ struct Mesh {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices; ///< three per triangle, each below vertices.size()
     float boundingRadius = 0.0f;        ///< object space, about the origin
+    /// Levels of detail, coarser and coarser; the mesh itself is level 0, levels[k] is level k + 1. At most
+    /// kMaxLevels; empty where nobody made any (levels.h).
+    std::vector<MeshLevel> levels;
     /// Half the sides when the mesh is exactly an axis-aligned box about its origin; lets the truth use
     /// slabs.
     std::optional<glm::vec3> boxHalfSides;
 };
+
+/// Most levels beside the mesh itself: a level's number fits a byte.
+inline constexpr std::size_t kMaxLevels = 32;
 
 struct Texture {
     std::string name;
@@ -56,6 +69,7 @@ struct Material {
 Mesh makeBox(const glm::vec3& halfSides);
 
 /// The same triangles with three vertices of their own each, as a mesh without an index buffer has them.
+/// Without levels.
 Mesh unshareVertices(const Mesh& mesh);
 
 } // namespace cdr::scene

@@ -1,0 +1,113 @@
+#include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
+#include <cdr/scene/detail.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cdr::scene {
+
+namespace {
+
+constexpr std::size_t kJobDraws = 16'384;
+/// By DetailMode.
+constexpr std::array<std::string_view, 3> kNames{"none", "object", "cascade"};
+
+/// View distance of an instance's centre, by cullSpheres()' operations in their order.
+double distanceOf(const Instances& instances, std::uint32_t instance, const Camera& camera) {
+    const double dx = instances.x[instance] - camera.position.x;
+    const double dy = instances.y[instance] - camera.position.y;
+    const double dz = instances.z[instance] - camera.position.z;
+    return -(dx * camera.back.x + dy * camera.back.y + dz * camera.back.z);
+}
+
+/// The coarsest level that may be used at a view distance. An error's share of the mesh's bounding radius is
+/// the share that its world-space size has of the instance's radius; products instead of that quotient are
+/// the same on the device.
+std::uint8_t levelAt(const Mesh& mesh, double radius, double distanceView, double slope) {
+    const double limit = slope * distanceView * static_cast<double>(mesh.boundingRadius);
+    for (std::size_t level = mesh.levels.size(); level > 0; --level) {
+        if (static_cast<double>(mesh.levels[level - 1].error) * radius <= limit) {
+            return static_cast<std::uint8_t>(level);
+        }
+    }
+    return 0;
+}
+
+} // namespace
+
+std::string nameOf(const Detail& detail) {
+    const std::string_view name = kNames[static_cast<std::size_t>(detail.mode)];
+    return detail.mode == DetailMode::none ? std::string(name) : fmt::format("{}:{}", name, detail.pixels);
+}
+
+Detail parseDetail(std::string_view text) {
+    const std::size_t colon = text.find(':');
+    const std::string_view name = text.substr(0, colon);
+    const auto* const found = std::find(kNames.begin(), kNames.end(), name);
+    if (found == kNames.end()) {
+        throw base::InputError(base::unknownName("detail", name, kNames));
+    }
+    Detail detail{.mode = static_cast<DetailMode>(found - kNames.begin())};
+    if (colon != std::string_view::npos) {
+        if (detail.mode == DetailMode::none) {
+            throw base::InputError("detail none takes no pixels");
+        }
+        detail.pixels = base::parseNumber("detail pixels", std::string(text.substr(colon + 1)));
+    }
+    requireUsable(detail);
+    return detail;
+}
+
+void requireUsable(const Detail& detail) {
+    if (!std::isfinite(detail.pixels) || detail.pixels <= 0.0) {
+        throw base::InputError(
+            fmt::format("detail pixels must be finite and above 0, not {}", detail.pixels));
+    }
+}
+
+LevelRule levelRule(const Detail& detail, const Camera& camera, std::uint32_t height) {
+    return {.mode = detail.mode, .slope = detail.pixels * 2.0 * std::tan(0.5 * camera.fovY) / height};
+}
+
+void chooseLevels(const Scene& scene, const Camera& camera, const depth::Cascades& clipRanges,
+                  const LevelRule& rule, base::WorkerPool& workers, DrawLists& lists) {
+    if (rule.mode == DetailMode::none) {
+        lists.level.clear();
+        return;
+    }
+    const Instances& instances = scene.instances;
+    lists.level.resize(std::max(lists.level.size(), lists.draws()));
+    for (std::size_t cascade = 0; cascade < lists.cascades(); ++cascade) {
+        const base::IndexRange all = lists.range(cascade);
+        const std::size_t jobs = (all.size() + kJobDraws - 1) / kJobDraws;
+        workers.run(jobs, [&](std::size_t job, std::size_t) {
+            const base::IndexRange range = base::evenRange(all.size(), job, jobs);
+            for (std::size_t draw = all.begin + range.begin; draw < all.begin + range.end; ++draw) {
+                const std::uint32_t instance = lists.instance[draw];
+                const Mesh& mesh = scene.meshes[instances.mesh[instance]];
+                const auto radius = static_cast<double>(instances.radius[instance]);
+                const double distanceView =
+                    rule.mode == DetailMode::perCascade
+                        ? clipRanges[cascade].nearView
+                        : std::max(distanceOf(instances, instance, camera) - radius, camera.nearView);
+                lists.level[draw] = levelAt(mesh, radius, distanceView, rule.slope);
+            }
+        });
+    }
+}
+
+std::uint64_t trianglesDrawn(const Scene& scene, const DrawLists& lists) {
+    std::uint64_t indices = 0;
+    for (std::size_t draw = 0; draw < lists.draws(); ++draw) {
+        const Mesh& mesh = scene.meshes[scene.instances.mesh[lists.instance[draw]]];
+        const std::size_t level = lists.level.empty() ? 0 : lists.level[draw];
+        indices += level == 0 ? mesh.indices.size() : mesh.levels[level - 1].indices.size();
+    }
+    return indices / 3;
+}
+
+} // namespace cdr::scene

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cdr/base/worker_pool.h>
+#include <cdr/depth/cascade.h>
+#include <cdr/scene/bin.h>
+#include <cdr/scene/camera.h>
+#include <cdr/scene/scene.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace cdr::scene {
+
+/// Who decides at which level of detail an instance is drawn.
+enum class DetailMode : std::uint8_t {
+    none,       ///< all in full: what measurements of depth use
+    perObject,  ///< each instance by its own distance, one level in all cascades it straddles
+    perCascade, ///< the cascade (thesis chapter 3): what straddles a boundary is drawn at two levels and may
+                ///< crack
+};
+
+/// Level of detail by projected error.
+struct Detail {
+    DetailMode mode = DetailMode::none;
+    double pixels = 0.5; ///< largest error of a level on screen, in pixels at the middle of the picture, > 0
+};
+
+/// "none", "object:0.5" or "cascade:0.5".
+std::string nameOf(const Detail& detail);
+/// `none`, `object[:PIXELS]` or `cascade[:PIXELS]`. base::InputError with a suggestion for anything else.
+Detail parseDetail(std::string_view text);
+/// base::InputError unless the pixels are finite and above 0.
+void requireUsable(const Detail& detail);
+
+/// A Detail for one lens and picture.
+struct LevelRule {
+    DetailMode mode = DetailMode::none;
+    double slope = 0.0; ///< largest error per unit of view distance, both in scene units
+};
+
+/// @param height of the picture in pixels.
+LevelRule levelRule(const Detail& detail, const Camera& camera, std::uint32_t height);
+
+/// Fills DrawLists::level: of each draw the coarsest level whose error, in world space, is at most
+/// `rule.slope` times a view distance; the mesh itself where no level's is. That distance is the nearest of
+/// the instance's bounding sphere, w - r, but no nearer than the near plane (perObject), or the near end of
+/// the draw's cascade (perCascade). Errors grow with an instance as its bounding sphere does. The same levels
+/// for any number of workers.
+/// @param lists of binByDistance() over the same camera and ranges.
+void chooseLevels(const Scene& scene, const Camera& camera, const depth::Cascades& clipRanges,
+                  const LevelRule& rule, base::WorkerPool& workers, DrawLists& lists);
+
+/// How many triangles the lists' draws have, counted once per cascade they are drawn in.
+std::uint64_t trianglesDrawn(const Scene& scene, const DrawLists& lists);
+
+} // namespace cdr::scene

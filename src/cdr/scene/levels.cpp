@@ -1,0 +1,114 @@
+#include <cdr/base/error.h>
+#include <cdr/scene/levels.h>
+#include <cdr/scene/surface_distance.h>
+
+#include <fmt/format.h>
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace cdr::scene {
+
+namespace {
+
+// Vertices are compared byte by byte, so none may lie between members.
+static_assert(sizeof(Vertex) == 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(glm::u8vec4));
+
+void requireUsable(const LevelOptions& options) {
+    if (!(options.ratio > 0.0 && options.ratio < 1.0)) {
+        throw base::InputError(
+            fmt::format("levels: the ratio must lie between 0 and 1, not {}", options.ratio));
+    }
+    if (!(options.leastGain >= 0.0 && options.leastGain < 1.0)) {
+        throw base::InputError(
+            fmt::format("levels: the least gain must be at least 0 and below 1, not {}", options.leastGain));
+    }
+    if (options.most > kMaxLevels) {
+        throw base::InputError(
+            fmt::format("levels: at most {} beside the mesh, not {}", kMaxLevels, options.most));
+    }
+}
+
+/// A mesh as the simplifier wants it: equal vertices are one, so that triangles of meshes without an index
+/// buffer touch, and none is unused, since one in the same place would count as a seam.
+struct Shared {
+    std::vector<std::uint32_t> indices;
+    std::vector<glm::vec3> positions;
+    std::vector<std::uint32_t> vertices; ///< by position: the mesh's
+};
+
+Shared sharedBy(const Mesh& mesh) {
+    constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
+    Shared shared;
+    shared.indices.resize(mesh.indices.size());
+    meshopt_generateShadowIndexBuffer(shared.indices.data(), mesh.indices.data(), mesh.indices.size(),
+                                      mesh.vertices.data(), mesh.vertices.size(), sizeof(Vertex),
+                                      sizeof(Vertex));
+    std::vector<std::uint32_t> places(mesh.vertices.size(), kUnseen);
+    for (std::uint32_t& index : shared.indices) {
+        std::uint32_t& place = places[index];
+        if (place == kUnseen) {
+            place = static_cast<std::uint32_t>(shared.positions.size());
+            shared.positions.push_back(mesh.vertices[index].position);
+            shared.vertices.push_back(index);
+        }
+        index = place;
+    }
+    return shared;
+}
+
+std::vector<std::uint32_t> simplified(const Shared& mesh, std::size_t targetTriangles) {
+    std::vector<std::uint32_t> coarse(mesh.indices.size());
+    // The target alone decides how far to go; what it costs is measured afterwards.
+    constexpr float kAnyError = std::numeric_limits<float>::max();
+    coarse.resize(meshopt_simplify(coarse.data(), mesh.indices.data(), mesh.indices.size(),
+                                   &mesh.positions[0].x, mesh.positions.size(), sizeof(glm::vec3),
+                                   3 * targetTriangles, kAnyError, meshopt_SimplifyLockBorder, nullptr));
+    return coarse;
+}
+
+} // namespace
+
+std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options) {
+    requireUsable(options);
+    std::vector<MeshLevel> levels;
+    if (mesh.indices.empty()) {
+        return levels;
+    }
+    const Shared full = sharedBy(mesh);
+    std::size_t triangles = full.indices.size() / 3;
+    while (levels.size() < options.most) {
+        const auto target = static_cast<std::size_t>(static_cast<double>(triangles) * options.ratio);
+        if (target < options.leastTriangles || target == 0) {
+            break;
+        }
+        MeshLevel level{.indices = simplified(full, target)};
+        const std::size_t left = level.indices.size() / 3;
+        const double gain = 1.0 - static_cast<double>(left) / static_cast<double>(triangles);
+        if (left < options.leastTriangles || left == 0 || left == triangles || gain < options.leastGain) {
+            break;
+        }
+        // Rounded up, and never below the level before, so that coarser always says more.
+        const auto error = static_cast<float>(surfaceDeviation(full.positions, full.indices, level.indices));
+        level.error = std::nextafter(error, std::numeric_limits<float>::infinity());
+        level.error = levels.empty() ? level.error : std::max(level.error, levels.back().error);
+        for (std::uint32_t& index : level.indices) {
+            index = full.vertices[index];
+        }
+        triangles = left;
+        levels.push_back(std::move(level));
+    }
+    return levels;
+}
+
+void makeLevels(Scene& scene, base::WorkerPool& workers, const LevelOptions& options) {
+    workers.run(scene.meshes.size(), [&](std::size_t job, std::size_t) {
+        Mesh& mesh = scene.meshes[job];
+        if (mesh.levels.empty()) {
+            mesh.levels = makeLevels(mesh, options);
+        }
+    });
+}
+
+} // namespace cdr::scene

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cdr::scene {
+
+/// How far points lie from a triangle mesh, in float64: a tree of boxes over the triangles.
+class SurfaceDistance {
+  public:
+    /// @param indices three per triangle, at least one triangle, each below positions.size().
+    SurfaceDistance(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
+
+    /// Squared distance from a point to the nearest triangle.
+    double squaredTo(const glm::dvec3& point) const;
+
+  private:
+    struct Triangle {
+        glm::dvec3 a, b, c;
+    };
+    /// Children are `left` and `left + 1`; a leaf has triangles instead.
+    struct Node {
+        glm::dvec3 low, high;
+        std::uint32_t left = 0;
+        std::uint32_t begin = 0;
+        std::uint32_t end = 0;
+    };
+    void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
+    void search(std::uint32_t node, const glm::dvec3& point, double& best) const;
+
+    std::vector<Triangle> m_triangles; ///< leaf by leaf
+    std::vector<Node> m_nodes;         ///< the root first
+};
+
+/// Hausdorff distance of two surfaces over the same vertices, sampled: the vertices that `full` uses against
+/// `coarse`, and points spread over each triangle of `coarse`, about as many as `full` has triangles, against
+/// `full`. Both need a triangle.
+double surfaceDeviation(std::span<const glm::vec3> positions, std::span<const std::uint32_t> full,
+                        std::span<const std::uint32_t> coarse);
+
+} // namespace cdr::scene

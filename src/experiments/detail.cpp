@@ -1,0 +1,228 @@
+#include "detail.h"
+
+#include "shuffled_order.h"
+
+#include <cdr/base/error.h>
+#include <cdr/measure/cracks.h>
+#include <cdr/measure/flip_difference.h>
+#include <cdr/render/renderer.h>
+#include <cdr/scene/levels.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <limits>
+#include <memory>
+
+namespace cdr::experiments {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Mode {
+    const char* name;
+    scene::DetailMode mode;
+};
+/// The first is what all others are compared with.
+constexpr std::array kModes{
+    Mode{"none", scene::DetailMode::none}, Mode{"none-again", scene::DetailMode::none},
+    Mode{"object", scene::DetailMode::perObject}, Mode{"cascade", scene::DetailMode::perCascade}};
+
+/// Cameras drawn and dropped first: pipelines compile, memory is touched, caches fill.
+constexpr std::uint32_t kWarmUpFrames = 2;
+
+double millisecondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+/// What one mode took, one entry per frame.
+struct Samples {
+    std::vector<double> frameMs;
+    std::vector<double> recordMs;
+    std::vector<double> executeMs;
+};
+
+measure::SeenImage seenIn(const render::Frame& frame) {
+    measure::SeenImage seen(frame.width(), frame.height());
+    for (std::uint32_t y = 0; y < seen.height; ++y) {
+        for (std::uint32_t x = 0; x < seen.width; ++x) {
+            seen.at(x, y) = {.id = frame.id(x, y), .distanceView = frame.distanceView(x, y)};
+        }
+    }
+    return seen;
+}
+
+image::ImageRgba8 markCracks(image::ImageRgba8 picture, const std::vector<measure::Crack>& cracks) {
+    constexpr std::uint32_t kAround = 3;
+    for (const measure::Crack& crack : cracks) {
+        for (std::uint32_t y = crack.y - std::min(crack.y, kAround);
+             y <= std::min(crack.y + kAround, picture.height - 1); ++y) {
+            for (std::uint32_t x = crack.x - std::min(crack.x, kAround);
+                 x <= std::min(crack.x + kAround, picture.width - 1); ++x) {
+                picture.at(x, y) = {255, 0, 0, 255};
+            }
+        }
+    }
+    return picture;
+}
+
+/// A renderer per mode over one scene with levels, and what each showed and took so far.
+class Comparison {
+  public:
+    Comparison(const gpu::Device& device, const DetailOptions& options)
+        : m_options(options),
+          m_workers(options.threads),
+          m_staged(scene::openScene(options.scene, options.seed).staged),
+          m_makeMs(makeLevels()),
+          m_gpuScene(device, m_staged.scene),
+          m_order(kModes.size(), options.seed),
+          m_samples(kModes.size()),
+          m_results(kModes.size()) {
+        for (const Mode& mode : kModes) {
+            m_renderers.push_back(std::make_unique<render::Renderer>(
+                device, m_staged.scene, m_gpuScene,
+                render::RenderOptions{.width = options.width,
+                                      .height = options.height,
+                                      .technique = options.technique,
+                                      .threads = options.threads,
+                                      .detail = {.mode = mode.mode, .pixels = options.pixels}}));
+        }
+    }
+
+    void time(std::uint32_t frame) {
+        const scene::Camera camera = cameraOf(frame);
+        for (const std::size_t mode : m_order.next()) {
+            const auto begin = Clock::now();
+            const render::FrameStats stats = m_renderers[mode]->draw(camera);
+            m_samples[mode].frameMs.push_back(millisecondsSince(begin));
+            m_samples[mode].recordMs.push_back(stats.times.recordMs);
+            m_samples[mode].executeMs.push_back(stats.times.executeMs);
+        }
+    }
+
+    void forgetSamples() { std::fill(m_samples.begin(), m_samples.end(), Samples{}); }
+
+    void compare(std::uint32_t frame) {
+        const scene::Camera camera = cameraOf(frame);
+        const render::Frame whole = m_renderers.front()->render(camera);
+        const measure::SeenImage wholeSeen = seenIn(whole);
+        for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+            const render::Frame shown = mode == 0 ? whole : m_renderers[mode]->render(camera);
+            const measure::SeenImage seen = seenIn(shown);
+            DetailResult& result = m_results[mode];
+            const double flip = m_flip.mean(whole.color, shown.color, m_workers);
+            const std::vector<measure::Crack> cracks = measure::findCracks(seen, wholeSeen);
+            result.flip += flip / m_options.frames;
+            result.largestFlip = std::max(result.largestFlip, flip);
+            result.pixels += seen.pixels.size();
+            for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
+                result.otherIds += seen.pixels[i].id != wholeSeen.pixels[i].id ? 1 : 0;
+            }
+            result.cracks += cracks.size();
+            result.triangles += static_cast<double>(trianglesOf(shown, kModes[mode].mode)) / m_options.frames;
+            if (frame == 0) {
+                result.picture = shown.color;
+                result.cracked = markCracks(shown.color, cracks);
+            }
+        }
+    }
+
+    DetailReport report() {
+        DetailReport report{.sceneTriangles = 0, .meshLevels = 0, .makeMs = m_makeMs, .results = m_results};
+        const scene::Scene& scene = m_staged.scene;
+        for (const std::uint32_t mesh : scene.instances.mesh) {
+            report.sceneTriangles += scene.meshes[mesh].indices.size() / 3;
+        }
+        for (const scene::Mesh& mesh : scene.meshes) {
+            report.meshLevels += mesh.levels.size();
+        }
+        for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+            summarise(mode, report.results[mode]);
+        }
+        return report;
+    }
+
+  private:
+    double makeLevels() {
+        const auto begin = Clock::now();
+        scene::makeLevels(m_staged.scene, m_workers);
+        return millisecondsSince(begin);
+    }
+
+    scene::Camera cameraOf(std::uint32_t frame) const {
+        const std::uint64_t length = m_staged.path.frames;
+        return m_staged.path.at(static_cast<std::uint32_t>(frame * length / m_options.frames));
+    }
+
+    /// Counted by the very functions that the frame was drawn with.
+    std::uint64_t trianglesOf(const render::Frame& frame, scene::DetailMode mode) {
+        const double aspect = static_cast<double>(m_options.width) / static_cast<double>(m_options.height);
+        scene::cullSpheres(m_staged.scene.instances, frame.camera, aspect, m_workers, m_visible);
+        depth::Cascades ranges;
+        for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
+            ranges.push_back(depth::clipRange(m_options.technique.mapping, frame.cascades, i));
+        }
+        constexpr double kNoneWide = std::numeric_limits<double>::infinity();
+        scene::binByDistance(m_visible, ranges, kNoneWide, m_workers, m_lists);
+        const scene::Detail detail{.mode = mode, .pixels = m_options.pixels};
+        scene::chooseLevels(m_staged.scene, frame.camera, ranges,
+                            scene::levelRule(detail, frame.camera, m_options.height), m_workers, m_lists);
+        return scene::trianglesDrawn(m_staged.scene, m_lists);
+    }
+
+    void summarise(std::size_t mode, DetailResult& result) const {
+        const Samples& samples = m_samples[mode];
+        const Samples& none = m_samples.front();
+        std::vector<double> ratios(samples.executeMs.size());
+        std::transform(none.executeMs.begin(), none.executeMs.end(), samples.executeMs.begin(),
+                       ratios.begin(), [](double noneMs, double ms) { return noneMs / ms; });
+        result.mode = kModes[mode].name;
+        result.frameMs = measure::median(samples.frameMs);
+        result.recordMs = measure::median(samples.recordMs);
+        result.executeMs = measure::median(samples.executeMs);
+        result.speedup = measure::median(ratios);
+        result.speedup95 = measure::bootstrapMedian(ratios, m_options.seed + mode);
+    }
+
+    const DetailOptions& m_options;
+    base::WorkerPool m_workers;
+    scene::StagedScene m_staged;
+    double m_makeMs;
+    render::GpuScene m_gpuScene;
+    std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
+    ShuffledOrder m_order;
+    std::vector<Samples> m_samples; ///< by mode
+    std::vector<DetailResult> m_results;
+    measure::FlipDifference m_flip;
+    scene::VisibleList m_visible;
+    scene::DrawLists m_lists;
+};
+
+} // namespace
+
+DetailReport runDetail(const gpu::Device& device, const DetailOptions& options,
+                       const DetailProgress& progress) {
+    if (options.frames < 1) {
+        throw base::InputError("detail needs a frame");
+    }
+    const std::size_t all = std::size_t{kWarmUpFrames} + 2 * std::size_t{options.frames};
+    std::size_t done = 0;
+    Comparison comparison(device, options);
+    for (std::uint32_t i = 0; i < kWarmUpFrames; ++i) {
+        progress(done++, all);
+        comparison.time(i % options.frames);
+    }
+    comparison.forgetSamples();
+    for (std::uint32_t i = 0; i < options.frames; ++i) {
+        progress(done++, all);
+        comparison.time(i);
+    }
+    for (std::uint32_t i = 0; i < options.frames; ++i) {
+        progress(done++, all);
+        comparison.compare(i);
+    }
+    return comparison.report();
+}
+
+} // namespace cdr::experiments

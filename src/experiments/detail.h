@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cdr/depth/technique.h>
+#include <cdr/gpu/device.h>
+#include <cdr/image/image.h>
+#include <cdr/measure/statistics.h>
+#include <cdr/scene/detail.h>
+#include <cdr/scene/open_scene.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// What levels of detail save and what they change (thesis chapter 3): the same frames in full, by object and
+/// by cascade.
+struct DetailOptions {
+    std::string scene = "boulders"; ///< as scene::openScene() takes it
+    std::uint64_t seed = scene::kDefaultSeed;
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    std::uint32_t frames = 24; ///< spread over the scene's camera path
+    std::size_t threads = 1;
+    depth::Technique technique =
+        depth::makeTechnique(depth::Mapping::standard, depth::SplitCount{5}, depth::DepthFormat::d32f);
+    double pixels = 0.5; ///< scene::Detail::pixels
+};
+
+/// One mode over all frames. Times are medians, milliseconds.
+struct DetailResult {
+    std::string mode; ///< "none", "none-again" (the noise floor), "object" or "cascade"
+    double frameMs = 0.0;
+    double recordMs = 0.0;
+    double executeMs = 0.0;
+    double speedup = 1.0;        ///< of execute over none: the median of the ratios frame by frame
+    measure::Interval speedup95; ///< bootstrapped
+    double triangles = 0.0;      ///< a frame draws, mean; straddlers count once per cascade
+    double flip = 0.0;           ///< mean LDR-FLIP to none
+    double largestFlip = 0.0;    ///< of any frame's mean
+    std::uint64_t pixels = 0;    ///< of all frames
+    std::uint64_t otherIds = 0;  ///< that show another object than none does
+    std::uint64_t cracks = 0;    ///< measure::findCracks() to none
+    image::ImageRgba8 picture;   ///< the first frame
+    image::ImageRgba8 cracked;   ///< the same with a red square about every crack
+};
+
+struct DetailReport {
+    std::uint64_t sceneTriangles = 0; ///< instances times their meshes'
+    std::size_t meshLevels = 0;       ///< that were made or came with the scene, of all meshes
+    double makeMs = 0.0;              ///< making them took, on all threads
+    std::vector<DetailResult> results;
+};
+
+/// Called before each frame with how many of all are done.
+using DetailProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Every mode draws a camera, in an order shuffled anew, before the next camera; then each renders it once
+/// more to be compared. base::InputError for no frames or an unusable detail.
+DetailReport runDetail(const gpu::Device& device, const DetailOptions& options,
+                       const DetailProgress& progress);
+
+} // namespace cdr::experiments

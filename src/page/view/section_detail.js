@@ -1,0 +1,37 @@
+import { fixed, number, percent } from "../logic/format.js";
+import { h, slot, table } from "./elements.js";
+import { makeWipe } from "./wipe.js";
+
+const titles = { none: "In full", object: "By object", cascade: "By cascade", "none-again": "In full, again" };
+
+export function fillDetail(document, folder) {
+    const shown = document.results.filter((row) => row.mode !== "none-again");
+    if (shown.every((row) => row.picture)) {
+        slot("detail", "wipe").append(makeWipe({
+            scene: document.options.scene, width: document.options.width, height: document.options.height,
+            items: shown.map((row) => itemOf(row, folder)), alt: altOf }));
+    }
+    slot("detail", "table").append(makeTable(document));
+}
+
+function itemOf(row, folder) {
+    return {
+        technique: row.mode,
+        title: titles[row.mode] ?? row.mode,
+        note: `${number(row.triangles, 4)} triangles a frame, ${number(row.cracks, 7)} cracks in all frames`,
+        picture: `${folder}/${row.picture}`,
+        heatMap: `${folder}/${row.cracks_picture}`,
+    };
+}
+
+function altOf(item, kind) {
+    return kind === "picture" ? `The scene drawn ${item.title}: ${item.note}.` : `The same with a red square about each crack: ${item.note}.`;
+}
+
+function makeTable(document) {
+    return table("Execute over drawing in full, the median of the ratios frame by frame; FLIP and the rest compare with the same frames in full.",
+        ["Detail", "triangles", "execute, ms", "times faster", "95 % interval", "FLIP", "other object shown", "cracks"],
+        document.results.map((row) => [
+            h("span", {}, titles[row.mode] ?? row.mode), number(row.triangles, 4), number(row.execute_ms), fixed(row.execute_speedup, 2),
+            row.ci95.map((end) => fixed(end, 2)).join(" to "), number(row.flip), percent(row.other_ids / row.pixels), number(row.cracks, 7)]));
+}

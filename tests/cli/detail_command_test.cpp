@@ -1,0 +1,78 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace cdr::cli_test {
+
+namespace {
+
+using nlohmann::json;
+
+TEST(DetailCommand, ComparesEveryModeWithNone) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "--validate detail boulders --frames 2 --size 160x90 --threads 2 --out pictures --json d.json",
+        folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "d.json"));
+    EXPECT_EQ(document.at("command"), "detail");
+    EXPECT_EQ(document.at("options").at("split"), "count:5");
+    EXPECT_EQ(document.at("scene_triangles"), 200 * 20'480);
+    EXPECT_GT(document.at("levels").get<int>(), 4 * 5);
+    std::vector<std::string> modes;
+    for (const json& row : document.at("results")) {
+        modes.push_back(row.at("mode"));
+        const bool isWhole = modes.back().starts_with("none");
+        EXPECT_GT(row.at("execute_ms").get<double>(), 0.0);
+        EXPECT_LE(row.at("ci95").at(0).get<double>(), row.at("execute_speedup").get<double>());
+        EXPECT_GE(row.at("ci95").at(1).get<double>(), row.at("execute_speedup").get<double>());
+        EXPECT_EQ(row.at("pixels"), 2 * 160 * 90);
+        EXPECT_EQ(row.at("flip").get<double>() == 0.0, isWhole);
+        EXPECT_EQ(row.at("triangles").get<double>() > 3e6, isWhole);
+        if (modes.back() != "cascade") {
+            EXPECT_EQ(row.at("cracks"), 0);
+        }
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / (modes.back() + ".png")));
+    }
+    EXPECT_EQ(modes, (std::vector<std::string>{"none", "none-again", "object", "cascade"}));
+    EXPECT_NE(result.out.find("speed-up"), std::string::npos);
+}
+
+TEST(DetailCommand, RenderTakesADetailHoweverSubmitted) {
+    const TemporaryFolder folder;
+    std::set<std::string> hashes;
+    for (const char* how : {"none", "object", "object --submission gpu-driven", "object:0.5 --threads 3"}) {
+        const ProgramResult result =
+            runProgram(std::string("--validate render boulders --size 96x54 --split count:3 --json r.json "
+                                   "--detail ") +
+                           how,
+                       folder.path());
+        ASSERT_EQ(result.status, 0) << how << ": " << result.err;
+        const json row = json::parse(readText(folder.path() / "r.json")).at("results").at(0);
+        EXPECT_EQ(row.at("detail"), std::string(how) == "none" ? "none" : "object:0.5");
+        hashes.insert(row.at("hash").get<std::string>());
+    }
+    EXPECT_EQ(hashes.size(), 2u);
+}
+
+TEST(DetailCommand, BadDetailsAreOneLine) {
+    const TemporaryFolder folder;
+    for (const char* bad :
+         {"render cubes --detail objects", "render cubes --detail object:0", "render cubes --detail none:1",
+          "render cubes --detail cascade:x", "detail cubes --pixels -1", "detail cubes --pixels nan",
+          "detail nowhere.glb", "detail cubes --split count:0"}) {
+        const ProgramResult result = runProgram(bad, folder.path());
+        EXPECT_EQ(result.status, 2) << bad << ": " << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << bad << ": " << result.err;
+    }
+}
+
+} // namespace
+
+} // namespace cdr::cli_test
