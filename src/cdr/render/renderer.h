@@ -28,6 +28,7 @@ struct RenderOptions {
     base::Placement placement = base::Placement::free; ///< of those threads but the caller's
     Submission submission = Submission::secondaries;
     Batching batching = Batching::instanced;
+    TranslucencyOptions translucency;
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
     /// none.

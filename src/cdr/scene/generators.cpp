@@ -1,10 +1,11 @@
+#include "random.h"
+
 #include <cdr/base/error.h>
 #include <cdr/scene/generators.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <vector>
 
 namespace cdr::scene {
@@ -12,25 +13,6 @@ namespace cdr::scene {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-/// Uniform doubles that are the same on every standard library, unlike std::uniform_real_distribution's.
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : m_engine(seed) {}
-
-    double uniform(double low, double high) {
-        return low + (high - low) * static_cast<double>(m_engine() >> 11) * 0x1p-53;
-    }
-    glm::dvec3 inCube(double halfSide) {
-        const double x = uniform(-halfSide, halfSide);
-        const double y = uniform(-halfSide, halfSide);
-        const double z = uniform(-halfSide, halfSide);
-        return {x, y, z};
-    }
-
-  private:
-    std::mt19937_64 m_engine;
-};
 
 /// A scene with one white material and a unit cube as its only mesh.
 Scene cubeScene(const char* name, double halfDistanceOfLight) {

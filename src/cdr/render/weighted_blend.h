@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cdr/render/translucent_frame.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstdint>
+
+namespace cdr::render {
+
+/// Translucency::weighted: sums each cascade's fragments into two images, far cascade first, and lays the
+/// weighted mean over what is farther. Additions on the device follow draw order, so the picture is the same
+/// to the bit for every thread count, targets and submission, but not for another order of instances.
+class WeightedBlend {
+  public:
+    /// @param surroundings layout of TranslucentFrame::surroundings.
+    WeightedBlend(const gpu::Device& device, const GpuScene& scene, vk::DescriptorSetLayout surroundings,
+                  vk::Extent2D extent, vk::Format litFormat, bool countsCoverage);
+
+    void record(vk::CommandBuffer primary, const TranslucentFrame& frame) const;
+
+    static std::uint64_t predictBytes(vk::Extent2D extent);
+
+  private:
+    void recordSum(vk::CommandBuffer primary, const TranslucentFrame& frame, std::size_t range) const;
+    void recordResolve(vk::CommandBuffer primary, const gpu::Image& lit) const;
+
+    const gpu::Device& m_device;
+    gpu::Image m_sum;    ///< weighted colours, and the transmittance
+    gpu::Image m_weight; ///< the weights
+    TranslucentPipelines m_pipelines;
+    vk::UniqueSampler m_sampler;
+    vk::UniqueDescriptorSetLayout m_resolveSetLayout;
+    vk::UniqueDescriptorPool m_resolvePool;
+    vk::DescriptorSet m_resolveSet;
+    vk::UniquePipelineLayout m_resolveLayout;
+    vk::UniquePipeline m_resolve;
+};
+
+} // namespace cdr::render
