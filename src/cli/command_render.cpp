@@ -29,6 +29,7 @@ struct RenderArguments {
     std::string targets = "single";
     std::string submission = "secondaries";
     std::string batching = "instanced";
+    std::string antialias = "none";
     std::size_t threads = 1;
     std::string size = "1280x720";
     std::uint32_t frame = 0;
@@ -167,7 +168,8 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                                   .targets = render::parseTargets(arguments.targets),
                                   .threads = arguments.threads,
                                   .submission = render::parseSubmission(arguments.submission),
-                                  .batching = render::parseBatching(arguments.batching)};
+                                  .batching = render::parseBatching(arguments.batching),
+                                  .effects = {.antialias = render::parseAntialias(arguments.antialias)}};
     checkArguments(arguments, name);
     base::WorkerPool workers(arguments.threads);
     std::optional<base::Trace> trace;
@@ -274,6 +276,8 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
                      "cubes, afc, afc-near, rotation, ladder, or a .gltf or .glb file")
         ->required();
     addTechniqueOptions(*command, *arguments);
+    command->add_option("--antialias", arguments->antialias, "How edges are smoothed: none or edges")
+        ->capture_default_str();
     addCameraOptions(*command, *arguments);
     command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--aov", arguments->aov, "Output: color, id, distance, normal, cascade or wrong")

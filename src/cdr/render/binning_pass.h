@@ -15,7 +15,9 @@ class BinningPass {
   public:
     /// base::InputError when the device cannot do it, naming what it lacks; base::RunError, with both
     /// figures, when the scene is too large for its memory or its buffers.
-    BinningPass(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene);
+    /// @param instances those of the uploaded scene, by its indices; spheres of a radius below 0 are never
+    /// drawn.
+    BinningPass(const gpu::Device& device, const scene::Instances& instances, const GpuScene& gpuScene);
 
     std::size_t instances() const { return m_instances; }
     std::size_t runs() const { return m_runs; }
@@ -32,7 +34,7 @@ class BinningPass {
     static constexpr std::uint32_t kSceneBuffers = 5;
 
   private:
-    void uploadInstances(const scene::Scene& scene, const GpuScene& gpuScene);
+    void uploadInstances(const scene::Instances& instances, const GpuScene& gpuScene);
     vk::UniquePipeline makePipeline(std::span<const std::uint32_t> spirv, const char* name) const;
 
     const gpu::Device& m_device;

@@ -1,6 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/cascade_layers.h>
 #include <cdr/render/gbuffer_rendering.h>
+#include <cdr/shaders/merge_frag.h>
 
 #include <fmt/format.h>
 
@@ -27,7 +28,11 @@ const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& o
 CascadeLayers::CascadeLayers(const gpu::Device& device, const TargetsOptions& options, std::size_t layers)
     : m_device(device),
       m_options(checked(device, options, layers)),
-      m_merge(device),
+      m_merge(device, {.name = "merge",
+                       .fragmentSpirv = kMergeFrag,
+                       .bindings = {vk::DescriptorType::eCombinedImageSampler},
+                       .format = kGBufferFormat,
+                       .constants = {}}),
       m_accumulated(makeGBuffer(device, options.extent, "G-buffer")) {
     grow(layers);
 }
@@ -48,7 +53,8 @@ void CascadeLayers::grow(std::size_t layers) {
 CascadeLayers::Layer CascadeLayers::makeLayer(std::size_t number) const {
     const std::string name = fmt::format("layer {}", number);
     gpu::Image gbuffer = makeGBuffer(m_device, m_options.extent, name);
-    MergePass::Source source = m_merge.makeSource(gbuffer);
+    PassInputs source = m_merge.makeInputs();
+    source.setImage(0, gbuffer);
     return {.gbuffer = std::move(gbuffer),
             .depth = makeDepthBuffer(m_device, m_options.extent, m_options.depthFormat, name + " depth"),
             .source = std::move(source)};
@@ -91,7 +97,7 @@ void CascadeLayers::mergeLayers(vk::CommandBuffer primary, std::size_t count,
         load == vk::AttachmentLoadOp::eClear ? attachBarrier(m_accumulated) : chainBarrier(m_accumulated)};
     for (std::size_t layer = 0; layer < count; ++layer) {
         barriers.push_back(readBarrier(m_layers[layer].gbuffer));
-        sources.push_back(m_layers[layer].source.set);
+        sources.push_back(m_layers[layer].source.set());
     }
     gpu::pipelineBarrier(primary, barriers);
     m_merge.record(primary, sources, m_accumulated, load);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/render/merge_pass.h>
+#include <cdr/render/fullscreen_pass.h>
 #include <cdr/render/targets.h>
 
 #include <span>
@@ -30,7 +30,7 @@ class CascadeLayers {
     struct Layer {
         gpu::Image gbuffer;
         gpu::Image depth;
-        MergePass::Source source;
+        PassInputs source;
     };
     Layer makeLayer(std::size_t number) const;
     void drawLayers(CascadeCommands& commands, std::span<const std::size_t> cascades) const;
@@ -38,7 +38,7 @@ class CascadeLayers {
 
     const gpu::Device& m_device;
     TargetsOptions m_options;
-    MergePass m_merge;
+    FullscreenPass m_merge; ///< lays a layer over the accumulated G-buffer, unchanged
     gpu::Image m_accumulated;
     std::vector<Layer> m_layers;
 };

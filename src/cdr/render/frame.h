@@ -19,7 +19,8 @@ struct FrameTimes {
     double cullMs = 0.0;
     double splitMs = 0.0;
     double binMs = 0.0;
-    double recordMs = 0.0;  ///< CPU writing commands
+    double translucentMs = 0.0; ///< CPU culling, binning and writing the translucent draws
+    double recordMs = 0.0;      ///< CPU writing commands
     double executeMs = 0.0; ///< from submit until the device has finished
 };
 

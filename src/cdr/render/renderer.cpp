@@ -40,7 +40,15 @@ class Stopwatch {
     base::Trace::Clock::time_point m_last = base::Trace::Clock::now();
 };
 
-vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options) {
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended) {
+    return {.extent = extent, .hasSteps = hasBlended, .antialias = options.effects.antialias};
+}
+
+std::optional<scene::Instances> opaqueWhereBlended(const scene::Scene& scene) {
+    return scene::hasBlended(scene) ? std::optional(scene::withoutBlended(scene)) : std::nullopt;
+}
+
+vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
     if (options.framesInFlight < 1 || options.framesInFlight > kMaxFramesInFlight) {
         throw base::InputError(fmt::format("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,
                                            options.framesInFlight));
@@ -55,7 +63,8 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
     const vk::Extent2D extent{options.width, options.height};
     constexpr std::uint64_t kDepthBytes = 4;
     gpu::requireDeviceBytes(device,
-                            predictGBufferBytes(extent) + ShadingPass::predictBytes(extent) +
+                            predictGBufferBytes(extent) +
+                                Picture::predictBytes(pictureOptions(extent, options, hasBlended)) +
                                 std::uint64_t{extent.width} * extent.height * kDepthBytes,
                             fmt::format("a {}x{} picture", extent.width, extent.height));
     return extent;
@@ -67,20 +76,26 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
                    const RenderOptions& options)
     : m_device(device),
       m_scene(scene),
+      m_opaque(opaqueWhereBlended(scene)),
       m_options(options),
-      m_extent(checkedExtent(device, options)),
+      m_extent(checkedExtent(device, options, m_opaque.has_value())),
       m_aspect(static_cast<double>(options.width) / static_cast<double>(options.height)),
       m_split(options.technique, options.height),
       m_workers(options.threads, options.placement),
       m_geometry(device, gpuScene, options.technique, options.batching),
       m_binning(options.submission == Submission::gpuDriven
-                    ? std::make_unique<BinningPass>(device, scene, gpuScene)
+                    ? std::make_unique<BinningPass>(device, opaque(), gpuScene)
                     : nullptr),
       m_targets(makeTargets(device, options.targets,
                             {.extent = m_extent,
                              .depthFormat = m_geometry.pipelines().depthFormat(),
                              .reversedDepth = depth::isReversed(options.technique.mapping)})),
-      m_shading(device, m_targets->gbuffer(), m_extent),
+      m_picture(device, pictureOptions(m_extent, options, m_opaque.has_value())),
+      m_shading(device, m_targets->gbuffer(), m_picture.lit()),
+      m_translucent(m_opaque ? std::make_unique<TranslucentPass>(device, scene, gpuScene,
+                                                                 m_targets->gbuffer(), m_picture.lit(),
+                                                                 options.translucency)
+                             : nullptr),
       m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
       m_surfaceCopy(device, m_extent, sizeof(Surface), "surface copy") {
     m_workers.setTrace(options.trace);
@@ -88,6 +103,9 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
         Slot& made = m_slots.emplace_back();
         made.path = makePath(fmt::format("frame slot {}", slot));
         made.shading = m_shading.makeInputs(scene);
+        if (m_translucent != nullptr) {
+            made.translucent = m_translucent->makeSlot(made.shading);
+        }
         made.done = device.handle().createFenceUnique({});
     }
 }
@@ -109,6 +127,10 @@ std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {
         return std::make_unique<PrimaryPath>(m_device, std::move(draws), name);
     }
     return std::make_unique<SecondaryPath>(m_device, std::move(draws), name);
+}
+
+void Renderer::cull(const scene::Camera& camera) {
+    scene::cullSpheres(opaque(), camera, m_aspect, m_workers, m_visible);
 }
 
 void Renderer::cut(const scene::Camera& camera, Slot& slot) {
@@ -147,6 +169,10 @@ void Renderer::launch(Slot& slot, Destination destination) {
     slot.path->begin(view);
     m_targets->record(*slot.path, slot.cascades.size());
     m_shading.record(slot.path->primary(), slot.shading);
+    if (slot.translucent) {
+        m_translucent->record(slot.path->primary(), *slot.translucent);
+    }
+    m_picture.finish(slot.path->primary());
     if (destination == Destination::host) {
         recordReadback(slot.path->primary());
     }
@@ -161,10 +187,20 @@ void Renderer::settle(Slot& slot) {
     while (slot.isPending) {
         gpu::waitAndReset(m_device, *slot.done);
         slot.isPending = false;
-        if (!slot.path->settle(slot.stats)) {
+        if (!hasRoomSufficed(slot)) {
+            if (slot.path->needsVisible()) {
+                cull(slot.camera); // by now the list may be a later frame's
+            }
             launch(slot, slot.destination);
         }
     }
+}
+
+bool Renderer::hasRoomSufficed(Slot& slot) {
+    const bool opaqueSufficed = slot.path->settle(slot.stats);
+    const bool blendedSufficed =
+        !slot.translucent || m_translucent->settle(*slot.translucent, slot.stats.translucency);
+    return opaqueSufficed && blendedSufficed;
 }
 
 Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destination) {
@@ -172,13 +208,17 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destinati
     Slot& slot = nextSlot();
     Stopwatch watch(m_options.trace);
     if (slot.path->needsVisible() || m_split.needsVisible()) {
-        scene::cullSpheres(m_scene.instances, camera, m_aspect, m_workers, m_visible);
+        cull(camera);
     }
     slot.stats = {};
     slot.stats.times.cullMs = watch.lap("cull");
     cut(camera, slot);
     slot.shading.update(m_scene, camera, slot.lens, slot.anchorsView());
     slot.stats.times.splitMs = watch.lap("split");
+    if (slot.translucent) {
+        m_translucent->prepare(*slot.translucent, camera, slot.cascades, m_workers);
+        slot.stats.times.translucentMs = watch.lap("translucent draws");
+    }
     launch(slot, destination);
     return slot;
 }
@@ -223,8 +263,11 @@ void Renderer::recordReadback(vk::CommandBuffer primary) const {
                      vk::PipelineStageFlagBits2::eFragmentShader, vk::AccessFlagBits2::eShaderSampledRead,
                      vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
                      vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal)});
-    m_colorCopy.record(primary, m_shading.picture());
+    m_colorCopy.record(primary, m_picture.encoded());
     m_surfaceCopy.record(primary, gbuffer);
+    if (m_translucent != nullptr) {
+        m_translucent->recordReadback(primary);
+    }
     recordHostBarrier(primary);
     m_device.endLabel(primary);
 }
@@ -236,6 +279,9 @@ Frame Renderer::fetch(const Slot& slot) const {
     frame.anchorsView = slot.anchorsView();
     frame.color = m_colorCopy.fetch<image::Rgba8>();
     frame.surfaces = m_surfaceCopy.fetch<Surface>();
+    if (m_translucent != nullptr) {
+        frame.coverage = m_translucent->coverage();
+    }
     frame.stats = slot.stats;
     return frame;
 }

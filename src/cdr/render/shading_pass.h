@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cdr/depth/mapping.h>
-#include <cdr/gpu/memory.h>
-#include <cdr/render/gbuffer.h>
+#include <cdr/render/fullscreen_pass.h>
 #include <cdr/render/view_transform.h>
 #include <cdr/scene/scene.h>
 
@@ -12,44 +10,40 @@
 
 namespace cdr::render {
 
-/// What the final pass reads besides the G-buffer: one frame slot's lights and anchors.
+/// What lighting reads besides surfaces: one frame slot's lights and anchors.
 class ShadingInputs {
   public:
     /// Uploads a frame's; the last frame that used them must have finished.
     void update(const scene::Scene& scene, const scene::Camera& camera, const Lens& lens,
                 std::span<const double> anchorsView);
 
+    /// shaders::ShadingHeader and the lights, as shaders/lighting.glsl reads them.
+    const gpu::Buffer& lights() const { return m_lights; }
+
   private:
     friend class ShadingPass;
-    gpu::Buffer m_uniforms;
-    vk::UniqueDescriptorPool m_pool;
-    vk::DescriptorSet m_set;
+    gpu::Buffer m_lights;
+    PassInputs m_inputs;
 };
 
-/// The final pass: reads the G-buffer, sums ambient and point lights, writes an sRGB picture.
+/// Deferred shading: reads the final G-buffer, sums ambient and point lights.
 class ShadingPass {
   public:
-    ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, vk::Extent2D extent);
+    /// @param into what record() writes.
+    ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into);
 
     /// Inputs for as many lights as the scene has.
     ShadingInputs makeInputs(const scene::Scene& scene) const;
 
-    /// Takes the G-buffer from colour attachment to shader read layout and leaves picture() in transfer
-    /// source layout.
+    /// Takes the G-buffer from colour attachment to shader read layout, and leaves the image it writes in
+    /// colour attachment layout.
     void record(vk::CommandBuffer primary, const ShadingInputs& inputs) const;
-
-    const gpu::Image& picture() const { return m_picture; }
-
-    static std::uint64_t predictBytes(vk::Extent2D extent);
 
   private:
     const gpu::Device& m_device;
     const gpu::Image& m_gbuffer;
-    gpu::Image m_picture;
-    vk::UniqueSampler m_sampler;
-    vk::UniqueDescriptorSetLayout m_setLayout;
-    vk::UniquePipelineLayout m_layout;
-    vk::UniquePipeline m_pipeline;
+    const gpu::Image& m_into;
+    FullscreenPass m_pass;
 };
 
 } // namespace cdr::render

@@ -1,8 +1,7 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/gpu/pipeline.h>
 #include <cdr/render/gbuffer_rendering.h>
+#include <cdr/render/picture.h>
 #include <cdr/render/sorted_blend.h>
-#include <cdr/shaders/fullscreen_vert.h>
 #include <cdr/shaders/translucent_sorted_counted_frag.h>
 #include <cdr/shaders/translucent_sorted_frag.h>
 #include <cdr/shaders/translucent_sorted_resolve_frag.h>
@@ -32,25 +31,17 @@ TranslucentPipelinesOptions drawOptions(vk::DescriptorSetLayout surroundings, vk
 } // namespace
 
 SortedBlend::SortedBlend(const gpu::Device& device, const GpuScene& scene,
-                         vk::DescriptorSetLayout surroundings, vk::Format litFormat, bool countsCoverage)
+                         vk::DescriptorSetLayout surroundings, bool countsCoverage)
     : m_device(device),
-      m_listLayout(gpu::makeSetLayout(
-          device, std::vector(FragmentList::kBindings, vk::DescriptorType::eStorageBuffer),
-          vk::ShaderStageFlagBits::eFragment, "fragment list set")),
-      m_pipelines(device, scene, drawOptions(surroundings, *m_listLayout, countsCoverage)),
-      m_resolveLayout(gpu::makePipelineLayout(
-          device, {*m_listLayout},
-          {{.stageFlags = vk::ShaderStageFlagBits::eFragment, .size = sizeof(std::uint32_t)}},
-          "sorted resolve layout")),
-      m_resolve(gpu::makeGraphicsPipeline(device, {.name = "sorted resolve",
-                                                   .vertexSpirv = kFullscreenVert,
-                                                   .fragmentSpirv = kTranslucentSortedResolveFrag,
-                                                   .constants = {},
-                                                   .layout = *m_resolveLayout,
-                                                   .bindings = {},
-                                                   .attributes = {},
-                                                   .colorFormats = {litFormat},
-                                                   .blend = gpu::Blend::over})) {}
+      m_resolve(device,
+                {.name = "sorted resolve",
+                 .fragmentSpirv = kTranslucentSortedResolveFrag,
+                 .bindings = std::vector(FragmentList::kBindings, vk::DescriptorType::eStorageBuffer),
+                 .format = kLitFormat,
+                 .constants = {},
+                 .pushBytes = sizeof(std::uint32_t),
+                 .blend = gpu::Blend::over}),
+      m_pipelines(device, scene, drawOptions(surroundings, listLayout(), countsCoverage)) {}
 
 void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& frame,
                          const FragmentList& list) const {
@@ -63,7 +54,10 @@ void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fram
           .srcAccessMask = Access::eShaderStorageWrite,
           .dstStageMask = Stage::eFragmentShader | Stage::eHost,
           .dstAccessMask = Access::eShaderStorageRead | Access::eShaderStorageWrite | Access::eHostRead}});
-    recordResolve(primary, frame.lit, list);
+    primary.pushConstants<std::uint32_t>(m_resolve.layout(), vk::ShaderStageFlagBits::eFragment, 0,
+                                         frame.lit.options().extent.width);
+    const vk::DescriptorSet lists = list.set();
+    m_resolve.record(primary, {&lists, 1}, frame.lit, vk::AttachmentLoadOp::eLoad);
     m_device.endLabel(primary);
 }
 
@@ -85,25 +79,6 @@ void SortedBlend::recordDraws(vk::CommandBuffer primary, const TranslucentFrame&
             frame.draws.record(primary, range, m_pipelines, extent, list.capacity());
         }
     }
-    primary.endRendering();
-}
-
-void SortedBlend::recordResolve(vk::CommandBuffer primary, const gpu::Image& lit,
-                                const FragmentList& list) const {
-    const vk::RenderingAttachmentInfo color{.imageView = lit.view(),
-                                            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                                            .loadOp = vk::AttachmentLoadOp::eLoad,
-                                            .storeOp = vk::AttachmentStoreOp::eStore};
-    const vk::Extent2D extent = lit.options().extent;
-    primary.beginRendering({.renderArea = {{0, 0}, extent},
-                            .layerCount = 1,
-                            .colorAttachmentCount = 1,
-                            .pColorAttachments = &color});
-    gpu::bindFullscreenPipeline(primary, *m_resolve, extent);
-    primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_resolveLayout, 0, list.set(), {});
-    primary.pushConstants<std::uint32_t>(*m_resolveLayout, vk::ShaderStageFlagBits::eFragment, 0,
-                                         extent.width);
-    primary.draw(3, 1, 0, 0);
     primary.endRendering();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/render/fragment_list.h>
+#include <cdr/render/fullscreen_pass.h>
 #include <cdr/render/translucent_frame.h>
 
 #include <vulkan/vulkan.hpp>
@@ -14,9 +15,10 @@ class SortedBlend {
   public:
     /// The device must have fragment stores. @param surroundings layout of TranslucentFrame::surroundings.
     SortedBlend(const gpu::Device& device, const GpuScene& scene, vk::DescriptorSetLayout surroundings,
-                vk::Format litFormat, bool countsCoverage);
+                bool countsCoverage);
 
-    vk::DescriptorSetLayout listLayout() const { return *m_listLayout; }
+    /// Of FragmentList::set().
+    vk::DescriptorSetLayout listLayout() const { return m_resolve.setLayout(); }
 
     /// Afterwards FragmentList::count() is the host's to read once the frame has finished. With too little
     /// room in the list the picture is incomplete.
@@ -25,13 +27,10 @@ class SortedBlend {
   private:
     void recordDraws(vk::CommandBuffer primary, const TranslucentFrame& frame,
                      const FragmentList& list) const;
-    void recordResolve(vk::CommandBuffer primary, const gpu::Image& lit, const FragmentList& list) const;
 
     const gpu::Device& m_device;
-    vk::UniqueDescriptorSetLayout m_listLayout;
+    FullscreenPass m_resolve; ///< its set is the list, which the pipelines fill
     TranslucentPipelines m_pipelines;
-    vk::UniquePipelineLayout m_resolveLayout;
-    vk::UniquePipeline m_resolve;
 };
 
 } // namespace cdr::render

@@ -1,9 +1,13 @@
+#include <cdr/gpu/pipeline.h>
 #include <cdr/render/translucent_pass.h>
 
 
 namespace cdr::render {
 
 namespace {
+
+constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
+constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
 
 /// The extent, once the memory for the images is known to be there.
 vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent, bool countsCoverage) {
@@ -26,27 +30,38 @@ std::string refusalOf(const gpu::Device& device, vk::Extent2D extent, const Tran
 } // namespace
 
 TranslucentPass::TranslucentPass(const gpu::Device& device, const scene::Scene& scene,
-                                 const GpuScene& gpuScene, const ShadingPass& shading,
-                                 const TranslucencyOptions& options)
+                                 const GpuScene& gpuScene, const gpu::Image& gbuffer,
+                                 const gpu::Image& lit, const TranslucencyOptions& options)
     : m_device(device),
       m_gpuScene(gpuScene),
-      m_lit(shading.lit()),
+      m_gbuffer(gbuffer),
+      m_lit(lit),
       m_options(options),
       m_blended(scene::blendedInstances(scene)),
-      m_weighted(device, gpuScene, shading.setLayout(),
+      m_sampler(device.handle().createSamplerUnique({})),
+      m_surroundingsLayout(gpu::makeSetLayout(device, {kImage, kStorage}, vk::ShaderStageFlagBits::eFragment,
+                                              "translucent surroundings")),
+      m_weighted(device, gpuScene, *m_surroundingsLayout,
                  checkedExtent(device, m_lit.options().extent, options.countsCoverage),
-                 m_lit.options().format, options.countsCoverage),
+                 options.countsCoverage),
       m_refusal(refusalOf(device, m_lit.options().extent, options)),
       m_coverage(options.countsCoverage ? std::make_unique<Coverage>(device, m_lit.options().extent)
                                         : nullptr) {
     if (options.method == Translucency::sorted && m_refusal.empty()) {
-        m_sorted = std::make_unique<SortedBlend>(device, gpuScene, shading.setLayout(),
-                                                 m_lit.options().format, options.countsCoverage);
+        m_sorted = std::make_unique<SortedBlend>(device, gpuScene, *m_surroundingsLayout,
+                                                 options.countsCoverage);
     }
 }
 
-TranslucentPass::Slot TranslucentPass::makeSlot() const {
-    Slot slot{.draws = TranslucentDraws(m_device, m_gpuScene, m_blended), .list = {}, .note = {}};
+TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) const {
+    Slot slot{.draws = TranslucentDraws(m_device, m_gpuScene, m_blended),
+              .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kImage, kStorage}),
+              .surroundings = {},
+              .list = {},
+              .note = {}};
+    slot.surroundings = gpu::allocateSet(m_device, *slot.pool, *m_surroundingsLayout);
+    gpu::writeImageBinding(m_device, slot.surroundings, 0, kImage, m_gbuffer.view(), *m_sampler);
+    gpu::writeBufferBinding(m_device, slot.surroundings, 1, kStorage, shading.lights().handle());
     if (m_sorted != nullptr) {
         slot.list.emplace(m_device, m_sorted->listLayout(), m_lit.options().extent, m_options.mostBytes);
     }
@@ -61,12 +76,12 @@ void TranslucentPass::prepare(Slot& slot, const scene::Camera& camera, const dep
     slot.note = m_refusal;
 }
 
-void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot, const ShadingInputs& shading) const {
+void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
     if (m_coverage != nullptr) {
         m_coverage->begin(primary);
     }
     const TranslucentFrame frame{.draws = slot.draws,
-                                 .surroundings = shading.set(),
+                                 .surroundings = slot.surroundings,
                                  .lit = m_lit,
                                  .coverage = m_coverage.get()};
     if (sorts(slot)) {

@@ -21,22 +21,27 @@ class TranslucentPass {
     /// What one frame slot owns.
     struct Slot {
         TranslucentDraws draws;
+        vk::UniqueDescriptorPool pool;
+        vk::DescriptorSet surroundings;   ///< of TranslucentFrame
         std::optional<FragmentList> list; ///< when sorting
         std::string note;                 ///< why this frame is weighted though sorting was asked for
     };
 
-    /// The scene and its parts must outlive the pass. base::RunError, with both figures, when the device has
-    /// too little memory for the images.
+    /// The uploaded scene and the images must outlive the pass. base::RunError, with both figures, when the
+    /// device has too little memory for the pass' own images.
+    /// @param gbuffer in shader read layout whenever record() is called.
+    /// @param lit linear, of kLitFormat, a colour attachment whenever record() is called.
     TranslucentPass(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
-                    const ShadingPass& shading, const TranslucencyOptions& options);
+                    const gpu::Image& gbuffer, const gpu::Image& lit, const TranslucencyOptions& options);
 
-    Slot makeSlot() const;
+    /// @param shading of the same frame slot, which must outlive this one.
+    Slot makeSlot(const ShadingInputs& shading) const;
 
     /// Decides what a frame draws; the slot's last frame must have finished.
     void prepare(Slot& slot, const scene::Camera& camera, const depth::Cascades& cascades,
                  base::WorkerPool& workers) const;
     /// After shading; the lit image stays a colour attachment.
-    void record(vk::CommandBuffer primary, Slot& slot, const ShadingInputs& shading) const;
+    void record(vk::CommandBuffer primary, Slot& slot) const;
     /// After the frame ran. False when its fragments found no room; draw it again.
     bool settle(Slot& slot, TranslucencyStats& stats) const;
 
@@ -51,9 +56,12 @@ class TranslucentPass {
 
     const gpu::Device& m_device;
     const GpuScene& m_gpuScene;
+    const gpu::Image& m_gbuffer;
     const gpu::Image& m_lit;
     TranslucencyOptions m_options;
     scene::BlendedInstances m_blended;
+    vk::UniqueSampler m_sampler;
+    vk::UniqueDescriptorSetLayout m_surroundingsLayout;
     WeightedBlend m_weighted;
     std::unique_ptr<SortedBlend> m_sorted; ///< where it is asked for and can be
     std::string m_refusal;                 ///< why it cannot, where it is asked for

@@ -1,14 +1,14 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/gpu/pipeline.h>
 #include <cdr/render/gbuffer_rendering.h>
+#include <cdr/render/picture.h>
 #include <cdr/render/weighted_blend.h>
-#include <cdr/shaders/fullscreen_vert.h>
 #include <cdr/shaders/translucent_weighted_counted_frag.h>
 #include <cdr/shaders/translucent_weighted_frag.h>
 #include <cdr/shaders/translucent_weighted_resolve_frag.h>
 
 #include <fmt/format.h>
 
+#include <array>
 #include <vector>
 
 namespace cdr::render {
@@ -51,30 +51,20 @@ vk::RenderingAttachmentInfo cleared(const gpu::Image& image, float alpha) {
 } // namespace
 
 WeightedBlend::WeightedBlend(const gpu::Device& device, const GpuScene& scene,
-                             vk::DescriptorSetLayout surroundings, vk::Extent2D extent, vk::Format litFormat,
-                             bool countsCoverage)
+                             vk::DescriptorSetLayout surroundings, vk::Extent2D extent, bool countsCoverage)
     : m_device(device),
       m_sum(makeImage(device, extent, kSumFormat, "weighted sum")),
       m_weight(makeImage(device, extent, kWeightFormat, "weights")),
       m_pipelines(device, scene, drawOptions(surroundings, countsCoverage)),
-      m_sampler(device.handle().createSamplerUnique({})),
-      m_resolveSetLayout(gpu::makeSetLayout(device, {kImage, kImage}, vk::ShaderStageFlagBits::eFragment,
-                                            "weighted resolve set")),
-      m_resolvePool(gpu::makeDescriptorPool(device, 1, 2, {kImage})),
-      m_resolveSet(gpu::allocateSet(device, *m_resolvePool, *m_resolveSetLayout)),
-      m_resolveLayout(
-          gpu::makePipelineLayout(device, {*m_resolveSetLayout}, {}, "weighted resolve layout")),
-      m_resolve(gpu::makeGraphicsPipeline(device, {.name = "weighted resolve",
-                                                   .vertexSpirv = kFullscreenVert,
-                                                   .fragmentSpirv = kTranslucentWeightedResolveFrag,
-                                                   .constants = {},
-                                                   .layout = *m_resolveLayout,
-                                                   .bindings = {},
-                                                   .attributes = {},
-                                                   .colorFormats = {litFormat},
-                                                   .blend = gpu::Blend::over})) {
-    gpu::writeImageBinding(device, m_resolveSet, 0, kImage, m_sum.view(), *m_sampler);
-    gpu::writeImageBinding(device, m_resolveSet, 1, kImage, m_weight.view(), *m_sampler);
+      m_resolve(device, {.name = "weighted resolve",
+                         .fragmentSpirv = kTranslucentWeightedResolveFrag,
+                         .bindings = {kImage, kImage},
+                         .format = kLitFormat,
+                         .constants = {},
+                         .blend = gpu::Blend::over}),
+      m_sums(m_resolve.makeInputs()) {
+    m_sums.setImage(0, m_sum);
+    m_sums.setImage(1, m_weight);
 }
 
 void WeightedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& frame) const {
@@ -84,7 +74,10 @@ void WeightedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fr
         }
         m_device.beginLabel(primary, fmt::format("translucent, cascade {}", range).c_str());
         recordSum(primary, frame, range);
-        recordResolve(primary, frame.lit);
+        gpu::pipelineBarrier(primary,
+                             {readBarrier(m_sum), readBarrier(m_weight), chainBarrier(frame.lit)});
+        const vk::DescriptorSet sums = m_sums.set();
+        m_resolve.record(primary, {&sums, 1}, frame.lit, vk::AttachmentLoadOp::eLoad);
         m_device.endLabel(primary);
     }
 }
@@ -106,23 +99,6 @@ void WeightedBlend::recordSum(vk::CommandBuffer primary, const TranslucentFrame&
     primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 1, frame.surroundings,
                                {});
     frame.draws.record(primary, range, m_pipelines, extent, 0);
-    primary.endRendering();
-}
-
-void WeightedBlend::recordResolve(vk::CommandBuffer primary, const gpu::Image& lit) const {
-    gpu::pipelineBarrier(primary, {readBarrier(m_sum), readBarrier(m_weight), chainBarrier(lit)});
-    const vk::RenderingAttachmentInfo color{.imageView = lit.view(),
-                                            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                                            .loadOp = vk::AttachmentLoadOp::eLoad,
-                                            .storeOp = vk::AttachmentStoreOp::eStore};
-    const vk::Extent2D extent = lit.options().extent;
-    primary.beginRendering({.renderArea = {{0, 0}, extent},
-                            .layerCount = 1,
-                            .colorAttachmentCount = 1,
-                            .pColorAttachments = &color});
-    gpu::bindFullscreenPipeline(primary, *m_resolve, extent);
-    primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_resolveLayout, 0, m_resolveSet, {});
-    primary.draw(3, 1, 0, 0);
     primary.endRendering();
 }
 

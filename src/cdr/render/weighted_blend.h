@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/render/fullscreen_pass.h>
 #include <cdr/render/translucent_frame.h>
 
 #include <vulkan/vulkan.hpp>
@@ -15,7 +16,7 @@ class WeightedBlend {
   public:
     /// @param surroundings layout of TranslucentFrame::surroundings.
     WeightedBlend(const gpu::Device& device, const GpuScene& scene, vk::DescriptorSetLayout surroundings,
-                  vk::Extent2D extent, vk::Format litFormat, bool countsCoverage);
+                  vk::Extent2D extent, bool countsCoverage);
 
     void record(vk::CommandBuffer primary, const TranslucentFrame& frame) const;
 
@@ -23,18 +24,13 @@ class WeightedBlend {
 
   private:
     void recordSum(vk::CommandBuffer primary, const TranslucentFrame& frame, std::size_t range) const;
-    void recordResolve(vk::CommandBuffer primary, const gpu::Image& lit) const;
 
     const gpu::Device& m_device;
     gpu::Image m_sum;    ///< weighted colours, and the transmittance
     gpu::Image m_weight; ///< the weights
     TranslucentPipelines m_pipelines;
-    vk::UniqueSampler m_sampler;
-    vk::UniqueDescriptorSetLayout m_resolveSetLayout;
-    vk::UniqueDescriptorPool m_resolvePool;
-    vk::DescriptorSet m_resolveSet;
-    vk::UniquePipelineLayout m_resolveLayout;
-    vk::UniquePipeline m_resolve;
+    FullscreenPass m_resolve;
+    PassInputs m_sums; ///< what it reads
 };
 
 } // namespace cdr::render

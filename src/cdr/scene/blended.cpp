@@ -45,7 +45,7 @@ Instances withoutBlended(const Scene& scene) {
     Instances opaque = scene.instances;
     for (std::size_t i = 0; i < opaque.size(); ++i) {
         if (isBlended(scene, i)) {
-            opaque.radius[i] = -std::numeric_limits<float>::infinity();
+            opaque.radius[i] = std::numeric_limits<float>::lowest();
         }
     }
     return opaque;

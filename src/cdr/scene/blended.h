@@ -19,8 +19,8 @@ BlendedInstances blendedInstances(const Scene& scene);
 /// Whether any instance's material blends.
 bool hasBlended(const Scene& scene);
 
-/// The scene's instances under their own indices, the blended ones with a radius of minus infinity: no view
-/// volume is near enough to keep such a sphere.
+/// The scene's instances under their own indices, the blended ones with the most negative radius there is: no
+/// view volume is near enough to keep such a sphere.
 Instances withoutBlended(const Scene& scene);
 
 } // namespace cdr::scene

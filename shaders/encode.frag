@@ -1,0 +1,25 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+// The linear lit image as the picture; its sRGB format encodes.
+layout(set = 0, binding = 0) uniform sampler2D litImage;
+
+layout(location = 0) out vec4 outColor;
+
+vec3 litAt(ivec2 pixel) {
+    ivec2 last = textureSize(litImage, 0) - 1;
+    return clamp(texelFetch(litImage, clamp(pixel, ivec2(0), last), 0).rgb, 0.0, 1.0);
+}
+
+#ifdef ANTIALIASED
+#include "edge_antialias.glsl"
+#endif
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+#ifdef ANTIALIASED
+    outColor = vec4(smoothEdges(pixel), 1.0);
+#else
+    outColor = vec4(litAt(pixel), 1.0);
+#endif
+}

@@ -1,0 +1,72 @@
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/fullscreen_pass.h>
+#include <cdr/shaders/fullscreen_vert.h>
+
+namespace cdr::render {
+
+namespace {
+
+constexpr auto kStage = vk::ShaderStageFlagBits::eFragment;
+
+std::vector<vk::PushConstantRange> pushRanges(std::uint32_t bytes) {
+    return bytes == 0 ? std::vector<vk::PushConstantRange>{}
+                      : std::vector<vk::PushConstantRange>{{.stageFlags = kStage, .size = bytes}};
+}
+
+} // namespace
+
+void PassInputs::setImage(std::uint32_t binding, const gpu::Image& image) {
+    gpu::writeImageBinding(*m_device, m_set, binding, vk::DescriptorType::eCombinedImageSampler, image.view(),
+                           m_sampler);
+}
+
+void PassInputs::setBuffer(std::uint32_t binding, const gpu::Buffer& buffer) {
+    gpu::writeBufferBinding(*m_device, m_set, binding, vk::DescriptorType::eStorageBuffer, buffer.handle());
+}
+
+FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOptions& options)
+    : m_device(device),
+      m_bindings(options.bindings),
+      m_sampler(device.handle().createSamplerUnique({})),
+      m_setLayout(gpu::makeSetLayout(device, options.bindings, kStage, options.name + " set")),
+      m_layout(gpu::makePipelineLayout(device, {*m_setLayout}, pushRanges(options.pushBytes),
+                                       options.name + " layout")),
+      m_pipeline(gpu::makeGraphicsPipeline(device, {.name = options.name,
+                                                    .vertexSpirv = kFullscreenVert,
+                                                    .fragmentSpirv = options.fragmentSpirv,
+                                                    .constants = options.constants,
+                                                    .layout = *m_layout,
+                                                    .bindings = {},
+                                                    .attributes = {},
+                                                    .colorFormats = {options.format},
+                                                    .blend = options.blend})) {}
+
+PassInputs FullscreenPass::makeInputs() const {
+    PassInputs inputs;
+    inputs.m_device = &m_device;
+    inputs.m_sampler = *m_sampler;
+    inputs.m_pool = gpu::makeDescriptorPool(m_device, 1, 1, m_bindings);
+    inputs.m_set = gpu::allocateSet(m_device, *inputs.m_pool, *m_setLayout);
+    return inputs;
+}
+
+void FullscreenPass::record(vk::CommandBuffer primary, std::span<const vk::DescriptorSet> sets,
+                            const gpu::Image& into, vk::AttachmentLoadOp load) const {
+    const vk::RenderingAttachmentInfo color{.imageView = into.view(),
+                                            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
+                                            .loadOp = load,
+                                            .storeOp = vk::AttachmentStoreOp::eStore};
+    const vk::Extent2D extent = into.options().extent;
+    primary.beginRendering({.renderArea = {{0, 0}, extent},
+                            .layerCount = 1,
+                            .colorAttachmentCount = 1,
+                            .pColorAttachments = &color});
+    gpu::bindFullscreenPipeline(primary, *m_pipeline, extent);
+    for (const vk::DescriptorSet set : sets) {
+        primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, set, {});
+        primary.draw(3, 1, 0, 0);
+    }
+    primary.endRendering();
+}
+
+} // namespace cdr::render

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cdr/gpu/memory.h>
+#include <cdr/gpu/pipeline.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cdr::render {
+
+/// What a FullscreenPass is made from.
+struct FullscreenPassOptions {
+    std::string name;
+    std::span<const std::uint32_t> fragmentSpirv;
+    std::vector<vk::DescriptorType> bindings; ///< of set 0: combined image samplers and storage buffers
+    vk::Format format = vk::Format::eUndefined;
+    std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, ...
+    std::uint32_t pushBytes = 0;          ///< of push constants that the fragment shader reads
+    gpu::Blend blend = gpu::Blend::none;
+};
+
+/// What a FullscreenPass reads in one draw; freed with its descriptors.
+class PassInputs {
+  public:
+    PassInputs() = default;
+
+    /// Points a binding at an image that will be in the shader read layout.
+    void setImage(std::uint32_t binding, const gpu::Image& image);
+    void setBuffer(std::uint32_t binding, const gpu::Buffer& buffer);
+    vk::DescriptorSet set() const { return m_set; }
+
+  private:
+    friend class FullscreenPass;
+    const gpu::Device* m_device = nullptr;
+    vk::Sampler m_sampler; ///< the pass' own
+    vk::UniqueDescriptorPool m_pool;
+    vk::DescriptorSet m_set;
+};
+
+/// A pass whose fragment shader covers a whole picture.
+class FullscreenPass {
+  public:
+    FullscreenPass(const gpu::Device& device, const FullscreenPassOptions& options);
+
+    /// Inputs with nothing set; they must not outlive the pass.
+    PassInputs makeInputs() const;
+
+    vk::PipelineLayout layout() const { return *m_layout; }
+    vk::DescriptorSetLayout setLayout() const { return *m_setLayout; }
+
+    /// One rendering scope over `into`, in the colour attachment layout, that draws once per set, in order.
+    void record(vk::CommandBuffer primary, std::span<const vk::DescriptorSet> sets, const gpu::Image& into,
+                vk::AttachmentLoadOp load = vk::AttachmentLoadOp::eDontCare) const;
+
+  private:
+    const gpu::Device& m_device;
+    std::vector<vk::DescriptorType> m_bindings;
+    vk::UniqueSampler m_sampler;
+    vk::UniqueDescriptorSetLayout m_setLayout;
+    vk::UniquePipelineLayout m_layout;
+    vk::UniquePipeline m_pipeline;
+};
+
+} // namespace cdr::render

@@ -1,0 +1,76 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/render/gbuffer_rendering.h>
+#include <cdr/render/picture.h>
+#include <cdr/shaders/encode_antialiased_frag.h>
+#include <cdr/shaders/encode_frag.h>
+
+#include <vulkan/vulkan_format_traits.hpp>
+
+namespace cdr::render {
+
+namespace {
+
+using Stage = vk::PipelineStageFlagBits2;
+using Access = vk::AccessFlagBits2;
+using Usage = vk::ImageUsageFlagBits;
+
+constexpr auto kEncodedFormat = vk::Format::eR8G8B8A8Srgb;
+
+bool needsLit(const PictureOptions& options) {
+    return options.hasSteps || options.antialias != Antialias::none;
+}
+
+} // namespace
+
+Picture::Picture(const gpu::Device& device, const PictureOptions& options)
+    : m_device(device),
+      m_encoded(device,
+                {.extent = options.extent,
+                 .format = kEncodedFormat,
+                 .usage = Usage::eColorAttachment | Usage::eTransferSrc},
+                "picture"),
+      m_lit(needsLit(options) ? makeLit(device, options) : nullptr) {}
+
+std::unique_ptr<Picture::Lit> Picture::makeLit(const gpu::Device& device, const PictureOptions& options) {
+    const bool smooth = options.antialias == Antialias::edges;
+    auto lit = std::make_unique<Lit>(
+        Lit{.image = {device,
+                      {.extent = options.extent,
+                       .format = kLitFormat,
+                       .usage = Usage::eColorAttachment | Usage::eSampled},
+                      "lit"},
+            .pass = {device,
+                     {.name = "encode",
+                      .fragmentSpirv = smooth ? std::span<const std::uint32_t>(kEncodeAntialiasedFrag)
+                                              : std::span<const std::uint32_t>(kEncodeFrag),
+                      .bindings = {vk::DescriptorType::eCombinedImageSampler},
+                      .format = kEncodedFormat,
+                      .constants = {}}},
+            .inputs = {}});
+    lit->inputs = lit->pass.makeInputs();
+    lit->inputs.setImage(0, lit->image);
+    return lit;
+}
+
+void Picture::finish(vk::CommandBuffer primary) const {
+    m_device.beginLabel(primary, "picture");
+    if (m_lit) {
+        gpu::pipelineBarrier(primary, {readBarrier(m_lit->image), attachBarrier(m_encoded)});
+        const vk::DescriptorSet set = m_lit->inputs.set();
+        m_lit->pass.record(primary, {&set, 1}, m_encoded);
+    }
+    gpu::pipelineBarrier(
+        primary,
+        {gpu::imageBarrier(m_encoded.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
+                           Access::eColorAttachmentWrite, Stage::eCopy, Access::eTransferRead,
+                           vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
+    m_device.endLabel(primary);
+}
+
+std::uint64_t Picture::predictBytes(const PictureOptions& options) {
+    const std::uint64_t perPixel =
+        vk::blockSize(kEncodedFormat) + (needsLit(options) ? vk::blockSize(kLitFormat) : 0u);
+    return std::uint64_t{options.extent.width} * options.extent.height * perPixel;
+}
+
+} // namespace cdr::render

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cdr/render/effects.h>
+#include <cdr/render/fullscreen_pass.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstdint>
+#include <memory>
+
+namespace cdr::render {
+
+/// What shading writes where steps follow that blend or filter: linear light, not yet encoded.
+inline constexpr vk::Format kLitFormat = vk::Format::eR16G16B16A16Sfloat;
+
+struct PictureOptions {
+    vk::Extent2D extent;
+    /// Whether anything comes between shading and the picture; else shading writes the picture itself, and
+    /// its format encodes. Antialiasing is such a step.
+    bool hasSteps = false;
+    Antialias antialias = Antialias::none;
+};
+
+/// The sRGB picture of a frame, and where steps follow shading the linear image that they work on.
+class Picture {
+  public:
+    Picture(const gpu::Device& device, const PictureOptions& options);
+
+    /// What shading writes and steps change: linear to whoever blends or reads it. Between them in the colour
+    /// attachment layout.
+    const gpu::Image& lit() const { return m_lit ? m_lit->image : m_encoded; }
+
+    /// Takes lit() from colour attachment layout and leaves encoded() in transfer source layout.
+    void finish(vk::CommandBuffer primary) const;
+
+    /// 8 bits, sRGB.
+    const gpu::Image& encoded() const { return m_encoded; }
+
+    static std::uint64_t predictBytes(const PictureOptions& options);
+
+  private:
+    /// The linear image and the pass that encodes it.
+    struct Lit {
+        gpu::Image image;
+        FullscreenPass pass;
+        PassInputs inputs;
+    };
+    static std::unique_ptr<Lit> makeLit(const gpu::Device& device, const PictureOptions& options);
+
+    const gpu::Device& m_device;
+    gpu::Image m_encoded;
+    std::unique_ptr<Lit> m_lit; ///< null without steps
+};
+
+} // namespace cdr::render
