@@ -30,6 +30,8 @@ struct RenderArguments {
     std::string submission = "secondaries";
     std::string batching = "instanced";
     std::string antialias = "none";
+    std::string translucency = "weighted";
+    std::uint64_t translucencyMiB = render::TranslucencyOptions{}.mostBytes >> 20u;
     std::size_t threads = 1;
     std::string size = "1280x720";
     std::uint32_t frame = 0;
@@ -96,6 +98,12 @@ scene::Camera cameraAt(const RenderArguments& arguments, const scene::CameraPath
     return camera;
 }
 
+render::TranslucencyOptions translucencyOf(const RenderArguments& arguments, experiments::Aov aov) {
+    return {.method = render::parseTranslucency(arguments.translucency),
+            .mostBytes = arguments.translucencyMiB << 20u,
+            .countsCoverage = aov == experiments::Aov::coverage};
+}
+
 /// What can be wrong with the arguments, before anything is loaded or made.
 void checkArguments(const RenderArguments& arguments, const SequenceName& name) {
     if (arguments.frames > 1 && !arguments.file.empty() && !name.hasNumber()) {
@@ -154,6 +162,9 @@ nlohmann::ordered_json frameJson(const render::RenderOptions& options, const ren
             {"duplication", frame.stats.duplication},
             {"cull_ms", times.cullMs},
             {"bin_ms", times.binMs},
+            {"translucency", nameOf(frame.stats.translucency.method)},
+            {"translucent_draws", frame.stats.translucency.draws},
+            {"translucent_bytes", frame.stats.translucency.bytes},
             {"record_ms", times.recordMs},
             {"execute_ms", times.executeMs}};
 }
@@ -169,7 +180,8 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                                   .threads = arguments.threads,
                                   .submission = render::parseSubmission(arguments.submission),
                                   .batching = render::parseBatching(arguments.batching),
-                                  .effects = {.antialias = render::parseAntialias(arguments.antialias)}};
+                                  .effects = {.antialias = render::parseAntialias(arguments.antialias)},
+                                  .translucency = translucencyOf(arguments, aov)};
     checkArguments(arguments, name);
     base::WorkerPool workers(arguments.threads);
     std::optional<base::Trace> trace;
@@ -204,6 +216,9 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
         }
         const measure::TruthImage* truthOrNull = truth ? &*truth : nullptr;
         session.requireSilentValidation();
+        if (const std::string& note = frame.stats.translucency.note; !note.empty()) {
+            console.line(fmt::format("frame {} drawn with --translucency weighted: {}", number, note));
+        }
         if (!arguments.file.empty()) {
             writeOutput(name.at(number), frame, aov, truthOrNull);
         }
@@ -273,14 +288,23 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
     auto arguments = std::make_shared<RenderArguments>();
     command
         ->add_option("scene", arguments->scene,
-                     "cubes, afc, afc-near, rotation, ladder, or a .gltf or .glb file")
+                     "cubes, afc, afc-near, rotation, ladder, mixed, sheets, or a .gltf or .glb file")
         ->required();
     addTechniqueOptions(*command, *arguments);
+    command
+        ->add_option("--translucency", arguments->translucency,
+                     "How blended surfaces are laid over each other: weighted, or sorted, which is exact")
+        ->capture_default_str();
+    command
+        ->add_option("--translucency-memory", arguments->translucencyMiB,
+                     "Most MiB for sorted fragments; frames that need more are drawn weighted")
+        ->check(CLI::Range(std::uint64_t{1}, kMostTranslucencyMiB))
+        ->capture_default_str();
     command->add_option("--antialias", arguments->antialias, "How edges are smoothed: none or edges")
         ->capture_default_str();
     addCameraOptions(*command, *arguments);
     command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--aov", arguments->aov, "Output: color, id, distance, normal, cascade or wrong")
+    command->add_option("--aov", arguments->aov, "Output: color, id, distance, normal, cascade, wrong or coverage")
         ->capture_default_str();
     command->add_option("-o,--output", arguments->file,
                         "Picture to write: .png, .tga or .exr; %04d stands for the frame");

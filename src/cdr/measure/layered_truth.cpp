@@ -24,17 +24,7 @@ struct Face {
 };
 
 /// The faces that a pixel shows, nearest first.
-struct Sequence {
-    std::vector<Face> faces;
-    bool isDoubtful = false; ///< the ray meets an edge
-
-    bool isSameAs(const Sequence& other) const {
-        return !isDoubtful && !other.isDoubtful &&
-               std::equal(faces.begin(), faces.end(), other.faces.begin(), other.faces.end(),
-                          [](const Face& a, const Face& b) { return a.isSameAs(b); });
-    }
-};
-
+using Sequence = std::vector<Face>;
 using Sequences = image::Raster<Sequence>;
 
 /// Where rays start and what they may meet.
@@ -88,8 +78,7 @@ void castPixel(const View& view, std::uint32_t x, std::uint32_t y, LayeredTruth&
         pixel.color += transmittance * alpha * colorOf(view, hit, x, y);
         transmittance *= 1.0 - alpha;
         pixel.coverage += hit.isBlended ? 1 : 0;
-        sequence.faces.push_back({hit.id, hit.facet});
-        sequence.isDoubtful |= hit.isOnEdge;
+        sequence.push_back({hit.id, hit.facet});
     }
     pixel.color += transmittance * glm::dvec3(view.scene.background);
 }
@@ -101,7 +90,9 @@ bool isInner(const Sequences& sequences, std::uint32_t x, std::uint32_t y) {
     const Sequence& own = sequences.at(x, y);
     for (std::uint32_t j = y - 1; j <= y + 1; ++j) {
         for (std::uint32_t i = x - 1; i <= x + 1; ++i) {
-            if (!own.isSameAs(sequences.at(i, j))) {
+            const Sequence& other = sequences.at(i, j);
+            if (!std::equal(own.begin(), own.end(), other.begin(), other.end(),
+                            [](const Face& a, const Face& b) { return a.isSameAs(b); })) {
                 return false;
             }
         }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace cdr::measure {
 
@@ -41,6 +42,14 @@ glm::dvec4 baseColorAt(const scene::Scene& scene, const scene::Material& materia
     return color;
 }
 
+/// Whether the ray met the same edge through the triangle on its other side already.
+bool isMetAgain(const SurfaceHit& hit, std::span<const SurfaceHit> before) {
+    return hit.isOnEdge && std::any_of(before.begin(), before.end(), [&](const SurfaceHit& other) {
+               return other.isOnEdge &&
+                      std::abs(other.distanceView - hit.distanceView) <= 1e-12 * hit.distanceView;
+           });
+}
+
 } // namespace
 
 glm::dvec4 sampleTexture(const scene::Texture& texture, const glm::dvec2& uv) {
@@ -64,6 +73,7 @@ void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const
     const double shift = -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
     const ObjectRay local{ray.origin + shift * ray.direction, ray.direction};
     const ShearedRay sheared(local);
+    const std::size_t first = hits.size();
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const Triangle triangle{mesh.vertices[mesh.indices[i]].position,
                                 mesh.vertices[mesh.indices[i + 1]].position,
@@ -83,14 +93,17 @@ void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const
                                             glm::dvec3(triangle[2]) - glm::dvec3(triangle[0]));
         const glm::dvec3 normal = interpolate(
             mesh, i, weights, [](const scene::Vertex& vertex) { return glm::dvec3(vertex.normal); });
-        hits.push_back({.distanceView = hit,
+        const SurfaceHit found{.distanceView = hit,
                         .id = visible.id,
                         .isBlended = material.alphaMode == scene::AlphaMode::blend,
                         .isUnlit = material.unlit,
                         .isOnEdge = weights.x == 0.0 || weights.y == 0.0 || weights.z == 0.0,
                         .facet = side * glm::normalize(toWorldNormal * facet),
                         .normal = side * glm::normalize(toWorldNormal * normal),
-                        .baseColor = baseColor});
+                        .baseColor = baseColor};
+        if (!isMetAgain(found, std::span(hits).subspan(first))) {
+            hits.push_back(found);
+        }
     }
 }
 

@@ -24,7 +24,7 @@ struct SurfaceHit {
 };
 
 /// Appends every visible hit of a ray on one instance within `range`, in no order: backs of single-sided
-/// materials and what a mask cuts away are not visible. Tries each triangle, so meant for small meshes.
+/// materials and what a mask cuts away are not visible, and an edge that triangles share is met once. Tries each triangle, so meant for small meshes.
 /// @param visible of `scene`.
 /// @param ray in the instance's object space.
 void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const ObjectRay& ray,

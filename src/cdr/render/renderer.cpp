@@ -104,7 +104,7 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
         made.path = makePath(fmt::format("frame slot {}", slot));
         made.shading = m_shading.makeInputs(scene);
         if (m_translucent != nullptr) {
-            made.translucent = m_translucent->makeSlot(made.shading);
+            made.translucent.emplace(m_translucent->makeSlot(made.shading));
         }
         made.done = device.handle().createFenceUnique({});
     }

@@ -108,7 +108,9 @@ void shuffle(Instances& instances, Random& random) {
 } // namespace
 
 Mesh makeSquare(float halfSide) {
-    Mesh mesh{.name = "square", .boundingRadius = halfSide * std::numbers::sqrt2_v<float>};
+    Mesh mesh;
+    mesh.name = "square";
+    mesh.boundingRadius = halfSide * std::numbers::sqrt2_v<float>;
     for (const glm::vec2 corner : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
         mesh.vertices.push_back({.position = glm::vec3(corner * halfSide, 0.0f), .uv = corner * 0.5f + 0.5f});
     }
