@@ -5,7 +5,10 @@
 #include "float_pair.glsl"
 
 // Sorts a pixel's fragments, nearest first, and lays them over the opaque picture by gpu::Blend::over.
-layout(push_constant) uniform Push { uint width; };
+layout(push_constant) uniform Push {
+    uint width; // of the picture
+    uint height;
+};
 
 layout(location = 0) out vec4 outColor;
 
@@ -74,10 +77,13 @@ uint sorted(uint head) {
 }
 
 void main() {
-    uint pixel = uint(gl_FragCoord.y) * width + uint(gl_FragCoord.x);
-    uint head = heads[pixel];
-    // Invocations beside the picture help nobody, and may not write.
-    if (head == kNoNode || gl_HelperInvocation) {
+    uvec2 place = uvec2(gl_FragCoord.xy);
+    // Devices may shade beside the picture to fill a quad, where the list would be another pixel's.
+    if (place.x >= width || place.y >= height) {
+        discard;
+    }
+    uint head = heads[place.y * width + place.x];
+    if (head == kNoNode) {
         discard;
     }
     precise vec3 color = vec3(0.0);

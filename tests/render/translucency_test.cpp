@@ -189,9 +189,9 @@ TEST_F(TranslucencyTest, SortedHoldsAnyNumberOfLayers) {
     constexpr std::uint32_t kLayers = 700;
     scene::Scene scene = boxScene();
     scene.meshes.push_back(scene::makeSquare(1.0f));
-    for (int i = 0; i < 7; ++i) {
+    for (const float hue : {0.0f, 0.1f, 0.2f, 0.4f, 0.6f, 0.8f, 1.0f}) {
         scene.materials.push_back({.name = "layer",
-                                   .baseColorFactor = glm::vec4(0.1f * i, 0.9f - 0.1f * i, 0.5f, 0.02f),
+                                   .baseColorFactor = glm::vec4(hue, 1.0f - hue, 0.5f, 0.02f),
                                    .doubleSided = true,
                                    .unlit = true,
                                    .alphaMode = scene::AlphaMode::blend});

@@ -33,7 +33,7 @@ struct RenderOptions {
     Submission submission = Submission::secondaries;
     Batching batching = Batching::instanced;
     Effects effects{};
-    TranslucencyOptions translucency;
+    TranslucencyOptions translucency{};
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
     /// none.

@@ -39,7 +39,7 @@ SortedBlend::SortedBlend(const gpu::Device& device, const GpuScene& scene,
                  .bindings = std::vector(FragmentList::kBindings, vk::DescriptorType::eStorageBuffer),
                  .format = kLitFormat,
                  .constants = {},
-                 .pushBytes = sizeof(std::uint32_t),
+                 .pushBytes = sizeof(vk::Extent2D),
                  .blend = gpu::Blend::over}),
       m_pipelines(device, scene, drawOptions(surroundings, listLayout(), countsCoverage)) {}
 
@@ -54,8 +54,8 @@ void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fram
           .srcAccessMask = Access::eShaderStorageWrite,
           .dstStageMask = Stage::eFragmentShader | Stage::eHost,
           .dstAccessMask = Access::eShaderStorageRead | Access::eShaderStorageWrite | Access::eHostRead}});
-    primary.pushConstants<std::uint32_t>(m_resolve.layout(), vk::ShaderStageFlagBits::eFragment, 0,
-                                         frame.lit.options().extent.width);
+    primary.pushConstants<vk::Extent2D>(m_resolve.layout(), vk::ShaderStageFlagBits::eFragment, 0,
+                                        frame.lit.options().extent);
     const vk::DescriptorSet lists = list.set();
     m_resolve.record(primary, {&lists, 1}, frame.lit, vk::AttachmentLoadOp::eLoad);
     m_device.endLabel(primary);
