@@ -33,7 +33,7 @@ struct TranslucentPush {
     float nearView; // the cascade's, for weights
     float spread;   // 1 / ln(far / near)
     uint width;     // of the picture
-    uint capacity;  // of the fragment list, in nodes
+    uint capacity;  // of the fragment list, in fragments
 };
 
 // One translucent fragment of a pixel's list.
@@ -48,7 +48,8 @@ struct FragmentNode {
     uint next; // towards the end of the list; kNoNode ends it
 };
 
-CDR_CONST kNoNode = 0xffffffffu;
+// Node 0 is nobody's. Zero, because it is what helper invocations read on lavapipe, who must find no list to walk.
+CDR_CONST kNoNode = 0u;
 
 #ifdef __cplusplus
 static_assert(sizeof(TranslucentRecord) == 80);

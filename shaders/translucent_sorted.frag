@@ -12,8 +12,8 @@ layout(location = 0) out vec4 outCount; // red, by gpu::Blend::accumulate
 
 void main() {
     TranslucentFragment fragment = translucentFragment();
-    uint node = atomicAdd(fragmentCount, 1u);
-    if (node < push.capacity) {
+    uint node = atomicAdd(fragmentCount, 1u) + 1u; // behind kNoNode
+    if (node <= push.capacity) {
         uint pixel = uint(gl_FragCoord.y) * push.width + uint(gl_FragCoord.x);
         uint next = atomicExchange(heads[pixel], node);
         vec4 color = fragment.color;

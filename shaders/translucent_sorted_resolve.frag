@@ -82,13 +82,13 @@ void main() {
     if (place.x >= width || place.y >= height) {
         discard;
     }
-    uint head = heads[place.y * width + place.x];
-    if (head == kNoNode) {
+    uint pixel = place.y * width + place.x;
+    if (heads[pixel] == kNoNode) {
         discard;
     }
     precise vec3 color = vec3(0.0);
     precise float transmittance = 1.0;
-    for (uint node = sorted(head); node != kNoNode; node = nodes[node].next) {
+    for (uint node = sorted(heads[pixel]); node != kNoNode; node = nodes[node].next) {
         float alpha = nodes[node].alpha;
         color += transmittance * alpha * vec3(nodes[node].red, nodes[node].green, nodes[node].blue);
         transmittance *= 1.0 - alpha;

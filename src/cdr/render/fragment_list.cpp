@@ -21,12 +21,17 @@ std::uint64_t pixelsOf(vk::Extent2D extent) {
     return std::uint64_t{extent.width} * extent.height;
 }
 
+/// Of the nodes for so many fragments; the first node is nobody's.
+std::uint64_t bytesFor(std::uint64_t fragments) {
+    return (fragments + 1) * kNodeBytes;
+}
+
 } // namespace
 
 std::optional<std::string> FragmentList::refusal(const gpu::Device& device, vk::Extent2D extent,
                                                  std::uint64_t mostBytes) {
     const std::uint64_t heads = pixelsOf(extent) * sizeof(std::uint32_t);
-    if (heads + kNodeBytes > mostBytes) {
+    if (heads + bytesFor(1) > mostBytes) {
         return fmt::format("lists of a {}x{} picture need {} bytes before the first fragment, {} are allowed",
                            extent.width, extent.height, heads, mostBytes);
     }
@@ -34,7 +39,7 @@ std::optional<std::string> FragmentList::refusal(const gpu::Device& device, vk::
         return fmt::format("lists of a {}x{} picture need a {} byte buffer, {} allows {}", extent.width,
                            extent.height, heads, device.info().name, device.info().maxStorageBufferBytes);
     }
-    const std::uint64_t first = std::min(mostBytes, heads + pixelsOf(extent) * kNodeBytes);
+    const std::uint64_t first = std::min(mostBytes, heads + bytesFor(pixelsOf(extent)));
     if (const std::uint64_t available = gpu::freeDeviceBytes(device); first > available) {
         return fmt::format("lists of a {}x{} picture need {} bytes, {} has {} free", extent.width,
                            extent.height, first, device.info().name, available);
@@ -55,22 +60,24 @@ FragmentList::FragmentList(const gpu::Device& device, vk::DescriptorSetLayout la
       m_set(gpu::allocateSet(device, *m_pool, layout)) {
     gpu::writeBufferBinding(device, m_set, 0, kStorage, m_heads.handle());
     gpu::writeBufferBinding(device, m_set, 2, kStorage, m_count.handle());
-    makeNodes(std::clamp<std::uint64_t>(mostNodes(), 1, pixelsOf(extent)));
+    makeNodes(std::clamp<std::uint64_t>(mostFragments(), 1, pixelsOf(extent)));
 }
 
-std::uint64_t FragmentList::mostNodes() const {
+std::uint64_t FragmentList::mostFragments() const {
     const std::uint64_t left = m_mostBytes - std::min<std::uint64_t>(m_mostBytes, m_heads.size());
-    // Indices are 32-bit, and the last one ends a list.
-    return std::min({left, m_device.info().maxStorageBufferBytes, kNodeBytes * shaders::kNoNode}) /
-           kNodeBytes;
+    constexpr std::uint64_t kMostNodes = 0xffffffffu; // what a link can name
+    const std::uint64_t nodes =
+        std::min({left / kNodeBytes, m_device.info().maxStorageBufferBytes / kNodeBytes, kMostNodes});
+    return nodes - std::min<std::uint64_t>(nodes, 1);
 }
 
-void FragmentList::makeNodes(std::uint64_t nodes) {
-    gpu::requireDeviceBytes(m_device, nodes * kNodeBytes, fmt::format("{} translucent fragments", nodes));
+void FragmentList::makeNodes(std::uint64_t fragments) {
+    const std::uint64_t bytes = bytesFor(fragments);
+    gpu::requireDeviceBytes(m_device, bytes, fmt::format("{} translucent fragments", fragments));
     m_nodes = {}; // first, so that both need not fit
-    m_nodes = gpu::Buffer(m_device, nodes * kNodeBytes, vk::BufferUsageFlagBits::eStorageBuffer,
+    m_nodes = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eStorageBuffer,
                           gpu::MemoryUse::deviceOnly, "fragment list nodes");
-    m_capacity = static_cast<std::uint32_t>(nodes);
+    m_capacity = static_cast<std::uint32_t>(fragments);
     gpu::writeBufferBinding(m_device, m_set, 1, kStorage, m_nodes.handle());
 }
 
@@ -100,12 +107,12 @@ std::uint32_t FragmentList::count() const {
 }
 
 std::optional<std::string> FragmentList::grow(std::uint64_t fragments) {
-    const std::uint64_t wanted = fragments * kNodeBytes;
+    const std::uint64_t wanted = bytesFor(fragments);
     if (m_heads.size() + wanted > m_mostBytes) {
         return fmt::format("{} translucent fragments need {} MiB, {} are allowed", fragments,
                            (m_heads.size() + wanted) >> 20u, m_mostBytes >> 20u);
     }
-    if (fragments > mostNodes()) {
+    if (fragments > mostFragments()) {
         return fmt::format("{} translucent fragments need a {} byte buffer, {} allows {}", fragments, wanted,
                            m_device.info().name, m_device.info().maxStorageBufferBytes);
     }
@@ -115,7 +122,7 @@ std::optional<std::string> FragmentList::grow(std::uint64_t fragments) {
                            m_device.info().name, available);
     }
     // A quarter more, so that a camera that moves does not draw every frame twice.
-    makeNodes(std::min({mostNodes(), available / kNodeBytes, fragments + fragments / 4}));
+    makeNodes(std::min({mostFragments(), available / kNodeBytes - 1, fragments + fragments / 4}));
     return std::nullopt;
 }
 

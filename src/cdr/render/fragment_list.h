@@ -24,7 +24,7 @@ class FragmentList {
                  std::uint64_t mostBytes);
 
     vk::DescriptorSet set() const { return m_set; }
-    std::uint32_t capacity() const { return m_capacity; } ///< nodes
+    std::uint32_t capacity() const { return m_capacity; } ///< fragments
     std::uint64_t bytes() const { return m_heads.size() + m_nodes.size(); }
 
     /// Empties the lists; outside a rendering scope.
@@ -42,8 +42,8 @@ class FragmentList {
     static constexpr std::uint32_t kBindings = 3;
 
   private:
-    std::uint64_t mostNodes() const;
-    void makeNodes(std::uint64_t nodes);
+    std::uint64_t mostFragments() const;
+    void makeNodes(std::uint64_t fragments);
 
     const gpu::Device& m_device;
     std::uint64_t m_mostBytes;
