@@ -304,7 +304,9 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
         ->capture_default_str();
     addCameraOptions(*command, *arguments);
     command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--aov", arguments->aov, "Output: color, id, distance, normal, cascade, wrong or coverage")
+    command
+        ->add_option("--aov", arguments->aov,
+                     "Output: color, id, distance, normal, cascade, wrong or coverage")
         ->capture_default_str();
     command->add_option("-o,--output", arguments->file,
                         "Picture to write: .png, .tga or .exr; %04d stands for the frame");

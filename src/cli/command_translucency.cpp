@@ -139,7 +139,8 @@ void addTranslucency(CLI::App& program, const GlobalOptions& global) {
         ->check(CLI::Range(std::uint64_t{1}, kMostTranslucencyMiB))
         ->capture_default_str();
     command->add_option("--seed", experiment.seed, "Seed of the scene")->capture_default_str();
-    command->add_option("--out", arguments->folder, "Folder for pictures and their errors, eight times as bright");
+    command->add_option("--out", arguments->folder,
+                        "Folder for pictures and their errors, eight times as bright");
     addJson(*command, arguments->output);
     command->callback([&global, arguments] { run(global, *arguments); });
 }

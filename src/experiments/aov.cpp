@@ -18,7 +18,7 @@ namespace cdr::experiments {
 namespace {
 
 constexpr std::array<std::string_view, 7> kNames{"color",   "id",    "distance", "normal",
-                                                "cascade", "wrong", "coverage"};
+                                                 "cascade", "wrong", "coverage"};
 
 /// Tints told apart by most eyes (Okabe and Ito 2008), repeated beyond eight cascades.
 constexpr std::array<std::array<float, 3>, 8> kTints{{{0.90f, 0.62f, 0.00f},

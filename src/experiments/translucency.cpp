@@ -25,8 +25,8 @@ render::RenderOptions optionsFor(const TranslucencyExperiment& experiment, unsig
                                  render::Translucency method) {
     return {.width = experiment.width,
             .height = experiment.height,
-            .technique = depth::makeTechnique(experiment.mapping, splitOf(cascades),
-                                              depth::DepthFormat::d32f),
+            .technique =
+                depth::makeTechnique(experiment.mapping, splitOf(cascades), depth::DepthFormat::d32f),
             .threads = experiment.threads,
             .translucency = {.method = method, .mostBytes = experiment.mostBytes}};
 }
@@ -61,8 +61,8 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const Translucenc
     }
     const render::GpuScene gpuScene(device, staged.scene);
     base::WorkerPool workers(experiment.threads);
-    const measure::LayeredTruth truth = measure::castLayers(
-        staged.scene, camera, experiment.width, experiment.height, workers);
+    const measure::LayeredTruth truth =
+        measure::castLayers(staged.scene, camera, experiment.width, experiment.height, workers);
     TranslucencyResults all{.truth = measure::pictureOf(truth), .results = {}};
     std::vector<std::unique_ptr<render::Renderer>> renderers; // all alive, so that timing takes turns
     const std::size_t pairs = experiment.cascades.size() * render::kTranslucencies.size();

@@ -31,7 +31,7 @@ struct TranslucencyResult {
     unsigned cascades = 1;
     render::TranslucencyStats stats;
     measure::LayerDifference difference;
-    double executeMs = 0.0;   ///< median
+    double executeMs = 0.0; ///< median
     image::ImageRgba8 picture;
 };
 

@@ -18,9 +18,9 @@ using nlohmann::json;
 
 TEST(TranslucencyCommand, ComparesBothMethodsWithTheTruth) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(
-        "--validate translucency --size 160x90 --cascades 1,3 --repeats 1 --out p --json t.json",
-        folder.path());
+    const ProgramResult result =
+        runProgram("--validate translucency --size 160x90 --cascades 1,3 --repeats 1 --out p --json t.json",
+                   folder.path());
     ASSERT_EQ(result.status, 0) << result.err;
     const json document = json::parse(readText(folder.path() / "t.json"));
     EXPECT_EQ(document["command"], "translucency");

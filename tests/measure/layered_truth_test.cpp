@@ -63,7 +63,7 @@ TEST(LayeredTruth, LaysNearOverFarWhateverTheOrderTheyAreGivenIn) {
 
 TEST(LayeredTruth, OpaqueSurfacesAndTheRangeEndARay) {
     Stack stack;
-    stack.add(1.0, {1.0f, 1.0f, 1.0f, 0.5f}, true);  // before near
+    stack.add(1.0, {1.0f, 1.0f, 1.0f, 0.5f}, true); // before near
     stack.add(3.0, {1.0f, 0.0f, 0.0f, 0.5f}, true);
     stack.add(5.0, {0.0f, 1.0f, 0.0f, 0.3f}, false); // an opaque material's alpha is none
     stack.add(6.0, {1.0f, 1.0f, 1.0f, 0.5f}, true);

@@ -90,8 +90,7 @@ TEST_F(TranslucencyTest, CoverageIsTheSameForAllTargetsAndTechniques) {
 
 TEST_F(TranslucencyTest, SortedIsTheTruthToOneStep) {
     constexpr std::uint32_t kLarge = 2;
-    const measure::LayeredTruth truth =
-        truthOf(m_sheets.scene, m_camera, kLarge * kWidth, kLarge * kHeight);
+    const measure::LayeredTruth truth = truthOf(m_sheets.scene, m_camera, kLarge * kWidth, kLarge * kHeight);
     for (const depth::Technique& technique :
          {countOf(depth::Mapping::anchored, 5), countOf(depth::Mapping::reversed, 1)}) {
         render::RenderOptions options = optionsFor(technique, Translucency::sorted);
@@ -172,12 +171,12 @@ TEST_F(TranslucencyTest, ThreadsTargetsAndSubmissionsChangeNoBit) {
 TEST_F(TranslucencyTest, TheNumberOfCascadesChangesNoBitWhenSorted) {
     std::string wanted;
     for (unsigned cascades = 1; cascades <= 8; ++cascades) {
-        for (const render::TargetsKind targets : {render::TargetsKind::single, render::TargetsKind::onePass}) {
+        for (const render::TargetsKind targets :
+             {render::TargetsKind::single, render::TargetsKind::onePass}) {
             render::RenderOptions options =
                 optionsFor(countOf(depth::Mapping::reversed, cascades), Translucency::sorted);
             options.targets = targets;
-            const std::string hash =
-                base::sha256Of(draw(m_sheets.scene, m_camera, options).color.pixels);
+            const std::string hash = base::sha256Of(draw(m_sheets.scene, m_camera, options).color.pixels);
             wanted = wanted.empty() ? hash : wanted;
             EXPECT_EQ(hash, wanted) << cascades << " " << nameOf(targets);
         }
@@ -222,7 +221,8 @@ TEST_F(TranslucencyTest, ListsThatDoNotFitAreDrawnWeightedAndSaySo) {
     options.translucency.method = Translucency::sorted;
     const render::Frame sorted = draw(m_sheets.scene, m_camera, options);
     EXPECT_EQ(sorted.stats.translucency.note, "");
-    EXPECT_GT(sorted.stats.translucency.fragments, std::uint64_t{kWidth} * kHeight); // more than it began with
+    EXPECT_GT(sorted.stats.translucency.fragments,
+              std::uint64_t{kWidth} * kHeight); // more than it began with
     ASSERT_NE(hashOf(sorted), weighted);
     // First no room for a list at all, then too little for the fragments there are.
     for (const std::uint64_t most : {std::uint64_t{1000}, std::uint64_t{kWidth} * kHeight * 40}) {

@@ -44,7 +44,8 @@ TEST(Blended, MasksAndOpaqueMaterialsAreNot) {
     EXPECT_EQ(blendedInstances(scene).instances.size(), 0u);
 }
 
-/// The promise that the experiments rest on: every boundary of 2 to 8 even cascades is crossed, several times.
+/// The promise that the experiments rest on: every boundary of 2 to 8 even cascades is crossed, several
+/// times.
 TEST(Sheets, CrossEveryBoundary) {
     const StagedScene staged = makeSheets(2013);
     const Camera camera = staged.path.at(0);

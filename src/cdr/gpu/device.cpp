@@ -72,13 +72,14 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
         .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &kPriority};
     vk::PhysicalDeviceVulkan13Features v13{.synchronization2 = true, .dynamicRendering = true};
     vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13, .drawIndirectCount = gpuDriven};
-    const vk::PhysicalDeviceFeatures2 features{.pNext = &v12,
-                                               .features = {.multiDrawIndirect = gpuDriven,
-                                                            .drawIndirectFirstInstance = gpuDriven,
-                                                            .depthClamp = true,
-                                                            .fragmentStoresAndAtomics = info.hasFragmentStores,
-                                                            .shaderClipDistance = true,
-                                                            .shaderFloat64 = gpuDriven}};
+    const vk::PhysicalDeviceFeatures2 features{
+        .pNext = &v12,
+        .features = {.multiDrawIndirect = gpuDriven,
+                     .drawIndirectFirstInstance = gpuDriven,
+                     .depthClamp = true,
+                     .fragmentStoresAndAtomics = info.hasFragmentStores,
+                     .shaderClipDistance = true,
+                     .shaderFloat64 = gpuDriven}};
     return physical.createDeviceUnique(
         {.pNext = &features, .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue});
 }

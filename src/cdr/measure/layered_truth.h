@@ -35,12 +35,12 @@ image::ImageRgba8 pictureOf(const LayeredTruth& truth);
 
 /// How a rendered picture differs from the truth, over the inner pixels.
 struct LayerDifference {
-    std::uint64_t pixels = 0;          ///< inner ones
-    std::uint64_t translucent = 0;     ///< inner ones with any coverage: what follows is over these
-    std::uint64_t within = 0;          ///< whose channels are all within one 8-bit step
-    std::uint64_t miscounted = 0;      ///< over all inner pixels: whose coverage differs
-    double meanError = 0.0;            ///< mean over pixels of the largest channel's difference, 8-bit steps
-    std::uint32_t largestError = 0;    ///< 8-bit steps
+    std::uint64_t pixels = 0;       ///< inner ones
+    std::uint64_t translucent = 0;  ///< inner ones with any coverage: what follows is over these
+    std::uint64_t within = 0;       ///< whose channels are all within one 8-bit step
+    std::uint64_t miscounted = 0;   ///< over all inner pixels: whose coverage differs
+    double meanError = 0.0;         ///< mean over pixels of the largest channel's difference, 8-bit steps
+    std::uint32_t largestError = 0; ///< 8-bit steps
 
     double withinFraction() const {
         return translucent ? static_cast<double>(within) / static_cast<double>(translucent) : 1.0;

@@ -36,8 +36,9 @@ glm::dvec4 baseColorAt(const scene::Scene& scene, const scene::Material& materia
                          [](const scene::Vertex& vertex) { return glm::dvec4(vertex.color) / 255.0; });
     if (material.baseColorTexture) {
         color *= sampleTexture(scene.textures.at(*material.baseColorTexture),
-                               interpolate(mesh, triangle, weights,
-                                           [](const scene::Vertex& vertex) { return glm::dvec2(vertex.uv); }));
+                               interpolate(mesh, triangle, weights, [](const scene::Vertex& vertex) {
+                                   return glm::dvec2(vertex.uv);
+                               }));
     }
     return color;
 }
@@ -94,13 +95,13 @@ void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const
         const glm::dvec3 normal = interpolate(
             mesh, i, weights, [](const scene::Vertex& vertex) { return glm::dvec3(vertex.normal); });
         const SurfaceHit found{.distanceView = hit,
-                        .id = visible.id,
-                        .isBlended = material.alphaMode == scene::AlphaMode::blend,
-                        .isUnlit = material.unlit,
-                        .isOnEdge = weights.x == 0.0 || weights.y == 0.0 || weights.z == 0.0,
-                        .facet = side * glm::normalize(toWorldNormal * facet),
-                        .normal = side * glm::normalize(toWorldNormal * normal),
-                        .baseColor = baseColor};
+                               .id = visible.id,
+                               .isBlended = material.alphaMode == scene::AlphaMode::blend,
+                               .isUnlit = material.unlit,
+                               .isOnEdge = weights.x == 0.0 || weights.y == 0.0 || weights.z == 0.0,
+                               .facet = side * glm::normalize(toWorldNormal * facet),
+                               .normal = side * glm::normalize(toWorldNormal * normal),
+                               .baseColor = baseColor};
         if (!isMetAgain(found, std::span(hits).subspan(first))) {
             hits.push_back(found);
         }

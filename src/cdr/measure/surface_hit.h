@@ -14,8 +14,8 @@ namespace cdr::measure {
 /// One surface that a ray meets, with all that its colour follows from.
 struct SurfaceHit {
     double distanceView = 0.0;
-    std::uint32_t id = 0;      ///< object index + 1
-    bool isBlended = false;    ///< else it ends the ray
+    std::uint32_t id = 0;   ///< object index + 1
+    bool isBlended = false; ///< else it ends the ray
     bool isUnlit = false;
     bool isOnEdge = false;     ///< of its triangle, to the last bit
     glm::dvec3 facet{0.0};     ///< the triangle's own normal, world axes, unit, towards the camera
@@ -24,7 +24,8 @@ struct SurfaceHit {
 };
 
 /// Appends every visible hit of a ray on one instance within `range`, in no order: backs of single-sided
-/// materials and what a mask cuts away are not visible, and an edge that triangles share is met once. Tries each triangle, so meant for small meshes.
+/// materials and what a mask cuts away are not visible, and an edge that triangles share is met once. Tries
+/// each triangle, so meant for small meshes.
 /// @param visible of `scene`.
 /// @param ray in the instance's object space.
 void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const ObjectRay& ray,

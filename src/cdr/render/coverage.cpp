@@ -53,9 +53,8 @@ void Coverage::recordReadback(vk::CommandBuffer primary) const {
 image::ImageU32 Coverage::fetch() const {
     const auto halves = m_copy.fetch<std::uint16_t>();
     image::ImageU32 counts(halves.width, halves.height);
-    std::transform(halves.pixels.begin(), halves.pixels.end(), counts.pixels.begin(), [](std::uint16_t half) {
-        return static_cast<std::uint32_t>(glm::unpackHalf1x16(half));
-    });
+    std::transform(halves.pixels.begin(), halves.pixels.end(), counts.pixels.begin(),
+                   [](std::uint16_t half) { return static_cast<std::uint32_t>(glm::unpackHalf1x16(half)); });
     return counts;
 }
 

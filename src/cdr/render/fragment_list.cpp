@@ -84,11 +84,9 @@ void FragmentList::makeNodes(std::uint64_t fragments) {
 void FragmentList::recordClear(vk::CommandBuffer primary) const {
     const auto barrier = [&](vk::PipelineStageFlags2 from, vk::AccessFlags2 written,
                              vk::PipelineStageFlags2 to, vk::AccessFlags2 used) {
-        gpu::pipelineBarrier(primary, {},
-                             {{.srcStageMask = from,
-                               .srcAccessMask = written,
-                               .dstStageMask = to,
-                               .dstAccessMask = used}});
+        gpu::pipelineBarrier(
+            primary, {},
+            {{.srcStageMask = from, .srcAccessMask = written, .dstStageMask = to, .dstAccessMask = used}});
     };
     barrier(Stage::eFragmentShader, Access::eShaderStorageWrite, Stage::eTransfer, Access::eTransferWrite);
     primary.fillBuffer(m_heads.handle(), 0, VK_WHOLE_SIZE, shaders::kNoNode);

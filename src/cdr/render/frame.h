@@ -21,7 +21,7 @@ struct FrameTimes {
     double binMs = 0.0;
     double translucentMs = 0.0; ///< CPU culling, binning and writing the translucent draws
     double recordMs = 0.0;      ///< CPU writing commands
-    double executeMs = 0.0; ///< from submit until the device has finished
+    double executeMs = 0.0;     ///< from submit until the device has finished
 };
 
 struct FrameStats {

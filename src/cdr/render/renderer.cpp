@@ -92,10 +92,10 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
                              .reversedDepth = depth::isReversed(options.technique.mapping)})),
       m_picture(device, pictureOptions(m_extent, options, m_opaque.has_value())),
       m_shading(device, m_targets->gbuffer(), m_picture.lit()),
-      m_translucent(m_opaque ? std::make_unique<TranslucentPass>(device, scene, gpuScene,
-                                                                 m_targets->gbuffer(), m_picture.lit(),
-                                                                 options.translucency)
-                             : nullptr),
+      m_translucent(m_opaque
+                        ? std::make_unique<TranslucentPass>(device, scene, gpuScene, m_targets->gbuffer(),
+                                                            m_picture.lit(), options.translucency)
+                        : nullptr),
       m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
       m_surfaceCopy(device, m_extent, sizeof(Surface), "surface copy") {
     m_workers.setTrace(options.trace);

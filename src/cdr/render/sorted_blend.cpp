@@ -33,14 +33,13 @@ TranslucentPipelinesOptions drawOptions(vk::DescriptorSetLayout surroundings, vk
 SortedBlend::SortedBlend(const gpu::Device& device, const GpuScene& scene,
                          vk::DescriptorSetLayout surroundings, bool countsCoverage)
     : m_device(device),
-      m_resolve(device,
-                {.name = "sorted resolve",
-                 .fragmentSpirv = kTranslucentSortedResolveFrag,
-                 .bindings = std::vector(FragmentList::kBindings, vk::DescriptorType::eStorageBuffer),
-                 .format = kLitFormat,
-                 .constants = {},
-                 .pushBytes = sizeof(vk::Extent2D),
-                 .blend = gpu::Blend::over}),
+      m_resolve(device, {.name = "sorted resolve",
+                         .fragmentSpirv = kTranslucentSortedResolveFrag,
+                         .bindings = std::vector(FragmentList::kBindings, vk::DescriptorType::eStorageBuffer),
+                         .format = kLitFormat,
+                         .constants = {},
+                         .pushBytes = sizeof(vk::Extent2D),
+                         .blend = gpu::Blend::over}),
       m_pipelines(device, scene, drawOptions(surroundings, listLayout(), countsCoverage)) {}
 
 void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& frame,

@@ -26,8 +26,7 @@ class Binder {
         m_commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 0,
                                       kind.textureSet, {});
         m_commands.setCullMode(kind.doubleSided ? vk::CullModeFlagBits::eNone : vk::CullModeFlagBits::eBack);
-        m_commands.setFrontFace(kind.mirrored ? vk::FrontFace::eClockwise
-                                              : vk::FrontFace::eCounterClockwise);
+        m_commands.setFrontFace(kind.mirrored ? vk::FrontFace::eClockwise : vk::FrontFace::eCounterClockwise);
     }
 
   private:

@@ -1,7 +1,6 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/translucent_pass.h>
 
-
 namespace cdr::render {
 
 namespace {
@@ -12,7 +11,8 @@ constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
 /// The extent, once the memory for the images is known to be there.
 vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent, bool countsCoverage) {
     constexpr std::uint64_t kCountBytes = 2;
-    const std::uint64_t counts = countsCoverage ? std::uint64_t{extent.width} * extent.height * kCountBytes : 0;
+    const std::uint64_t counts =
+        countsCoverage ? std::uint64_t{extent.width} * extent.height * kCountBytes : 0;
     gpu::requireDeviceBytes(device, WeightedBlend::predictBytes(extent) + counts, "translucency");
     return extent;
 }
@@ -30,8 +30,8 @@ std::string refusalOf(const gpu::Device& device, vk::Extent2D extent, const Tran
 } // namespace
 
 TranslucentPass::TranslucentPass(const gpu::Device& device, const scene::Scene& scene,
-                                 const GpuScene& gpuScene, const gpu::Image& gbuffer,
-                                 const gpu::Image& lit, const TranslucencyOptions& options)
+                                 const GpuScene& gpuScene, const gpu::Image& gbuffer, const gpu::Image& lit,
+                                 const TranslucencyOptions& options)
     : m_device(device),
       m_gpuScene(gpuScene),
       m_gbuffer(gbuffer),
@@ -48,8 +48,8 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const scene::Scene& 
       m_coverage(options.countsCoverage ? std::make_unique<Coverage>(device, m_lit.options().extent)
                                         : nullptr) {
     if (options.method == Translucency::sorted && m_refusal.empty()) {
-        m_sorted = std::make_unique<SortedBlend>(device, gpuScene, *m_surroundingsLayout,
-                                                 options.countsCoverage);
+        m_sorted =
+            std::make_unique<SortedBlend>(device, gpuScene, *m_surroundingsLayout, options.countsCoverage);
     }
 }
 
@@ -80,10 +80,8 @@ void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
     if (m_coverage != nullptr) {
         m_coverage->begin(primary);
     }
-    const TranslucentFrame frame{.draws = slot.draws,
-                                 .surroundings = slot.surroundings,
-                                 .lit = m_lit,
-                                 .coverage = m_coverage.get()};
+    const TranslucentFrame frame{
+        .draws = slot.draws, .surroundings = slot.surroundings, .lit = m_lit, .coverage = m_coverage.get()};
     if (sorts(slot)) {
         slot.list->resetCount();
         m_sorted->record(primary, frame, *slot.list);

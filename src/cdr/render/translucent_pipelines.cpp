@@ -36,19 +36,19 @@ TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const GpuS
                                        {{.stageFlags = kStages, .size = sizeof(shaders::TranslucentPush)}},
                                        options.name + " layout");
     for (std::uint32_t textured = 0; textured < m_pipelines.size(); ++textured) {
-        m_pipelines[textured] = gpu::makeGraphicsPipeline(
-            device, {.name = options.name,
-                     .vertexSpirv = kTranslucentVert,
-                     .fragmentSpirv = options.fragmentSpirv,
-                     .constants = {textured},
-                     .layout = *m_layout,
-                     .bindings = {GpuScene::vertexBinding(),
-                                  {.binding = kRecordBinding,
-                                   .stride = sizeof(shaders::TranslucentRecord),
-                                   .inputRate = vk::VertexInputRate::eInstance}},
-                     .attributes = attributes(),
-                     .colorFormats = options.colorFormats,
-                     .blend = gpu::Blend::accumulate});
+        m_pipelines[textured] =
+            gpu::makeGraphicsPipeline(device, {.name = options.name,
+                                               .vertexSpirv = kTranslucentVert,
+                                               .fragmentSpirv = options.fragmentSpirv,
+                                               .constants = {textured},
+                                               .layout = *m_layout,
+                                               .bindings = {GpuScene::vertexBinding(),
+                                                            {.binding = kRecordBinding,
+                                                             .stride = sizeof(shaders::TranslucentRecord),
+                                                             .inputRate = vk::VertexInputRate::eInstance}},
+                                               .attributes = attributes(),
+                                               .colorFormats = options.colorFormats,
+                                               .blend = gpu::Blend::accumulate});
     }
 }
 

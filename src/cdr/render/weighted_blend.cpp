@@ -74,8 +74,7 @@ void WeightedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fr
         }
         m_device.beginLabel(primary, fmt::format("translucent, cascade {}", range).c_str());
         recordSum(primary, frame, range);
-        gpu::pipelineBarrier(primary,
-                             {readBarrier(m_sum), readBarrier(m_weight), chainBarrier(frame.lit)});
+        gpu::pipelineBarrier(primary, {readBarrier(m_sum), readBarrier(m_weight), chainBarrier(frame.lit)});
         const vk::DescriptorSet sums = m_sums.set();
         m_resolve.record(primary, {&sums, 1}, frame.lit, vk::AttachmentLoadOp::eLoad);
         m_device.endLabel(primary);
