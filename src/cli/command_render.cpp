@@ -33,6 +33,8 @@ struct RenderArguments {
     std::string batching = "instanced";
     EffectArguments effects;
     std::string detail = "none";
+    std::string translucency = "weighted";
+    std::uint64_t translucencyMiB = render::TranslucencyOptions{}.mostBytes >> 20u;
     std::size_t threads = 1;
     std::string size = "1280x720";
     std::uint32_t frame = 0;
@@ -99,6 +101,12 @@ scene::Camera cameraAt(const RenderArguments& arguments, const scene::CameraPath
     return camera;
 }
 
+render::TranslucencyOptions translucencyOf(const RenderArguments& arguments, experiments::Aov aov) {
+    return {.method = render::parseTranslucency(arguments.translucency),
+            .mostBytes = arguments.translucencyMiB << 20u,
+            .countsCoverage = aov == experiments::Aov::coverage};
+}
+
 /// What can be wrong with the arguments, before anything is loaded or made.
 void checkArguments(const RenderArguments& arguments, const SequenceName& name) {
     if (arguments.frames > 1 && !arguments.file.empty() && !name.hasNumber()) {
@@ -158,6 +166,9 @@ nlohmann::ordered_json frameJson(const render::RenderOptions& options, const ren
             {"duplication", frame.stats.duplication},
             {"cull_ms", times.cullMs},
             {"bin_ms", times.binMs},
+            {"translucency", nameOf(frame.stats.translucency.method)},
+            {"translucent_draws", frame.stats.translucency.draws},
+            {"translucent_bytes", frame.stats.translucency.bytes},
             {"record_ms", times.recordMs},
             {"execute_ms", times.executeMs}};
 }
@@ -174,7 +185,8 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                                   .submission = render::parseSubmission(arguments.submission),
                                   .batching = render::parseBatching(arguments.batching),
                                   .detail = scene::parseDetail(arguments.detail),
-                                  .effects = effectsOf(arguments.effects)};
+                                  .effects = effectsOf(arguments.effects),
+                                  .translucency = translucencyOf(arguments, aov)};
     checkArguments(arguments, name);
     base::WorkerPool workers(arguments.threads);
     std::optional<base::Trace> trace;
@@ -212,6 +224,9 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
         }
         const measure::TruthImage* truthOrNull = truth ? &*truth : nullptr;
         session.requireSilentValidation();
+        if (const std::string& note = frame.stats.translucency.note; !note.empty()) {
+            console.line(fmt::format("frame {} drawn with --translucency weighted: {}", number, note));
+        }
         if (!arguments.file.empty()) {
             writeOutput(name.at(number), frame, aov, truthOrNull);
         }
@@ -285,13 +300,24 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
     auto arguments = std::make_shared<RenderArguments>();
     command
         ->add_option("scene", arguments->scene,
-                     "cubes, afc, afc-near, rotation, ladder, mixed, boulders, or a .gltf or .glb file")
+                     "cubes, afc, afc-near, rotation, ladder, mixed, boulders, sheets, or a .gltf or .glb file")
         ->required();
     addTechniqueOptions(*command, *arguments);
+    command
+        ->add_option("--translucency", arguments->translucency,
+                     "How blended surfaces are laid over each other: weighted, or sorted, which is exact")
+        ->capture_default_str();
+    command
+        ->add_option("--translucency-memory", arguments->translucencyMiB,
+                     "Most MiB for sorted fragments; frames that need more are drawn weighted")
+        ->check(CLI::Range(std::uint64_t{1}, kMostTranslucencyMiB))
+        ->capture_default_str();
     addEffectOptions(*command, arguments->effects);
     addCameraOptions(*command, *arguments);
     command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--aov", arguments->aov, "Output: color, id, distance, normal, cascade or wrong")
+    command
+        ->add_option("--aov", arguments->aov,
+                     "Output: color, id, distance, normal, cascade, wrong or coverage")
         ->capture_default_str();
     command->add_option("-o,--output", arguments->file,
                         "Picture to write: .png, .tga or .exr; %04d stands for the frame");

@@ -29,6 +29,7 @@ void addExperiments(CLI::App& program, const GlobalOptions& global) {
     addTiming(program, global);
     addScaling(program, global);
     addDetail(program, global);
+    addTranslucency(program, global);
 }
 
 namespace {

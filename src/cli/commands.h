@@ -17,6 +17,7 @@ void addAdvise(CLI::App& program, const GlobalOptions& global);
 void addTiming(CLI::App& program, const GlobalOptions& global);
 void addScaling(CLI::App& program, const GlobalOptions& global);
 void addDetail(CLI::App& program, const GlobalOptions& global);
+void addTranslucency(CLI::App& program, const GlobalOptions& global);
 void addReport(CLI::App& program, const GlobalOptions& global);
 
 /// The commands that a report is made of: all that measure.
@@ -38,5 +39,8 @@ PictureSize parseSize(const std::string& text);
 
 /// Most frames one call renders.
 inline constexpr std::uint32_t kMaxFrames = 1'000'000;
+
+/// Most MiB that --translucency-memory takes: 4 TiB.
+inline constexpr std::uint64_t kMostTranslucencyMiB = std::uint64_t{1} << 22u;
 
 } // namespace cdr::cli

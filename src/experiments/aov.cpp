@@ -17,7 +17,8 @@ namespace cdr::experiments {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kNames{"color", "id", "distance", "normal", "cascade", "wrong"};
+constexpr std::array<std::string_view, 7> kNames{"color",   "id",    "distance", "normal",
+                                                 "cascade", "wrong", "coverage"};
 
 /// Tints told apart by most eyes (Okabe and Ito 2008), repeated beyond eight cascades.
 constexpr std::array<std::array<float, 3>, 8> kTints{{{0.90f, 0.62f, 0.00f},
@@ -118,6 +119,18 @@ image::ImageRgba8 wrongPicture(const render::Frame& frame, const measure::TruthI
     return measure::heatMap(frame.ids(), *truth, frame.color);
 }
 
+/// Translucent surfaces at a pixel; none where the scene has none, or nobody counted.
+std::uint32_t coverageAt(const render::Frame& frame, std::uint32_t x, std::uint32_t y) {
+    return frame.coverage.pixels.empty() ? 0 : frame.coverage.at(x, y);
+}
+
+image::ImageRgba8 coveragePicture(const render::Frame& frame) {
+    return paint(frame, [&](auto x, auto y) -> image::Rgba8 {
+        const auto grey = static_cast<std::uint8_t>(std::min(16u * coverageAt(frame, x, y), 255u));
+        return {grey, grey, grey, 255};
+    });
+}
+
 std::vector<image::ExrChannel> colorChannels(const render::Frame& frame, const image::ImageRgba8& picture) {
     std::vector<image::ExrChannel> channels;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -164,6 +177,8 @@ image::ImageRgba8 pictureOf(const render::Frame& frame, Aov aov, const measure::
         return cascadePicture(frame);
     case Aov::wrong:
         return wrongPicture(frame, truth);
+    case Aov::coverage:
+        return coveragePicture(frame);
     }
     throw base::RunError("output out of range");
 }
@@ -187,6 +202,8 @@ std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
         return {{"X", values(frame, [&](auto x, auto y) { return frame.normalView(x, y).x; })},
                 {"Y", values(frame, [&](auto x, auto y) { return frame.normalView(x, y).y; })},
                 {"Z", values(frame, [&](auto x, auto y) { return frame.normalView(x, y).z; })}};
+    case Aov::coverage:
+        return {{"coverage", values(frame, [&](auto x, auto y) { return coverageAt(frame, x, y); })}};
     }
     throw base::RunError("output out of range");
 }
@@ -207,6 +224,8 @@ std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImag
         return hashOfWords(frame, [](const render::Surface& surface) { return surface.normal; });
     case Aov::cascade:
         return hashOfWords(frame, [](const render::Surface& surface) { return surface.idAndCascade; });
+    case Aov::coverage:
+        return base::sha256Of(frame.coverage.pixels);
     }
     throw base::RunError("output out of range");
 }

@@ -20,6 +20,8 @@ enum class Aov : std::uint8_t {
     normal,   ///< view space, (n + 1) / 2
     cascade,  ///< one tint per cascade, times the picture's lightness
     wrong,    ///< red where wrong off edges, orange on edges
+    coverage, ///< translucent surfaces in front of the opaque one: counts in EXR; in 8 bits grey, 16 a
+              ///< surface
 };
 
 std::string_view nameOf(Aov aov);

@@ -65,18 +65,21 @@ std::uint32_t chooseDevice(const std::vector<DeviceInfo>& infos, const std::stri
     return best->index;
 }
 
-vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFamily, bool gpuDriven) {
+vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFamily, const DeviceInfo& info) {
+    const bool gpuDriven = info.gpuDrivenMissing.empty();
     constexpr float kPriority = 1.0f;
     const vk::DeviceQueueCreateInfo queue{
         .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &kPriority};
     vk::PhysicalDeviceVulkan13Features v13{.synchronization2 = true, .dynamicRendering = true};
     vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13, .drawIndirectCount = gpuDriven};
-    const vk::PhysicalDeviceFeatures2 features{.pNext = &v12,
-                                               .features = {.multiDrawIndirect = gpuDriven,
-                                                            .drawIndirectFirstInstance = gpuDriven,
-                                                            .depthClamp = true,
-                                                            .shaderClipDistance = true,
-                                                            .shaderFloat64 = gpuDriven}};
+    const vk::PhysicalDeviceFeatures2 features{
+        .pNext = &v12,
+        .features = {.multiDrawIndirect = gpuDriven,
+                     .drawIndirectFirstInstance = gpuDriven,
+                     .depthClamp = true,
+                     .fragmentStoresAndAtomics = info.hasFragmentStores,
+                     .shaderClipDistance = true,
+                     .shaderFloat64 = gpuDriven}};
     return physical.createDeviceUnique(
         {.pNext = &features, .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue});
 }
@@ -92,7 +95,7 @@ Device::Device(const Instance& instance, const std::string& choice) {
     m_physical = instance.handle().enumeratePhysicalDevices()[index];
     m_info = describe(m_physical, index);
     m_queueFamily = findQueueFamily(m_physical).value();
-    m_owned = makeDevice(m_physical, m_queueFamily, m_info.gpuDrivenMissing.empty());
+    m_owned = makeDevice(m_physical, m_queueFamily, m_info);
     m_device = *m_owned;
     m_queue = m_device.getQueue(m_queueFamily, 0);
     finish(instance.handle(), instance.hasDebugNames());
@@ -107,6 +110,7 @@ Device::Device(const BorrowedDevice& borrowed)
     if (!borrowed.hasGpuDrivenFeatures) {
         m_info.gpuDrivenMissing = {"features that the device's maker left off"};
     }
+    m_info.hasFragmentStores = m_info.hasFragmentStores && borrowed.hasFragmentStores;
     finish(borrowed.instance, borrowed.hasDebugNames);
 }
 

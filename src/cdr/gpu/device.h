@@ -26,6 +26,7 @@ struct DeviceInfo {
     std::uint32_t queues = 0;                  ///< in the family cdr would use
     std::uint32_t maxImageSide = 0;
     std::uint64_t maxStorageBufferBytes = 0;
+    bool hasFragmentStores = false; ///< fragment shaders may write buffers (fragmentStoresAndAtomics)
     double timestampPeriodNs = 0.0;
 };
 
@@ -46,6 +47,7 @@ struct BorrowedDevice {
     bool hasDebugNames = false; ///< the instance has VK_EXT_debug_utils
     /// shaderFloat64, multiDrawIndirect, drawIndirectFirstInstance and drawIndirectCount are on too.
     bool hasGpuDrivenFeatures = false;
+    bool hasFragmentStores = false; ///< fragmentStoresAndAtomics is on too
 };
 
 /// A logical device with one queue and a memory allocator. Frees what it made itself, and borrows the rest.

@@ -136,6 +136,7 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     }
     info.maxImageSide = core.limits.maxImageDimension2D;
     info.maxStorageBufferBytes = core.limits.maxStorageBufferRange;
+    info.hasFragmentStores = physical.getFeatures().fragmentStoresAndAtomics != 0;
     info.timestampPeriodNs = static_cast<double>(core.limits.timestampPeriod);
     return info;
 }

@@ -27,6 +27,31 @@ struct Specialization {
     }
 };
 
+vk::PipelineColorBlendAttachmentState blendState(Blend blend) {
+    using Factor = vk::BlendFactor;
+    constexpr auto kAll = vk::ColorComponentFlagBits::eR | vk::ColorComponentFlagBits::eG |
+                          vk::ColorComponentFlagBits::eB | vk::ColorComponentFlagBits::eA;
+    switch (blend) {
+    case Blend::accumulate:
+        return {.blendEnable = true,
+                .srcColorBlendFactor = Factor::eOne,
+                .dstColorBlendFactor = Factor::eOne,
+                .srcAlphaBlendFactor = Factor::eZero,
+                .dstAlphaBlendFactor = Factor::eOneMinusSrcAlpha,
+                .colorWriteMask = kAll};
+    case Blend::over:
+        return {.blendEnable = true,
+                .srcColorBlendFactor = Factor::eOne,
+                .dstColorBlendFactor = Factor::eSrcAlpha,
+                .srcAlphaBlendFactor = Factor::eZero,
+                .dstAlphaBlendFactor = Factor::eOne,
+                .colorWriteMask = kAll};
+    case Blend::none:
+        break;
+    }
+    return {.colorWriteMask = kAll};
+}
+
 } // namespace
 
 vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options) {
@@ -55,10 +80,8 @@ vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipe
     const vk::PipelineMultisampleStateCreateInfo multisample{};
     const vk::PipelineDepthStencilStateCreateInfo depth{
         .depthTestEnable = hasDepth, .depthWriteEnable = hasDepth, .depthCompareOp = options.depthCompare};
-    const std::vector<vk::PipelineColorBlendAttachmentState> blends(
-        options.colorFormats.size(),
-        {.colorWriteMask = vk::ColorComponentFlagBits::eR | vk::ColorComponentFlagBits::eG |
-                           vk::ColorComponentFlagBits::eB | vk::ColorComponentFlagBits::eA});
+    const std::vector<vk::PipelineColorBlendAttachmentState> blends(options.colorFormats.size(),
+                                                                    blendState(options.blend));
     const vk::PipelineColorBlendStateCreateInfo blend{
         .attachmentCount = static_cast<std::uint32_t>(blends.size()), .pAttachments = blends.data()};
     constexpr std::array kDynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor,

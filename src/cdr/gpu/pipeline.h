@@ -11,6 +11,13 @@
 
 namespace cdr::gpu {
 
+/// How a pipeline's colours meet what its attachments hold.
+enum class Blend : std::uint8_t {
+    none,       ///< they replace it
+    accumulate, ///< colour is added; alpha multiplies what is there by 1 - alpha
+    over,       ///< colour is added to what is there times alpha, which therefore is transmittance
+};
+
 /// What a graphics pipeline is made from; viewport, scissor, cull mode and front face stay dynamic.
 struct GraphicsPipelineOptions {
     std::string name;
@@ -25,6 +32,7 @@ struct GraphicsPipelineOptions {
     vk::Format depthFormat =
         vk::Format::eUndefined; ///< undefined: no depth test; else depth is tested, written and clamped
     vk::CompareOp depthCompare = vk::CompareOp::eLessOrEqual;
+    Blend blend = Blend::none; ///< of every attachment
 };
 
 vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options);

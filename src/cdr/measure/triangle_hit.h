@@ -51,6 +51,18 @@ class ShearedRay {
         return (u * a.z + v * b.z + w * c.z) / sum;
     }
 
+    /// The weights of the triangle's corners at a hit, their sum 1; one of 0 says that the ray meets an edge.
+    glm::dvec3 weights(const Triangle& triangle) const {
+        const glm::dvec3 a = shear(triangle[0]);
+        const glm::dvec3 b = shear(triangle[1]);
+        const glm::dvec3 c = shear(triangle[2]);
+        const glm::dvec3 areas(edge(c, b), edge(a, c), edge(b, a));
+        return areas / (areas.x + areas.y + areas.z);
+    }
+
+    /// Whether the ray, which meets the triangle, comes from its front.
+    bool meetsFront(const Triangle& triangle) const { return meet(triangle, false) < kNoHit; }
+
   private:
     /// Twice the area of (ray, p, q), with the sign it has without rounding.
     static double edge(const glm::dvec3& p, const glm::dvec3& q) {

@@ -93,8 +93,12 @@ TruthImage TruthCaster::cast(const scene::Camera& camera, std::uint32_t width, s
     if (width == 0 || height == 0) {
         throw base::InputError("truth: a picture needs at least one pixel");
     }
-    const std::vector<VisibleInstance> nearestFirst =
+    std::vector<VisibleInstance> nearestFirst =
         visibleInstances(*m_scene, m_shapes, camera, width, height, workers);
+    std::erase_if(nearestFirst, [&](const VisibleInstance& visible) {
+        const std::uint32_t material = m_scene->instances.material[visible.instance];
+        return m_scene->materials[material].alphaMode == scene::AlphaMode::blend;
+    });
     std::vector<PixelRect> rects;
     rects.reserve(nearestFirst.size());
     for (const VisibleInstance& instance : nearestFirst) {

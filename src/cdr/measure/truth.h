@@ -32,8 +32,9 @@ using TruthImage = image::Raster<TruthPixel>;
 ///
 /// Visible is what lies within the camera's [near, far], both ends included, and is not the back of a
 /// single-sided material; behind an invisible surface the object's next one counts. Fronts are
-/// counter-clockwise in object space, so a mirroring basis keeps the same faces in front. Every alpha mode
-/// counts as opaque. An instance whose basis is flat (no inverse) is invisible.
+/// counter-clockwise in object space, so a mirroring basis keeps the same faces in front. Blended surfaces
+/// are seen through (castLayers() has them), masked ones count as opaque. An instance whose basis is flat (no
+/// inverse) is invisible.
 ///
 /// Prepares the scene's meshes once, for any number of pictures.
 class TruthCaster {

@@ -1,6 +1,7 @@
 #include <cdr/base/error.h>
 #include <cdr/image/srgb.h>
 #include <cdr/measure/object_ray.h>
+#include <cdr/measure/truth_light.h>
 #include <cdr/measure/truth_shading.h>
 
 #include <fmt/format.h>
@@ -81,15 +82,7 @@ image::Rgba8 shade(const scene::Scene& scene, const scene::Camera& camera, const
     const glm::dvec3 point = ray.origin + ray.direction * distanceView;
     const glm::dvec3 normal = normalAt(box, point);
     const glm::dvec3 fromCamera = box.objectToWorld * (ray.direction * distanceView);
-    glm::dvec3 light(scene.ambient);
-    for (const scene::PointLight& lamp : scene.lights) {
-        const glm::dvec3 toLight = (lamp.position - camera.position) - fromCamera;
-        const double squared = glm::dot(toLight, toLight);
-        const double lambert = std::max(glm::dot(normal, toLight) / std::sqrt(std::max(squared, 1e-30)), 0.0);
-        const double half2 = lamp.halfDistance * lamp.halfDistance;
-        light += glm::dvec3(lamp.color) * (lambert * half2 / (half2 + squared));
-    }
-    return encode(box.albedo * light);
+    return encode(box.albedo * lightAt(scene, camera, fromCamera, normal));
 }
 
 template <typename A, typename B>

@@ -98,8 +98,9 @@ std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::sp
     for (const Candidate& candidate : nearestFirst) {
         const std::size_t i = candidate.instance;
         visible.push_back(
-            {&shapes[instances.mesh[i]], scene.materials[instances.material[i]].doubleSided,
-             instances.object[i] + 1, candidate.footprint.nearestView, candidate.footprint.pixels,
+            {&shapes[instances.mesh[i]], candidate.instance,
+             scene.materials[instances.material[i]].doubleSided, instances.object[i] + 1,
+             candidate.footprint.nearestView, candidate.footprint.pixels,
              placeCamera(camera, instances, i, invertBasis(instances.basis[i])->worldToObject)});
     }
     return visible;

@@ -16,6 +16,7 @@ namespace cdr::measure {
 /// An instance that may cover pixels, ready for rays.
 struct VisibleInstance {
     const Shape* shape = nullptr;
+    std::uint32_t instance = 0; ///< index in the scene
     bool doubleSided = false;
     std::uint32_t id = 0; ///< object index + 1
     double nearestView = 0.0;

@@ -26,20 +26,20 @@ constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
 /// Invocations a workgroup of bin_commands.comp.
 constexpr std::size_t kCommandInvocations = 64;
 
-const gpu::Device& checked(const gpu::Device& device, const scene::Scene& scene) {
+const gpu::Device& checked(const gpu::Device& device, const scene::Instances& instances) {
     if (!device.info().gpuDrivenMissing.empty()) {
         throw base::InputError(fmt::format("{} cannot draw gpu-driven: it lacks {}", device.info().name,
                                            fmt::join(device.info().gpuDrivenMissing, ", ")));
     }
-    const std::size_t largest = scene.instances.size() * sizeof(shaders::InstanceLook);
+    const std::size_t largest = instances.size() * sizeof(shaders::InstanceLook);
     if (largest > device.info().maxStorageBufferBytes) {
         throw base::RunError(fmt::format("{} instances need a {} byte buffer to be drawn gpu-driven, {} "
                                          "allows {}",
-                                         scene.instances.size(), largest, device.info().name,
+                                         instances.size(), largest, device.info().name,
                                          device.info().maxStorageBufferBytes));
     }
-    gpu::requireDeviceBytes(device, largest + scene.instances.size() * sizeof(shaders::InstanceSphere),
-                            "gpu-driven scene " + scene.name);
+    gpu::requireDeviceBytes(device, largest + instances.size() * sizeof(shaders::InstanceSphere),
+                            "a gpu-driven scene");
     return device;
 }
 
@@ -67,10 +67,10 @@ vk::MemoryBarrier2 barrier(vk::PipelineStageFlags2 stages, vk::AccessFlags2 acce
 
 } // namespace
 
-BinningPass::BinningPass(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
-                         scene::DetailMode detail)
-    : m_device(checked(device, scene)),
-      m_instances(scene.instances.size()),
+BinningPass::BinningPass(const gpu::Device& device, const scene::Instances& instances,
+                         const GpuScene& gpuScene, scene::DetailMode detail)
+    : m_device(checked(device, instances)),
+      m_instances(instances.size()),
       m_setLayout(gpu::makeSetLayout(device, std::vector(kBindings, kStorage),
                                      vk::ShaderStageFlagBits::eCompute, "binning set")),
       m_layout(gpu::makePipelineLayout(device, {*m_setLayout}, {}, "binning layout")),
@@ -78,14 +78,14 @@ BinningPass::BinningPass(const gpu::Device& device, const scene::Scene& scene, c
       m_scan(makePipeline(kBinScanComp, "bin, scan")),
       m_fill(makePipeline(kBinFillComp, "bin, fill")),
       m_commands(makePipeline(kBinCommandsComp, "bin, commands")) {
-    uploadInstances(scene, gpuScene, detail);
+    uploadInstances(instances, gpuScene, detail);
 }
 
 vk::UniquePipeline BinningPass::makePipeline(std::span<const std::uint32_t> spirv, const char* name) const {
     return gpu::makeComputePipeline(m_device, spirv, *m_layout, name);
 }
 
-void BinningPass::uploadInstances(const scene::Scene& scene, const GpuScene& gpuScene,
+void BinningPass::uploadInstances(const scene::Instances& instances, const GpuScene& gpuScene,
                                   scene::DetailMode detail) {
     std::vector<shaders::InstanceSphere> spheres;
     std::vector<shaders::InstanceLook> looks;
@@ -116,7 +116,7 @@ void BinningPass::uploadInstances(const scene::Scene& scene, const GpuScene& gpu
         spheres.push_back({.x = source.position.x,
                            .y = source.position.y,
                            .z = source.position.z,
-                           .radius = scene.instances.radius[i],
+                           .radius = instances.radius[i],
                            .run = static_cast<std::uint32_t>(runs.size() - 1)});
         looks.push_back(lookOf(source));
     }

@@ -3,6 +3,7 @@
 #include <cdr/depth/cascade.h>
 #include <cdr/image/image.h>
 #include <cdr/render/gbuffer.h>
+#include <cdr/render/translucency.h>
 #include <cdr/scene/camera.h>
 
 #include <glm/glm.hpp>
@@ -18,15 +19,17 @@ struct FrameTimes {
     double cullMs = 0.0;
     double splitMs = 0.0;
     double binMs = 0.0;
-    double recordMs = 0.0;  ///< CPU writing commands
-    double executeMs = 0.0; ///< from submit until the device has finished
+    double translucentMs = 0.0; ///< CPU culling, binning and writing the translucent draws
+    double recordMs = 0.0;      ///< CPU writing commands
+    double executeMs = 0.0;     ///< from submit until the device has finished
 };
 
 struct FrameStats {
-    std::size_t visible = 0;  ///< instances in at least one cascade
+    std::size_t visible = 0;  ///< opaque instances in at least one cascade
     std::size_t draws = 0;    ///< with those that straddle a boundary counted once per cascade
     double duplication = 1.0; ///< draws per visible instance
     FrameTimes times;
+    TranslucencyStats translucency; ///< of the blended ones
 };
 
 /// What a pixel shows, in float64: as exact as the technique, so with anchored as the anchored step.
@@ -43,7 +46,9 @@ struct Frame {
     depth::Cascades cascades;        ///< nearest first
     std::vector<double> anchorsView; ///< each cascade's anchor plane, 0 where the mapping is not anchored
     image::ImageRgba8 color;         ///< sRGB
-    image::Raster<Surface> surfaces; ///< the G-buffer
+    image::Raster<Surface> surfaces; ///< the G-buffer: opaque surfaces, blended ones are seen through
+    /// Translucent fragments at or in front of the opaque surface; empty unless they were counted.
+    image::ImageU32 coverage;
     FrameStats stats;
 
     std::uint32_t width() const { return color.width; }
@@ -58,7 +63,7 @@ struct Frame {
     /// Unit normal in view space; zero for background.
     glm::vec3 normalView(std::uint32_t x, std::uint32_t y) const;
 
-    /// The surface at a pixel; empty for background.
+    /// The opaque surface at a pixel; empty for background.
     std::optional<Pick> pick(std::uint32_t x, std::uint32_t y) const;
 
     image::ImageU32 ids() const;

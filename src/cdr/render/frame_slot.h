@@ -8,6 +8,7 @@ namespace cdr::render {
 struct Renderer::Slot {
     std::unique_ptr<DrawPath> path;
     ShadingInputs shading;
+    std::optional<TranslucentPass::Slot> translucent; ///< where the scene has blended instances
     vk::UniqueFence done;
     bool isPending = false;
     base::Trace::Clock::time_point submitted;

@@ -38,7 +38,8 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
                                                     .layout = *m_layout,
                                                     .bindings = {},
                                                     .attributes = {},
-                                                    .colorFormats = {options.format}})) {}
+                                                    .colorFormats = {options.format},
+                                                    .blend = options.blend})) {}
 
 PassInputs FullscreenPass::makeInputs() const {
     PassInputs inputs;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/pipeline.h>
 
 #include <vulkan/vulkan.hpp>
 
@@ -20,6 +21,7 @@ struct FullscreenPassOptions {
     vk::Format format = vk::Format::eUndefined;
     std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, ...
     std::uint32_t pushBytes = 0;          ///< of push constants that the fragment shader reads
+    gpu::Blend blend = gpu::Blend::none;
 };
 
 /// The descriptors a FullscreenPass reads in one draw.
@@ -47,6 +49,8 @@ class FullscreenPass {
 
     /// Inputs with nothing set; they must not outlive the pass.
     PassInputs makeInputs() const;
+
+    vk::DescriptorSetLayout setLayout() const { return *m_setLayout; }
 
     /// One draw over the whole picture.
     struct Draw {

@@ -40,11 +40,15 @@ class Stopwatch {
     base::Trace::Clock::time_point m_last = base::Trace::Clock::now();
 };
 
-PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options) {
-    return {.extent = extent, .antialias = options.effects.antialias};
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended) {
+    return {.extent = extent, .hasSteps = hasBlended, .antialias = options.effects.antialias};
 }
 
-vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options) {
+std::optional<scene::Instances> opaqueWhereBlended(const scene::Scene& scene) {
+    return scene::hasBlended(scene) ? std::optional(scene::withoutBlended(scene)) : std::nullopt;
+}
+
+vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
     if (options.framesInFlight < 1 || options.framesInFlight > kMaxFramesInFlight) {
         throw base::InputError(fmt::format("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,
                                            options.framesInFlight));
@@ -67,7 +71,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
     constexpr std::uint64_t kDepthBytes = 4;
     gpu::requireDeviceBytes(device,
                             predictGBufferBytes(extent) +
-                                Picture::predictBytes(pictureOptions(extent, options)) +
+                                Picture::predictBytes(pictureOptions(extent, options, hasBlended)) +
                                 ShadingPass::predictBytes(extent, options.effects) +
                                 std::uint64_t{extent.width} * extent.height * kDepthBytes,
                             fmt::format("a {}x{} picture", extent.width, extent.height));
@@ -80,14 +84,15 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
                    const RenderOptions& options)
     : m_device(device),
       m_scene(scene),
+      m_opaque(opaqueWhereBlended(scene)),
       m_options(options),
-      m_extent(checkedExtent(device, options)),
+      m_extent(checkedExtent(device, options, m_opaque.has_value())),
       m_aspect(static_cast<double>(options.width) / static_cast<double>(options.height)),
       m_split(options.technique, options.height),
       m_workers(options.threads, options.placement),
       m_geometry(device, gpuScene, options.technique, options.batching),
       m_binning(options.submission == Submission::gpuDriven
-                    ? std::make_unique<BinningPass>(device, scene, gpuScene, options.detail.mode)
+                    ? std::make_unique<BinningPass>(device, opaque(), gpuScene, options.detail.mode)
                     : nullptr),
       m_targets(makeTargets(
           device, options.targets,
@@ -95,8 +100,12 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
            .depthFormat = m_geometry.pipelines().depthFormat(),
            .reversedDepth = depth::isReversed(options.technique.mapping),
            .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0})),
-      m_picture(device, pictureOptions(m_extent, options)),
+      m_picture(device, pictureOptions(m_extent, options, m_opaque.has_value())),
       m_shading(device, m_targets->gbuffer(), m_picture.lit(), options.effects),
+      m_translucent(m_opaque
+                        ? std::make_unique<TranslucentPass>(device, scene, gpuScene, m_targets->gbuffer(),
+                                                            m_picture.lit(), options.translucency)
+                        : nullptr),
       m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
       m_surfaceCopy(device, m_extent, sizeof(Surface), "surface copy") {
     m_workers.setTrace(options.trace);
@@ -104,6 +113,9 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
         Slot& made = m_slots.emplace_back();
         made.path = makePath(fmt::format("frame slot {}", slot));
         made.shading = m_shading.makeInputs(scene);
+        if (m_translucent != nullptr) {
+            made.translucent.emplace(m_translucent->makeSlot(made.shading));
+        }
         made.done = device.handle().createFenceUnique({});
     }
 }
@@ -125,6 +137,10 @@ std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {
         return std::make_unique<PrimaryPath>(m_device, std::move(draws), name);
     }
     return std::make_unique<SecondaryPath>(m_device, std::move(draws), name);
+}
+
+void Renderer::cull(const scene::Camera& camera) {
+    scene::cullSpheres(opaque(), camera, m_aspect, m_workers, m_visible);
 }
 
 void Renderer::cut(const scene::Camera& camera, Slot& slot) {
@@ -164,6 +180,9 @@ void Renderer::launch(Slot& slot, Destination destination) {
     slot.path->begin(view);
     m_targets->record(*slot.path, slot.draws);
     m_shading.record(slot.path->primary(), slot.shading);
+    if (slot.translucent) {
+        m_translucent->record(slot.path->primary(), *slot.translucent);
+    }
     m_picture.finish(slot.path->primary());
     if (destination == Destination::host) {
         recordReadback(slot.path->primary());
@@ -179,10 +198,20 @@ void Renderer::settle(Slot& slot) {
     while (slot.isPending) {
         gpu::waitAndReset(m_device, *slot.done);
         slot.isPending = false;
-        if (!slot.path->settle(slot.stats)) {
+        if (!hasRoomSufficed(slot)) {
+            if (slot.path->needsVisible()) {
+                cull(slot.camera); // by now the list may be a later frame's
+            }
             launch(slot, slot.destination);
         }
     }
+}
+
+bool Renderer::hasRoomSufficed(Slot& slot) {
+    const bool opaqueSufficed = slot.path->settle(slot.stats);
+    const bool blendedSufficed =
+        !slot.translucent || m_translucent->settle(*slot.translucent, slot.stats.translucency);
+    return opaqueSufficed && blendedSufficed;
 }
 
 Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destination) {
@@ -190,13 +219,17 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destinati
     Slot& slot = nextSlot();
     Stopwatch watch(m_options.trace);
     if (slot.path->needsVisible() || m_split.needsVisible()) {
-        scene::cullSpheres(m_scene.instances, camera, m_aspect, m_workers, m_visible);
+        cull(camera);
     }
     slot.stats = {};
     slot.stats.times.cullMs = watch.lap("cull");
     cut(camera, slot);
     slot.shading.update(m_scene, camera, slot.lens, slot.anchorsView());
     slot.stats.times.splitMs = watch.lap("split");
+    if (slot.translucent) {
+        m_translucent->prepare(*slot.translucent, camera, slot.cascades, m_workers);
+        slot.stats.times.translucentMs = watch.lap("translucent draws");
+    }
     launch(slot, destination);
     return slot;
 }
@@ -243,6 +276,9 @@ void Renderer::recordReadback(vk::CommandBuffer primary) const {
                      vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal)});
     m_colorCopy.record(primary, m_picture.encoded());
     m_surfaceCopy.record(primary, gbuffer);
+    if (m_translucent != nullptr) {
+        m_translucent->recordReadback(primary);
+    }
     recordHostBarrier(primary);
     m_device.endLabel(primary);
 }
@@ -254,6 +290,9 @@ Frame Renderer::fetch(const Slot& slot) const {
     frame.anchorsView = slot.anchorsView();
     frame.color = m_colorCopy.fetch<image::Rgba8>();
     frame.surfaces = m_surfaceCopy.fetch<Surface>();
+    if (m_translucent != nullptr) {
+        frame.coverage = m_translucent->coverage();
+    }
     frame.stats = slot.stats;
     return frame;
 }

@@ -11,10 +11,12 @@
 #include <cdr/render/readback.h>
 #include <cdr/render/shading_pass.h>
 #include <cdr/render/targets.h>
+#include <cdr/render/translucent_pass.h>
 #include <cdr/scene/cull.h>
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace cdr::render {
@@ -32,6 +34,7 @@ struct RenderOptions {
     Batching batching = Batching::instanced;
     scene::Detail detail{}; ///< none unless told; meshes without levels are drawn in full whatever it says
     Effects effects{};
+    TranslucencyOptions translucency{};
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
     /// none.
@@ -42,7 +45,8 @@ inline constexpr std::size_t kMaxFramesInFlight = 8;
 
 /// Renders a scene with one technique into one kind of targets, frame by frame.
 ///
-/// Data flows one way: camera -> cull -> split -> bin -> record on workers -> execute -> shade -> Frame.
+/// Data flows one way: camera -> cull -> split -> bin -> record on workers -> execute -> shade -> translucent
+/// surfaces -> Frame.
 class Renderer {
   public:
     /// The device, the scene and its GpuScene must outlive the renderer.
@@ -76,7 +80,11 @@ class Renderer {
     enum class Destination { device, host };
     std::unique_ptr<DrawPath> makePath(const std::string& name);
     Slot& nextSlot();
+    /// What is drawn into the G-buffer: all but blended instances.
+    const scene::Instances& opaque() const { return m_opaque ? *m_opaque : m_scene.instances; }
+    void cull(const scene::Camera& camera);
     void cut(const scene::Camera& camera, Slot& slot);
+    bool hasRoomSufficed(Slot& slot);
     void launch(Slot& slot, Destination destination);
     void settle(Slot& slot);
     void waitFor(Slot& slot);
@@ -86,6 +94,7 @@ class Renderer {
 
     const gpu::Device& m_device;
     const scene::Scene& m_scene;
+    std::optional<scene::Instances> m_opaque; ///< where the scene has blended instances
     RenderOptions m_options;
     vk::Extent2D m_extent;
     double m_aspect;
@@ -96,6 +105,7 @@ class Renderer {
     std::unique_ptr<Targets> m_targets;
     Picture m_picture;
     ShadingPass m_shading;
+    std::unique_ptr<TranslucentPass> m_translucent; ///< where the scene has blended instances
     Readback m_colorCopy;
     Readback m_surfaceCopy;
     scene::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing

@@ -1,3 +1,5 @@
+#include "random.h"
+
 #include <cdr/base/error.h>
 #include <cdr/scene/generators.h>
 #include <cdr/scene/random.h>

@@ -4,6 +4,7 @@
 #include <cdr/scene/extreme_scenes.h>
 #include <cdr/scene/gltf.h>
 #include <cdr/scene/open_scene.h>
+#include <cdr/scene/sheets_scene.h>
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,8 @@ namespace cdr::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kGenerated{"cubes",  "afc",   "afc-near", "rotation",
-                                                     "ladder", "mixed", "boulders"};
+constexpr std::array<std::string_view, 8> kGenerated{"cubes",  "afc",   "afc-near", "rotation",
+                                                     "ladder", "mixed", "boulders", "sheets"};
 
 struct Sphere {
     glm::dvec3 centre{0.0};
@@ -99,6 +100,9 @@ OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed) {
     }
     if (nameOrPath == "boulders") {
         return {.staged = makeBoulders(seed), .notes = {}};
+    }
+    if (nameOrPath == "sheets") {
+        return {.staged = makeSheets(seed), .notes = {}};
     }
     if (isGltfPath(nameOrPath)) {
         GltfImport import = loadGltf(nameOrPath);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cdr::scene {
 
@@ -40,6 +41,17 @@ void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::
     instances.mesh.push_back(mesh);
     instances.material.push_back(material);
     instances.object.push_back(object);
+}
+
+void swapInstances(Instances& instances, std::size_t a, std::size_t b) {
+    std::swap(instances.x[a], instances.x[b]);
+    std::swap(instances.y[a], instances.y[b]);
+    std::swap(instances.z[a], instances.z[b]);
+    std::swap(instances.radius[a], instances.radius[b]);
+    std::swap(instances.basis[a], instances.basis[b]);
+    std::swap(instances.mesh[a], instances.mesh[b]);
+    std::swap(instances.material[a], instances.material[b]);
+    std::swap(instances.object[a], instances.object[b]);
 }
 
 } // namespace cdr::scene

@@ -62,4 +62,7 @@ inline constexpr std::uint32_t kMaxObjects = (1u << 24) - 2;
 void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::uint32_t object,
                  const glm::dvec3& position, const glm::mat3& basis);
 
+/// Exchanges two instances, so that they are drawn in each other's turn; they stay the objects they are.
+void swapInstances(Instances& instances, std::size_t a, std::size_t b);
+
 } // namespace cdr::scene

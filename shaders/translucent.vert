@@ -1,0 +1,45 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "translucent_shared.h"
+#include "octahedral.glsl"
+
+layout(push_constant) uniform Push { TranslucentPush push; };
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec2 inNormal;
+layout(location = 2) in vec2 inUv;
+layout(location = 3) in vec4 inColor;
+// Per instance: the draw's record.
+layout(location = 4) in vec4 inRight;
+layout(location = 5) in vec4 inUp;
+layout(location = 6) in vec4 inAhead;
+layout(location = 7) in vec4 inCentreRange;
+layout(location = 8) in uvec4 inLook;
+
+layout(location = 0) out vec4 outNormalAhead;
+layout(location = 1) out vec4 outColor;
+layout(location = 2) out vec2 outUv;
+layout(location = 3) flat out vec4 outCentreRange;
+layout(location = 4) flat out uint outId;
+
+void main() {
+    float x = dot(inRight.xyz, inPosition) + inRight.w;
+    float y = dot(inUp.xyz, inPosition) + inUp.w;
+    float ahead = dot(inAhead.xyz, inPosition);
+    float distanceView = inCentreRange.x + ahead;
+    // No depth buffer: what is in front of what the fragment shader finds by distances alone.
+    gl_Position = vec4(x * push.projectionX, y * push.projectionY, 0.0, distanceView);
+    gl_ClipDistance[0] = distanceView - push.behind;
+
+    // As geometry.vert turns them.
+    vec3 back = -inAhead.xyz;
+    vec3 normal = decodeOctahedral(inNormal);
+    vec3 turned = vec3(dot(cross(inUp.xyz, back), normal), dot(cross(back, inRight.xyz), normal),
+                       dot(cross(inRight.xyz, inUp.xyz), normal));
+    float mirrored = dot(cross(inRight.xyz, inUp.xyz), back);
+    outNormalAhead = vec4(mirrored < 0.0 ? -turned : turned, ahead);
+    outColor = inColor * vec4(unpackHalf2x16(inLook.y), unpackHalf2x16(inLook.z));
+    outUv = inUv;
+    outCentreRange = inCentreRange;
+    outId = inLook.x;
+}

@@ -1,0 +1,66 @@
+// What the passes for translucent surfaces share with C++. Every struct is laid out the same by std430 and by
+// C++.
+#ifndef CDR_SHADERS_TRANSLUCENT_SHARED_H
+#define CDR_SHADERS_TRANSLUCENT_SHARED_H
+
+#ifdef __cplusplus
+#include <cdr/shaders/shared.h>
+
+namespace cdr::shaders {
+#define CDR_CONST inline constexpr uint
+#else
+#define CDR_CONST const uint
+#endif
+
+// One translucent draw in one cascade: object to view space, relative to the plane through the instance's own
+// centre, whatever the cascade and the mapping. So a triangle has the same bits in every cascade.
+struct TranslucentRecord {
+    vec4 right;       // row of (view * basis) in xyz, translation in w: view-space x
+    vec4 up;          // the same for view-space y
+    vec4 ahead;       // the same for the view distance, without translation
+    vec4 centreRange; // view distance of the centre, a float and its rest; then [near, far) of the cascade
+                      // less the centre, formed in float64: the far end of one cascade is the near end of the
+                      // next to the bit
+    uint id;          // object index + 1, and kIdUnlit
+    uint baseColorRg; // linear base colour factor as four halves
+    uint baseColorBa;
+    uint pad0;
+};
+
+// What the draws of one cascade share; push constants.
+struct TranslucentPush {
+    float projectionX; // as CascadePush has them
+    float projectionY;
+    float
+        behind; // view distance below which vertices are clipped: nearer than anything visible, and in front
+    float nearView; // the cascade's, for weights
+    float spread;   // 1 / ln(far / near)
+    uint width;     // of the picture
+    uint capacity;  // of the fragment list, in fragments
+};
+
+// One translucent fragment of a pixel's list.
+struct FragmentNode {
+    float red; // lit, linear, straight alpha
+    float green;
+    float blue;
+    float alpha;
+    float distance; // view distance, and what that float leaves out
+    float rest;
+    uint id;
+    uint next; // towards the end of the list; kNoNode ends it
+};
+
+// Node 0 is nobody's. Zero, because it is what helper invocations read on lavapipe, who must find no list to
+// walk.
+CDR_CONST kNoNode = 0u;
+
+#ifdef __cplusplus
+static_assert(sizeof(TranslucentRecord) == 80);
+static_assert(sizeof(TranslucentPush) == 28);
+static_assert(sizeof(FragmentNode) == 32);
+} // namespace cdr::shaders
+#endif
+
+#undef CDR_CONST
+#endif

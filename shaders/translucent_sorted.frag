@@ -1,0 +1,26 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define CDR_LIST_SET 2
+#include "fragment_list.glsl"
+#include "translucent_surface.glsl"
+
+// Keeps every translucent fragment. In which order they come, and so which node each gets, changes nothing: the list
+// is sorted by what the nodes hold.
+#ifdef COVERAGE
+layout(location = 0) out vec4 outCount; // red, by gpu::Blend::accumulate
+#endif
+
+void main() {
+    TranslucentFragment fragment = translucentFragment();
+    uint node = atomicAdd(fragmentCount, 1u) + 1u; // behind kNoNode
+    if (node <= push.capacity) {
+        uint pixel = uint(gl_FragCoord.y) * push.width + uint(gl_FragCoord.x);
+        uint next = atomicExchange(heads[pixel], node);
+        vec4 color = fragment.color;
+        nodes[node] = FragmentNode(color.r, color.g, color.b, color.a, fragment.distanceView.x,
+                                   fragment.distanceView.y, inId & kIdMask, next);
+    }
+#ifdef COVERAGE
+    outCount = vec4(1.0, 0.0, 0.0, 0.0);
+#endif
+}

@@ -1,0 +1,68 @@
+// What every translucent fragment shader begins with: whether the fragment is there, and its colour.
+#ifndef CDR_SHADERS_TRANSLUCENT_SURFACE_GLSL
+#define CDR_SHADERS_TRANSLUCENT_SURFACE_GLSL
+
+#include "shared.h"
+#include "translucent_shared.h"
+#include "surface.glsl"
+#include "float_pair.glsl"
+#define LIGHTING_SET 1
+#define LIGHTING_BINDING 1
+#include "lighting.glsl"
+
+layout(constant_id = 0) const uint kTextured = 0u;
+
+layout(set = 0, binding = 0) uniform sampler2D baseColorTexture;
+layout(set = 1, binding = 0) uniform usampler2D surfaceBuffer; // the final opaque G-buffer
+layout(push_constant) uniform Push { TranslucentPush push; };
+
+layout(location = 0) in vec4 inNormalAhead;
+layout(location = 1) in vec4 inColor;
+layout(location = 2) in vec2 inUv;
+layout(location = 3) flat in vec4 inCentreRange;
+layout(location = 4) flat in uint inId;
+
+struct TranslucentFragment {
+    vec4 color;        // lit, linear, straight alpha
+    vec2 distanceView; // a float pair
+};
+
+// Whether the opaque surface of the pixel lies in front. Both distances are metric and as exact as what drew them, so
+// neither cascade nor mapping matters; at the same distance a translucent surface lies on the opaque one.
+bool isOccluded(vec2 distanceView) {
+    uvec4 surface = texelFetch(surfaceBuffer, ivec2(gl_FragCoord.xy), 0);
+    vec2 anchor = header.anchors[(surface.w >> kIdBits) & kCascadeMask];
+    return surface.w != 0u && isLess(pairSum(anchor, aheadOf(surface)), distanceView);
+}
+
+vec4 litColor(vec4 baseColor, float ahead) {
+    float distanceView = inCentreRange.x + ahead;
+    vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(surfaceBuffer, 0)));
+    vec3 color = baseColor.rgb;
+    if ((inId & kIdUnlit) == 0u) {
+        vec3 normal = normalize(gl_FrontFacing ? inNormalAhead.xyz : -inNormalAhead.xyz);
+        color *= lightOn(normal, ray * distanceView, inCentreRange.xy, ahead, 1.0);
+    }
+    return vec4(throughFog(color, ray, distanceView), baseColor.a);
+}
+
+// Discards what belongs to another cascade or is occluded.
+TranslucentFragment translucentFragment() {
+    float ahead = inNormalAhead.w;
+    // Half-open: of two cascades that meet, exactly one keeps a fragment, since both compare the same bits.
+    if (!(ahead >= inCentreRange.z && ahead < inCentreRange.w)) {
+        discard;
+    }
+    vec2 distanceView = pairSum(inCentreRange.xy, ahead);
+    if (isOccluded(distanceView)) {
+        discard;
+    }
+    vec4 baseColor = inColor;
+    if (kTextured != 0u) {
+        baseColor *= textureLod(baseColorTexture, inUv, 0.0); // textures have one level; no derivatives needed
+    }
+    baseColor.a = clamp(baseColor.a, 0.0, 1.0);
+    return TranslucentFragment(litColor(baseColor, ahead), distanceView);
+}
+
+#endif

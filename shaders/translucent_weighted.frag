@@ -1,0 +1,24 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "translucent_surface.glsl"
+
+// Weighted, blended, order-independent: McGuire and Bavoil 2013, equations 5 and 10, the depth of which is here the
+// place in the cascade's range on a logarithmic scale.
+layout(location = 0) out vec4 outSum;    // colours, and in alpha the transmittance, by gpu::Blend::accumulate
+layout(location = 1) out vec4 outWeight; // red
+#ifdef COVERAGE
+layout(location = 2) out vec4 outCount; // red
+#endif
+
+void main() {
+    TranslucentFragment fragment = translucentFragment();
+    float place = clamp(log(max(fragment.distanceView.x / push.nearView, 1e-30)) * push.spread, 0.0, 1.0);
+    float nearness = 1.0 - place;
+    // The ends of equation 10, 1e-2 and 3e3, scaled so that half floats hold hundreds of layers.
+    float weight = fragment.color.a * max(2e-4, 60.0 * nearness * nearness * nearness);
+    outSum = vec4(fragment.color.rgb * fragment.color.a * weight, fragment.color.a);
+    outWeight = vec4(fragment.color.a * weight, 0.0, 0.0, 0.0);
+#ifdef COVERAGE
+    outCount = vec4(1.0, 0.0, 0.0, 0.0);
+#endif
+}

@@ -1,0 +1,182 @@
+#include <cdr/base/error.h>
+#include <cdr/image/srgb.h>
+#include <cdr/measure/layered_truth.h>
+#include <cdr/measure/surface_hit.h>
+#include <cdr/measure/truth_light.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <tuple>
+#include <vector>
+
+namespace cdr::measure {
+
+namespace {
+
+/// A surface as neighbouring pixels compare it.
+struct Face {
+    std::uint32_t id;
+    glm::dvec3 facet;
+
+    bool isSameAs(const Face& other) const {
+        return id == other.id && glm::dot(facet, other.facet) > 1.0 - 1e-9;
+    }
+};
+
+/// The faces that a pixel shows, nearest first.
+using Sequence = std::vector<Face>;
+using Sequences = image::Raster<Sequence>;
+
+/// Where rays start and what they may meet.
+struct View {
+    const scene::Scene& scene;
+    const scene::Camera& camera;
+    std::vector<VisibleInstance> instances;
+    PixelSlopes slopes;
+};
+
+/// All that a pixel's ray meets up to the first opaque surface, nearest first.
+std::vector<SurfaceHit> hitsAt(const View& view, std::uint32_t x, std::uint32_t y) {
+    std::vector<SurfaceHit> hits;
+    for (const VisibleInstance& instance : view.instances) {
+        const PixelRect& pixels = instance.pixels;
+        if (x >= pixels.left && x < pixels.right && y >= pixels.top && y < pixels.bottom) {
+            appendHits(view.scene, instance, instance.camera.ray(view.slopes.x[x], view.slopes.y[y]),
+                       {view.camera.nearView, view.camera.farView}, hits);
+        }
+    }
+    // At one distance a translucent surface lies on the opaque one, not below it.
+    std::sort(hits.begin(), hits.end(), [](const SurfaceHit& a, const SurfaceHit& b) {
+        return std::make_tuple(a.distanceView, !a.isBlended, a.id) <
+               std::make_tuple(b.distanceView, !b.isBlended, b.id);
+    });
+    const auto end =
+        std::find_if(hits.begin(), hits.end(), [](const SurfaceHit& hit) { return !hit.isBlended; });
+    if (end != hits.end()) {
+        hits.erase(end + 1, hits.end());
+    }
+    return hits;
+}
+
+glm::dvec3 colorOf(const View& view, const SurfaceHit& hit, std::uint32_t x, std::uint32_t y) {
+    const glm::dvec3 albedo(hit.baseColor);
+    if (hit.isUnlit) {
+        return albedo;
+    }
+    const scene::Camera& camera = view.camera;
+    const glm::dvec3 ray = -camera.back + view.slopes.x[x] * camera.right + view.slopes.y[y] * camera.up;
+    return albedo * lightAt(view.scene, camera, hit.distanceView * ray, hit.normal);
+}
+
+void castPixel(const View& view, std::uint32_t x, std::uint32_t y, LayeredTruth& truth,
+               Sequences& sequences) {
+    LayeredPixel& pixel = truth.at(x, y);
+    Sequence& sequence = sequences.at(x, y);
+    double transmittance = 1.0;
+    for (const SurfaceHit& hit : hitsAt(view, x, y)) {
+        const double alpha = hit.isBlended ? std::clamp(hit.baseColor.a, 0.0, 1.0) : 1.0;
+        pixel.color += transmittance * alpha * colorOf(view, hit, x, y);
+        transmittance *= 1.0 - alpha;
+        pixel.coverage += hit.isBlended ? 1 : 0;
+        sequence.push_back({hit.id, hit.facet});
+    }
+    pixel.color += transmittance * glm::dvec3(view.scene.background);
+}
+
+bool isInner(const Sequences& sequences, std::uint32_t x, std::uint32_t y) {
+    if (x == 0 || y == 0 || x + 1 >= sequences.width || y + 1 >= sequences.height) {
+        return false;
+    }
+    const Sequence& own = sequences.at(x, y);
+    for (std::uint32_t j = y - 1; j <= y + 1; ++j) {
+        for (std::uint32_t i = x - 1; i <= x + 1; ++i) {
+            const Sequence& other = sequences.at(i, j);
+            if (!std::equal(own.begin(), own.end(), other.begin(), other.end(),
+                            [](const Face& a, const Face& b) { return a.isSameAs(b); })) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+template <typename Function>
+void forEachPixel(std::uint32_t width, std::uint32_t height, base::WorkerPool& workers,
+                  const Function& function) {
+    workers.run(height, [&](std::size_t row, std::size_t) {
+        for (std::uint32_t x = 0; x < width; ++x) {
+            function(x, static_cast<std::uint32_t>(row));
+        }
+    });
+}
+
+image::Rgba8 encode(const glm::dvec3& linear) {
+    return {image::srgbOfLinear(linear.r), image::srgbOfLinear(linear.g), image::srgbOfLinear(linear.b), 255};
+}
+
+} // namespace
+
+LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
+                        std::uint32_t height, base::WorkerPool& workers) {
+    scene::requireUsable(camera);
+    if (width == 0 || height == 0) {
+        throw base::InputError("truth: a picture needs at least one pixel");
+    }
+    std::vector<Shape> shapes(scene.meshes.begin(), scene.meshes.end());
+    const View view{.scene = scene,
+                    .camera = camera,
+                    .instances = visibleInstances(scene, shapes, camera, width, height, workers),
+                    .slopes = pixelSlopes(camera, width, height)};
+    LayeredTruth truth(width, height);
+    Sequences sequences(width, height);
+    forEachPixel(width, height, workers,
+                 [&](std::uint32_t x, std::uint32_t y) { castPixel(view, x, y, truth, sequences); });
+    forEachPixel(width, height, workers, [&](std::uint32_t x, std::uint32_t y) {
+        truth.at(x, y).isInner = isInner(sequences, x, y);
+    });
+    return truth;
+}
+
+image::ImageRgba8 pictureOf(const LayeredTruth& truth) {
+    image::ImageRgba8 picture(truth.width, truth.height);
+    std::transform(truth.pixels.begin(), truth.pixels.end(), picture.pixels.begin(),
+                   [](const LayeredPixel& pixel) { return encode(pixel.color); });
+    return picture;
+}
+
+LayerDifference compareLayers(const image::ImageRgba8& picture, const image::ImageU32& coverage,
+                              const LayeredTruth& truth) {
+    if (picture.width != truth.width || picture.height != truth.height || coverage.width != truth.width ||
+        coverage.height != truth.height) {
+        throw base::InputError("translucent truth: sizes differ");
+    }
+    LayerDifference difference;
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        const LayeredPixel& pixel = truth.pixels[i];
+        if (!pixel.isInner) {
+            continue;
+        }
+        ++difference.pixels;
+        difference.miscounted += coverage.pixels[i] != pixel.coverage ? 1 : 0;
+        if (pixel.coverage == 0) {
+            continue;
+        }
+        const image::Rgba8 wanted = encode(pixel.color);
+        std::uint32_t error = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            error = std::max<std::uint32_t>(
+                error, static_cast<std::uint32_t>(std::abs(int{wanted[c]} - int{picture.pixels[i][c]})));
+        }
+        ++difference.translucent;
+        difference.within += error <= 1 ? 1 : 0;
+        difference.largestError = std::max(difference.largestError, error);
+        sum += error;
+    }
+    if (difference.translucent > 0) {
+        difference.meanError = static_cast<double>(sum) / static_cast<double>(difference.translucent);
+    }
+    return difference;
+}
+
+} // namespace cdr::measure

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cdr/base/worker_pool.h>
+#include <cdr/image/image.h>
+#include <cdr/scene/camera.h>
+#include <cdr/scene/scene.h>
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace cdr::measure {
+
+/// What a perfect renderer shows at one pixel of a scene with translucent surfaces.
+struct LayeredPixel {
+    glm::dvec3 color{0.0};      ///< linear: translucent surfaces, nearest first, over the opaque one
+    std::uint32_t coverage = 0; ///< translucent surfaces at or in front of the opaque one
+    /// Whether the eight neighbours see the same faces in the same order, so that neither silhouettes nor
+    /// lines where surfaces cross come near. Never at the picture's border.
+    bool isInner = false;
+};
+
+using LayeredTruth = image::Raster<LayeredPixel>;
+
+/// Casts one float64 ray through every pixel's centre and sorts all that it meets up to the first opaque
+/// surface; lights every surface in float64 as the shading pass does, and lays the translucent ones over each
+/// other. Shares no code with the renderer. Tries each triangle of an instance at every pixel that it may
+/// cover, so meant for meshes of few triangles.
+/// base::InputError as TruthCaster.
+LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
+                        std::uint32_t height, base::WorkerPool& workers);
+
+/// The truth as 8-bit sRGB.
+image::ImageRgba8 pictureOf(const LayeredTruth& truth);
+
+/// How a rendered picture differs from the truth, over the inner pixels.
+struct LayerDifference {
+    std::uint64_t pixels = 0;       ///< inner ones
+    std::uint64_t translucent = 0;  ///< inner ones with any coverage: what follows is over these
+    std::uint64_t within = 0;       ///< whose channels are all within one 8-bit step
+    std::uint64_t miscounted = 0;   ///< over all inner pixels: whose coverage differs
+    double meanError = 0.0;         ///< mean over pixels of the largest channel's difference, 8-bit steps
+    std::uint32_t largestError = 0; ///< 8-bit steps
+
+    double withinFraction() const {
+        return translucent ? static_cast<double>(within) / static_cast<double>(translucent) : 1.0;
+    }
+};
+
+/// @param coverage rendered counts. base::InputError when sizes differ.
+LayerDifference compareLayers(const image::ImageRgba8& picture, const image::ImageU32& coverage,
+                              const LayeredTruth& truth);
+
+} // namespace cdr::measure

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cdr/measure/object_ray.h>
+#include <cdr/measure/visible_instances.h>
+#include <cdr/scene/scene.h>
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::measure {
+
+/// One surface that a ray meets, with all that its colour follows from.
+struct SurfaceHit {
+    double distanceView = 0.0;
+    std::uint32_t id = 0;   ///< object index + 1
+    bool isBlended = false; ///< else it ends the ray
+    bool isUnlit = false;
+    bool isOnEdge = false;     ///< of its triangle, to the last bit
+    glm::dvec3 facet{0.0};     ///< the triangle's own normal, world axes, unit, towards the camera
+    glm::dvec3 normal{0.0};    ///< the one that is lit, world axes, unit, of the side that is seen
+    glm::dvec4 baseColor{1.0}; ///< linear, straight alpha, texture and vertex colour included
+};
+
+/// Appends every visible hit of a ray on one instance within `range`, in no order: backs of single-sided
+/// materials and what a mask cuts away are not visible, and an edge that triangles share is met once. Tries
+/// each triangle, so meant for small meshes.
+/// @param visible of `scene`.
+/// @param ray in the instance's object space.
+void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const ObjectRay& ray,
+                const ViewRange& range, std::vector<SurfaceHit>& hits);
+
+/// A texture's value in linear colour and alpha, bilinear between texel centres, each texel linearised first.
+glm::dvec4 sampleTexture(const scene::Texture& texture, const glm::dvec2& uv);
+
+} // namespace cdr::measure

@@ -1,0 +1,61 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/render/coverage.h>
+#include <cdr/render/gbuffer_rendering.h>
+
+#include <glm/gtc/packing.hpp>
+
+#include <algorithm>
+
+namespace cdr::render {
+
+Coverage::Coverage(const gpu::Device& device, vk::Extent2D extent)
+    : m_image(device,
+              {.extent = extent,
+               .format = kFormat,
+               .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc},
+              "coverage"),
+      m_copy(device, extent, sizeof(std::uint16_t), "coverage copy") {}
+
+void Coverage::begin(vk::CommandBuffer primary) const {
+    gpu::pipelineBarrier(primary, {attachBarrier(m_image)});
+    vk::RenderingAttachmentInfo cleared = attachment();
+    cleared.loadOp = vk::AttachmentLoadOp::eClear;
+    primary.beginRendering({.renderArea = {{0, 0}, m_image.options().extent},
+                            .layerCount = 1,
+                            .colorAttachmentCount = 1,
+                            .pColorAttachments = &cleared});
+    primary.endRendering();
+    gpu::pipelineBarrier(primary, {nextScope()});
+}
+
+vk::RenderingAttachmentInfo Coverage::attachment() const {
+    return {.imageView = m_image.view(),
+            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
+            .loadOp = vk::AttachmentLoadOp::eLoad,
+            .storeOp = vk::AttachmentStoreOp::eStore};
+}
+
+vk::ImageMemoryBarrier2 Coverage::nextScope() const {
+    return chainBarrier(m_image);
+}
+
+void Coverage::recordReadback(vk::CommandBuffer primary) const {
+    gpu::pipelineBarrier(
+        primary,
+        {gpu::imageBarrier(m_image.handle(), vk::ImageAspectFlagBits::eColor,
+                           vk::PipelineStageFlagBits2::eColorAttachmentOutput,
+                           vk::AccessFlagBits2::eColorAttachmentWrite, vk::PipelineStageFlagBits2::eCopy,
+                           vk::AccessFlagBits2::eTransferRead, vk::ImageLayout::eColorAttachmentOptimal,
+                           vk::ImageLayout::eTransferSrcOptimal)});
+    m_copy.record(primary, m_image);
+}
+
+image::ImageU32 Coverage::fetch() const {
+    const auto halves = m_copy.fetch<std::uint16_t>();
+    image::ImageU32 counts(halves.width, halves.height);
+    std::transform(halves.pixels.begin(), halves.pixels.end(), counts.pixels.begin(),
+                   [](std::uint16_t half) { return static_cast<std::uint32_t>(glm::unpackHalf1x16(half)); });
+    return counts;
+}
+
+} // namespace cdr::render

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cdr/gpu/memory.h>
+#include <cdr/image/image.h>
+#include <cdr/render/readback.h>
+
+#include <vulkan/vulkan.hpp>
+
+namespace cdr::render {
+
+/// Counts the translucent fragments of each pixel that lie at or in front of its opaque surface: an
+/// attachment into which every such fragment adds one. Exact up to 2048.
+class Coverage {
+  public:
+    Coverage(const gpu::Device& device, vk::Extent2D extent);
+
+    static constexpr vk::Format kFormat = vk::Format::eR16Sfloat;
+
+    /// Clears it; afterwards it is an attachment. Outside a rendering scope.
+    void begin(vk::CommandBuffer primary) const;
+    /// As an attachment of a scope that keeps what earlier ones counted.
+    vk::RenderingAttachmentInfo attachment() const;
+    /// Lets a further scope follow one that ended.
+    vk::ImageMemoryBarrier2 nextScope() const;
+    /// Copies the counts to the host; recordHostBarrier() must follow.
+    void recordReadback(vk::CommandBuffer primary) const;
+    image::ImageU32 fetch() const;
+
+  private:
+    gpu::Image m_image;
+    Readback m_copy;
+};
+
+} // namespace cdr::render

@@ -1,0 +1,127 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/fragment_list.h>
+#include <cdr/shaders/translucent_shared.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cdr::render {
+
+namespace {
+
+using Stage = vk::PipelineStageFlagBits2;
+using Access = vk::AccessFlagBits2;
+
+constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
+constexpr std::uint64_t kNodeBytes = sizeof(shaders::FragmentNode);
+
+std::uint64_t pixelsOf(vk::Extent2D extent) {
+    return std::uint64_t{extent.width} * extent.height;
+}
+
+/// Of the nodes for so many fragments; the first node is nobody's.
+std::uint64_t bytesFor(std::uint64_t fragments) {
+    return (fragments + 1) * kNodeBytes;
+}
+
+} // namespace
+
+std::optional<std::string> FragmentList::refusal(const gpu::Device& device, vk::Extent2D extent,
+                                                 std::uint64_t mostBytes) {
+    const std::uint64_t heads = pixelsOf(extent) * sizeof(std::uint32_t);
+    if (heads + bytesFor(1) > mostBytes) {
+        return fmt::format("lists of a {}x{} picture need {} bytes before the first fragment, {} are allowed",
+                           extent.width, extent.height, heads, mostBytes);
+    }
+    if (heads > device.info().maxStorageBufferBytes) {
+        return fmt::format("lists of a {}x{} picture need a {} byte buffer, {} allows {}", extent.width,
+                           extent.height, heads, device.info().name, device.info().maxStorageBufferBytes);
+    }
+    const std::uint64_t first = std::min(mostBytes, heads + bytesFor(pixelsOf(extent)));
+    if (const std::uint64_t available = gpu::freeDeviceBytes(device); first > available) {
+        return fmt::format("lists of a {}x{} picture need {} bytes, {} has {} free", extent.width,
+                           extent.height, first, device.info().name, available);
+    }
+    return std::nullopt;
+}
+
+FragmentList::FragmentList(const gpu::Device& device, vk::DescriptorSetLayout layout, vk::Extent2D extent,
+                           std::uint64_t mostBytes)
+    : m_device(device),
+      m_mostBytes(mostBytes),
+      m_heads(device, pixelsOf(extent) * sizeof(std::uint32_t),
+              vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst,
+              gpu::MemoryUse::deviceOnly, "fragment list heads"),
+      m_count(device, sizeof(std::uint32_t), vk::BufferUsageFlagBits::eStorageBuffer,
+              gpu::MemoryUse::hostReads, "fragment count"),
+      m_pool(gpu::makeDescriptorPool(device, 1, kBindings, {kStorage})),
+      m_set(gpu::allocateSet(device, *m_pool, layout)) {
+    gpu::writeBufferBinding(device, m_set, 0, kStorage, m_heads.handle());
+    gpu::writeBufferBinding(device, m_set, 2, kStorage, m_count.handle());
+    makeNodes(std::clamp<std::uint64_t>(mostFragments(), 1, pixelsOf(extent)));
+}
+
+std::uint64_t FragmentList::mostFragments() const {
+    const std::uint64_t left = m_mostBytes - std::min<std::uint64_t>(m_mostBytes, m_heads.size());
+    constexpr std::uint64_t kMostNodes = 0xffffffffu; // what a link can name
+    const std::uint64_t nodes =
+        std::min({left / kNodeBytes, m_device.info().maxStorageBufferBytes / kNodeBytes, kMostNodes});
+    return nodes - std::min<std::uint64_t>(nodes, 1);
+}
+
+void FragmentList::makeNodes(std::uint64_t fragments) {
+    const std::uint64_t bytes = bytesFor(fragments);
+    gpu::requireDeviceBytes(m_device, bytes, fmt::format("{} translucent fragments", fragments));
+    m_nodes = {}; // first, so that both need not fit
+    m_nodes = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eStorageBuffer,
+                          gpu::MemoryUse::deviceOnly, "fragment list nodes");
+    m_capacity = static_cast<std::uint32_t>(fragments);
+    gpu::writeBufferBinding(m_device, m_set, 1, kStorage, m_nodes.handle());
+}
+
+void FragmentList::recordClear(vk::CommandBuffer primary) const {
+    const auto barrier = [&](vk::PipelineStageFlags2 from, vk::AccessFlags2 written,
+                             vk::PipelineStageFlags2 to, vk::AccessFlags2 used) {
+        gpu::pipelineBarrier(
+            primary, {},
+            {{.srcStageMask = from, .srcAccessMask = written, .dstStageMask = to, .dstAccessMask = used}});
+    };
+    barrier(Stage::eFragmentShader, Access::eShaderStorageWrite, Stage::eTransfer, Access::eTransferWrite);
+    primary.fillBuffer(m_heads.handle(), 0, VK_WHOLE_SIZE, shaders::kNoNode);
+    barrier(Stage::eTransfer, Access::eTransferWrite, Stage::eFragmentShader,
+            Access::eShaderStorageRead | Access::eShaderStorageWrite);
+}
+
+void FragmentList::resetCount() {
+    m_count.as<std::uint32_t>(1).front() = 0;
+    m_count.flush();
+}
+
+std::uint32_t FragmentList::count() const {
+    m_count.invalidate();
+    return m_count.as<std::uint32_t>(1).front();
+}
+
+std::optional<std::string> FragmentList::grow(std::uint64_t fragments) {
+    const std::uint64_t wanted = bytesFor(fragments);
+    if (m_heads.size() + wanted > m_mostBytes) {
+        return fmt::format("{} translucent fragments need {} MiB, {} are allowed", fragments,
+                           (m_heads.size() + wanted) >> 20u, m_mostBytes >> 20u);
+    }
+    if (fragments > mostFragments()) {
+        return fmt::format("{} translucent fragments need a {} byte buffer, {} allows {}", fragments, wanted,
+                           m_device.info().name, m_device.info().maxStorageBufferBytes);
+    }
+    const std::uint64_t available = gpu::freeDeviceBytes(m_device) + m_nodes.size();
+    if (wanted > available) {
+        return fmt::format("{} translucent fragments need {} bytes, {} has {} free", fragments, wanted,
+                           m_device.info().name, available);
+    }
+    // A quarter more, so that a camera that moves does not draw every frame twice.
+    makeNodes(std::min({mostFragments(), available / kNodeBytes - 1, fragments + fragments / 4}));
+    return std::nullopt;
+}
+
+} // namespace cdr::render

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cdr/gpu/memory.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace cdr::render {
+
+/// One frame slot's lists of translucent fragments on the device (shaders/fragment_list.glsl). Grows to what
+/// a frame asked for, up to a bound.
+class FragmentList {
+  public:
+    /// Why there can be no lists at all for a picture: the bound, the device's buffers or its memory; none if
+    /// there can.
+    static std::optional<std::string> refusal(const gpu::Device& device, vk::Extent2D extent,
+                                              std::uint64_t mostBytes);
+
+    /// Starts with a node per pixel, or as many as the bound allows. There must be no refusal().
+    FragmentList(const gpu::Device& device, vk::DescriptorSetLayout layout, vk::Extent2D extent,
+                 std::uint64_t mostBytes);
+
+    vk::DescriptorSet set() const { return m_set; }
+    std::uint32_t capacity() const { return m_capacity; } ///< fragments
+    std::uint64_t bytes() const { return m_heads.size() + m_nodes.size(); }
+
+    /// Empties the lists; outside a rendering scope.
+    void recordClear(vk::CommandBuffer primary) const;
+    /// Sets the counter to 0; no frame may be using it.
+    void resetCount();
+    /// Fragments that the last frame had, room or not; the frame must have finished.
+    std::uint32_t count() const;
+
+    /// Makes room for `fragments`, which it must not have yet; no frame may be using the lists. Else says why
+    /// there can be none: the bound, the device's buffers or its memory.
+    std::optional<std::string> grow(std::uint64_t fragments);
+
+    /// Descriptors in a set: heads, nodes, count.
+    static constexpr std::uint32_t kBindings = 3;
+
+  private:
+    std::uint64_t mostFragments() const;
+    void makeNodes(std::uint64_t fragments);
+
+    const gpu::Device& m_device;
+    std::uint64_t m_mostBytes;
+    gpu::Buffer m_heads;
+    gpu::Buffer m_nodes;
+    gpu::Buffer m_count;
+    std::uint32_t m_capacity = 0;
+    vk::UniqueDescriptorPool m_pool;
+    vk::DescriptorSet m_set;
+};
+
+} // namespace cdr::render

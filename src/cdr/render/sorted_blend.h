@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cdr/render/fragment_list.h>
+#include <cdr/render/fullscreen_pass.h>
+#include <cdr/render/translucent_frame.h>
+
+#include <vulkan/vulkan.hpp>
+
+namespace cdr::render {
+
+/// Translucency::sorted: all cascades put their fragments into one list per pixel, which is sorted in place
+/// by metric view distance and blended once. The order is total, so the picture has the same bits for every
+/// order of instances, thread count, targets, submission and number of cascades.
+class SortedBlend {
+  public:
+    /// The device must have fragment stores. @param surroundings layout of TranslucentFrame::surroundings.
+    SortedBlend(const gpu::Device& device, const GpuScene& scene, vk::DescriptorSetLayout surroundings,
+                bool countsCoverage);
+
+    /// Of FragmentList::set().
+    vk::DescriptorSetLayout listLayout() const { return m_resolve.setLayout(); }
+
+    /// Afterwards FragmentList::count() is the host's to read once the frame has finished. With too little
+    /// room in the list the picture is incomplete.
+    void record(vk::CommandBuffer primary, const TranslucentFrame& frame, const FragmentList& list) const;
+
+  private:
+    void recordDraws(vk::CommandBuffer primary, const TranslucentFrame& frame,
+                     const FragmentList& list) const;
+
+    const gpu::Device& m_device;
+    FullscreenPass m_resolve; ///< its set is the list, which the pipelines fill
+    TranslucentPipelines m_pipelines;
+};
+
+} // namespace cdr::render

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace cdr::render {
+
+/// How translucent surfaces (scene::AlphaMode::blend) of one cascade are laid over each other. Cascades are
+/// composited far to near either way.
+enum class Translucency : std::uint8_t {
+    /// Weighted, blended, independent of order: McGuire and Bavoil 2013, with weights over the cascade's
+    /// own range. One pass, memory known beforehand; colours are approximate where surfaces overlap.
+    weighted,
+    /// Exact: every fragment of a pixel kept in a list, sorted by metric view distance, blended in float32.
+    /// Needs fragmentStoresAndAtomics, and memory per fragment.
+    sorted,
+};
+
+inline constexpr std::array kTranslucencies{Translucency::weighted, Translucency::sorted};
+
+/// "weighted" or "sorted".
+std::string_view nameOf(Translucency translucency);
+/// base::InputError with a suggestion for an unknown name.
+Translucency parseTranslucency(std::string_view name);
+
+struct TranslucencyOptions {
+    Translucency method = Translucency::weighted;
+    /// Most device bytes that the lists of one frame in flight may take, for Translucency::sorted. A frame
+    /// that has more fragments is drawn weighted, and says so.
+    std::uint64_t mostBytes = std::uint64_t{256} << 20u;
+    bool countsCoverage = false; ///< fills Frame::coverage
+};
+
+/// What became of a frame's translucent surfaces.
+struct TranslucencyStats {
+    Translucency method = Translucency::weighted; ///< that drew the frame
+    std::size_t draws = 0;       ///< instances, those in several cascades counted once for each
+    std::uint64_t fragments = 0; ///< kept in lists; 0 when weighted
+    std::uint64_t bytes = 0;     ///< of device memory for the method: images or lists
+    std::string note;            ///< why the frame was not drawn as asked; else empty
+};
+
+} // namespace cdr::render

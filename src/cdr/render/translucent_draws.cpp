@@ -1,0 +1,146 @@
+#include <cdr/render/translucent_draws.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cdr::render {
+
+namespace {
+
+/// What a draw has bound.
+class Binder {
+  public:
+    Binder(const TranslucentPipelines& pipelines, vk::CommandBuffer commands)
+        : m_pipelines(pipelines),
+          m_commands(commands) {}
+
+    void bind(const DrawKind& kind) {
+        const vk::Pipeline pipeline = m_pipelines.pipeline(kind);
+        if (pipeline != m_pipeline) {
+            m_commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
+            m_pipeline = pipeline;
+        }
+        m_commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 0,
+                                      kind.textureSet, {});
+        m_commands.setCullMode(kind.doubleSided ? vk::CullModeFlagBits::eNone : vk::CullModeFlagBits::eBack);
+        m_commands.setFrontFace(kind.mirrored ? vk::FrontFace::eClockwise : vk::FrontFace::eCounterClockwise);
+    }
+
+  private:
+    const TranslucentPipelines& m_pipelines;
+    vk::CommandBuffer m_commands;
+    vk::Pipeline m_pipeline;
+};
+
+} // namespace
+
+depth::Cascades translucentRanges(const depth::Cascades& cascades, const scene::Camera& camera) {
+    depth::Cascades ranges;
+    double nearView = camera.nearView;
+    for (std::size_t i = 0; i < cascades.size(); ++i) {
+        const bool isLast = i + 1 == cascades.size();
+        const double farView = isLast ? camera.farView : cascades[i + 1].nearView;
+        ranges.push_back({nearView, farView});
+        nearView = farView;
+    }
+    return ranges;
+}
+
+TranslucentDraws::TranslucentDraws(const gpu::Device& device, const GpuScene& scene,
+                                   const scene::BlendedInstances& blended)
+    : m_device(device),
+      m_scene(scene),
+      m_blended(blended) {}
+
+void TranslucentDraws::prepare(const scene::Camera& camera, double aspect, const depth::Cascades& cascades,
+                               base::WorkerPool& workers) {
+    m_ranges = translucentRanges(cascades, camera);
+    m_lens = lensOf(camera, aspect);
+    m_nearView = camera.nearView;
+    scene::cullSpheres(m_blended.instances, camera, aspect, workers, m_visible);
+    scene::binByDistance(m_visible, m_ranges, std::numeric_limits<double>::infinity(), workers, m_lists);
+    growRecords();
+    writeRecords(camera);
+}
+
+void TranslucentDraws::growRecords() {
+    const std::size_t draws = m_lists.draws();
+    if (m_records.size() > 0 && draws <= m_records.size() / sizeof(shaders::TranslucentRecord)) {
+        return;
+    }
+    // Half as many again, so that a camera that turns does not make a new buffer at every frame.
+    const std::size_t bytes =
+        std::max<std::size_t>(draws + draws / 2, 64) * sizeof(shaders::TranslucentRecord);
+    gpu::requireDeviceBytes(m_device, bytes, fmt::format("the records of {} translucent draws", draws));
+    m_records = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eVertexBuffer,
+                            gpu::MemoryUse::hostWrites, "translucent records");
+}
+
+void TranslucentDraws::writeRecords(const scene::Camera& camera) {
+    const auto records = m_records.as<shaders::TranslucentRecord>(m_lists.draws());
+    DrawRecordMaker maker(camera, 0.0);
+    for (std::size_t range = 0; range < m_ranges.size(); ++range) {
+        const base::IndexRange draws = m_lists.range(range);
+        for (std::size_t i = draws.begin; i < draws.end; ++i) {
+            const DrawSource& source = m_scene.sources()[m_blended.source[m_lists.instance[i]]];
+            const shaders::DrawRecord record = maker.make(source, m_scene.materials()[source.material]);
+            const double centre = camera.viewDistance(source.position);
+            records[i] = {.right = record.right,
+                          .up = record.up,
+                          .ahead = record.ahead,
+                          .centreRange = glm::vec4(splitDouble(centre),
+                                                   static_cast<float>(m_ranges[range].nearView - centre),
+                                                   static_cast<float>(m_ranges[range].farView - centre)),
+                          .id = record.id,
+                          .baseColorRg = record.baseColorRg,
+                          .baseColorBa = record.baseColorBa,
+                          .pad0 = 0};
+        }
+    }
+    m_records.flush();
+}
+
+shaders::TranslucentPush TranslucentDraws::pushOf(std::size_t range, vk::Extent2D extent,
+                                                  std::uint32_t capacity) const {
+    const depth::Cascade& ends = m_ranges[range];
+    return {.projectionX = static_cast<float>(1.0 / m_lens.tanX),
+            .projectionY = static_cast<float>(-1.0 / m_lens.tanY),
+            .behind = static_cast<float>(0.5 * m_nearView),
+            .nearView = static_cast<float>(ends.nearView),
+            .spread = static_cast<float>(1.0 / std::log(ends.farView / ends.nearView)),
+            .width = extent.width,
+            .capacity = capacity};
+}
+
+void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,
+                              const TranslucentPipelines& pipelines, vk::Extent2D extent,
+                              std::uint32_t capacity) const {
+    commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(extent.width),
+                                         static_cast<float>(extent.height), 0.0f, 1.0f});
+    commands.setScissor(0, vk::Rect2D{{0, 0}, extent});
+    commands.bindVertexBuffers(0, {m_scene.vertices(), m_records.handle()}, {0, 0});
+    commands.bindIndexBuffer(m_scene.indices(), 0, vk::IndexType::eUint32);
+    commands.pushConstants<shaders::TranslucentPush>(pipelines.layout(), TranslucentPipelines::kStages, 0,
+                                                     pushOf(range, extent, capacity));
+    Binder binder(pipelines, commands);
+    const auto kindOf = [&](std::size_t draw) {
+        return m_scene.sources()[m_blended.source[m_lists.instance[draw]]].kind;
+    };
+    const base::IndexRange draws = m_lists.range(range);
+    for (std::size_t first = draws.begin; first < draws.end;) {
+        std::size_t end = first + 1;
+        while (end < draws.end && kindOf(end) == kindOf(first)) {
+            ++end;
+        }
+        const DrawKind& kind = m_scene.kinds()[kindOf(first)];
+        binder.bind(kind);
+        commands.drawIndexed(kind.mesh.indexCount, static_cast<std::uint32_t>(end - first),
+                             kind.mesh.firstIndex, kind.mesh.vertexOffset, static_cast<std::uint32_t>(first));
+        first = end;
+    }
+}
+
+} // namespace cdr::render

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cdr/render/coverage.h>
+#include <cdr/render/translucent_draws.h>
+
+#include <vulkan/vulkan.hpp>
+
+namespace cdr::render {
+
+/// What a method of translucency draws one frame with.
+struct TranslucentFrame {
+    const TranslucentDraws& draws;
+    vk::DescriptorSet surroundings; ///< set 1: the opaque G-buffer, ready to be read, and the lights
+    const gpu::Image& lit;          ///< linear light, a colour attachment; what is drawn is laid over it
+    const Coverage* coverage;       ///< begun; null to count nothing
+};
+
+} // namespace cdr::render

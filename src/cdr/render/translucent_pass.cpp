@@ -1,0 +1,114 @@
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/translucent_pass.h>
+
+namespace cdr::render {
+
+namespace {
+
+constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
+constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
+
+/// The extent, once the memory for the images is known to be there.
+vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent, bool countsCoverage) {
+    constexpr std::uint64_t kCountBytes = 2;
+    const std::uint64_t counts =
+        countsCoverage ? std::uint64_t{extent.width} * extent.height * kCountBytes : 0;
+    gpu::requireDeviceBytes(device, WeightedBlend::predictBytes(extent) + counts, "translucency");
+    return extent;
+}
+
+std::string refusalOf(const gpu::Device& device, vk::Extent2D extent, const TranslucencyOptions& options) {
+    if (options.method != Translucency::sorted) {
+        return {};
+    }
+    if (!device.info().hasFragmentStores) {
+        return device.info().name + " lacks fragmentStoresAndAtomics";
+    }
+    return FragmentList::refusal(device, extent, options.mostBytes).value_or("");
+}
+
+} // namespace
+
+TranslucentPass::TranslucentPass(const gpu::Device& device, const scene::Scene& scene,
+                                 const GpuScene& gpuScene, const gpu::Image& gbuffer, const gpu::Image& lit,
+                                 const TranslucencyOptions& options)
+    : m_device(device),
+      m_gpuScene(gpuScene),
+      m_gbuffer(gbuffer),
+      m_lit(lit),
+      m_options(options),
+      m_blended(scene::blendedInstances(scene)),
+      m_sampler(device.handle().createSamplerUnique({})),
+      m_surroundingsLayout(gpu::makeSetLayout(device, {kImage, kStorage}, vk::ShaderStageFlagBits::eFragment,
+                                              "translucent surroundings")),
+      m_weighted(device, gpuScene, *m_surroundingsLayout,
+                 checkedExtent(device, m_lit.options().extent, options.countsCoverage),
+                 options.countsCoverage),
+      m_refusal(refusalOf(device, m_lit.options().extent, options)),
+      m_coverage(options.countsCoverage ? std::make_unique<Coverage>(device, m_lit.options().extent)
+                                        : nullptr) {
+    if (options.method == Translucency::sorted && m_refusal.empty()) {
+        m_sorted =
+            std::make_unique<SortedBlend>(device, gpuScene, *m_surroundingsLayout, options.countsCoverage);
+    }
+}
+
+TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) const {
+    Slot slot{.draws = TranslucentDraws(m_device, m_gpuScene, m_blended),
+              .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kImage, kStorage}),
+              .surroundings = {},
+              .list = {},
+              .note = {}};
+    slot.surroundings = gpu::allocateSet(m_device, *slot.pool, *m_surroundingsLayout);
+    gpu::writeImageBinding(m_device, slot.surroundings, 0, kImage, m_gbuffer.view(), *m_sampler);
+    gpu::writeBufferBinding(m_device, slot.surroundings, 1, kStorage, shading.lights().handle());
+    if (m_sorted != nullptr) {
+        slot.list.emplace(m_device, m_sorted->listLayout(), m_lit.options().extent, m_options.mostBytes);
+    }
+    return slot;
+}
+
+void TranslucentPass::prepare(Slot& slot, const scene::Camera& camera, const depth::Cascades& cascades,
+                              base::WorkerPool& workers) const {
+    const vk::Extent2D extent = m_lit.options().extent;
+    const double aspect = static_cast<double>(extent.width) / static_cast<double>(extent.height);
+    slot.draws.prepare(camera, aspect, cascades, workers);
+    slot.note = m_refusal;
+}
+
+void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
+    if (m_coverage != nullptr) {
+        m_coverage->begin(primary);
+    }
+    const TranslucentFrame frame{
+        .draws = slot.draws, .surroundings = slot.surroundings, .lit = m_lit, .coverage = m_coverage.get()};
+    if (sorts(slot)) {
+        slot.list->resetCount();
+        m_sorted->record(primary, frame, *slot.list);
+    } else {
+        m_weighted.record(primary, frame);
+    }
+}
+
+bool TranslucentPass::settle(Slot& slot, TranslucencyStats& stats) const {
+    const bool sorted = sorts(slot);
+    const std::uint32_t fragments = sorted ? slot.list->count() : 0;
+    if (sorted && fragments > slot.list->capacity()) {
+        slot.note = slot.list->grow(fragments).value_or("");
+        return false;
+    }
+    stats = {.method = sorted ? Translucency::sorted : Translucency::weighted,
+             .draws = slot.draws.draws(),
+             .fragments = fragments,
+             .bytes = sorted ? slot.list->bytes() : WeightedBlend::predictBytes(m_lit.options().extent),
+             .note = slot.note};
+    return true;
+}
+
+void TranslucentPass::recordReadback(vk::CommandBuffer primary) const {
+    if (m_coverage != nullptr) {
+        m_coverage->recordReadback(primary);
+    }
+}
+
+} // namespace cdr::render

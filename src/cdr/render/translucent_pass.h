@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cdr/render/frame.h>
+#include <cdr/render/shading_pass.h>
+#include <cdr/render/sorted_blend.h>
+#include <cdr/render/translucency.h>
+#include <cdr/render/weighted_blend.h>
+#include <cdr/scene/blended.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace cdr::render {
+
+/// Draws a scene's translucent surfaces over its lit opaque ones. Knows neither targets nor depth mapping nor
+/// depth buffer: a fragment is occluded by comparing metric view distances with the final G-buffer, and
+/// belongs to the one cascade whose range holds its distance.
+class TranslucentPass {
+  public:
+    /// What one frame slot owns.
+    struct Slot {
+        TranslucentDraws draws;
+        vk::UniqueDescriptorPool pool;
+        vk::DescriptorSet surroundings;   ///< of TranslucentFrame
+        std::optional<FragmentList> list; ///< when sorting
+        std::string note;                 ///< why this frame is weighted though sorting was asked for
+    };
+
+    /// The uploaded scene and the images must outlive the pass. base::RunError, with both figures, when the
+    /// device has too little memory for the pass' own images.
+    /// @param gbuffer in shader read layout whenever record() is called.
+    /// @param lit linear, of kLitFormat, a colour attachment whenever record() is called.
+    TranslucentPass(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
+                    const gpu::Image& gbuffer, const gpu::Image& lit, const TranslucencyOptions& options);
+
+    /// @param shading of the same frame slot, which must outlive this one.
+    Slot makeSlot(const ShadingInputs& shading) const;
+
+    /// Decides what a frame draws; the slot's last frame must have finished.
+    void prepare(Slot& slot, const scene::Camera& camera, const depth::Cascades& cascades,
+                 base::WorkerPool& workers) const;
+    /// After shading; the lit image stays a colour attachment.
+    void record(vk::CommandBuffer primary, Slot& slot) const;
+    /// After the frame ran. False when its fragments found no room; draw it again.
+    bool settle(Slot& slot, TranslucencyStats& stats) const;
+
+    /// Copies the counts to the host, if they are counted; the frame's last commands but for
+    /// recordHostBarrier().
+    void recordReadback(vk::CommandBuffer primary) const;
+    /// What they were; empty if they are not counted.
+    image::ImageU32 coverage() const { return m_coverage ? m_coverage->fetch() : image::ImageU32(); }
+
+  private:
+    bool sorts(const Slot& slot) const { return slot.list && slot.note.empty(); }
+
+    const gpu::Device& m_device;
+    const GpuScene& m_gpuScene;
+    const gpu::Image& m_gbuffer;
+    const gpu::Image& m_lit;
+    TranslucencyOptions m_options;
+    scene::BlendedInstances m_blended;
+    vk::UniqueSampler m_sampler;
+    vk::UniqueDescriptorSetLayout m_surroundingsLayout;
+    WeightedBlend m_weighted;
+    std::unique_ptr<SortedBlend> m_sorted; ///< where it is asked for and can be
+    std::string m_refusal;                 ///< why it cannot, where it is asked for
+    std::unique_ptr<Coverage> m_coverage;
+};
+
+} // namespace cdr::render

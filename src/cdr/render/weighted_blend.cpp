@@ -1,0 +1,108 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/render/gbuffer_rendering.h>
+#include <cdr/render/picture.h>
+#include <cdr/render/weighted_blend.h>
+#include <cdr/shaders/translucent_weighted_counted_frag.h>
+#include <cdr/shaders/translucent_weighted_frag.h>
+#include <cdr/shaders/translucent_weighted_resolve_frag.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <vector>
+
+namespace cdr::render {
+
+namespace {
+
+constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
+/// Vulkan requires every device to blend these.
+constexpr auto kSumFormat = vk::Format::eR16G16B16A16Sfloat;
+constexpr auto kWeightFormat = vk::Format::eR16Sfloat;
+
+gpu::Image makeImage(const gpu::Device& device, vk::Extent2D extent, vk::Format format, const char* name) {
+    return {device,
+            {.extent = extent,
+             .format = format,
+             .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled},
+            name};
+}
+
+TranslucentPipelinesOptions drawOptions(vk::DescriptorSetLayout surroundings, bool countsCoverage) {
+    TranslucentPipelinesOptions options{.name = "translucent, weighted",
+                                        .fragmentSpirv = kTranslucentWeightedFrag,
+                                        .sets = {surroundings},
+                                        .colorFormats = {kSumFormat, kWeightFormat}};
+    if (countsCoverage) {
+        options.fragmentSpirv = kTranslucentWeightedCountedFrag;
+        options.colorFormats.push_back(Coverage::kFormat);
+    }
+    return options;
+}
+
+vk::RenderingAttachmentInfo cleared(const gpu::Image& image, float alpha) {
+    return {.imageView = image.view(),
+            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
+            .loadOp = vk::AttachmentLoadOp::eClear,
+            .storeOp = vk::AttachmentStoreOp::eStore,
+            .clearValue = vk::ClearColorValue{std::array{0.0f, 0.0f, 0.0f, alpha}}};
+}
+
+} // namespace
+
+WeightedBlend::WeightedBlend(const gpu::Device& device, const GpuScene& scene,
+                             vk::DescriptorSetLayout surroundings, vk::Extent2D extent, bool countsCoverage)
+    : m_device(device),
+      m_sum(makeImage(device, extent, kSumFormat, "weighted sum")),
+      m_weight(makeImage(device, extent, kWeightFormat, "weights")),
+      m_pipelines(device, scene, drawOptions(surroundings, countsCoverage)),
+      m_resolve(device, {.name = "weighted resolve",
+                         .fragmentSpirv = kTranslucentWeightedResolveFrag,
+                         .bindings = {kImage, kImage},
+                         .format = kLitFormat,
+                         .constants = {},
+                         .blend = gpu::Blend::over}),
+      m_sums(m_resolve.makeInputs()) {
+    m_sums.setImage(0, m_sum);
+    m_sums.setImage(1, m_weight);
+}
+
+void WeightedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& frame) const {
+    for (std::size_t range = frame.draws.ranges(); range-- > 0;) {
+        if (frame.draws.isEmpty(range)) {
+            continue;
+        }
+        m_device.beginLabel(primary, fmt::format("translucent, cascade {}", range).c_str());
+        recordSum(primary, frame, range);
+        gpu::pipelineBarrier(primary, {readBarrier(m_sum), readBarrier(m_weight), chainBarrier(frame.lit)});
+        const FullscreenPass::Draw sums{.set = m_sums.set()};
+        m_resolve.record(primary, {&sums, 1}, frame.lit, vk::AttachmentLoadOp::eLoad);
+        m_device.endLabel(primary);
+    }
+}
+
+void WeightedBlend::recordSum(vk::CommandBuffer primary, const TranslucentFrame& frame,
+                              std::size_t range) const {
+    std::vector<vk::ImageMemoryBarrier2> before{attachBarrier(m_sum), attachBarrier(m_weight)};
+    std::vector<vk::RenderingAttachmentInfo> attachments{cleared(m_sum, 1.0f), cleared(m_weight, 0.0f)};
+    if (frame.coverage != nullptr) {
+        before.push_back(frame.coverage->nextScope());
+        attachments.push_back(frame.coverage->attachment());
+    }
+    const vk::Extent2D extent = m_sum.options().extent;
+    gpu::pipelineBarrier(primary, before);
+    primary.beginRendering({.renderArea = {{0, 0}, extent},
+                            .layerCount = 1,
+                            .colorAttachmentCount = static_cast<std::uint32_t>(attachments.size()),
+                            .pColorAttachments = attachments.data()});
+    primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 1, frame.surroundings,
+                               {});
+    frame.draws.record(primary, range, m_pipelines, extent, 0);
+    primary.endRendering();
+}
+
+std::uint64_t WeightedBlend::predictBytes(vk::Extent2D extent) {
+    return std::uint64_t{extent.width} * extent.height * (8 + 2);
+}
+
+} // namespace cdr::render

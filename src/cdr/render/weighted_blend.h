@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cdr/render/fullscreen_pass.h>
+#include <cdr/render/translucent_frame.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstdint>
+
+namespace cdr::render {
+
+/// Translucency::weighted: sums each cascade's fragments into two images, far cascade first, and lays the
+/// weighted mean over what is farther. Additions on the device follow draw order, so the picture is the same
+/// to the bit for every thread count, targets and submission, but not for another order of instances.
+class WeightedBlend {
+  public:
+    /// @param surroundings layout of TranslucentFrame::surroundings.
+    WeightedBlend(const gpu::Device& device, const GpuScene& scene, vk::DescriptorSetLayout surroundings,
+                  vk::Extent2D extent, bool countsCoverage);
+
+    void record(vk::CommandBuffer primary, const TranslucentFrame& frame) const;
+
+    static std::uint64_t predictBytes(vk::Extent2D extent);
+
+  private:
+    void recordSum(vk::CommandBuffer primary, const TranslucentFrame& frame, std::size_t range) const;
+
+    const gpu::Device& m_device;
+    gpu::Image m_sum;    ///< weighted colours, and the transmittance
+    gpu::Image m_weight; ///< the weights
+    TranslucentPipelines m_pipelines;
+    FullscreenPass m_resolve;
+    PassInputs m_sums; ///< what it reads
+};
+
+} // namespace cdr::render

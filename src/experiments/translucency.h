@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cdr/depth/mapping.h>
+#include <cdr/gpu/device.h>
+#include <cdr/image/image.h>
+#include <cdr/measure/layered_truth.h>
+#include <cdr/render/translucency.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// Both methods of translucency over 1 to 8 cascades against the float64 truth.
+struct TranslucencyExperiment {
+    std::string scene = "sheets"; ///< of few triangles: the truth tries them all
+    std::uint64_t seed = 2013;
+    std::uint32_t width = 640;
+    std::uint32_t height = 360;
+    depth::Mapping mapping = depth::Mapping::anchored;
+    std::vector<unsigned> cascades{1, 2, 3, 4, 5, 6, 7, 8};
+    std::size_t threads = 1;
+    std::size_t repeats = 7; ///< timed frames per method and count, interleaved; 0 times nothing
+    std::uint64_t mostBytes = render::TranslucencyOptions{}.mostBytes;
+};
+
+struct TranslucencyResult {
+    std::string technique;
+    unsigned cascades = 1;
+    render::TranslucencyStats stats;
+    measure::LayerDifference difference;
+    double executeMs = 0.0; ///< median
+    image::ImageRgba8 picture;
+};
+
+struct TranslucencyResults {
+    image::ImageRgba8 truth;
+    std::vector<TranslucencyResult> results; ///< by cascades, then method
+};
+
+/// Called before each step with how many of all are done.
+using TranslucencyProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// base::InputError for a scene without translucent surfaces, or an unusable number of cascades.
+TranslucencyResults runTranslucency(const gpu::Device& device, const TranslucencyExperiment& experiment,
+                                    const TranslucencyProgress& progress);
+
+/// How far a picture is from the truth, eight times as bright.
+image::ImageRgba8 errorPicture(const image::ImageRgba8& picture, const image::ImageRgba8& truth);
+
+} // namespace cdr::experiments

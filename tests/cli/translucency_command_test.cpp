@@ -1,0 +1,86 @@
+#include "program.h"
+
+#include <cdr/base/file.h>
+#include <cdr/image/codec.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace cdr::cli_test {
+
+namespace {
+
+using nlohmann::json;
+
+TEST(TranslucencyCommand, ComparesBothMethodsWithTheTruth) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("--validate translucency --size 160x90 --cascades 1,3 --repeats 1 --out p --json t.json",
+                   folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "t.json"));
+    EXPECT_EQ(document["command"], "translucency");
+    std::set<std::pair<std::string, int>> seen;
+    for (const json& row : document["results"]) {
+        const auto method = row["method"].get<std::string>();
+        seen.insert({method, row["cascades"].get<int>()});
+        EXPECT_GT(row["pixels"], 2000);
+        EXPECT_EQ(row["miscounted"], 0);
+        EXPECT_GT(row["execute_ms"], 0.0);
+        EXPECT_GT(row["bytes"], 160 * 90 * 4);
+        EXPECT_EQ(row["note"], "");
+        if (method == "sorted") {
+            EXPECT_GE(row["within_one_step"], 0.9999);
+            EXPECT_GT(row["fragments"], 160 * 90);
+        } else {
+            EXPECT_GT(row["mean_error"], 0.0);
+        }
+        const std::string stem = method + "_" + std::to_string(row["cascades"].get<int>());
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / (stem + ".png")));
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / (stem + "_error.png")));
+    }
+    EXPECT_EQ(seen.size(), 4u);
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / "truth.png"));
+}
+
+TEST(TranslucencyCommand, RenderTakesTheMethodAndItsMemory) {
+    const TemporaryFolder folder;
+    const std::string common = "--validate render sheets --size 320x180 --depth anchored --split count:3 ";
+    const auto run = [&](const std::string& arguments) {
+        const ProgramResult result = runProgram(common + arguments + " --hash --json r.json", folder.path());
+        EXPECT_EQ(result.status, 0) << result.err;
+        return std::pair(result.out, json::parse(readText(folder.path() / "r.json"))["results"][0]);
+    };
+    const json weighted = run("").second;
+    const json sorted = run("--translucency sorted").second;
+    EXPECT_EQ(weighted["translucency"], "weighted");
+    EXPECT_EQ(sorted["translucency"], "sorted");
+    EXPECT_NE(weighted["hash"], sorted["hash"]);
+    const auto [out, refused] = run("--translucency sorted --translucency-memory 1");
+    EXPECT_EQ(refused["translucency"], "weighted");
+    EXPECT_EQ(refused["hash"], weighted["hash"]);
+    EXPECT_NE(out.find("drawn with --translucency weighted: "), std::string::npos) << out;
+}
+
+TEST(TranslucencyCommand, CoverageIsAnOutput) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("--validate render sheets --size 160x90 --aov coverage -o c.png", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const image::ImageRgba8 picture =
+        image::decodeImage(base::readFile(folder.path() / "c.png", 1 << 20), "c.png");
+    std::set<int> greys;
+    for (const image::Rgba8& pixel : picture.pixels) {
+        greys.insert(pixel[0]);
+        EXPECT_TRUE(pixel[0] % 16 == 0 || pixel[0] == 255);
+    }
+    EXPECT_GE(greys.size(), 4u);
+}
+
+} // namespace
+
+} // namespace cdr::cli_test

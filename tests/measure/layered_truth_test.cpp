@@ -1,0 +1,140 @@
+#include <cdr/base/error.h>
+#include <cdr/image/srgb.h>
+#include <cdr/measure/layered_truth.h>
+#include <cdr/measure/surface_hit.h>
+#include <cdr/scene/sheets_scene.h>
+
+#include <gtest/gtest.h>
+
+namespace cdr::measure {
+
+namespace {
+
+constexpr std::uint32_t kSide = 9;
+
+/// Squares across the view axis, unlit.
+struct Stack {
+    scene::Scene scene;
+
+    Stack() {
+        scene.meshes.push_back(scene::makeSquare(1.0f));
+        scene.background = glm::vec3(0.1f, 0.2f, 0.3f);
+    }
+
+    void add(double w, const glm::vec4& color, bool blended, bool doubleSided = true, bool turned = false) {
+        const auto number = static_cast<std::uint32_t>(scene.materials.size());
+        scene.materials.push_back(
+            {.name = "layer",
+             .baseColorFactor = color,
+             .doubleSided = doubleSided,
+             .unlit = true,
+             .alphaMode = blended ? scene::AlphaMode::blend : scene::AlphaMode::opaque});
+        glm::mat3 basis(static_cast<float>(2.0 * w));
+        if (turned) {
+            basis[0] = -basis[0];
+            basis[2] = -basis[2];
+        }
+        scene::addInstance(scene, 0, number, number, glm::dvec3(0.0, 0.0, -w), basis);
+    }
+
+    LayeredPixel middle(double nearView = 0.1, double farView = 100.0) const {
+        base::WorkerPool workers(1);
+        const scene::Camera camera{.fovY = 1.0, .nearView = nearView, .farView = farView};
+        return castLayers(scene, camera, kSide, kSide, workers).at(3, 4);
+    }
+};
+
+void expectColor(const LayeredPixel& pixel, const glm::dvec3& wanted) {
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(pixel.color[c], wanted[c], 1e-7) << c;
+    }
+}
+
+TEST(LayeredTruth, LaysNearOverFarWhateverTheOrderTheyAreGivenIn) {
+    Stack stack;
+    stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.25f}, true);
+    stack.add(8.0, {0.0f, 0.0f, 1.0f, 1.0f}, false);
+    stack.add(2.0, {1.0f, 0.0f, 0.0f, 0.5f}, true);
+    const LayeredPixel pixel = stack.middle();
+    expectColor(pixel, {0.5, 0.5 * 0.25, 0.5 * 0.75});
+    EXPECT_EQ(pixel.coverage, 2u);
+    EXPECT_TRUE(pixel.isInner);
+}
+
+TEST(LayeredTruth, OpaqueSurfacesAndTheRangeEndARay) {
+    Stack stack;
+    stack.add(1.0, {1.0f, 1.0f, 1.0f, 0.5f}, true); // before near
+    stack.add(3.0, {1.0f, 0.0f, 0.0f, 0.5f}, true);
+    stack.add(5.0, {0.0f, 1.0f, 0.0f, 0.3f}, false); // an opaque material's alpha is none
+    stack.add(6.0, {1.0f, 1.0f, 1.0f, 0.5f}, true);
+    EXPECT_EQ(stack.middle(2.0).coverage, 1u);
+    expectColor(stack.middle(2.0), {0.5, 0.5, 0.0});
+    EXPECT_EQ(stack.middle(2.0, 4.0).coverage, 1u); // nothing opaque before far
+    expectColor(stack.middle(2.0, 4.0), {0.5 + 0.05, 0.1, 0.15});
+}
+
+TEST(LayeredTruth, OnAnOpaqueSurfaceIsInFrontOfIt) {
+    Stack stack;
+    stack.add(5.0, {0.0f, 0.0f, 1.0f, 1.0f}, false);
+    stack.add(5.0, {1.0f, 0.0f, 0.0f, 0.5f}, true);
+    EXPECT_EQ(stack.middle().coverage, 1u);
+    expectColor(stack.middle(), {0.5, 0.0, 0.5});
+}
+
+TEST(LayeredTruth, BacksShowOnDoubleSidedSurfacesOnly) {
+    Stack stack;
+    stack.add(3.0, {1.0f, 0.0f, 0.0f, 0.5f}, true, false, true); // its back towards the camera
+    stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.5f}, true, false, false);
+    stack.add(5.0, {0.0f, 0.0f, 1.0f, 0.5f}, true, true, true);
+    EXPECT_EQ(stack.middle().coverage, 2u);
+}
+
+TEST(LayeredTruth, PixelsNextToASilhouetteAreNotInner) {
+    Stack stack;
+    stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.5f}, true);
+    stack.scene.instances.x[0] = 8.0 + 0.1; // its left edge a little right of the middle
+    base::WorkerPool workers(2);
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
+    const LayeredTruth truth = castLayers(stack.scene, camera, kSide, kSide, workers);
+    for (std::uint32_t x = 1; x + 1 < kSide; ++x) {
+        EXPECT_EQ(truth.at(x, 4).coverage, x > 4 ? 1u : 0u);
+        EXPECT_EQ(truth.at(x, 4).isInner, x != 4 && x != 5) << x;
+    }
+    EXPECT_FALSE(truth.at(0, 4).isInner);
+}
+
+TEST(LayeredTruth, ComparesInnerPixelsOnly) {
+    Stack stack;
+    stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.5f}, true);
+    base::WorkerPool workers(1);
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
+    const LayeredTruth truth = castLayers(stack.scene, camera, kSide, kSide, workers);
+    image::ImageRgba8 picture = pictureOf(truth);
+    image::ImageU32 coverage(kSide, kSide, 1);
+    coverage.at(0, 0) = 7; // at the border
+    picture.at(4, 4)[1] = static_cast<std::uint8_t>(picture.at(4, 4)[1] - 3);
+    coverage.at(5, 5) = 2;
+    const LayerDifference difference = compareLayers(picture, coverage, truth);
+    EXPECT_EQ(difference.translucent, (kSide - 2) * (kSide - 2));
+    EXPECT_EQ(difference.miscounted, 1u);
+    EXPECT_EQ(difference.within, difference.translucent - 1);
+    EXPECT_EQ(difference.largestError, 3u);
+    EXPECT_THROW(compareLayers(image::ImageRgba8(2, 2), coverage, truth), base::InputError);
+}
+
+TEST(SampleTexture, IsBilinearInLinearLightAndWraps) {
+    scene::Texture texture{.name = "two", .pixels = image::ImageRgba8(2, 1)};
+    texture.pixels.at(0, 0) = {0, 0, 0, 0};
+    texture.pixels.at(1, 0) = {255, 188, 0, 255};
+    const double linear188 = image::linearOfSrgb()[188];
+    EXPECT_NEAR(sampleTexture(texture, {0.75, 0.3}).r, 1.0, 1e-12);
+    EXPECT_NEAR(sampleTexture(texture, {0.5, 0.3}).g, 0.5 * linear188, 1e-12);
+    EXPECT_NEAR(sampleTexture(texture, {1.0, 0.3}).a, 0.5, 1e-12); // half-way to the first again
+    texture.repeatU = false;
+    EXPECT_NEAR(sampleTexture(texture, {1.0, 0.3}).a, 1.0, 1e-12);
+    EXPECT_NEAR(sampleTexture(texture, {-3.0, 0.3}).a, 0.0, 1e-12);
+}
+
+} // namespace
+
+} // namespace cdr::measure

@@ -1,0 +1,295 @@
+#include "fixture.h"
+
+#include <cdr/measure/layered_truth.h>
+#include <cdr/scene/sheets_scene.h>
+
+#include <random>
+
+namespace cdr::render_test {
+
+namespace {
+
+using render::Translucency;
+
+constexpr std::uint32_t kWidth = 192;
+constexpr std::uint32_t kHeight = 108;
+
+depth::Technique countOf(depth::Mapping mapping, unsigned cascades) {
+    return depth::makeTechnique(mapping, depth::SplitCount{cascades}, depth::DepthFormat::d32f);
+}
+
+/// Every preset, and both anchored mappings over four even cascades.
+std::vector<depth::Technique> techniques() {
+    std::vector<depth::Technique> all(depth::presets().begin(), depth::presets().end());
+    all.push_back(countOf(depth::Mapping::anchored, 4));
+    all.push_back(countOf(depth::Mapping::anchoredReversed, 4));
+    return all;
+}
+
+render::RenderOptions optionsFor(const depth::Technique& technique, Translucency method) {
+    return {.width = kWidth,
+            .height = kHeight,
+            .technique = technique,
+            .translucency = {.method = method, .countsCoverage = true}};
+}
+
+void shuffle(scene::Scene& scene, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    for (std::size_t i = scene.instances.size(); i > 1; --i) {
+        scene::swapInstances(scene.instances, i - 1, random() % i);
+    }
+}
+
+class TranslucencyTest : public RenderTest {
+  protected:
+    measure::LayeredTruth truthOf(const scene::Scene& scene, const scene::Camera& camera,
+                                  std::uint32_t width = kWidth, std::uint32_t height = kHeight) {
+        base::WorkerPool workers(2);
+        return measure::castLayers(scene, camera, width, height, workers);
+    }
+
+    /// How a sheets frame compares with the truth, once it has covered enough to mean anything.
+    void expectCounted(const render::RenderOptions& options) {
+        const render::Frame frame = draw(m_sheets.scene, m_camera, options);
+        const measure::LayerDifference difference =
+            measure::compareLayers(frame.color, frame.coverage, m_truth);
+        EXPECT_GT(difference.translucent, kWidth * kHeight / 5);
+        EXPECT_EQ(difference.miscounted, 0u)
+            << options.technique.name << " " << nameOf(options.targets) << " "
+            << nameOf(options.translucency.method) << " " << frame.cascades.size();
+    }
+
+    scene::StagedScene m_sheets = scene::makeSheets(2013);
+    scene::Camera m_camera = m_sheets.path.at(0);
+    measure::LayeredTruth m_truth = truthOf(m_sheets.scene, m_camera);
+};
+
+/// Coverage is exact where no sheet is lost at a boundary and none is drawn twice.
+TEST_F(TranslucencyTest, EveryFragmentIsInExactlyOneOf1To8Cascades) {
+    for (unsigned cascades = 1; cascades <= 8; ++cascades) {
+        for (const Translucency method : render::kTranslucencies) {
+            for (const depth::Mapping mapping : {depth::Mapping::reversed, depth::Mapping::anchored}) {
+                render::RenderOptions options = optionsFor(countOf(mapping, cascades), method);
+                options.targets = render::kTargetsKinds[cascades % render::kTargetsKinds.size()];
+                expectCounted(options);
+            }
+        }
+    }
+}
+
+/// With d32f each technique resolves the cubes, so what occludes is right, and so must the counts be.
+TEST_F(TranslucencyTest, CoverageIsTheSameForAllTargetsAndTechniques) {
+    for (const depth::Technique& technique : techniques()) {
+        for (const render::TargetsKind targets : render::kTargetsKinds) {
+            render::RenderOptions options = optionsFor(technique, Translucency::weighted);
+            options.targets = targets;
+            expectCounted(options);
+        }
+    }
+}
+
+TEST_F(TranslucencyTest, SortedIsTheTruthToOneStep) {
+    constexpr std::uint32_t kLarge = 2;
+    const measure::LayeredTruth truth = truthOf(m_sheets.scene, m_camera, kLarge * kWidth, kLarge * kHeight);
+    for (const depth::Technique& technique :
+         {countOf(depth::Mapping::anchored, 5), countOf(depth::Mapping::reversed, 1)}) {
+        render::RenderOptions options = optionsFor(technique, Translucency::sorted);
+        options.width *= kLarge;
+        options.height *= kLarge;
+        const render::Frame frame = draw(m_sheets.scene, m_camera, options);
+        EXPECT_EQ(frame.stats.translucency.method, Translucency::sorted);
+        const measure::LayerDifference difference =
+            measure::compareLayers(frame.color, frame.coverage, truth);
+        EXPECT_GT(difference.translucent, 20'000u);
+        EXPECT_GE(difference.withinFraction(), 0.9999) << technique.name;
+    }
+}
+
+/// Some sheets must lie in several cascades, else the tests above would pass without a boundary.
+TEST_F(TranslucencyTest, SheetsLieInSeveralCascades) {
+    const render::Frame one =
+        draw(m_sheets.scene, m_camera, optionsFor(countOf(depth::Mapping::anchored, 1), {}));
+    const render::Frame eight =
+        draw(m_sheets.scene, m_camera, optionsFor(countOf(depth::Mapping::anchored, 8), {}));
+    EXPECT_GT(eight.stats.translucency.draws, one.stats.translucency.draws * 3 / 2);
+}
+
+TEST_F(TranslucencyTest, OrderOfInstancesChangesNoBitWhenSorted) {
+    const render::RenderOptions options =
+        optionsFor(countOf(depth::Mapping::anchored, 4), Translucency::sorted);
+    const std::string wanted = hashOf(draw(m_sheets.scene, m_camera, options));
+    for (const std::uint32_t seed : {1u, 2u, 3u}) {
+        scene::Scene shuffled = m_sheets.scene;
+        shuffle(shuffled, seed);
+        ASSERT_NE(shuffled.instances.object, m_sheets.scene.instances.object);
+        EXPECT_EQ(hashOf(draw(shuffled, m_camera, options)), wanted);
+    }
+}
+
+/// Sheets at the same distance to the last bit: nothing but their ids can order them.
+TEST_F(TranslucencyTest, CoincidentSheetsAreOrderedBySortedHoweverDrawn) {
+    scene::Scene scene = m_sheets.scene;
+    const std::size_t sheets = scene.instances.size();
+    for (std::size_t i = 0; i < sheets; ++i) {
+        scene::addInstance(scene, scene.instances.mesh[i], (scene.instances.material[i] + 5) % 12,
+                           static_cast<std::uint32_t>(1000 + i), scene.instances.position(i),
+                           scene.instances.basis[i]);
+    }
+    const render::RenderOptions options =
+        optionsFor(countOf(depth::Mapping::reversed, 4), Translucency::sorted);
+    const std::string wanted = base::sha256Of(draw(scene, m_camera, options).color.pixels);
+    for (const std::uint32_t seed : {1u, 2u}) {
+        shuffle(scene, seed);
+        EXPECT_EQ(base::sha256Of(draw(scene, m_camera, options).color.pixels), wanted);
+    }
+}
+
+TEST_F(TranslucencyTest, ThreadsTargetsAndSubmissionsChangeNoBit) {
+    const render::GpuScene gpuScene(device(), m_sheets.scene);
+    for (const Translucency method : render::kTranslucencies) {
+        std::string wanted;
+        for (const render::Submission submission : render::kSubmissions) {
+            for (const render::TargetsKind targets :
+                 {render::TargetsKind::single, render::TargetsKind::accumulate, render::TargetsKind::pool,
+                  render::TargetsKind::layers}) {
+                render::RenderOptions options = optionsFor(countOf(depth::Mapping::anchored, 4), method);
+                options.submission = submission;
+                options.targets = targets;
+                options.threads = targets == render::TargetsKind::single ? 1 : 3;
+                render::Renderer renderer(device(), m_sheets.scene, gpuScene, options);
+                const render::Frame frame = renderer.render(m_camera);
+                const std::string hash = hashOf(frame) + base::sha256Of(frame.coverage.pixels);
+                wanted = wanted.empty() ? hash : wanted;
+                EXPECT_EQ(hash, wanted)
+                    << nameOf(method) << " " << nameOf(submission) << " " << nameOf(targets);
+            }
+        }
+    }
+}
+
+/// reversed holds the same opaque distances however it is split, so all of the picture must stay.
+TEST_F(TranslucencyTest, TheNumberOfCascadesChangesNoBitWhenSorted) {
+    std::string wanted;
+    for (unsigned cascades = 1; cascades <= 8; ++cascades) {
+        for (const render::TargetsKind targets :
+             {render::TargetsKind::single, render::TargetsKind::onePass}) {
+            render::RenderOptions options =
+                optionsFor(countOf(depth::Mapping::reversed, cascades), Translucency::sorted);
+            options.targets = targets;
+            const std::string hash = base::sha256Of(draw(m_sheets.scene, m_camera, options).color.pixels);
+            wanted = wanted.empty() ? hash : wanted;
+            EXPECT_EQ(hash, wanted) << cascades << " " << nameOf(targets);
+        }
+    }
+}
+
+/// No array of a fixed size holds this list.
+TEST_F(TranslucencyTest, SortedHoldsAnyNumberOfLayers) {
+    constexpr std::uint32_t kLayers = 700;
+    scene::Scene scene = boxScene();
+    scene.meshes.push_back(scene::makeSquare(1.0f));
+    for (const float hue : {0.0f, 0.1f, 0.2f, 0.4f, 0.6f, 0.8f, 1.0f}) {
+        scene.materials.push_back({.name = "layer",
+                                   .baseColorFactor = glm::vec4(hue, 1.0f - hue, 0.5f, 0.02f),
+                                   .doubleSided = true,
+                                   .unlit = true,
+                                   .alphaMode = scene::AlphaMode::blend});
+    }
+    for (std::uint32_t i = 0; i < kLayers; ++i) {
+        const std::uint32_t layer = (i * 311) % kLayers;
+        const double w = 2.0 + 0.01 * layer;
+        scene::addInstance(scene, 1, 1 + layer % 7, layer, glm::dvec3(0.0, 0.0, -w),
+                           glm::mat3(static_cast<float>(w)));
+    }
+    scene::Camera camera = m_camera;
+    camera.farView = 100.0;
+    render::RenderOptions options = optionsFor(countOf(depth::Mapping::anchored, 3), Translucency::sorted);
+    options.width = 48;
+    options.height = 36;
+    const render::Frame frame = draw(scene, camera, options);
+    const measure::LayerDifference difference =
+        measure::compareLayers(frame.color, frame.coverage, truthOf(scene, camera, 48, 36));
+    EXPECT_GT(difference.translucent, 500u);
+    EXPECT_EQ(difference.miscounted, 0u);
+    EXPECT_LE(difference.largestError, 1u);
+    EXPECT_EQ(frame.coverage.at(24, 18), kLayers);
+}
+
+TEST_F(TranslucencyTest, ListsThatDoNotFitAreDrawnWeightedAndSaySo) {
+    render::RenderOptions options = optionsFor(countOf(depth::Mapping::anchored, 4), Translucency::weighted);
+    const std::string weighted = hashOf(draw(m_sheets.scene, m_camera, options));
+    options.translucency.method = Translucency::sorted;
+    const render::Frame sorted = draw(m_sheets.scene, m_camera, options);
+    EXPECT_EQ(sorted.stats.translucency.note, "");
+    EXPECT_GT(sorted.stats.translucency.fragments,
+              std::uint64_t{kWidth} * kHeight); // more than it began with
+    ASSERT_NE(hashOf(sorted), weighted);
+    // First no room for a list at all, then too little for the fragments there are.
+    for (const std::uint64_t most : {std::uint64_t{1000}, std::uint64_t{kWidth} * kHeight * 40}) {
+        options.translucency.mostBytes = most;
+        const render::Frame frame = draw(m_sheets.scene, m_camera, options);
+        EXPECT_EQ(frame.stats.translucency.method, Translucency::weighted);
+        EXPECT_NE(frame.stats.translucency.note, "");
+        EXPECT_EQ(hashOf(frame), weighted);
+    }
+    // To the byte: heads, and a node for each fragment and one for nobody.
+    const std::uint64_t exact =
+        std::uint64_t{kWidth} * kHeight * 4 + (sorted.stats.translucency.fragments + 1) * 32;
+    options.translucency.mostBytes = exact;
+    const render::Frame fits = draw(m_sheets.scene, m_camera, options);
+    EXPECT_EQ(hashOf(fits), hashOf(sorted));
+    EXPECT_EQ(fits.stats.translucency.bytes, exact);
+    options.translucency.mostBytes = exact - 1;
+    EXPECT_EQ(hashOf(draw(m_sheets.scene, m_camera, options)), weighted);
+}
+
+/// Frames overlap in their lists and repeat where room ran out, and the last is the one it would be alone.
+TEST_F(TranslucencyTest, FramesInFlightLeaveTheNextFrameAsItIs) {
+    const render::GpuScene gpuScene(device(), m_sheets.scene);
+    for (const Translucency method : render::kTranslucencies) {
+        render::RenderOptions options = optionsFor(countOf(depth::Mapping::anchored, 4), method);
+        const std::string wanted = hashOf(draw(m_sheets.scene, m_camera, options));
+        options.framesInFlight = 3;
+        render::Renderer renderer(device(), m_sheets.scene, gpuScene, options);
+        scene::Camera turned = m_camera;
+        for (int frame = 0; frame < 7; ++frame) {
+            turned.position.x = 0.02 * frame;
+            renderer.submit(turned);
+        }
+        EXPECT_EQ(hashOf(renderer.render(m_camera)), wanted) << nameOf(method);
+    }
+}
+
+/// Over the same surfaces twice as opaque: the G-buffer, and so ids and distances, are of the opaque alone.
+TEST_F(TranslucencyTest, TheGBufferHoldsOpaqueSurfacesAlone) {
+    scene::Scene opaque = m_sheets.scene;
+    opaque.instances = scene::withoutBlended(m_sheets.scene);
+    for (scene::Material& material : opaque.materials) {
+        material.alphaMode = scene::AlphaMode::opaque;
+    }
+    const render::RenderOptions options = optionsFor(countOf(depth::Mapping::anchored, 4), {});
+    const render::Frame with = draw(m_sheets.scene, m_camera, options);
+    const render::Frame without = draw(opaque, m_camera, options);
+    EXPECT_EQ(base::sha256Of(with.surfaces.pixels), base::sha256Of(without.surfaces.pixels));
+    EXPECT_NE(base::sha256Of(with.color.pixels), base::sha256Of(without.color.pixels));
+    EXPECT_TRUE(without.coverage.pixels.empty());
+    EXPECT_EQ(wrongIn(with, m_sheets.scene, m_camera).wrong, 0u);
+}
+
+TEST_F(TranslucencyTest, AViewWithoutSheetsIsDrawn) {
+    scene::Camera away = m_camera;
+    away.back = -away.back;
+    away.right = -away.right;
+    for (const Translucency method : render::kTranslucencies) {
+        const render::Frame frame =
+            draw(m_sheets.scene, away, optionsFor(countOf(depth::Mapping::anchored, 4), method));
+        EXPECT_EQ(frame.stats.translucency.draws, 0u);
+        EXPECT_EQ(frame.stats.translucency.fragments, 0u);
+        EXPECT_EQ(std::count(frame.coverage.pixels.begin(), frame.coverage.pixels.end(), 0u),
+                  std::ptrdiff_t(frame.coverage.pixels.size()));
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test

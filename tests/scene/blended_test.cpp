@@ -1,0 +1,85 @@
+#include <cdr/depth/split.h>
+#include <cdr/scene/blended.h>
+#include <cdr/scene/cull.h>
+#include <cdr/scene/sheets_scene.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace cdr::scene {
+
+namespace {
+
+TEST(Blended, InstancesAreSplitByMaterial) {
+    const StagedScene staged = makeSheets(7, 40);
+    const Scene& scene = staged.scene;
+    ASSERT_TRUE(hasBlended(scene));
+    const BlendedInstances blended = blendedInstances(scene);
+    EXPECT_EQ(blended.instances.size(), 40u);
+    EXPECT_TRUE(std::is_sorted(blended.source.begin(), blended.source.end()));
+    for (std::size_t i = 0; i < blended.instances.size(); ++i) {
+        EXPECT_LT(blended.instances.object[i], 40u);
+        EXPECT_EQ(blended.instances.object[i], scene.instances.object[blended.source[i]]);
+        EXPECT_EQ(blended.instances.position(i), scene.instances.position(blended.source[i]));
+    }
+    const Instances opaque = withoutBlended(scene);
+    ASSERT_EQ(opaque.size(), scene.instances.size());
+    base::WorkerPool workers(1);
+    VisibleList visible;
+    cullSpheres(opaque, staged.path.at(0), 16.0 / 9.0, workers, visible);
+    EXPECT_GT(visible.count, 10u);
+    for (std::size_t i = 0; i < visible.count; ++i) {
+        EXPECT_GE(opaque.object[visible.instance[i]], 40u); // of the opaque ones
+    }
+}
+
+TEST(Blended, MasksAndOpaqueMaterialsAreNot) {
+    Scene scene;
+    scene.meshes.push_back(makeSquare(1.0f));
+    scene.materials.push_back({.name = "mask", .alphaMode = AlphaMode::mask});
+    scene.materials.push_back({.name = "unused", .alphaMode = AlphaMode::blend});
+    addInstance(scene, 0, 0, 0, glm::dvec3(0.0), glm::mat3(1.0f));
+    EXPECT_FALSE(hasBlended(scene));
+    EXPECT_EQ(blendedInstances(scene).instances.size(), 0u);
+}
+
+/// The promise that the experiments rest on: every boundary of 2 to 8 even cascades is crossed, several
+/// times.
+TEST(Sheets, CrossEveryBoundary) {
+    const StagedScene staged = makeSheets(2013);
+    const Camera camera = staged.path.at(0);
+    const BlendedInstances sheets = blendedInstances(staged.scene);
+    for (unsigned count = 2; count <= 8; ++count) {
+        const depth::Cascades cascades =
+            depth::makeCascades(depth::SplitCount{count}, camera.nearView, camera.farView);
+        for (std::size_t boundary = 1; boundary < count; ++boundary) {
+            int crossings = 0;
+            for (std::size_t i = 0; i < sheets.instances.size(); ++i) {
+                const double w = camera.viewDistance(sheets.instances.position(i));
+                // A square's reach along the view axis, without its turn: at least half of the radius counts.
+                const double reach = 0.5 * static_cast<double>(sheets.instances.radius[i]);
+                crossings += std::abs(w - cascades[boundary].nearView) < reach ? 1 : 0;
+            }
+            EXPECT_GE(crossings, 3) << count << " cascades, boundary " << boundary;
+        }
+    }
+}
+
+TEST(Sheets, AreOfEveryKindAndTheSameForASeed) {
+    const Scene scene = makeSheets(2013).scene;
+    const auto has = [&](auto predicate) {
+        return std::any_of(scene.instances.material.begin(), scene.instances.material.end(),
+                           [&](std::uint32_t material) { return predicate(scene.materials[material]); });
+    };
+    EXPECT_TRUE(has([](const Material& m) { return m.baseColorTexture.has_value(); }));
+    EXPECT_TRUE(has([](const Material& m) { return m.unlit && m.alphaMode == AlphaMode::blend; }));
+    EXPECT_TRUE(has([](const Material& m) { return !m.doubleSided && m.alphaMode == AlphaMode::blend; }));
+    EXPECT_TRUE(has([](const Material& m) { return m.alphaMode == AlphaMode::opaque; }));
+    EXPECT_EQ(makeSheets(2013).scene.instances.x, scene.instances.x);
+    EXPECT_NE(makeSheets(2014).scene.instances.x, scene.instances.x);
+}
+
+} // namespace
+
+} // namespace cdr::scene
