@@ -3,6 +3,7 @@
 #include <cdr/scene/extreme_scenes.h>
 #include <cdr/scene/gltf.h>
 #include <cdr/scene/open_scene.h>
+#include <cdr/scene/orbit_scene.h>
 
 #include <algorithm>
 #include <array>
@@ -15,8 +16,8 @@ namespace cdr::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kGenerated{"cubes",    "afc",    "afc-near",
-                                                     "rotation", "ladder", "mixed"};
+constexpr std::array<std::string_view, 7> kGenerated{"cubes",  "afc",   "afc-near", "rotation",
+                                                     "ladder", "mixed", "orbit"};
 
 struct Sphere {
     glm::dvec3 centre{0.0};
@@ -95,6 +96,9 @@ OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed) {
     }
     if (nameOrPath == "mixed") {
         return {.staged = makeMixed(), .notes = {}};
+    }
+    if (nameOrPath == "orbit") {
+        return {.staged = makeOrbit(loadEarthMaps(orbitDataFolder())), .notes = {}};
     }
     if (isGltfPath(nameOrPath)) {
         GltfImport import = loadGltf(nameOrPath);

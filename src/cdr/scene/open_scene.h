@@ -14,9 +14,9 @@ struct OpenedScene {
     std::vector<std::string> notes; ///< what an importer ignored, one line each
 };
 
-/// Opens a generated scene by name (`cubes`, `afc`, `afc-near`, `rotation`, `ladder`, `mixed`) or a `.gltf` /
-/// `.glb` file by path. A file is lit and framed so that it fills the picture. base::InputError says what is
-/// wrong, with a suggestion.
+/// Opens a generated scene by name (`cubes`, `afc`, `afc-near`, `rotation`, `ladder`, `mixed`, `orbit`) or a
+/// `.gltf` / `.glb` file by path. A file is lit and framed so that it fills the picture. base::InputError
+/// says what is wrong, with a suggestion.
 OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed);
 
 /// The seed used where none is given.
