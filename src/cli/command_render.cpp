@@ -189,6 +189,10 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     auto document = base::makeDocument("render", session.documentDevice(),
                                        optionsJson(arguments, options.technique, size));
     std::vector<std::vector<std::string>> rows;
+    std::optional<measure::TruthCaster> caster;
+    if (aov == experiments::Aov::wrong) {
+        caster.emplace(scene, workers);
+    }
     for (std::uint32_t number = arguments.frame; number < arguments.frame + arguments.frames; ++number) {
         console.progress(number - arguments.frame, arguments.frames, arguments.scene);
         const scene::Camera camera = cameraAt(arguments, opened.staged.path, number);
@@ -197,8 +201,8 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
         }
         const render::Frame frame = renderer.render(camera);
         std::optional<measure::TruthImage> truth;
-        if (aov == experiments::Aov::wrong) {
-            truth = measure::castTruth(scene, camera, size.width, size.height, workers);
+        if (caster) {
+            truth = caster->cast(camera, size.width, size.height, workers);
         }
         const measure::TruthImage* truthOrNull = truth ? &*truth : nullptr;
         session.requireSilentValidation();
@@ -271,7 +275,7 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
     auto arguments = std::make_shared<RenderArguments>();
     command
         ->add_option("scene", arguments->scene,
-                     "cubes, afc, afc-near, rotation, ladder, or a .gltf or .glb file")
+                     "cubes, afc, afc-near, rotation, ladder, mixed, orbit, or a .gltf or .glb file")
         ->required();
     addTechniqueOptions(*command, *arguments);
     addCameraOptions(*command, *arguments);

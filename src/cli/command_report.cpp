@@ -28,6 +28,7 @@ void addExperiments(CLI::App& program, const GlobalOptions& global) {
     addAdvise(program, global);
     addTiming(program, global);
     addScaling(program, global);
+    addOrbit(program, global);
 }
 
 namespace {

@@ -22,9 +22,10 @@ struct Turn {
     double cos;
 };
 
-/// Exact at the poles, where all longitudes must meet in one point.
+/// Exact at the poles, where all longitudes must meet in one point, and the same from both sides of 180
+/// degrees.
 Turn turnOf(double degrees) {
-    const double radians = degrees * std::numbers::pi / 180.0;
+    const double radians = (degrees == -180.0 ? 180.0 : degrees) * std::numbers::pi / 180.0;
     return {std::sin(radians), std::abs(degrees) == 90.0 ? 0.0 : std::cos(radians)};
 }
 
@@ -73,7 +74,9 @@ EarthSurface::EarthSurface(const image::ImageRgba8& topography, const Geodetic& 
 }
 
 double EarthSurface::topographyAt(const Geodetic& place) const {
-    const Texels x = texelsAt((place.longitude + 180.0) / 360.0, m_topography.width, true);
+    // A pole has one height, whatever the texels around it say.
+    const double longitude = std::abs(place.latitude) == 90.0 ? 0.0 : place.longitude;
+    const Texels x = texelsAt((longitude + 180.0) / 360.0, m_topography.width, true);
     const Texels y = texelsAt((90.0 - place.latitude) / 180.0, m_topography.height, false);
     const auto grey = [&](std::uint32_t i, std::uint32_t j) {
         return static_cast<double>(m_topography.at(i, j)[0]);

@@ -98,7 +98,7 @@ OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed) {
         return {.staged = makeMixed(), .notes = {}};
     }
     if (nameOrPath == "orbit") {
-        return {.staged = makeOrbit(loadEarthMaps(orbitDataFolder())), .notes = {}};
+        return {.staged = openOrbit(orbitFiles()), .notes = {}};
     }
     if (isGltfPath(nameOrPath)) {
         GltfImport import = loadGltf(nameOrPath);

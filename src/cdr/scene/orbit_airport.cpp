@@ -64,10 +64,16 @@ void addEndMarkings(SceneBuilder& builder, std::uint32_t paint, double x, bool r
 
 void addRunway(SceneBuilder& builder, std::uint32_t concrete, std::uint32_t paint) {
     const double east = kRunwayWest + kRunwayLength;
-    builder.beginObject("runway 09L/27R");
-    addPavement(builder, concrete, {kRunwayWest, -kRunwayHalfWidth}, {east, kRunwayHalfWidth});
-
     const double eastNumbers = east + kRunwayWest; // as far from its end as the others
+    const auto designator = [&](std::string_view text, double x, bool readsWest) {
+        builder.beginObject(fmt::format("numbers {}", text));
+        MarkingPaint numbers{std::string(text)};
+        numbers.text(text, kNumberHeight);
+        builder.addMesh(paint, numbers.mesh(), paintedAt(x, 0.0, readsWest));
+    };
+    designator("09L", 0.0, false);
+    designator("27R", eastNumbers, true);
+
     builder.beginObject("runway markings");
     addEndMarkings(builder, paint, 0.0, false);
     addEndMarkings(builder, paint, eastNumbers, true);
@@ -84,24 +90,18 @@ void addRunway(SceneBuilder& builder, std::uint32_t concrete, std::uint32_t pain
         }
     }
 
-    const auto designator = [&](std::string_view text, double x, bool readsWest) {
-        builder.beginObject(fmt::format("numbers {}", text));
-        MarkingPaint numbers{std::string(text)};
-        numbers.text(text, kNumberHeight);
-        builder.addMesh(paint, numbers.mesh(), paintedAt(x, 0.0, readsWest));
-    };
-    designator("09L", 0.0, false);
-    designator("27R", eastNumbers, true);
+    builder.beginObject("runway 09L/27R");
+    addPavement(builder, concrete, {kRunwayWest, -kRunwayHalfWidth}, {east, kRunwayHalfWidth});
 }
 
 void addTaxiway(SceneBuilder& builder, std::uint32_t asphalt, std::uint32_t yellow) {
-    builder.beginObject("apron and taxiway");
-    addPavement(builder, asphalt, {40.0, -340.0}, {340.0, -150.0});
-    addPavement(builder, asphalt, {178.0, -150.0}, {201.0, -kRunwayHalfWidth});
     builder.beginObject("taxiway markings");
     MarkingPaint line("taxi line");
     line.rectangle({-kRunwayHalfWidth - 160.0, 189.9}, {-kRunwayHalfWidth, 190.1});
     builder.addMesh(yellow, line.mesh(), paintedAt(0.0, 0.0, false));
+    builder.beginObject("apron and taxiway");
+    addPavement(builder, asphalt, {40.0, -340.0}, {340.0, -150.0});
+    addPavement(builder, asphalt, {178.0, -150.0}, {201.0, -kRunwayHalfWidth});
 }
 
 /// Sheets of cladding side by side on one side of a box, a tenth of each a gap that shows the wall.
@@ -123,14 +123,14 @@ void addCladding(SceneBuilder& builder, std::uint32_t material, const glm::dvec3
 void addHangar(SceneBuilder& builder, std::uint32_t wall, std::uint32_t sheet, double x, int number) {
     const glm::dvec3 half(35.0, 9.0, 25.0);
     const glm::dvec3 centre(x, kSlabHeight + half.y, -300.0);
-    builder.beginObject(fmt::format("hangar {}", number));
-    builder.addBox(wall, centre, half);
     builder.beginObject(fmt::format("hangar {} cladding", number));
     addCladding(builder, sheet, centre, half, 1, 1.0, 0);
     for (const double side : {-1.0, 1.0}) {
         addCladding(builder, sheet, centre, half, 0, side, 2);
         addCladding(builder, sheet, centre, half, 2, side, 0);
     }
+    builder.beginObject(fmt::format("hangar {}", number));
+    builder.addBox(wall, centre, half);
 }
 
 } // namespace
@@ -146,11 +146,11 @@ void addAirport(SceneBuilder& builder) {
     const std::uint32_t yellow = builder.addMaterial("yellow paint", glm::vec3(0.75f, 0.5f, 0.04f));
     const std::uint32_t wall = builder.addMaterial("hangar wall", glm::vec3(0.12f, 0.05f, 0.03f));
     const std::uint32_t sheet = builder.addMaterial("cladding", glm::vec3(0.42f, 0.52f, 0.6f));
-    addRunway(builder, concrete, white);
-    addTaxiway(builder, asphalt, yellow);
     for (int i = 0; i < 3; ++i) {
         addHangar(builder, wall, sheet, 90.0 + 90.0 * i, i + 1);
     }
+    addRunway(builder, concrete, white);
+    addTaxiway(builder, asphalt, yellow);
 }
 
 } // namespace cdr::scene

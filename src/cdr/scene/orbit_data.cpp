@@ -19,11 +19,16 @@ image::ImageRgba8 loadPicture(const std::filesystem::path& path) {
     return image::decodeImage(base::readFile(path, kMostBytes), path.string());
 }
 
+const char* environmentOr(const char* name, const char* otherwise) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != '\0' ? value : otherwise;
+}
+
 } // namespace
 
-std::filesystem::path orbitDataFolder() {
-    const char* folder = std::getenv("CDR_ORBIT_DATA");
-    return folder != nullptr && *folder != '\0' ? folder : CDR_ORBIT_DATA_FOLDER;
+OrbitFiles orbitFiles() {
+    return {.folder = environmentOr("CDR_ORBIT_DATA", CDR_ORBIT_DATA_FOLDER),
+            .model = environmentOr("CDR_ORBIT_MODEL", "")};
 }
 
 EarthMaps loadEarthMaps(const std::filesystem::path& folder) {

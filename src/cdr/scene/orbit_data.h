@@ -16,9 +16,15 @@ struct EarthMaps {
 /// Tibet (202 at 5,000 m): each gives 23.6 to 27.0.
 inline constexpr double kMetresPerGrey = 25.0;
 
-/// Where the maps are looked for: the environment variable CDR_ORBIT_DATA, else where tools/setup.sh puts
-/// them.
-std::filesystem::path orbitDataFolder();
+/// What the scene orbit is made of.
+struct OrbitFiles {
+    std::filesystem::path folder; ///< of the maps
+    std::filesystem::path model;  ///< glTF, to be parked at the airport; empty for the generated aircraft
+};
+
+/// The folder that the environment variable CDR_ORBIT_DATA names, else where tools/setup.sh puts the maps;
+/// the model that CDR_ORBIT_MODEL names, else none.
+OrbitFiles orbitFiles();
 
 /// Reads earth-blue-marble.jpg and earth-topology.png, as the npm package three-globe names them.
 /// base::InputError, naming tools/setup.sh, when one is missing; or when one is damaged.

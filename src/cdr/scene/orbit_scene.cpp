@@ -1,3 +1,4 @@
+#include <cdr/scene/gltf.h>
 #include <cdr/scene/orbit_airport.h>
 #include <cdr/scene/orbit_path.h>
 #include <cdr/scene/orbit_scene.h>
@@ -88,15 +89,17 @@ StagedScene makeOrbit(EarthMaps maps, const Scene* parked) {
     StagedScene staged;
     staged.scene.name = "orbit";
     SceneBuilder builder(staged.scene);
-    addEarth(builder, surface, station, std::move(maps.color));
-    addMoon(builder, surface, station);
+    // Nearest first, as an engine that sorts for early depth tests submits them: a depth buffer that cannot
+    // tell paint, slab and soil apart shows soil.
     addStation(builder, station);
-    addAirport(builder);
     if (parked != nullptr) {
         addParkedModel(builder, *parked);
     } else {
         addAircraft(builder);
     }
+    addAirport(builder);
+    addEarth(builder, surface, station, std::move(maps.color));
+    addMoon(builder, surface, station);
     addLights(staged.scene, station);
     const double below = kFirstAim * kDegree;
     staged.path = zoomPath({.eye = station.eye,
@@ -105,6 +108,14 @@ StagedScene makeOrbit(EarthMaps maps, const Scene* parked) {
                             .nearView = 0.1,
                             .farView = kFarView});
     return staged;
+}
+
+StagedScene openOrbit(const OrbitFiles& files) {
+    if (files.model.empty()) {
+        return makeOrbit(loadEarthMaps(files.folder));
+    }
+    const GltfImport model = loadGltf(files.model);
+    return makeOrbit(loadEarthMaps(files.folder), &model.scene);
 }
 
 } // namespace cdr::scene

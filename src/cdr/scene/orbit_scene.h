@@ -29,4 +29,7 @@ TileDetail orbitDetail(const StationPose& station);
 /// @param parked a model to stand on the apron instead of the generated aircraft; may be null.
 StagedScene makeOrbit(EarthMaps maps, const Scene* parked = nullptr);
 
+/// makeOrbit() of what the files hold. base::InputError as loadEarthMaps() and loadGltf().
+StagedScene openOrbit(const OrbitFiles& files);
+
 } // namespace cdr::scene
