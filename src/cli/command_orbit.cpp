@@ -1,3 +1,5 @@
+#include "command_orbit.h"
+
 #include "commands.h"
 #include "console.h"
 

@@ -1,3 +1,4 @@
+#include "command_orbit.h"
 #include "commands.h"
 #include "console.h"
 

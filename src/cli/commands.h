@@ -16,7 +16,6 @@ void addProbe(CLI::App& program, const GlobalOptions& global);
 void addAdvise(CLI::App& program, const GlobalOptions& global);
 void addTiming(CLI::App& program, const GlobalOptions& global);
 void addScaling(CLI::App& program, const GlobalOptions& global);
-void addOrbit(CLI::App& program, const GlobalOptions& global);
 void addReport(CLI::App& program, const GlobalOptions& global);
 
 /// The commands that a report is made of: all that measure.

@@ -86,7 +86,7 @@ TEST_F(OrbitScene, separationsAreThoseOfTheSpecification) {
     EXPECT_NEAR(topOf("hangar 2 cladding") - topOf("hangar 2"), 0.01, 1e-8);
 }
 
-TEST_F(OrbitScene, groundBelowTheAirportIsLevelToTheLastBit) {
+TEST_F(OrbitScene, groundBelowTheAirportIsLevel) {
     const Scene& scene = staged().scene;
     const EarthSurface::Pad pad = airportPad();
     std::size_t level = 0;
@@ -100,8 +100,8 @@ TEST_F(OrbitScene, groundBelowTheAirportIsLevelToTheLastBit) {
         }
         for (const Vertex& vertex : scene.meshes[scene.instances.mesh[i]].vertices) {
             const double y = origin.y + static_cast<double>(vertex.position.y);
-            EXPECT_LE(y, 1e-9);
-            level += std::abs(y) < 1e-9 ? 1 : 0;
+            EXPECT_LE(y, 1e-7); // a float32 of the way to the middle of tile and skirt
+            level += std::abs(y) < 1e-7 ? 1 : 0;
         }
     }
     EXPECT_GT(level, 5u * kTileCorners); // skirts hang below

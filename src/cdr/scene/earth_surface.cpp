@@ -16,6 +16,8 @@ constexpr double kEccentricitySquared = kFlattening * (2.0 - kFlattening);
 
 /// Degrees within which normals are taken: 2 km, an eighth of a texel of the topography.
 constexpr double kNormalStep = 0.02;
+/// Degrees of latitude beyond which normals are the ellipsoid's.
+constexpr double kPolar = 85.0;
 
 struct Turn {
     double sin;
@@ -107,12 +109,16 @@ glm::dvec3 EarthSurface::at(const Geodetic& place) const {
 }
 
 glm::dvec3 EarthSurface::normalAt(const Geodetic& place) const {
-    // Poles have no east; a step away from them every direction is one.
-    const double latitude = std::clamp(place.latitude, -90.0 + 2.0 * kNormalStep, 90.0 - 2.0 * kNormalStep);
-    const double step = kNormalStep / std::max(turnOf(latitude).cos, 1e-3);
-    const glm::dvec3 east = at({latitude, place.longitude + step}) - at({latitude, place.longitude - step});
-    const glm::dvec3 north =
-        at({latitude + kNormalStep, place.longitude}) - at({latitude - kNormalStep, place.longitude});
+    // Towards a pole texels shrink to needles, whose slopes mean nothing.
+    if (std::abs(place.latitude) > kPolar) {
+        const glm::dvec3 up = outward(place);
+        return {glm::dot(m_east, up), glm::dot(m_up, up), glm::dot(m_south, up)};
+    }
+    const double step = kNormalStep / turnOf(place.latitude).cos;
+    const glm::dvec3 east =
+        at({place.latitude, place.longitude + step}) - at({place.latitude, place.longitude - step});
+    const glm::dvec3 north = at({place.latitude + kNormalStep, place.longitude}) -
+                             at({place.latitude - kNormalStep, place.longitude});
     return glm::normalize(glm::cross(east, north));
 }
 

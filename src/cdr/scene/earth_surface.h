@@ -31,7 +31,8 @@ class EarthSurface {
 
     /// The ground at a place, world space, metres.
     glm::dvec3 at(const Geodetic& place) const;
-    /// Its unit normal, world space, from the heights around within about a texel of the topography.
+    /// Its unit normal, world space, from the heights 2 km around; within 5 degrees of a pole the
+    /// ellipsoid's.
     glm::dvec3 normalAt(const Geodetic& place) const;
 
     /// The topography there in metres above the ellipsoid, without the pad.
