@@ -1,12 +1,12 @@
 #include "commands.h"
 #include "console.h"
+#include "scene_choice.h"
 #include "sequence_name.h"
 
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
 #include <cdr/base/suggest.h>
 #include <cdr/render/renderer.h>
-#include <cdr/scene/open_scene.h>
 
 #include <experiments/aov.h>
 #include <fmt/format.h>
@@ -43,6 +43,7 @@ struct RenderArguments {
     std::optional<double> nearView;
     std::optional<double> farView;
     std::uint64_t seed = scene::kDefaultSeed;
+    scene::GltfChoice choice;
     OutputOptions output;
 };
 
@@ -174,7 +175,7 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     if (!arguments.trace.empty()) {
         options.trace = &trace.emplace(options.threads);
     }
-    const scene::OpenedScene opened = scene::openScene(arguments.scene, arguments.seed);
+    const scene::OpenedScene opened = openChosen(arguments.scene, arguments.seed, arguments.choice);
     const scene::Scene& scene = opened.staged.scene;
     cameraAt(arguments, opened.staged.path,
              arguments.frame); // an unusable camera ends here, before the device is made
@@ -266,6 +267,7 @@ void addCameraOptions(CLI::App& command, RenderArguments& arguments) {
     command.add_option("--near", arguments.nearView, "Near plane, view distance");
     command.add_option("--far", arguments.farView, "Far plane, view distance");
     command.add_option("--seed", arguments.seed, "Seed of a random scene")->capture_default_str();
+    addSceneChoice(command, arguments.choice);
 }
 
 } // namespace
