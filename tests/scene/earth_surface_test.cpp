@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <string>
 
 namespace cdr::scene::test {
 namespace {
@@ -60,7 +62,7 @@ TEST(EarthSurface, isLevelOnThePadAndAsItWasBeyond) {
         for (double east = -0.08; east < 0.08; east += 0.0037) {
             const Geodetic place{kHere.latitude + north, kHere.longitude + east};
             const glm::dvec3 ground = surface.at(place);
-            const double distance = glm::distance(glm::dvec2(ground.x, ground.z), {1000.0, 500.0});
+            const double distance = glm::distance(glm::dvec2(ground.x, ground.z), glm::dvec2(1000.0, 500.0));
             if (distance <= 2000.0) {
                 EXPECT_EQ(ground.y, 0.0);
                 ++onPad;
