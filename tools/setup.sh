@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs whatever is missing to build, test and run cdr, on Debian 12, Debian 13, Ubuntu 24.04 or later: distribution
-# packages, and into src/page/node_modules the npm packages of the report's page. Where all is there it touches neither the
-# system nor the network.
+# packages, into src/page/node_modules the npm packages of the report's page, and into .cache the pictures of the Earth for
+# the scene orbit. Where all is there it touches neither the system nor the network.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -74,3 +74,6 @@ if ! cmp --silent "$lock" src/page/node_modules/.cdr-lock.json; then
     npm --prefix src/page ci --ignore-scripts --no-audit --no-fund --loglevel=error </dev/null
     cp "$lock" src/page/node_modules/.cdr-lock.json
 fi
+
+# The Earth of the scene orbit: only that scene asks for it, and says so where it is missing.
+third_party/orbit_data.sh

@@ -1,6 +1,7 @@
 #include "commands.h"
 #include "console.h"
 #include "effect_options.h"
+#include "scene_choice.h"
 #include "sequence_name.h"
 
 #include <cdr/base/error.h>
@@ -8,7 +9,6 @@
 #include <cdr/base/suggest.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/levels.h>
-#include <cdr/scene/open_scene.h>
 
 #include <experiments/aov.h>
 #include <fmt/format.h>
@@ -49,6 +49,7 @@ struct RenderArguments {
     std::optional<double> nearView;
     std::optional<double> farView;
     std::uint64_t seed = scene::kDefaultSeed;
+    scene::GltfChoice choice;
     OutputOptions output;
 };
 
@@ -193,7 +194,7 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     if (!arguments.trace.empty()) {
         options.trace = &trace.emplace(options.threads);
     }
-    scene::OpenedScene opened = scene::openScene(arguments.scene, arguments.seed);
+    scene::OpenedScene opened = openChosen(arguments.scene, arguments.seed, arguments.choice);
     if (options.detail.mode != scene::DetailMode::none) {
         scene::makeLevels(opened.staged.scene, workers);
     }
@@ -211,6 +212,10 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     auto document = base::makeDocument("render", session.documentDevice(),
                                        optionsJson(arguments, options.technique, size));
     std::vector<std::vector<std::string>> rows;
+    std::optional<measure::TruthCaster> caster;
+    if (aov == experiments::Aov::wrong) {
+        caster.emplace(scene, workers);
+    }
     for (std::uint32_t number = arguments.frame; number < arguments.frame + arguments.frames; ++number) {
         console.progress(number - arguments.frame, arguments.frames, arguments.scene);
         const scene::Camera camera = cameraAt(arguments, opened.staged.path, number);
@@ -219,8 +224,8 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
         }
         const render::Frame frame = renderer.render(camera);
         std::optional<measure::TruthImage> truth;
-        if (aov == experiments::Aov::wrong) {
-            truth = measure::castTruth(scene, camera, size.width, size.height, workers);
+        if (caster) {
+            truth = caster->cast(camera, size.width, size.height, workers);
         }
         const measure::TruthImage* truthOrNull = truth ? &*truth : nullptr;
         session.requireSilentValidation();
@@ -291,6 +296,7 @@ void addCameraOptions(CLI::App& command, RenderArguments& arguments) {
     command.add_option("--near", arguments.nearView, "Near plane, view distance");
     command.add_option("--far", arguments.farView, "Far plane, view distance");
     command.add_option("--seed", arguments.seed, "Seed of a random scene")->capture_default_str();
+    addSceneChoice(command, arguments.choice);
 }
 
 } // namespace
@@ -299,8 +305,9 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
     CLI::App* command = program.add_subcommand("render", "Render a scene into pictures");
     auto arguments = std::make_shared<RenderArguments>();
     command
-        ->add_option("scene", arguments->scene,
-                     "cubes, afc, afc-near, rotation, ladder, mixed, boulders, sheets, or a .gltf or .glb file")
+        ->add_option(
+            "scene", arguments->scene,
+            "cubes, afc, afc-near, rotation, ladder, mixed, boulders, sheets, orbit, or a .gltf or .glb file")
         ->required();
     addTechniqueOptions(*command, *arguments);
     command

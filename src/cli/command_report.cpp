@@ -1,3 +1,4 @@
+#include "command_orbit.h"
 #include "commands.h"
 #include "console.h"
 
@@ -30,6 +31,7 @@ void addExperiments(CLI::App& program, const GlobalOptions& global) {
     addScaling(program, global);
     addDetail(program, global);
     addTranslucency(program, global);
+    addOrbit(program, global);
 }
 
 namespace {

@@ -1,3 +1,4 @@
+#include "gltf_cameras.h"
 #include "gltf_checks.h"
 #include "gltf_container.h"
 #include "gltf_import.h"
@@ -50,8 +51,7 @@ class Importer {
           m_meshes(m_accessors, sources.notes, 3 * limits.maxTriangles),
           m_materials(sources, m_scene) {}
 
-    Scene run() {
-        const std::vector<MeshNode> nodes = meshNodes(m_sources.document.model, m_limits);
+    Scene run(const std::vector<MeshNode>& nodes) {
         requireBounded(nodes);
         for (const MeshNode& node : nodes) {
             double& stretch = m_stretch[node.mesh];
@@ -148,14 +148,16 @@ const std::vector<PlacedPrimitive>& Importer::use(int meshIndex) {
 }
 
 GltfImport importParts(std::span<const std::uint8_t> file, const std::filesystem::path& path,
-                       const GltfLimits& limits) {
+                       const GltfLimits& limits, std::optional<std::uint32_t> scene) {
     const Container container = openContainer(file);
     Notes notes;
     const Document document = parseDocument(container.json, limits, notes);
     Files files(path.parent_path(), limits);
     const Buffers buffers(document.buffers, container.bin, files);
     GltfImport result;
-    result.scene = Importer({document, buffers, files, notes}, limits).run();
+    const PlacedNodes nodes = placeNodes(document.model, limits, scene);
+    result.scene = Importer({document, buffers, files, notes}, limits).run(nodes.meshes);
+    result.cameras = placeCameras(nodes.cameras, document, notes);
     result.scene.name = path.stem().string();
     result.ignored = notes.lines();
     return result;
@@ -164,9 +166,9 @@ GltfImport importParts(std::span<const std::uint8_t> file, const std::filesystem
 } // namespace
 
 GltfImport importGltf(std::span<const std::uint8_t> file, const std::filesystem::path& path,
-                      const GltfLimits& limits) {
+                      const GltfLimits& limits, std::optional<std::uint32_t> scene) {
     try {
-        return importParts(file, path, limits);
+        return importParts(file, path, limits, scene);
     } catch (const base::InputError& error) {
         throw base::InputError(fmt::format("{}: {}", path.string(), oneLine(error.what())));
     }
@@ -174,8 +176,9 @@ GltfImport importGltf(std::span<const std::uint8_t> file, const std::filesystem:
 
 } // namespace gltf
 
-GltfImport loadGltf(const std::filesystem::path& path, const GltfLimits& limits) {
-    return gltf::importGltf(base::readFile(path, limits.maxFileBytes), path, limits);
+GltfImport loadGltf(const std::filesystem::path& path, const GltfLimits& limits,
+                    std::optional<std::uint32_t> scene) {
+    return gltf::importGltf(base::readFile(path, limits.maxFileBytes), path, limits, scene);
 }
 
 } // namespace cdr::scene

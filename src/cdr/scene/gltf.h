@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cdr/scene/camera.h>
 #include <cdr/scene/mesh_pieces.h>
 #include <cdr/scene/scene.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,16 +23,28 @@ struct GltfLimits {
     double pieceRadius = kPieceRadius;
 };
 
+/// A perspective camera of a file, in world space. Its aspect ratio is left to the picture; where the file
+/// gives no far plane it is kGltfFarRatio times the near one.
+struct GltfCamera {
+    std::string name;
+    Camera camera;
+};
+inline constexpr double kGltfFarRatio = 1e7;
+
 /// A glTF file as a scene. Objects are the nodes that carry a mesh, in the order of the file's node array;
 /// the primitives of one node share its object. No lights are added.
 struct GltfImport {
     Scene scene;
+    std::vector<GltfCamera> cameras;  ///< of the scene's nodes, in the order of the file's node array
     std::vector<std::string> ignored; ///< one line per feature of the file that was not used
 };
 
 /// Imports static glTF 2.0 (`.gltf` with embedded or external buffers, or `.glb`). Node transforms are
 /// composed in float64; skins are drawn in bind pose. Buffers and images outside the file's folder are
 /// refused. base::InputError with one line naming the file and the fault for anything that is not sound.
-GltfImport loadGltf(const std::filesystem::path& path, const GltfLimits& limits = {});
+/// @param scene which of the file's scenes; without it the file's default one, else its first, else all
+/// nodes.
+GltfImport loadGltf(const std::filesystem::path& path, const GltfLimits& limits = {},
+                    std::optional<std::uint32_t> scene = {});
 
 } // namespace cdr::scene

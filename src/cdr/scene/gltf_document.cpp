@@ -1,5 +1,6 @@
 #include "gltf_document.h"
 
+#include "gltf_cameras.h"
 #include "gltf_checks.h"
 #include "gltf_json.h"
 #include "gltf_tinygltf.h"
@@ -56,9 +57,6 @@ void noteUnusedParts(const json& root, Notes& notes) {
     }
     for (const json& skin : arrayMember(root, "skins")) {
         notes.add("skins are drawn in bind pose", fmt::format("skin '{}'", nameOf(skin)));
-    }
-    for (const json& camera : arrayMember(root, "cameras")) {
-        notes.add("cameras are not used", fmt::format("camera '{}'", nameOf(camera)));
     }
 }
 
@@ -121,6 +119,7 @@ Document parseDocument(std::string_view text, const GltfLimits& limits, Notes& n
     Document document;
     document.buffers = takeBuffers(root);
     document.images = takeImages(root);
+    document.lenses = takeLenses(root, notes);
     for (const char* key : {"animations", "skins", "cameras", "buffers", "images", "extensions", "extras"}) {
         root.erase(key);
     }

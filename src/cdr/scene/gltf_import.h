@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 
 namespace cdr::scene::gltf {
@@ -11,6 +12,6 @@ namespace cdr::scene::gltf {
 /// loadGltf() of bytes that are already in memory. `path` is where they come from: its folder holds the files
 /// they refer to, and its name starts messages.
 GltfImport importGltf(std::span<const std::uint8_t> file, const std::filesystem::path& path,
-                      const GltfLimits& limits);
+                      const GltfLimits& limits, std::optional<std::uint32_t> scene = {});
 
 } // namespace cdr::scene::gltf

@@ -22,8 +22,14 @@ AlphaMode alphaMode(const tinygltf::Material& material) {
            oneLine(material.alphaMode));
 }
 
-void noteUnusedTextures(const tinygltf::Material& material, Notes& notes) {
+void noteUnused(const tinygltf::Material& material, Notes& notes) {
     const std::string where = fmt::format("material '{}'", oneLine(material.name));
+    if (material.values.contains("metallicFactor") || material.values.contains("roughnessFactor")) {
+        notes.add("metallic and roughness factors are not drawn, everything is matt", where);
+    }
+    if (material.emissiveFactor != std::vector<double>{0.0, 0.0, 0.0}) {
+        notes.add("emissive factors are not drawn", where);
+    }
     const auto note = [&](int index, const char* what) {
         if (index >= 0) {
             notes.add(fmt::format("{} textures are not used", what), where);
@@ -66,7 +72,7 @@ MaterialUse MaterialImporter::import(int index) {
         material.alphaMode = alphaMode(source);
         material.alphaCutoff = static_cast<float>(std::max(source.alphaCutoff, 0.0));
         setTexture(material, use.uv, source.pbrMetallicRoughness.baseColorTexture);
-        noteUnusedTextures(source, m_sources.notes);
+        noteUnused(source, m_sources.notes);
     }
     use.index = static_cast<std::uint32_t>(m_scene.materials.size());
     m_scene.materials.push_back(std::move(material));

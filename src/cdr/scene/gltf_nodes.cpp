@@ -76,14 +76,18 @@ std::vector<int> findParents(const tinygltf::Model& model) {
 
 /// Marks the roots of the scene that is shown.
 void markScene(const tinygltf::Model& model, const std::vector<int>& parents,
-               std::vector<Placement>& placements) {
-    if (model.scenes.empty() && model.defaultScene < 0) {
+               std::optional<std::uint32_t> scene, std::vector<Placement>& placements) {
+    if (scene && *scene >= model.scenes.size()) {
+        refuse("scene {} does not exist, the file has {}", *scene, model.scenes.size());
+    }
+    const int shown = scene ? static_cast<int>(*scene) : model.defaultScene;
+    if (model.scenes.empty() && shown < 0) {
         for (Placement& placement : placements) {
             placement.inScene = true;
         }
         return;
     }
-    for (const int root : itemAt(model.scenes, std::max(model.defaultScene, 0), "scene").nodes) {
+    for (const int root : itemAt(model.scenes, std::max(shown, 0), "scene").nodes) {
         itemAt(model.nodes, root, "node");
         const auto i = static_cast<std::size_t>(root);
         if (parents[i] != kNoParent || placements[i].inScene) {
@@ -128,18 +132,22 @@ void place(const tinygltf::Model& model, const std::vector<int>& parents, const 
 
 } // namespace
 
-std::vector<MeshNode> meshNodes(const tinygltf::Model& model, const GltfLimits& limits) {
+PlacedNodes placeNodes(const tinygltf::Model& model, const GltfLimits& limits,
+                       std::optional<std::uint32_t> scene) {
     const std::vector<int> parents = findParents(model);
     std::vector<Placement> placements(model.nodes.size());
-    markScene(model, parents, placements);
+    markScene(model, parents, scene, placements);
     place(model, parents, limits, placements);
-    std::vector<MeshNode> nodes;
+    PlacedNodes nodes;
     for (std::size_t i = 0; i < placements.size(); ++i) {
         if (!placements[i].reached) {
             refuse("node {} is its own ancestor", i);
         }
         if (placements[i].inScene && model.nodes[i].mesh >= 0) {
-            nodes.push_back({static_cast<int>(i), model.nodes[i].mesh, placements[i].toWorld});
+            nodes.meshes.push_back({static_cast<int>(i), model.nodes[i].mesh, placements[i].toWorld});
+        }
+        if (placements[i].inScene && model.nodes[i].camera >= 0) {
+            nodes.cameras.push_back({static_cast<int>(i), model.nodes[i].camera, placements[i].toWorld});
         }
     }
     return nodes;

@@ -4,6 +4,8 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace tinygltf {
@@ -19,8 +21,22 @@ struct MeshNode {
     glm::dmat4 toWorld{1.0};
 };
 
-/// The nodes of the default scene that carry a mesh, in the order of the file's node array. Without a default
-/// scene the first one counts, and without any scene all nodes do.
-std::vector<MeshNode> meshNodes(const tinygltf::Model& model, const GltfLimits& limits);
+/// A node with a camera.
+struct CameraNode {
+    int node = 0;
+    int camera = 0;
+    glm::dmat4 toWorld{1.0};
+};
+
+/// What stands in a scene, in the order of the file's node array.
+struct PlacedNodes {
+    std::vector<MeshNode> meshes;
+    std::vector<CameraNode> cameras;
+};
+
+/// The nodes of a scene, or without one of the default scene that carry something. Without a default scene
+/// the first one counts, and without any scene all nodes do.
+PlacedNodes placeNodes(const tinygltf::Model& model, const GltfLimits& limits,
+                       std::optional<std::uint32_t> scene);
 
 } // namespace cdr::scene::gltf

@@ -3,7 +3,9 @@
 #include <cdr/scene/generators.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cdr::scene {
@@ -14,9 +16,11 @@ struct OpenedScene {
     std::vector<std::string> notes; ///< what an importer ignored, one line each
 };
 
-/// Opens a generated scene by name (`cubes`, `afc`, `afc-near`, `rotation`, `ladder`, `mixed`, `boulders`,
-/// `sheets`) or a `.gltf` / `.glb` file by path. A file is lit and framed so that it fills the picture.
-/// base::InputError says what is wrong, with a suggestion.
+/// Names of the scenes that need no file.
+std::span<const std::string_view> generatedScenes();
+
+/// Opens one of generatedScenes(), or a `.gltf` / `.glb` file by path. A file is lit and framed so that it
+/// fills the picture. base::InputError says what is wrong, with a suggestion.
 OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed);
 
 /// The seed used where none is given.

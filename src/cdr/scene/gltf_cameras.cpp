@@ -1,0 +1,95 @@
+#include "gltf_cameras.h"
+
+#include "gltf_checks.h"
+#include "gltf_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace cdr::scene::gltf {
+
+namespace {
+
+using nlohmann::json;
+
+/// A positive number below `limit`; nothing when absent.
+std::optional<double> positive(const json& object, const char* key, double limit, const std::string& where) {
+    const json* value = member(object, key);
+    if (value == nullptr) {
+        return std::nullopt;
+    }
+    const double number = value->is_number() ? value->get<double>() : -1.0;
+    if (!(number > 0.0 && number < limit)) {
+        refuse("{}: its {} is {}, which no camera has", where, key, oneLine(value->dump()));
+    }
+    return number;
+}
+
+CameraLens lensOf(const json& camera, const std::string& where) {
+    const json* perspective = member(camera, "perspective");
+    if (perspective == nullptr || !perspective->is_object()) {
+        refuse("{}: has no 'perspective' object", where);
+    }
+    const auto fovY = positive(*perspective, "yfov", std::numbers::pi, where);
+    const auto nearView = positive(*perspective, "znear", INFINITY, where);
+    const auto farView = positive(*perspective, "zfar", INFINITY, where);
+    if (!fovY || !nearView || (farView && *farView <= *nearView)) {
+        refuse("{}: needs a yfov, and a znear that lies before its zfar", where);
+    }
+    return {.name = nameOf(camera),
+            .isPerspective = true,
+            .fovY = *fovY,
+            .nearView = *nearView,
+            .farView = farView};
+}
+
+} // namespace
+
+std::vector<CameraLens> takeLenses(const json& root, Notes& notes) {
+    std::vector<CameraLens> lenses;
+    for (const json& camera : arrayMember(root, "cameras")) {
+        const std::string where = fmt::format("camera {} '{}'", lenses.size(), nameOf(camera));
+        const std::string type = stringMember(camera, "type").value_or("");
+        if (type == "perspective") {
+            lenses.push_back(lensOf(camera, where));
+        } else if (type == "orthographic") {
+            notes.add("orthographic cameras are not used", where);
+            lenses.emplace_back();
+        } else {
+            refuse("{}: type '{}' does not exist", where, oneLine(type));
+        }
+    }
+    return lenses;
+}
+
+std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const Document& document,
+                                     Notes& notes) {
+    std::vector<GltfCamera> cameras;
+    for (const CameraNode& node : nodes) {
+        const CameraLens& lens = itemAt(document.lenses, node.camera, "camera");
+        if (!lens.isPerspective) {
+            continue;
+        }
+        const glm::dvec3 up(node.toWorld[1]);
+        const glm::dvec3 back(node.toWorld[2]);
+        const glm::dvec3 right = glm::cross(up, back);
+        if (!(glm::length(right) > 1e-9 * glm::length(up) * glm::length(back))) {
+            notes.add("a camera is not used, its transform flattens it", fmt::format("node {}", node.node));
+            continue;
+        }
+        Camera camera{.position = glm::dvec3(node.toWorld[3]),
+                      .right = glm::normalize(right),
+                      .back = glm::normalize(back),
+                      .fovY = lens.fovY,
+                      .nearView = lens.nearView,
+                      .farView = lens.farView.value_or(kGltfFarRatio * lens.nearView)};
+        camera.up = glm::cross(camera.back, camera.right);
+        const std::string& nodeName = document.model.nodes[static_cast<std::size_t>(node.node)].name;
+        cameras.push_back({!lens.name.empty() ? lens.name : oneLine(nodeName), camera});
+    }
+    return cameras;
+}
+
+} // namespace cdr::scene::gltf

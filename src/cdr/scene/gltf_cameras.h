@@ -1,0 +1,22 @@
+#pragma once
+
+#include "gltf_document.h"
+#include "gltf_nodes.h"
+#include "gltf_notes.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <span>
+#include <vector>
+
+namespace cdr::scene::gltf {
+
+/// The cameras of a document, by index. Orthographic ones are noted. Refuses a lens that no camera can have.
+std::vector<CameraLens> takeLenses(const nlohmann::json& root, Notes& notes);
+
+/// The perspective cameras that nodes carry, where those stand. A node's scale and mirroring do not reach its
+/// camera; one whose axes no longer span a space is noted and left out.
+std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const Document& document,
+                                     Notes& notes);
+
+} // namespace cdr::scene::gltf

@@ -1,0 +1,105 @@
+#include <cdr/base/error.h>
+#include <cdr/scene/gltf.h>
+#include <cdr/scene/gltf_stage.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace cdr::scene {
+
+namespace {
+
+struct Sphere {
+    glm::dvec3 centre{0.0};
+    double radius = 1.0;
+};
+
+/// A sphere around every instance, about the middle of their bounding box.
+Sphere boundingSphere(const Instances& instances) {
+    if (instances.size() == 0) {
+        return {};
+    }
+    glm::dvec3 low(INFINITY);
+    glm::dvec3 high(-INFINITY);
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        low = glm::min(low, instances.position(i) - glm::dvec3(instances.radius[i]));
+        high = glm::max(high, instances.position(i) + glm::dvec3(instances.radius[i]));
+    }
+    Sphere sphere{.centre = 0.5 * (low + high), .radius = 0.0};
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        sphere.radius = std::max(sphere.radius, glm::distance(sphere.centre, instances.position(i)) +
+                                                    static_cast<double>(instances.radius[i]));
+    }
+    return sphere;
+}
+
+/// Lights a model from the front left above, and from behind, and looks at it from the front, a little from
+/// above, or through a camera of its own.
+StagedScene stageModel(Scene scene, const std::optional<Camera>& own) {
+    const Sphere bounds = boundingSphere(scene.instances);
+    if (bounds.radius <= 0.0 || !std::isfinite(bounds.radius)) {
+        throw base::InputError(scene.name + ": the scene has no extent to look at");
+    }
+    const auto at = [&](double x, double y, double z) {
+        return bounds.centre + bounds.radius * glm::dvec3(x, y, z);
+    };
+    scene.lights.push_back(
+        {.position = at(-2.0, 2.5, 3.0), .color = glm::vec3(1.3f), .halfDistance = 6.0 * bounds.radius});
+    scene.lights.push_back({.position = at(2.5, 1.0, -2.0),
+                            .color = glm::vec3(0.5f, 0.55f, 0.7f),
+                            .halfDistance = 6.0 * bounds.radius});
+    scene.background = glm::vec3(0.03f, 0.035f, 0.045f);
+    if (own) {
+        return {.scene = std::move(scene), .path = stillPath(*own)};
+    }
+    const double fovY = 40.0 * std::numbers::pi / 180.0;
+    const double distance = 1.02 * bounds.radius / std::sin(0.5 * fovY);
+    const Camera lens{.fovY = fovY, .nearView = 0.01 * bounds.radius, .farView = 1000.0 * bounds.radius};
+    const double elevation = 0.2;
+    const glm::dvec3 offset(0.35 * distance, elevation * distance, 0.0);
+    const double forward = std::sqrt(distance * distance - glm::dot(offset, offset));
+    const Camera first = lookAt(lens, bounds.centre + offset + glm::dvec3(0.0, 0.0, forward), bounds.centre);
+    return {.scene = std::move(scene), .path = stillPath(first)};
+}
+
+std::optional<Camera> chosenCamera(const std::filesystem::path& path, const GltfImport& import,
+                                   const std::optional<std::uint32_t>& choice) {
+    if (!choice) {
+        return std::nullopt;
+    }
+    if (*choice < import.cameras.size()) {
+        return import.cameras[*choice].camera;
+    }
+    std::string names;
+    for (std::size_t i = 0; i < std::min<std::size_t>(import.cameras.size(), 10); ++i) {
+        names += fmt::format("{} {} '{}'", i == 0 ? ":" : ",", i, import.cameras[i].name);
+    }
+    throw base::InputError(fmt::format("{}: camera {} does not exist, the scene has {}{}", path.string(),
+                                       *choice, import.cameras.size(), names));
+}
+
+} // namespace
+
+bool isGltfPath(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".gltf" || extension == ".glb";
+}
+
+OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice) {
+    GltfImport import = loadGltf(path, {}, choice.scene);
+    const std::optional<Camera> camera = chosenCamera(path, import, choice.camera);
+    if (!camera && !import.cameras.empty()) {
+        import.ignored.push_back(fmt::format("its {} cameras, which --camera 0 to {} looks through",
+                                             import.cameras.size(), import.cameras.size() - 1));
+    }
+    return {.staged = stageModel(std::move(import.scene), camera), .notes = std::move(import.ignored)};
+}
+
+} // namespace cdr::scene

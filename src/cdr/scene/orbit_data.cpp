@@ -1,0 +1,39 @@
+#include <cdr/base/error.h>
+#include <cdr/base/file.h>
+#include <cdr/image/codec.h>
+#include <cdr/scene/orbit_data.h>
+
+#include <cstdlib>
+
+namespace cdr::scene {
+
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 64ull << 20;
+
+image::ImageRgba8 loadPicture(const std::filesystem::path& path) {
+    if (!std::filesystem::is_regular_file(path)) {
+        throw base::InputError("orbit: " + path.string() +
+                               " is missing; tools/setup.sh fetches it, or set CDR_ORBIT_DATA to its folder");
+    }
+    return image::decodeImage(base::readFile(path, kMostBytes), path.string());
+}
+
+const char* environmentOr(const char* name, const char* otherwise) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != '\0' ? value : otherwise;
+}
+
+} // namespace
+
+OrbitFiles orbitFiles() {
+    return {.folder = environmentOr("CDR_ORBIT_DATA", CDR_ORBIT_DATA_FOLDER),
+            .model = environmentOr("CDR_ORBIT_MODEL", "")};
+}
+
+EarthMaps loadEarthMaps(const std::filesystem::path& folder) {
+    return {.color = loadPicture(folder / "earth-blue-marble.jpg"),
+            .topography = loadPicture(folder / "earth-topology.png")};
+}
+
+} // namespace cdr::scene

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cdr/image/image.h>
+
+#include <filesystem>
+
+namespace cdr::scene {
+
+/// The real Earth as pictures: whole, plate carree, the north on top, 180 degrees west at the left edge.
+struct EarthMaps {
+    image::ImageRgba8 color;      ///< NASA Blue Marble, sRGB
+    image::ImageRgba8 topography; ///< grey: kMetresPerGrey each, sea level 0
+};
+
+/// The topography's grey values, checked against 13 places of known elevation, from Madrid (26 at 650 m) to
+/// Tibet (202 at 5,000 m): each gives 23.6 to 27.0.
+inline constexpr double kMetresPerGrey = 25.0;
+
+/// What the scene orbit is made of.
+struct OrbitFiles {
+    std::filesystem::path folder; ///< of the maps
+    std::filesystem::path model;  ///< glTF, to be parked at the airport; empty for the generated aircraft
+};
+
+/// The folder that the environment variable CDR_ORBIT_DATA names, else where tools/setup.sh puts the maps;
+/// the model that CDR_ORBIT_MODEL names, else none.
+OrbitFiles orbitFiles();
+
+/// Reads earth-blue-marble.jpg and earth-topology.png, as the npm package three-globe names them.
+/// base::InputError, naming tools/setup.sh, when one is missing; or when one is damaged.
+EarthMaps loadEarthMaps(const std::filesystem::path& folder);
+
+} // namespace cdr::scene

@@ -1,0 +1,121 @@
+#include <cdr/scene/gltf.h>
+#include <cdr/scene/orbit_airport.h>
+#include <cdr/scene/orbit_path.h>
+#include <cdr/scene/orbit_scene.h>
+#include <cdr/scene/solids.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace cdr::scene {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kSunDistance = 149.6e9;
+constexpr double kFarView = 4.5e8; ///< beyond the Moon
+/// Below level, degrees: the first aim has horizon and Earth in the picture, the Moon stands over the
+/// horizon.
+constexpr double kFirstAim = 36.0;
+constexpr double kMoonBelow = 18.4;
+constexpr double kMoonRight = 9.0;
+
+void addEarth(SceneBuilder& builder, const EarthSurface& surface, const StationPose& station,
+              image::ImageRgba8 color) {
+    Scene& scene = builder.scene();
+    scene.textures.push_back(
+        {.name = "blue marble", .pixels = std::move(color), .repeatU = true, .repeatV = false});
+    const std::uint32_t material = builder.addMaterial(
+        Material{.name = "earth", .baseColorTexture = static_cast<std::uint32_t>(scene.textures.size() - 1)});
+    builder.beginObject("earth");
+    const EarthQuadtree tree = refineEarth(surface, orbitDetail(station));
+    for (const EarthTile& leaf : tree.leaves()) {
+        builder.addMesh(material, tileMesh(surface, tree, leaf));
+    }
+}
+
+/// Over the horizon, a little to the right.
+void addMoon(SceneBuilder& builder, const EarthSurface& surface, const StationPose& station) {
+    const glm::dvec3 right = glm::cross(station.forward, station.up);
+    const glm::dvec3 level =
+        std::cos(kMoonRight * kDegree) * station.forward + std::sin(kMoonRight * kDegree) * right;
+    const glm::dvec3 towards =
+        std::cos(kMoonBelow * kDegree) * level - std::sin(kMoonBelow * kDegree) * station.up;
+    const glm::dvec3 fromCentre = station.eye - surface.earthCentre();
+    // Along the ray from the eye, as far as makes its distance from the Earth's centre right.
+    const double half = glm::dot(fromCentre, towards);
+    const double along =
+        -half + std::sqrt(half * half - glm::dot(fromCentre, fromCentre) + kMoonDistance * kMoonDistance);
+    const std::uint32_t material = builder.addMaterial("moon", glm::vec3(0.35f, 0.34f, 0.33f));
+    builder.beginObject("moon");
+    glm::dmat4 place(1.0);
+    place[3] = glm::dvec4(station.eye + along * towards, 1.0);
+    builder.addMesh(material, sphereMesh("moon", kMoonRadius, 64), place);
+}
+
+void addLights(Scene& scene, const StationPose& station) {
+    const glm::dvec3 toSun = glm::normalize(glm::dvec3(-0.35, 0.75, 0.55));
+    scene.lights.push_back(
+        {.position = kSunDistance * toSun, .color = glm::vec3(1.5f), .halfDistance = 100.0 * kSunDistance});
+    // A lamp in the cabin, which reaches no further than the window.
+    scene.lights.push_back({.position = station.eye + 0.15 * station.up,
+                            .color = glm::vec3(0.5f, 0.45f, 0.38f),
+                            .halfDistance = 0.2});
+    scene.ambient = glm::vec3(0.04f);
+    scene.background = glm::vec3(0.0f);
+}
+
+} // namespace
+
+StationPose orbitStation(const EarthSurface& surface) {
+    const double metresPerDegree = kEarthRadius * kDegree * std::cos(kOrbitAirport.latitude * kDegree);
+    const Geodetic below{kOrbitAirport.latitude, kOrbitAirport.longitude - kStationWest / metresPerDegree};
+    StationPose pose;
+    pose.eye = surface.toWorld(below, kStationHeight);
+    pose.up = glm::normalize(pose.eye - surface.toWorld(below, 0.0));
+    // Level, towards the airport, which is the origin.
+    pose.forward = glm::normalize(-pose.eye + glm::dot(pose.eye, pose.up) * pose.up);
+    return pose;
+}
+
+TileDetail orbitDetail(const StationPose& station) {
+    return {.eye = station.eye, .place = {airportPad().centre.x, 0.0, airportPad().centre.y}};
+}
+
+StagedScene makeOrbit(EarthMaps maps, const Scene* parked) {
+    const EarthSurface surface(maps.topography, kOrbitAirport, airportPad());
+    const StationPose station = orbitStation(surface);
+    StagedScene staged;
+    staged.scene.name = "orbit";
+    SceneBuilder builder(staged.scene);
+    // Nearest first, as an engine that sorts for early depth tests submits them: a depth buffer that cannot
+    // tell paint, slab and soil apart shows soil.
+    addStation(builder, station);
+    if (parked != nullptr) {
+        addParkedModel(builder, *parked);
+    } else {
+        addAircraft(builder);
+    }
+    addAirport(builder);
+    addEarth(builder, surface, station, std::move(maps.color));
+    addMoon(builder, surface, station);
+    addLights(staged.scene, station);
+    const double below = kFirstAim * kDegree;
+    staged.path = zoomPath({.eye = station.eye,
+                            .firstAim = std::cos(below) * station.forward - std::sin(below) * station.up,
+                            .target = {0.0, kSlabHeight + kMarkingHeight, 0.0},
+                            .nearView = 0.1,
+                            .farView = kFarView});
+    return staged;
+}
+
+StagedScene openOrbit(const OrbitFiles& files) {
+    if (files.model.empty()) {
+        return makeOrbit(loadEarthMaps(files.folder));
+    }
+    const GltfImport model = loadGltf(files.model);
+    return makeOrbit(loadEarthMaps(files.folder), &model.scene);
+}
+
+} // namespace cdr::scene

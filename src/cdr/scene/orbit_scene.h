@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cdr/scene/earth_tiles.h>
+#include <cdr/scene/generators.h>
+#include <cdr/scene/orbit_data.h>
+#include <cdr/scene/orbit_station.h>
+
+namespace cdr::scene {
+
+/// Where the airport of the scene orbit is: the threshold of runway 09L at London Heathrow, below the track
+/// of the ISS. The place is real, what is built there is not.
+inline constexpr Geodetic kOrbitAirport{51.4775, -0.4850};
+inline constexpr double kStationHeight = 420e3; ///< metres above the ellipsoid
+inline constexpr double kStationWest = 90e3; ///< metres on the ground from below the station to the airport
+inline constexpr double kMoonDistance = 384.4e6; ///< metres, from the Earth's centre
+inline constexpr double kMoonRadius = 1'737.4e3;
+
+/// The station's place and heading: over the country west of the airport, looking east.
+StationPose orbitStation(const EarthSurface& surface);
+
+/// The detail that the station and the airport ask of the Earth.
+TileDetail orbitDetail(const StationPose& station);
+
+/// The real-life scene (the thesis' future work): a station's window 420 km up, the real Earth below it, the
+/// Moon behind, an airport on the ground with a slab 2 cm over the soil and paint 5 mm over the slab. One
+/// unit is a metre, one world space holds all of it in float64. The path zooms from the window, 60 degrees,
+/// to the numbers of the runway, 0.002 degrees, in 240 frames; near 0.1, far beyond the Moon.
+/// @param maps moved into the scene's texture.
+/// @param parked a model to stand on the apron instead of the generated aircraft; may be null.
+StagedScene makeOrbit(EarthMaps maps, const Scene* parked = nullptr);
+
+/// makeOrbit() of what the files hold. base::InputError as loadEarthMaps() and loadGltf().
+StagedScene openOrbit(const OrbitFiles& files);
+
+} // namespace cdr::scene

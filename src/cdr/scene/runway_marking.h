@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cdr/scene/mesh_pieces.h>
+
+#include <glm/glm.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace cdr::scene {
+
+/// Paint as flat meshes that face up (+y) at y = 0. Its own plane has `right` and `ahead`, as who rolls along
+/// the runway sees it: right is world z and ahead world x for a runway to the east.
+class MarkingPaint {
+  public:
+    explicit MarkingPaint(std::string name) { m_mesh.name = std::move(name); }
+
+    /// A stroke of even width along points, mitred where it bends.
+    /// @param closed joins the last point to the first.
+    void stroke(std::span<const glm::dvec2> points, double width, bool closed);
+    void rectangle(const glm::dvec2& low, const glm::dvec2& high);
+    /// Characters of `height` side by side, their middle at the origin. base::InputError for one that is not
+    /// among 0 2 7 9 L R.
+    void text(std::string_view characters, double height);
+
+    const SourceMesh& mesh() const { return m_mesh; }
+
+  private:
+    void quad(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d);
+
+    SourceMesh m_mesh;
+};
+
+} // namespace cdr::scene

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "pictures.h"
+
+#include <cdr/depth/technique.h>
+#include <cdr/gpu/device.h>
+#include <cdr/measure/wrong_pixels.h>
+#include <cdr/scene/generators.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// The zoom of the scene orbit, from a station's window to the numbers of a runway: which technique still
+/// reads them.
+struct OrbitOptions {
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    std::uint32_t frames = 25; ///< spread evenly over the path, its last among them
+    std::size_t threads = 1;
+    std::vector<depth::Technique> techniques; ///< all presets when empty
+};
+
+/// One technique in one frame.
+struct OrbitResult {
+    std::uint32_t frame = 0; ///< of the path
+    double fovYDegrees = 0.0;
+    std::string technique;
+    std::size_t cascades = 0;
+    measure::WrongPixels wrong;
+};
+
+struct OrbitRun {
+    std::vector<OrbitResult> results; ///< by frame, then technique
+    std::vector<PictureResult> last;  ///< of the path's last frame, by technique
+};
+
+/// The frames that are looked at: `count` of a path's `length`, evenly, ascending, the last always.
+std::vector<std::uint32_t> zoomFrames(std::uint32_t length, std::uint32_t count);
+
+/// @param staged the scene; other scenes with a path do as well.
+OrbitRun runOrbit(const gpu::Device& device, const scene::StagedScene& staged, const OrbitOptions& options,
+                  const Progress& progress);
+
+/// A gnuplot script: wrong pixels over the lens, a line per technique.
+/// @param measuredOn device and picture, for the title.
+std::string orbitPlot(const std::vector<OrbitResult>& results, const std::string& measuredOn);
+
+} // namespace cdr::experiments

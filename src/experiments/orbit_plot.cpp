@@ -1,0 +1,58 @@
+#include "gnuplot.h"
+#include "orbit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// Percent that stands for none on the logarithmic axis.
+constexpr double kNone = 1e-5;
+
+/// Okabe and Ito 2008.
+constexpr std::array<const char*, 6> kColors{"#d55e00", "#e69f00", "#cc79a7",
+                                             "#0072b2", "#56b4e9", "#009e73"};
+
+} // namespace
+
+std::string orbitPlot(const std::vector<OrbitResult>& results, const std::string& measuredOn) {
+    std::vector<std::string> techniques;
+    for (const OrbitResult& result : results) {
+        if (std::find(techniques.begin(), techniques.end(), result.technique) == techniques.end()) {
+            techniques.push_back(result.technique);
+        }
+    }
+    std::string data;
+    std::string plots;
+    for (std::size_t i = 0; i < techniques.size(); ++i) {
+        data += fmt::format("$data{} << END\n", i);
+        for (const OrbitResult& result : results) {
+            if (result.technique == techniques[i]) {
+                data += fmt::format("{} {}\n", result.fovYDegrees,
+                                    std::max(100.0 * result.wrong.fraction(), kNone));
+            }
+        }
+        data += "END\n";
+        plots +=
+            fmt::format("{}$data{} with linespoints pointtype 7 pointsize 0.7 linewidth 2 linecolor rgb "
+                        "'{}' title {}",
+                        i == 0 ? "plot " : ", ", i, kColors[i % kColors.size()], gnuplotQuote(techniques[i]));
+    }
+    return fmt::format("set title {}\n"
+                       "set xlabel 'vertical field of view, degrees: from the window to the runway numbers'\n"
+                       "set ylabel 'wrong pixels off edges, %'\n"
+                       "set logscale xy\n"
+                       "set xrange [80:0.0015]\n"
+                       "set yrange [{}:150]\n"
+                       "set ytics add ('0' {})\n"
+                       "set grid ytics lc rgb '#dddddd'\n"
+                       "set key outside right\n"
+                       "{}{}\n",
+                       gnuplotQuote("Scene orbit, " + measuredOn), 0.7 * kNone, kNone, data, plots);
+}
+
+} // namespace cdr::experiments

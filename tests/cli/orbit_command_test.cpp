@@ -1,0 +1,49 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace cdr::cli_test {
+namespace {
+
+TEST(OrbitCommand, missingMapsAreOneLineAndLeaveNothing) {
+    const TemporaryFolder folder;
+    const ProgramResult orbit = runProgram("orbit --data nowhere --out pictures", folder.path());
+    EXPECT_EQ(orbit.status, 2);
+    EXPECT_NE(orbit.err.find("tools/setup.sh"), std::string::npos) << orbit.err;
+    EXPECT_EQ(std::count(orbit.err.begin(), orbit.err.end(), '\n'), 1);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "pictures"));
+    const ProgramResult render = runProgram("render orbit -o a.png", folder.path(), "CDR_ORBIT_DATA=nowhere");
+    EXPECT_EQ(render.status, 2);
+    EXPECT_NE(render.err.find("nowhere/earth-blue-marble.jpg"), std::string::npos) << render.err;
+}
+
+TEST(OrbitCommand, measuresTheZoom) {
+    if (!std::filesystem::exists(CDR_SOURCE_DIR "/.cache/orbit-data")) {
+        GTEST_SKIP() << "the Earth of the scene orbit is not installed; tools/setup.sh fetches it";
+    }
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("--validate orbit --frames 2 --size 160x90 --techniques "
+                                            "reversed,anchored --out pictures --json o.json",
+                                            folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto document = nlohmann::json::parse(readText(folder.path() / "o.json"));
+    const auto& rows = document["results"];
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[0]["frame"], 0);
+    EXPECT_NEAR(rows[0]["fov_degrees"].get<double>(), 60.0, 1e-9);
+    EXPECT_EQ(rows[2]["technique"], "reversed");
+    EXPECT_NEAR(rows[2]["fov_degrees"].get<double>(), 0.002, 1e-12);
+    EXPECT_GT(rows[2]["wrong_fraction"].get<double>(), 0.02);
+    EXPECT_EQ(rows[3]["technique"], "anchored");
+    EXPECT_EQ(rows[3]["wrong"], 0);
+    EXPECT_GT(rows[3]["pixels"].get<int>(), 5000);
+    for (const char* file : {"orbit_reversed.png", "orbit_anchored_wrong.png", "orbit_sheet.png"}) {
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / file)) << file;
+    }
+}
+
+} // namespace
+} // namespace cdr::cli_test

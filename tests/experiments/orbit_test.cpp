@@ -1,0 +1,34 @@
+#include <experiments/orbit.h>
+#include <gtest/gtest.h>
+
+namespace cdr::experiments {
+namespace {
+
+using Frames = std::vector<std::uint32_t>;
+
+TEST(OrbitFrames, areSpreadEvenlyAndEndWithTheLast) {
+    EXPECT_EQ(zoomFrames(240, 1), (Frames{239}));
+    EXPECT_EQ(zoomFrames(240, 3), (Frames{0, 119, 239}));
+    EXPECT_EQ(zoomFrames(3, 5), (Frames{0, 1, 2}));
+    EXPECT_EQ(zoomFrames(240, 240).size(), 240u);
+    EXPECT_EQ(zoomFrames(240, 240).at(100), 100u);
+}
+
+TEST(OrbitPlot, drawsALinePerTechniqueAndNoneAsTheFloor) {
+    std::vector<OrbitResult> results;
+    for (const char* technique : {"reversed", "anchored"}) {
+        OrbitResult result{
+            .frame = 0, .fovYDegrees = 60.0, .technique = technique, .cascades = 1, .wrong = {}};
+        result.wrong.pixels = 1000;
+        result.wrong.wrong = result.technique == "reversed" ? 250 : 0;
+        results.push_back(result);
+    }
+    const std::string script = orbitPlot(results, "a 'device'");
+    EXPECT_NE(script.find("60 25\n"), std::string::npos) << script;
+    EXPECT_NE(script.find("60 1e-05\n"), std::string::npos) << script;
+    EXPECT_NE(script.find("title 'anchored'"), std::string::npos) << script;
+    EXPECT_NE(script.find("a ''device''"), std::string::npos) << script;
+}
+
+} // namespace
+} // namespace cdr::experiments

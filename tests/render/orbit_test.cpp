@@ -1,0 +1,40 @@
+#include "../support/synthetic_earth.h"
+#include "fixture.h"
+
+#include <cdr/scene/orbit_scene.h>
+
+namespace cdr::render_test {
+namespace {
+
+class Orbit : public RenderTest {
+  protected:
+    measure::WrongPixels wrongAt(std::uint32_t frame, const char* technique) {
+        static const scene::StagedScene staged = scene::makeOrbit(test::syntheticEarth());
+        const scene::Camera camera = staged.path.at(frame);
+        render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
+        options.width = 320;
+        options.height = 180;
+        return wrongIn(draw(staged.scene, camera, options), staged.scene, camera);
+    }
+};
+
+/// 5 mm of paint 430 km away: 1.2e-8 of the distance, past what a float32 of it holds.
+TEST_F(Orbit, onlyAnchoredReadsTheNumbers) {
+    const measure::WrongPixels anchored = wrongAt(239, "anchored");
+    EXPECT_GT(anchored.pixels, 40'000u);
+    EXPECT_EQ(anchored.wrong, 0u);
+    for (const char* technique : {"standard", "cdr", "log", "logcdr", "reversed"}) {
+        EXPECT_GT(wrongAt(239, technique).fraction(), 0.02) << technique;
+    }
+}
+
+TEST_F(Orbit, anchoredIsRightFromTheWindowOn) {
+    for (const std::uint32_t frame : {0u, 60u, 120u, 180u, 210u}) {
+        const measure::WrongPixels wrong = wrongAt(frame, "anchored");
+        EXPECT_GT(wrong.pixels, 30'000u) << frame;
+        EXPECT_LE(wrong.wrong, 1u) << frame;
+    }
+}
+
+} // namespace
+} // namespace cdr::render_test
