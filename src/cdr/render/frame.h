@@ -43,7 +43,7 @@ struct Frame {
     depth::Cascades cascades;        ///< nearest first
     std::vector<double> anchorsView; ///< each cascade's anchor plane, 0 where the mapping is not anchored
     image::ImageRgba8 color;         ///< sRGB
-    image::Raster<Surface> surfaces; ///< the G-buffer
+    image::Raster<Surface> surfaces; ///< the G-buffer; empty where FrameCopy::color was asked for
     FrameStats stats;
 
     std::uint32_t width() const { return color.width; }
