@@ -1,29 +1,18 @@
 #pragma once
 
 #include "render_request.h"
-
-#include <cdr/gpu/device.h>
-#include <cdr/render/gpu_scene.h>
+#include "side_renderer.h"
+#include "state/flip_window.h"
 
 #include <array>
+#include <chrono>
 #include <memory>
 #include <string>
 
 namespace cdr::viewer {
 
-/// One renderer, made anew when what it is made from changes.
-class SideRenderer {
-  public:
-    render::Frame render(const gpu::Device& device, const scene::Scene& scene, const render::GpuScene& onDevice,
-                         const render::RenderOptions& options, const scene::Camera& camera,
-                         render::FrameCopy copy);
-    void drop() { m_renderer.reset(); }
-
-  private:
-    std::unique_ptr<render::Renderer> m_renderer;
-};
-
-/// The open scene on its device, and the renderers that answer requests. One thread's.
+/// The open scene on its device, and the renderers that answer requests: left, right, and the anchored answer
+/// where a view needs it. One thread's.
 class SceneStage {
   public:
     /// The device must outlive the stage.
@@ -36,16 +25,25 @@ class SceneStage {
     const std::string& sceneName() const { return m_sceneName; }
 
   private:
+    using Clock = std::chrono::steady_clock;
     struct OnStage {
         std::shared_ptr<const scene::OpenedScene> opened;
         render::GpuScene onDevice;
     };
-    void open(const RenderRequest& request);
+    void open(const ViewSettings& settings);
+    SideResult renderSide(const RenderRequest& request, std::size_t side, const scene::Camera& camera);
+    render::Frame renderReference(const RenderRequest& request, const scene::Camera& camera);
+    void paint(ViewKind view, std::size_t side, const render::Frame* reference, SideResult& result);
+    StageSet set() const;
 
     const gpu::Device& m_device;
     std::string m_sceneName;
+    std::uint64_t m_seed = 0;
     std::unique_ptr<OnStage> m_scene;
     std::array<SideRenderer, 2> m_sides;
+    SideRenderer m_reference;
+    std::array<FlipWindow, 2> m_flips;
+    Clock::time_point m_start = Clock::now();
 };
 
 } // namespace cdr::viewer

@@ -212,6 +212,12 @@ void Window::resize(int width, int height) const {
     glfwSetWindowSize(m_handle.get(), width, height);
 }
 
+ResizeInput Window::currentSize() const {
+    ResizeInput size;
+    glfwGetFramebufferSize(m_handle.get(), &size.width, &size.height);
+    return size;
+}
+
 void Window::minimise() const {
     glfwIconifyWindow(m_handle.get());
 }

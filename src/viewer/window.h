@@ -65,6 +65,8 @@ class Window {
 
     /// Asks for a size in screen coordinates; what comes of it arrives as a ResizeInput.
     void resize(int width, int height) const;
+    /// The picture area as the window system has it now.
+    ResizeInput currentSize() const;
     void minimise() const;
     void restore() const;
     void setTitle(const std::string& title) const;
