@@ -133,16 +133,22 @@ void CameraControl::apply(const PictureArea& area, double seconds, ViewerModel& 
     readGamepad();
     m_input.extent = area.extent;
     m_input.seconds = seconds;
-    CameraInput input = m_input;
+    const CameraInput input = m_input;
     m_input.drag = m_input.pan = glm::dvec2(0.0);
     m_input.scroll = 0.0;
     const bool asks = isActive() || input.drag != glm::dvec2(0.0) || input.pan != glm::dvec2(0.0) ||
                       input.scroll != 0.0;
-    if (!asks || !model.hasCamera) {
+    if (asks && model.hasCamera) {
+        model.motion = Motion::free; // whoever steers takes over
+        steer(input, !m_dollies, model);
+    }
+}
+
+void CameraControl::steer(CameraInput input, bool zooms, ViewerModel& model) {
+    if (!model.hasCamera) {
         return;
     }
-    model.motion = Motion::free; // whoever steers takes over
-    if (input.scroll != 0.0 && !(model.orbits && m_dollies)) {
+    if (input.scroll != 0.0 && (!model.orbits || zooms)) {
         model.camera = zoomLens(model.camera, input);
         input.scroll = 0.0;
     }

@@ -31,6 +31,9 @@ class CameraControl {
     void handle(const InputEvent& event, const PictureArea& area, bool free, ViewerModel& model);
     /// Moves the model's camera by what was asked since the last call.
     void apply(const PictureArea& area, double seconds, ViewerModel& model);
+    /// Moves the model's camera as if that had been asked for.
+    /// @param zooms whether scrolling is for the lens though the camera orbits.
+    static void steer(CameraInput input, bool zooms, ViewerModel& model);
     /// Whether keys, buttons or a gamepad ask for motion without further events.
     bool isActive() const;
     /// A pixel that was clicked since the last call.

@@ -138,6 +138,8 @@ const std::map<std::string, Reader, std::less<>>& readers() {
         {"picture", [](Words& w, Steps& s) { s.emplace_back(SavePicture{w.rest("file")}); }},
         {"where", [](Words& w, Steps& s) { s.emplace_back(PrintPlace{w.rest("item")}); }},
         {"state", [](Words&, Steps& s) { s.emplace_back(PrintState{}); }},
+        {"command", [](Words&, Steps& s) { s.emplace_back(PrintCommand{}); }},
+        {"wait-state", [](Words& w, Steps& s) { s.emplace_back(WaitState{w.rest("text")}); }},
         {"quit", [](Words&, Steps& s) { s.emplace_back(Quit{}); }},
     };
     return kReaders;

@@ -39,12 +39,19 @@ struct PrintPlace {
     std::string name;
 };
 struct PrintState {};
+/// Prints the `cdr render` line of what is shown.
+struct PrintCommand {};
+/// Waits until what `state` prints contains a text.
+struct WaitState {
+    std::string text;
+};
 struct Minimise {};
 struct Restore {};
 struct Quit {};
 
 using ScriptStep = std::variant<InputEvent, ClickItem, WindowSize, WaitFrame, WaitUi, SaveWindow, SavePicture,
-                                PrintPlace, PrintState, Minimise, Restore, Quit>;
+                                PrintPlace, PrintState,
+                                PrintCommand, WaitState, Minimise, Restore, Quit>;
 
 /// Reads a script, one step a line; empty lines and those that begin with # are left out.
 ///
@@ -54,6 +61,8 @@ using ScriptStep = std::variant<InputEvent, ClickItem, WindowSize, WaitFrame, Wa
 ///     click NAME                   the interface's item of that name
 ///     drop FILE, resize W H, minimise, restore
 ///     wait-frame [N], wait-ui N, window FILE, picture FILE, where NAME, state, quit
+///     wait-state TEXT              until the line that `state` prints holds it
+///     command                      prints the command line that renders the picture without a window
 ///
 /// base::InputError, naming the line, for anything else.
 std::vector<ScriptStep> parseScript(const std::string& text, const std::string& name);

@@ -38,37 +38,50 @@ void ScriptPlayer::clickItem(const std::string& name, const ItemPlaces& places) 
     m_steps.push_front(InputEvent(MoveInput{place.x, place.y}));
 }
 
-bool ScriptPlayer::waits(const Session& session) {
-    if (auto* ui = std::get_if<WaitUi>(&m_steps.front())) {
-        return ui->frames-- > 0;
-    }
-    const auto* frame = std::get_if<WaitFrame>(&m_steps.front());
-    if (frame == nullptr) {
-        return false;
-    }
+bool ScriptPlayer::keepWaiting() {
     const auto now = std::chrono::steady_clock::now();
     if (!m_waitBegan) {
         m_waitBegan = now;
-        return true; // a frame for what was asked for just now to be asked of the renderer
-    }
-    if (!m_resultsWanted && (frame->more > 0 || session.isSettled())) {
-        m_resultsWanted = session.results() + frame->more;
-    }
-    if (m_resultsWanted && session.results() >= *m_resultsWanted) {
-        m_resultsWanted.reset();
-        m_waitBegan.reset();
-        return false;
-    }
-    if (now - *m_waitBegan > kLongestWait) {
-        throw base::RunError("script: the frame that was waited for does not come");
+    } else if (now - *m_waitBegan > kLongestWait) {
+        throw base::RunError("script: what was waited for does not come");
     }
     return true;
+}
+
+bool ScriptPlayer::waitsForFrame(const WaitFrame& frame, const Session& session) {
+    if (!m_waitBegan) {
+        return keepWaiting(); // for what was asked for just now to be asked of the renderer
+    }
+    if (!m_resultsWanted && (frame.more > 0 || session.isSettled())) {
+        m_resultsWanted = session.results() + frame.more;
+    }
+    if (!m_resultsWanted || session.results() < *m_resultsWanted) {
+        return keepWaiting();
+    }
+    m_resultsWanted.reset();
+    return false;
+}
+
+bool ScriptPlayer::waits(const Session& session, const ViewerModel& model) {
+    bool isWaiting = false;
+    if (auto* ui = std::get_if<WaitUi>(&m_steps.front())) {
+        return ui->frames-- > 0;
+    }
+    if (const auto* state = std::get_if<WaitState>(&m_steps.front())) {
+        isWaiting = stateLine(model).find(state->text) == std::string::npos && keepWaiting();
+    } else if (const auto* frame = std::get_if<WaitFrame>(&m_steps.front())) {
+        isWaiting = waitsForFrame(*frame, session);
+    }
+    if (!isWaiting) {
+        m_waitBegan.reset();
+    }
+    return isWaiting;
 }
 
 ScriptWish ScriptPlayer::step(Window& window, const ItemPlaces& places, const Session& session,
                               const ViewerModel& model) {
     ScriptWish wish;
-    if (m_steps.empty() || waits(session)) {
+    if (m_steps.empty() || waits(session, model)) {
         return wish;
     }
     const ScriptStep step = m_steps.front();
@@ -83,6 +96,7 @@ ScriptWish ScriptPlayer::step(Window& window, const ItemPlaces& places, const Se
                               wish.text = fmt::format("{} {:.0f} {:.0f}", print.name, place.x, place.y);
                           },
                           [&](const PrintState&) { wish.text = stateLine(model); },
+                          [&](const PrintCommand&) { wish.text = commandLineOf(model); },
                           [&](const Minimise&) {
                               window.minimise();
                               window.inject(ResizeInput{0, 0}); // what other systems say of it

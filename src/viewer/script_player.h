@@ -31,7 +31,10 @@ class ScriptPlayer {
                     const ViewerModel& model);
 
   private:
-    bool waits(const Session& session);
+    bool waits(const Session& session, const ViewerModel& model);
+    bool waitsForFrame(const WaitFrame& frame, const Session& session);
+    /// Begins or goes on waiting; base::RunError when it has taken too long.
+    bool keepWaiting();
     void clickItem(const std::string& name, const ItemPlaces& places);
     static ItemPlaces::Place placeOf(const std::string& name, const ItemPlaces& places);
 

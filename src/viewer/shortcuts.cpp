@@ -50,6 +50,11 @@ void applyShortcut(const KeyInput& key, ViewerModel& model) {
             toggleComparison(model.settings);
         }
         break;
+    case GLFW_KEY_Q:
+        if (control) {
+            model.actions.push_back(Action::quit);
+        }
+        break;
     case GLFW_KEY_V: nextView(model.settings); break;
     case GLFW_KEY_O: model.orbits = !model.orbits; break;
     case GLFW_KEY_SPACE: toggleMotion(model, Motion::scenePath); break;
