@@ -280,7 +280,10 @@ void Application::finish() {
     }
     if (!m_arguments.screenshot.empty()) {
         m_capture = m_arguments.screenshot;
-        drawFrame();
+        constexpr int kTries = 3; // the window may just have changed its size
+        for (int attempt = 0; attempt < kTries && m_capture; ++attempt) {
+            drawFrame();
+        }
     }
     for (const gpu::Instance* instance : {&m_renderInstance, &m_ui.instance()}) {
         const auto messages = instance->validation().messages();

@@ -10,6 +10,7 @@
 #include <imgui_impl_vulkan.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace cdr::viewer {

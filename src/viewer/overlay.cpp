@@ -7,7 +7,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <limits>
+#include <chrono>
+#include <cmath>
+#include <optional>
 #include <string>
 
 namespace cdr::viewer {
@@ -17,7 +19,7 @@ namespace {
 constexpr ImU32 kPaper = IM_COL32(18, 20, 24, 214);
 constexpr ImU32 kInk = IM_COL32(228, 232, 238, 255);
 constexpr ImU32 kQuietInk = IM_COL32(160, 168, 180, 255);
-constexpr ImU32 kAccent = IM_COL32(90, 169, 230, 255);
+constexpr ImU32 kMarkInk = IM_COL32(90, 169, 230, 255);
 constexpr ImU32 kProblem = IM_COL32(240, 120, 100, 255);
 
 /// The picture in Dear ImGui's coordinates.
@@ -133,7 +135,7 @@ void drawMeasuring(const Canvas& canvas, const ViewerModel& model) {
     const auto mark = [&](const PickedPoint& point) {
         const auto at = onCanvas(canvas, model.shown->camera, point.position);
         if (at) {
-            canvas.draw.AddCircle(*at, ImGui::GetFontSize() * 0.4f, kAccent, 0, 2.0f);
+            canvas.draw.AddCircle(*at, ImGui::GetFontSize() * 0.4f, kMarkInk, 0, 2.0f);
         }
         return at;
     };
@@ -141,7 +143,7 @@ void drawMeasuring(const Canvas& canvas, const ViewerModel& model) {
     const auto& second = model.measuring.second();
     const auto to = second ? mark(*second) : std::nullopt;
     if (from && to) {
-        canvas.draw.AddLine(*from, *to, kAccent, 1.5f);
+        canvas.draw.AddLine(*from, *to, kMarkInk, 1.5f);
     }
     const std::string text = second ? describe(*model.measuring.span()) : "";
     plate(canvas, {canvas.low.x + gap(), canvas.high.y - ImGui::GetFontSize() * 4.6f}, false,

@@ -42,6 +42,7 @@ struct SideResult {
 struct RenderResult {
     std::uint64_t serial = 0; ///< the request's
     std::string sceneName{};  ///< the open scene's, as requested
+    ViewSettings settings{};  ///< the request's
     std::shared_ptr<const scene::OpenedScene> scene{};
     scene::Camera camera{};
     std::vector<SideResult> sides{};   ///< empty when it failed

@@ -74,7 +74,10 @@ RenderResult SceneStage::answer(const RenderRequest& request) {
     const auto millisecondsSince = [](Clock::time_point from) {
         return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
     };
-    RenderResult result{.serial = request.serial, .sceneName = m_sceneName, .scene = m_scene->opened};
+    RenderResult result{.serial = request.serial,
+                        .sceneName = m_sceneName,
+                        .settings = request.settings,
+                        .scene = m_scene->opened};
     result.camera = request.camera ? *request.camera : m_scene->opened->staged.path.at(0);
     const std::size_t sides = request.settings.second ? 2 : 1;
     for (std::size_t side = 0; side < sides; ++side) {

@@ -1,5 +1,7 @@
 #include "script.h"
 
+#include "window.h"
+
 #include <cdr/base/suggest.h>
 
 #include <fmt/format.h>
@@ -18,7 +20,6 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr int kMaxWindowSide = 16384;
 constexpr double kMaxCount = 1e6;
 
 int keyOf(const std::string& name) {

@@ -1,5 +1,6 @@
 #include "script_player.h"
 
+#include "overloaded.h"
 #include "shown_picture.h"
 
 #include <cdr/base/error.h>
@@ -13,11 +14,6 @@ namespace cdr::viewer {
 namespace {
 
 constexpr std::chrono::seconds kLongestWait{120};
-
-template <class... Handlers>
-struct Overloaded : Handlers... {
-    using Handlers::operator()...;
-};
 
 } // namespace
 

@@ -5,10 +5,7 @@
 
 #include <cdr/base/error.h>
 
-#include <algorithm>
-#include <cmath>
 #include <exception>
-#include <limits>
 #include <utility>
 
 namespace cdr::viewer {
@@ -18,7 +15,6 @@ namespace {
 /// While the camera moves, frames that picking can read come this often.
 constexpr std::chrono::milliseconds kSurfacesEvery{100};
 constexpr std::chrono::seconds kRateWindow{1};
-constexpr std::uint32_t kLookSamples = 9; ///< across, where nothing is in the middle
 
 bool isSameCamera(const scene::Camera& a, const scene::Camera& b) {
     return a.position == b.position && a.right == b.right && a.up == b.up && a.back == b.back &&
@@ -31,20 +27,6 @@ bool asksTheSame(const RenderRequest& a, const RenderRequest& b) {
     return sameCamera && a.settings == b.settings && a.extent == b.extent;
 }
 
-/// The view distance in the middle of the picture, or where that is empty the nearest of a grid's.
-double lookedAtView(const render::Frame& frame) {
-    const double middle = frame.distanceView(frame.width() / 2, frame.height() / 2);
-    if (std::isfinite(middle)) {
-        return middle;
-    }
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::uint32_t i = 0; i < kLookSamples * kLookSamples; ++i) {
-        nearest = std::min(nearest, frame.distanceView(frame.width() * (i % kLookSamples) / kLookSamples,
-                                                       frame.height() * (i / kLookSamples) / kLookSamples));
-    }
-    return nearest;
-}
-
 } // namespace
 
 Session::Session(const gpu::Device& device, ViewerModel& model)
@@ -52,6 +34,9 @@ Session::Session(const gpu::Device& device, ViewerModel& model)
       m_thread(device, [] { WindowSystem::wake(); }) {}
 
 void Session::followPath(double seconds) {
+    if (m_model.motion == Motion::recording) {
+        m_model.recordingSeconds += seconds;
+    }
     if (m_model.motion == Motion::free || m_model.shown == nullptr || !m_thread.isReady()) {
         return;
     }
@@ -60,7 +45,6 @@ void Session::followPath(double seconds) {
         m_model.camera = scene::canonical(m_model.shown->scene->staged.path.at(++m_model.pathFrame));
         return;
     }
-    m_model.recordingSeconds += seconds;
     if (m_model.recordingSeconds > m_model.recording.seconds()) {
         m_model.motion = Motion::free;
     }
@@ -140,14 +124,11 @@ void Session::adopt(RenderResult result) {
     }
     const bool isReadable = !result.sides.front().frame->surfaces.pixels.empty();
     if (isReadable) {
-        const double lookedAt = lookedAtView(*result.sides.front().frame);
-        m_model.surfaceView = flightDistance(m_model.camera, lookedAt, m_model.surfaceView);
+        const render::Frame& frame = *result.sides.front().frame;
+        const double ahead = surfaceView(frame, glm::dvec2(frame.width(), frame.height()) / 2.0);
+        m_model.surfaceView = flightDistance(m_model.camera, ahead, m_model.surfaceView);
     }
-    if (m_asked && m_asked->serial == result.serial) {
-        const double divider = m_model.settings.divider;
-        m_good = m_asked->settings;
-        m_good.divider = divider;
-    }
+    m_good = result.settings;
     m_model.shown = std::make_shared<const RenderResult>(std::move(result));
     if (m_click && isReadable) {
         const glm::dvec2 pixel = *std::exchange(m_click, std::nullopt);

@@ -92,8 +92,8 @@ void Soak::measure(Window& window, const Session& session) {
 
 void Soak::step(Window& window, CameraControl& control, const PictureArea& area, Session& session,
                 ViewerModel& model) {
-    if (m_done == 0) {
-        m_homeSize = {1280, 720};
+    if (m_homeSize.width == 0) {
+        m_homeSize = window.currentSize();
     }
     if (m_phase == Phase::resting) {
         measure(window, session);

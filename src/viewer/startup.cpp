@@ -1,5 +1,7 @@
 #include "startup.h"
 
+#include "window.h"
+
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
 
@@ -11,7 +13,6 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr std::uint32_t kMaxWindowSide = 16384;
 constexpr std::uintmax_t kMaxScriptBytes = 1 << 20;
 
 } // namespace
@@ -50,7 +51,7 @@ PictureExtent windowSize(const Arguments& arguments) {
     const auto width = std::from_chars(text.data(), end, size.width);
     const bool hasWidth = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
     const auto height = hasWidth ? std::from_chars(width.ptr + 1, end, size.height) : width;
-    const auto fits = [](std::uint32_t side) { return side >= 1 && side <= kMaxWindowSide; };
+    const auto fits = [](std::uint32_t side) { return side >= 1 && side <= static_cast<std::uint32_t>(kMaxWindowSide); };
     if (!hasWidth || height.ec != std::errc() || height.ptr != end || !fits(size.width) ||
         !fits(size.height)) {
         throw base::InputError(fmt::format("size must be WIDTHxHEIGHT, 1 to {}, such as 1280x720, not '{}'",

@@ -1,5 +1,7 @@
 #include "window.h"
 
+#include "overloaded.h"
+
 #include <cdr/base/error.h>
 
 #include <fmt/format.h>
@@ -20,11 +22,6 @@ std::string lastError() {
     glfwGetError(&text);
     return text != nullptr ? text : "no reason given";
 }
-
-template <class... Handlers>
-struct Overloaded : Handlers... {
-    using Handlers::operator()...;
-};
 
 } // namespace
 

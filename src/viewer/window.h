@@ -29,6 +29,9 @@ class WindowSystem {
     static void wake();
 };
 
+/// Largest side a window may be asked for, screen coordinates.
+inline constexpr int kMaxWindowSide = 16384;
+
 /// Where the pointer is and what it holds.
 struct Pointer {
     double x = 0.0; ///< screen coordinates

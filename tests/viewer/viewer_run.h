@@ -5,6 +5,7 @@
 
 #include <cdr/image/image.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
