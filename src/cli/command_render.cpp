@@ -1,3 +1,4 @@
+#include "camera_options.h"
 #include "commands.h"
 #include "console.h"
 #include "sequence_name.h"
@@ -13,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <numbers>
 #include <optional>
 
 namespace cdr::cli {
@@ -31,17 +31,11 @@ struct RenderArguments {
     std::string batching = "instanced";
     std::size_t threads = 1;
     std::string size = "1280x720";
-    std::uint32_t frame = 0;
-    std::uint32_t frames = 1;
     std::string aov = "color";
     std::string file;
     bool hash = false;
     std::filesystem::path trace;
-    std::string eye;
-    std::string target;
-    std::optional<double> fovDegrees;
-    std::optional<double> nearView;
-    std::optional<double> farView;
+    CameraOptions camera;
     std::uint64_t seed = scene::kDefaultSeed;
     OutputOptions output;
 };
@@ -64,50 +58,19 @@ depth::Technique techniqueOf(const RenderArguments& arguments) {
     return technique;
 }
 
-glm::dvec3 parsePoint(const std::string& what, const std::string& text) {
-    const std::size_t first = text.find(',');
-    const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
-    if (second == std::string::npos) {
-        throw base::InputError(
-            fmt::format("{} must be three numbers x,y,z, not '{}'", what, text.substr(0, 60)));
-    }
-    return {base::parseNumber(what, text.substr(0, first)),
-            base::parseNumber(what, text.substr(first + 1, second - first - 1)),
-            base::parseNumber(what, text.substr(second + 1))};
-}
-
-/// The scene's own camera at a frame, with what the arguments override.
-scene::Camera cameraAt(const RenderArguments& arguments, const scene::CameraPath& path, std::uint32_t frame) {
-    scene::Camera camera = path.at(frame);
-    if (arguments.fovDegrees) {
-        camera.fovY = *arguments.fovDegrees * std::numbers::pi / 180.0;
-    }
-    camera.nearView = arguments.nearView.value_or(camera.nearView);
-    camera.farView = arguments.farView.value_or(camera.farView);
-    scene::requireUsable(camera);
-    if (!arguments.eye.empty() || !arguments.target.empty()) {
-        const glm::dvec3 eye = arguments.eye.empty() ? camera.position : parsePoint("--eye", arguments.eye);
-        // Without a target the view direction stays.
-        const glm::dvec3 target =
-            arguments.target.empty() ? eye - camera.back : parsePoint("--target", arguments.target);
-        camera = scene::lookAt(camera, eye, target);
-    }
-    return camera;
-}
-
 /// What can be wrong with the arguments, before anything is loaded or made.
-void checkArguments(const RenderArguments& arguments, const SequenceName& name) {
-    if (arguments.frames > 1 && !arguments.file.empty() && !name.hasNumber()) {
+void checkArguments(const RenderArguments& arguments, const FrameCameras& cameras, const SequenceName& name) {
+    if (cameras.frames > 1 && !arguments.file.empty() && !name.hasNumber()) {
         throw base::InputError(
             fmt::format("{}: several frames need a number in the name, such as %04d", arguments.file));
     }
     if (!arguments.file.empty()) {
-        const std::string extension = name.at(arguments.frame).extension().string();
+        const std::string extension = name.at(cameras.first).extension().string();
         constexpr std::array<std::string_view, 3> kExtensions{".png", ".tga", ".exr"};
         if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
             throw base::InputError(base::unknownName("picture format", extension, kExtensions));
         }
-        base::requireWritable(name.at(arguments.frame));
+        base::requireWritable(name.at(cameras.first));
     }
     if (!arguments.trace.empty()) {
         base::requireWritable(arguments.trace);
@@ -168,7 +131,8 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                                   .threads = arguments.threads,
                                   .submission = render::parseSubmission(arguments.submission),
                                   .batching = render::parseBatching(arguments.batching)};
-    checkArguments(arguments, name);
+    const FrameCameras cameras(arguments.camera);
+    checkArguments(arguments, cameras, name);
     base::WorkerPool workers(arguments.threads);
     std::optional<base::Trace> trace;
     if (!arguments.trace.empty()) {
@@ -176,8 +140,7 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     }
     const scene::OpenedScene opened = scene::openScene(arguments.scene, arguments.seed);
     const scene::Scene& scene = opened.staged.scene;
-    cameraAt(arguments, opened.staged.path,
-             arguments.frame); // an unusable camera ends here, before the device is made
+    cameras.at(opened.staged.path, cameras.first); // an unusable camera ends here, before the device is made
 
     const Session session(global);
     const Console console(global, arguments.output);
@@ -189,9 +152,9 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     auto document = base::makeDocument("render", session.documentDevice(),
                                        optionsJson(arguments, options.technique, size));
     std::vector<std::vector<std::string>> rows;
-    for (std::uint32_t number = arguments.frame; number < arguments.frame + arguments.frames; ++number) {
-        console.progress(number - arguments.frame, arguments.frames, arguments.scene);
-        const scene::Camera camera = cameraAt(arguments, opened.staged.path, number);
+    for (std::uint32_t number = cameras.first; number < cameras.first + cameras.frames; ++number) {
+        console.progress(number - cameras.first, cameras.frames, arguments.scene);
+        const scene::Camera camera = cameras.at(opened.staged.path, number);
         if (trace) {
             trace->beginFrame(fmt::format("frame {}", number));
         }
@@ -250,20 +213,6 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
         ->capture_default_str();
 }
 
-void addCameraOptions(CLI::App& command, RenderArguments& arguments) {
-    command.add_option("--frame", arguments.frame, "First frame of the scene's camera path")
-        ->capture_default_str();
-    command.add_option("--frames", arguments.frames, "How many frames")
-        ->check(CLI::Range(1u, kMaxFrames))
-        ->capture_default_str();
-    command.add_option("--eye", arguments.eye, "Camera position x,y,z instead of the scene's");
-    command.add_option("--target", arguments.target, "Point x,y,z to look at");
-    command.add_option("--fov", arguments.fovDegrees, "Vertical field of view in degrees");
-    command.add_option("--near", arguments.nearView, "Near plane, view distance");
-    command.add_option("--far", arguments.farView, "Far plane, view distance");
-    command.add_option("--seed", arguments.seed, "Seed of a random scene")->capture_default_str();
-}
-
 } // namespace
 
 void addRender(CLI::App& program, const GlobalOptions& global) {
@@ -274,7 +223,8 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
                      "cubes, afc, afc-near, rotation, ladder, or a .gltf or .glb file")
         ->required();
     addTechniqueOptions(*command, *arguments);
-    addCameraOptions(*command, *arguments);
+    addCameraOptions(*command, arguments->camera);
+    command->add_option("--seed", arguments->seed, "Seed of a random scene")->capture_default_str();
     command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--aov", arguments->aov, "Output: color, id, distance, normal, cascade or wrong")
         ->capture_default_str();

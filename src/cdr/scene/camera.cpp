@@ -77,13 +77,16 @@ Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward
     camera.back = -unit(forward, "view direction");
     camera.up = unit(up, "up");
     if (std::abs(glm::dot(camera.up, camera.back)) > kUnitTolerance) {
-        const glm::dvec3 right = glm::cross(camera.up, camera.back);
+        glm::dvec3 right = glm::cross(camera.up, camera.back);
         // Below this, roundings decide which way is up.
         constexpr double kLeastSine = 1e-9;
         if (glm::length(right) < kLeastSine) {
             throw base::InputError("camera: up lies along the view");
         }
-        camera.up = glm::normalize(glm::cross(camera.back, right));
+        // Of a short product roundings are a large part: once more across the view.
+        right = glm::normalize(right);
+        right -= glm::dot(right, camera.back) * camera.back;
+        camera.up = unit(glm::cross(camera.back, right), "up");
     }
     camera.right = glm::cross(camera.up, camera.back);
     return camera;

@@ -24,7 +24,7 @@ struct CameraRecording {
     double seconds() const { return cameras.empty() ? 0.0 : cameras.back().seconds; }
 };
 
-inline constexpr std::size_t kMaxRecordedCameras = 100'000;
+inline constexpr std::size_t kMaxRecordedCameras = 36'000; ///< 20 minutes at 30 a second
 
 /// Adds a camera, canonical(). One that is not later than the last is left out, and so is what exceeds
 /// kMaxRecordedCameras; false then. base::InputError for one that is not usable.

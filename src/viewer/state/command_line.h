@@ -19,8 +19,8 @@ struct ReproducedView {
 };
 
 /// The `cdr render` line that draws the same picture without a window, quoted for a POSIX shell, writing to
-/// `output`. Its camera is scene::canonical(view.camera), to the bit: a viewer that renders canonical cameras
-/// gets the picture it shows.
+/// `output`. The camera comes back to the bit where its pose and its field of view are each the scene's own
+/// or scene::canonical(), which controllers and recordings keep them; else but for roundings.
 ///
 /// A technique with a fitted split depends on the frames before; there the picture is that of a renderer
 /// which begins with this camera. The wrong view is compared with a float64 ray cast instead of the anchored

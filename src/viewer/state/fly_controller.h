@@ -24,8 +24,10 @@ struct FlySpeed {
 scene::Camera fly(const scene::Camera& camera, const CameraInput& input, double surfaceView,
                   const FlySpeed& speed = {});
 
-/// The distance that a flight's speed follows from: `surfaceView` where it is one, else the last such one,
-/// held within what the camera's range makes sensible.
+/// The distance that a flight's speed follows from: a little short of `surfaceView`, so that approaching
+/// stops before near cuts the surface open; where that is infinite, or 0, the last such distance; between
+/// near and far.
+/// @param lastView what this gave last, 0 at first.
 double flightDistance(const scene::Camera& camera, double surfaceView, double lastView);
 
 } // namespace cdr::viewer

@@ -25,6 +25,10 @@ struct PickedPoint {
 std::optional<PickedPoint> pickAt(const render::Frame& frame, const scene::Scene& scene,
                                   const depth::Technique& technique, std::uint32_t x, std::uint32_t y);
 
+/// View distance under a pixel; of the nearest surface in the picture, looked for at some hundred pixels,
+/// where that is background or outside; infinity where all is background. What a flight's speed follows from.
+double surfaceView(const render::Frame& frame, const glm::dvec2& pixel);
+
 /// Object index's name in the scene, or "object INDEX".
 std::string objectName(const scene::Scene& scene, std::uint32_t object);
 
@@ -52,9 +56,9 @@ class Measuring {
     std::optional<PickedPoint> m_second;
 };
 
-/// "cube 12, 420.0013 km away, a step of 2.4 um", one line.
+/// "cube 12, 420.0013 km away, a step of 2.4 µm", one line.
 std::string describe(const PickedPoint& point);
-/// "5.00 mm, 1 mm across and 4.9 mm along the view", one line.
+/// "5.00 mm, 4.98 mm of it along the view, to within 0.020 mm", one line.
 std::string describe(const Span& span);
 
 } // namespace cdr::viewer
