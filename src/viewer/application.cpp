@@ -66,11 +66,13 @@ bool Application::goesOn() const {
 
 void Application::wait() const {
     const bool isDriven = m_script || m_soak;
-    const bool isBusy = isDriven || m_redraws > 0 || m_control.isActive();
+    const bool isMinimised = m_window.extent().width == 0 || m_window.extent().height == 0;
+    const bool isBusy = isDriven || ((m_redraws > 0 || m_control.isActive()) && !isMinimised);
     if (isBusy) {
         m_window.wait(isDriven && m_session.isSettled() ? 0.0 : kBusySeconds);
     } else {
-        const bool moves = m_model.motion != Motion::free || m_model.rendersAlways;
+        const bool moves =
+            !isMinimised && (m_model.motion != Motion::free || m_model.rendersAlways || !m_session.isSettled());
         m_window.wait(moves ? std::chrono::duration<double>(kRedrawEvery).count() : kIdleSeconds);
     }
 }

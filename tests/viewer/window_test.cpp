@@ -55,8 +55,8 @@ TEST_F(ViewerTest, DividerFollowsThePointer) {
 
 TEST_F(ViewerTest, FollowsItsSize) {
     const RunResult run = play("--size 800x480 cubes",
-                               "wait-frame\nstate\nresize 1 1\nwait-frame\nwait-ui 5\nwindow one.png\nstate\n"
-                               "resize 500 400\nwait-frame\nwait-ui 5\nwait-state size=500x400\nwindow small.png\n"
+                               "wait-frame\nstate\nresize 1 1\nwait-state size=1x1\nwait-frame\nwait-ui 3\nwindow one.png\nstate\n"
+                               "resize 500 400\nwait-state size=500x400\nwait-frame\nwait-ui 3\nwindow small.png\n"
                                "resize 3840 2160\nwait-state size=3492x2160\nwait-frame\nwait-ui 3\n"
                                "window large.png\nstate\nresize 800 480\nwait-state size=452x480\nwait-frame\n"
                                "wait-ui 3\nwindow back.png\nquit\n");
@@ -202,7 +202,8 @@ TEST_F(ViewerTest, ListensToTheXServer) {
                                          "'" CDR_XDOTOOL "' key 6 click 4 click 4\n"
                                          "while [ ! -s after.png ]; do read -t 0.1 <> <(:) || true; done\n"
                                          "'" CDR_XDOTOOL "' key ctrl+q\n";
-    const RunResult run = runShell("(bash hands & '" CDR_VIEWER "' --validate --size 800x480 --script script cubes; wait)",
+    const RunResult run = runShell("(timeout 100 bash hands & '" CDR_VIEWER
+                                   "' --validate --size 800x480 --script script cubes; status=$?; wait; exit $status)",
                                    folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
     const auto states = run.lines("scene=");
