@@ -287,7 +287,7 @@ void Application::finish() {
             drawFrame();
         }
     }
-    for (const gpu::Instance* instance : {&m_renderInstance, &m_ui.instance()}) {
+    for (const gpu::Instance* instance : {&std::as_const(m_renderInstance), &m_ui.instance()}) {
         const auto messages = instance->validation().messages();
         if (!messages.empty()) {
             throw base::RunError(

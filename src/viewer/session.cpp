@@ -68,6 +68,9 @@ void Session::update(const PictureArea& area, const glm::dvec2& cursor, double s
         record(m_model.recording, m_model.recordingSeconds, m_model.camera);
     }
     readCursor(area, cursor);
+    if (m_click && canPick()) {
+        pickClicked();
+    }
     RenderRequest request = wanted(area);
     const bool isChanged = !m_asked || !asksTheSame(*m_asked, request);
     const bool isMoving = isSteered || m_model.motion != Motion::free || m_model.rendersAlways;
@@ -130,17 +133,24 @@ void Session::adopt(RenderResult result) {
     }
     m_good = result.settings;
     m_model.shown = std::make_shared<const RenderResult>(std::move(result));
-    if (m_click && isReadable) {
-        const glm::dvec2 pixel = *std::exchange(m_click, std::nullopt);
-        const SideResult& first = m_model.shown->sides.front();
-        const bool isRight = m_model.shown->sides.size() > 1 &&
-                             pixel.x >= m_model.settings.divider * first.options.width;
-        const SideResult& side = m_model.shown->sides[isRight ? 1 : 0];
-        if (const auto point = pickAt(*side.frame, m_model.shown->scene->staged.scene, side.options.technique,
-                                      static_cast<std::uint32_t>(pixel.x), static_cast<std::uint32_t>(pixel.y))) {
-            m_model.measuring.click(*point);
-            m_model.pivot = point->position;
-        }
+}
+
+bool Session::canPick() const {
+    return m_model.shown != nullptr && m_asked && m_model.shown->serial == m_asked->serial &&
+           !m_model.shown->sides.front().frame->surfaces.pixels.empty();
+}
+
+void Session::pickClicked() {
+    const glm::dvec2 pixel = *std::exchange(m_click, std::nullopt);
+    const auto& sides = m_model.shown->sides;
+    const double divider = m_model.settings.divider * sides.front().options.width;
+    const SideResult& side = sides.size() > 1 && pixel.x >= divider ? sides[1] : sides[0];
+    const auto point =
+        pickAt(*side.frame, m_model.shown->scene->staged.scene, side.options.technique,
+               static_cast<std::uint32_t>(pixel.x), static_cast<std::uint32_t>(pixel.y));
+    if (point) {
+        m_model.measuring.click(*point);
+        m_model.pivot = point->position;
     }
 }
 

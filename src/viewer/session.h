@@ -38,6 +38,9 @@ class Session {
     RenderRequest wanted(const PictureArea& area) const;
     void adopt(RenderResult result);
     void enterScene(const RenderResult& result);
+    /// Whether what is shown answers the last request and can be picked from.
+    bool canPick() const;
+    void pickClicked();
     void readCursor(const PictureArea& area, const glm::dvec2& cursor);
     void count(const RenderResult& result);
 

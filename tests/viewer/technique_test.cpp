@@ -84,7 +84,7 @@ TEST_F(ViewerTest, CombosChooseMappingSplitAndFormat) {
 }
 
 TEST_F(ViewerTest, TargetsAndThreadsChangeNothingOfThePicture) {
-    std::string script = "click Rendering\nwait-frame\npicture single.png\n";
+    std::string script = "click Draw\nwait-frame\npicture single.png\n";
     for (const std::string targets : {"accumulate", "pool", "layers"}) {
         script += "click targets\nclick targets=" + targets + "\nwait-frame\nstate\npicture " + targets + ".png\n";
     }

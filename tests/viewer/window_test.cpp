@@ -140,7 +140,7 @@ TEST_F(ViewerTest, RecordsAPathAndPlaysIt) {
 TEST_F(ViewerTest, EveryTabDraws) {
     std::string script = "wait-frame\n";
     std::vector<std::string> names;
-    for (const std::string tab : {"Look", "Camera", "Rendering", "Frame", "Inside"}) {
+    for (const std::string tab : {"Look", "Camera", "Draw", "Frame", "Inside"}) {
         names.push_back(tab + ".png");
         script += "click " + tab + "\nwait-ui 3\nwindow " + names.back() + "\n";
     }
