@@ -191,7 +191,7 @@ PictureArea Application::pictureArea() const {
 
 bool Application::isRedrawDue() const {
     const bool moves = m_model.motion != Motion::free || m_model.rendersAlways || !m_session.isSettled();
-    return m_redraws > 0 || m_soak || m_arguments.frames ||
+    return m_redraws > 0 || m_soak ||
            (moves && Clock::now() - m_lastFrame >= kRedrawEvery);
 }
 

@@ -135,8 +135,13 @@ void Session::adopt(RenderResult result) {
     m_model.shown = std::make_shared<const RenderResult>(std::move(result));
 }
 
+void Session::click(const glm::dvec2& pixel) {
+    m_click = pixel;
+    m_clickSerial = m_asked ? m_asked->serial : 0;
+}
+
 bool Session::canPick() const {
-    return m_model.shown != nullptr && m_asked && m_model.shown->serial == m_asked->serial &&
+    return m_model.shown != nullptr && m_model.shown->serial >= m_clickSerial &&
            !m_model.shown->sides.front().frame->surfaces.pixels.empty();
 }
 

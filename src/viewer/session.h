@@ -24,7 +24,7 @@ class Session {
     /// first scene cannot be opened; rethrows what ended the render thread.
     bool takeResult();
     /// Picks what is at a pixel of the picture, once a frame that can be read has come.
-    void click(const glm::dvec2& pixel) { m_click = pixel; }
+    void click(const glm::dvec2& pixel);
 
     /// Whether all that is wanted is shown.
     bool isSettled() const { return m_asked && m_shownSerial == m_asked->serial && !m_click; }
@@ -38,7 +38,7 @@ class Session {
     RenderRequest wanted(const PictureArea& area) const;
     void adopt(RenderResult result);
     void enterScene(const RenderResult& result);
-    /// Whether what is shown answers the last request and can be picked from.
+    /// Whether what is shown was asked for when the click came, or later, and can be picked from.
     bool canPick() const;
     void pickClicked();
     void readCursor(const PictureArea& area, const glm::dvec2& cursor);
@@ -51,6 +51,7 @@ class Session {
     std::uint64_t m_shownSerial = 0;
     std::uint64_t m_results = 0;
     std::optional<glm::dvec2> m_click;
+    std::uint64_t m_clickSerial = 0; ///< of the last request when it came
     Clock::time_point m_surfacesAsked{};
     std::deque<Clock::time_point> m_arrivals; ///< of the last second
     RenderThread m_thread;

@@ -59,7 +59,7 @@ TEST_F(ViewerTest, KeysPickThePresets) {
 }
 
 TEST_F(ViewerTest, CombosChooseMappingSplitAndFormat) {
-    std::string script;
+    std::string script = "wait-frame\nwait-ui 3\n";
     const auto choose = [&](const std::string& combo, const std::string& entry) {
         script += "click " + combo + "\nclick " + combo + "=" + entry + "\nwait-frame\nstate\n";
     };
@@ -84,7 +84,7 @@ TEST_F(ViewerTest, CombosChooseMappingSplitAndFormat) {
 }
 
 TEST_F(ViewerTest, TargetsAndThreadsChangeNothingOfThePicture) {
-    std::string script = "click Draw\nwait-frame\npicture single.png\n";
+    std::string script = "wait-frame\nwait-ui 3\nclick Draw\nwait-frame\npicture single.png\n";
     for (const std::string targets : {"accumulate", "pool", "layers"}) {
         script += "click targets\nclick targets=" + targets + "\nwait-frame\nstate\npicture " + targets + ".png\n";
     }

@@ -14,22 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keeps what a test saw, small, in one picture in the build folder, for people to look at.
+/// Keeps what a test saw, small, in one picture in the build folder, for people to look at. All are of one size.
 void keepContactSheet(const std::string& name, const std::vector<image::ImageRgba8>& pictures) {
     constexpr std::uint32_t kShrink = 2;
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-    std::vector<image::ImageRgba8> small;
-    for (const image::ImageRgba8& picture : pictures) {
-        small.push_back(image::shrink(picture, kShrink));
-        width += small.back().width;
-        height = std::max(height, small.back().height);
-    }
-    image::ImageRgba8 sheet(width, height, {255, 255, 255, 255});
-    std::uint32_t x = 0;
-    for (const image::ImageRgba8& picture : small) {
-        image::paste(sheet, picture, x, 0);
-        x += picture.width;
+    constexpr std::uint32_t kColumns = 2;
+    const std::uint32_t width = pictures.front().width / kShrink;
+    const std::uint32_t height = pictures.front().height / kShrink;
+    const auto count = static_cast<std::uint32_t>(pictures.size());
+    image::ImageRgba8 sheet(width * kColumns, height * ((count + kColumns - 1) / kColumns), {255, 255, 255, 255});
+    for (std::uint32_t i = 0; i < count; ++i) {
+        image::paste(sheet, image::shrink(pictures[i], kShrink), i % kColumns * width, i / kColumns * height);
     }
     fs::create_directories(CDR_SCREENSHOTS);
     image::writeImage(fs::path(CDR_SCREENSHOTS) / name, sheet);
