@@ -4,6 +4,10 @@
 
 #include <fstream>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace cdr::viewer {
 
 std::optional<std::uint64_t> residentBytes() {
@@ -15,6 +19,12 @@ std::optional<std::uint64_t> residentBytes() {
         return std::nullopt;
     }
     return resident * static_cast<std::uint64_t>(page);
+}
+
+void returnFreeMemory() {
+#ifdef __GLIBC__
+    ::malloc_trim(0);
+#endif
 }
 
 } // namespace cdr::viewer

@@ -78,6 +78,7 @@ void Soak::measure(Window& window, const Session& session) {
     if (!session.isSettled() || ++m_restedFrames < kRestFrames) {
         return;
     }
+    returnFreeMemory();
     const std::uint64_t bytes = residentBytes().value_or(0);
     m_phase = Phase::playing;
     if (!m_isWarm) {

@@ -44,6 +44,8 @@ void applyStyle(float scale) {
     colors[ImGuiCol_Text] = rgb(kText);
     colors[ImGuiCol_TextDisabled] = rgb(kQuiet);
     colors[ImGuiCol_WindowBg] = rgb(kGround);
+    colors[ImGuiCol_TitleBg] = rgb(kRaised);
+    colors[ImGuiCol_TitleBgActive] = rgb(kRaised);
     colors[ImGuiCol_PopupBg] = rgb(kRaised, 0.98f);
     colors[ImGuiCol_Border] = rgb(kLine);
     colors[ImGuiCol_Separator] = rgb(kLine);
