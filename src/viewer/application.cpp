@@ -71,8 +71,8 @@ void Application::wait() const {
     if (isBusy) {
         m_window.wait(isDriven && m_session.isSettled() ? 0.0 : kBusySeconds);
     } else {
-        const bool moves =
-            !isMinimised && (m_model.motion != Motion::free || m_model.rendersAlways || !m_session.isSettled());
+        const bool moves = !isMinimised && (m_model.motion != Motion::free || m_model.rendersAlways ||
+                                            !m_session.isSettled());
         m_window.wait(moves ? std::chrono::duration<double>(kRedrawEvery).count() : kIdleSeconds);
     }
 }
@@ -148,9 +148,15 @@ void Application::savePicture(const std::filesystem::path& file) {
 
 void Application::perform(Action action) {
     switch (action) {
-    case Action::quit: m_quits = true; break;
-    case Action::screenshotPicture: savePicture(freeName("cdr-picture", ".png")); break;
-    case Action::screenshotWindow: m_capture = freeName("cdr-window", ".png"); break;
+    case Action::quit:
+        m_quits = true;
+        break;
+    case Action::screenshotPicture:
+        savePicture(freeName("cdr-picture", ".png"));
+        break;
+    case Action::screenshotWindow:
+        m_capture = freeName("cdr-window", ".png");
+        break;
     case Action::copyCommandLine:
         m_window.copyToClipboard(commandLineOf(m_model));
         m_model.say(fmt::format("copied: {}", commandLineOf(m_model)));
@@ -163,14 +169,18 @@ void Application::perform(Action action) {
             m_model.pivot = m_model.camera.position - m_model.camera.back * m_model.surfaceView;
         }
         break;
-    case Action::record: toggleRecording(); break;
+    case Action::record:
+        toggleRecording();
+        break;
     case Action::playRecording:
         if (!m_model.recording.cameras.empty() && !m_model.isRecording) {
             m_model.recordingSeconds = 0.0;
             m_model.motion = Motion::recording;
         }
         break;
-    case Action::forgetMeasuring: m_model.measuring.clear(); break;
+    case Action::forgetMeasuring:
+        m_model.measuring.clear();
+        break;
     }
 }
 
@@ -191,8 +201,7 @@ PictureArea Application::pictureArea() const {
 
 bool Application::isRedrawDue() const {
     const bool moves = m_model.motion != Motion::free || m_model.rendersAlways || !m_session.isSettled();
-    return m_redraws > 0 || m_soak ||
-           (moves && Clock::now() - m_lastFrame >= kRedrawEvery);
+    return m_redraws > 0 || m_soak || (moves && Clock::now() - m_lastFrame >= kRedrawEvery);
 }
 
 void Application::layOut() {

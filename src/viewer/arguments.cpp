@@ -17,7 +17,8 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
         .add_option("scene", arguments.scene,
                     "cubes, afc, afc-near, rotation, ladder, mixed, or a .gltf or .glb file")
         ->capture_default_str();
-    program.add_option("--seed", arguments.seed, "Seed of a random scene, and of a soak")->capture_default_str();
+    program.add_option("--seed", arguments.seed, "Seed of a random scene, and of a soak")
+        ->capture_default_str();
     program
         .add_option("--technique", arguments.technique,
                     "Preset (standard, cdr, log, logcdr, reversed, anchored) or mapping/split")
@@ -25,8 +26,9 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
     program.add_option("--compare", arguments.compare,
                        "Two techniques, LEFT,RIGHT, with a divider between them");
     program
-        .add_option("--targets", arguments.targets,
-                    "How cascades reach the G-buffer: single, accumulate, pool, pool:LAYERS, layers or one-pass")
+        .add_option(
+            "--targets", arguments.targets,
+            "How cascades reach the G-buffer: single, accumulate, pool, pool:LAYERS, layers or one-pass")
         ->capture_default_str();
     program.add_option("--format", arguments.format, "Depth buffer: d16, d24 or d32f");
     program.add_option("--threads", arguments.threads, "Threads that cull, bin and record")

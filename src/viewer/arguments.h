@@ -22,9 +22,9 @@ struct Arguments {
     std::string size = "1280x720";
     std::string device;
     bool validate = false;
-    bool plays = false;           ///< the scene's camera path from the start
-    bool waitsForDisplay = false; ///< FIFO instead of mailbox
-    double uiScale = 0.0;         ///< 0: the display's
+    bool plays = false;                  ///< the scene's camera path from the start
+    bool waitsForDisplay = false;        ///< FIFO instead of mailbox
+    double uiScale = 0.0;                ///< 0: the display's
     std::optional<std::uint64_t> frames; ///< UI frames after which to quit
     std::filesystem::path script;
     std::filesystem::path screenshot; ///< of the window, when it quits

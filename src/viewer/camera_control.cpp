@@ -4,9 +4,8 @@
 #include "state/gamepad.h"
 #include "state/lens_zoom.h"
 
-#include <vulkan/vulkan.hpp>
-
 #include <GLFW/glfw3.h>
+#include <vulkan/vulkan.hpp>
 
 #include <algorithm>
 #include <array>
@@ -136,8 +135,8 @@ void CameraControl::apply(const PictureArea& area, double seconds, ViewerModel& 
     const CameraInput input = m_input;
     m_input.drag = m_input.pan = glm::dvec2(0.0);
     m_input.scroll = 0.0;
-    const bool asks = isActive() || input.drag != glm::dvec2(0.0) || input.pan != glm::dvec2(0.0) ||
-                      input.scroll != 0.0;
+    const bool asks =
+        isActive() || input.drag != glm::dvec2(0.0) || input.pan != glm::dvec2(0.0) || input.scroll != 0.0;
     if (asks && model.hasCamera) {
         model.motion = Motion::free; // whoever steers takes over
         steer(input, !m_dollies, model);

@@ -64,7 +64,8 @@ Interface::Interface(const UiDevice& ui, Window& window, const Presenter& presen
     applyStyle(m_scale);
     loadFont();
     constexpr std::uint32_t kSets = 8;
-    m_descriptors = gpu::makeDescriptorPool(ui.device(), kSets, 1, {vk::DescriptorType::eCombinedImageSampler});
+    m_descriptors =
+        gpu::makeDescriptorPool(ui.device(), kSets, 1, {vk::DescriptorType::eCombinedImageSampler});
     ImGui_ImplGlfw_InitForVulkan(window.handle(), false);
     initVulkan(initInfo(ui, *m_descriptors, presenter.swapchain()), presenter.swapchain().renderPass());
     uploadFont(ui.device());
@@ -82,7 +83,8 @@ void Interface::loadFont() {
     // Drawn at the display's pixels, laid out in screen coordinates.
     io.FontGlobalScale = 1.0f / m_pixelsPerUnit;
 #ifdef CDR_VIEWER_FONT
-    static constexpr ImWchar kGlyphs[] = {0x20, 0xff, 0x3b1, 0x3c9, 0x2013, 0x2026, 0x2190, 0x2193, 0x2264, 0x2265, 0};
+    static constexpr ImWchar kGlyphs[] = {0x20,   0xff,   0x3b1,  0x3c9,  0x2013, 0x2026,
+                                          0x2190, 0x2193, 0x2264, 0x2265, 0};
     if (std::filesystem::is_regular_file(CDR_VIEWER_FONT) &&
         io.Fonts->AddFontFromFileTTF(CDR_VIEWER_FONT, pixels, nullptr, kGlyphs) != nullptr) {
         return;

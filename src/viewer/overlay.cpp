@@ -55,8 +55,8 @@ void plate(const Canvas& canvas, ImVec2 at, bool growsLeft, float most, const st
     canvas.draw.AddText({low.x + inner, low.y + 0.8f * inner}, kInk, title.c_str());
     if (!text.empty()) {
         canvas.draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(),
-                            {low.x + inner, low.y + 0.8f * inner + titleSize.y + 2.0f}, kQuietInk, text.c_str(),
-                            nullptr, wrap);
+                            {low.x + inner, low.y + 0.8f * inner + titleSize.y + 2.0f}, kQuietInk,
+                            text.c_str(), nullptr, wrap);
     }
 }
 
@@ -77,8 +77,10 @@ void drawLabel(const Canvas& canvas, const ViewerModel& model, std::size_t index
     const std::string title = techniqueName(side.options.technique);
     std::string text = countText(side);
     if (const auto& point = model.underCursor.at(index)) {
-        text += fmt::format("{}tells {} apart at {}", text.empty() ? "" : "\n", stepText(point->stepView),
-                            lengthText(point->distanceView, point->stepView));
+        const bool resolves = std::isfinite(point->stepView);
+        text += fmt::format("{}tells {} apart at {}", text.empty() ? "" : "\n",
+                            resolves ? stepText(point->stepView) : "nothing",
+                            lengthText(point->distanceView, resolves ? point->stepView : 0.0));
     }
     const bool isSplit = model.shown->sides.size() > 1;
     const float y = canvas.low.y + gap();
@@ -96,7 +98,8 @@ void drawLabel(const Canvas& canvas, const ViewerModel& model, std::size_t index
 }
 
 void drawDivider(const Canvas& canvas, float x) {
-    canvas.draw.AddRectFilled({x - 1.0f, canvas.low.y}, {x + 1.0f, canvas.high.y}, IM_COL32(236, 240, 246, 220));
+    canvas.draw.AddRectFilled({x - 1.0f, canvas.low.y}, {x + 1.0f, canvas.high.y},
+                              IM_COL32(236, 240, 246, 220));
     const float middle = (canvas.low.y + canvas.high.y) / 2.0f;
     const float radius = ImGui::GetFontSize() * 0.75f;
     canvas.draw.AddCircleFilled({x, middle}, radius, IM_COL32(236, 240, 246, 240));
@@ -172,8 +175,7 @@ void drawOverlay(const PictureArea& area, const ViewerModel& model) {
         return;
     }
     if (model.shown != nullptr) {
-        const float divider =
-            canvas.low.x + static_cast<float>(model.settings.divider) * canvas.width();
+        const float divider = canvas.low.x + static_cast<float>(model.settings.divider) * canvas.width();
         if (model.shown->sides.size() > 1) {
             drawDivider(canvas, divider);
         }

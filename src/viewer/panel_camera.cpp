@@ -1,5 +1,4 @@
 #include "panels.h"
-
 #include "state/command_line.h"
 #include "state/length_text.h"
 #include "state/lens_zoom.h"
@@ -75,7 +74,8 @@ void drawMeasuringPanel(const Widgets& widgets, ViewerModel& model) {
     widgets.heading("Picked");
     const auto& first = model.measuring.first();
     if (!first) {
-        widgets.sentence("Click an object to see what it is and where; click another to measure between them.");
+        widgets.sentence(
+            "Click an object to see what it is and where; click another to measure between them.");
         return;
     }
     const auto show = [&](const PickedPoint& point) {

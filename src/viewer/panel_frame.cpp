@@ -1,5 +1,4 @@
 #include "panels.h"
-
 #include "state/view_picture.h"
 
 #include <fmt/format.h>
@@ -14,7 +13,7 @@ namespace {
 
 /// Of FrameStage, in order: CPU stages cool, the device warm, what the viewer adds grey.
 constexpr std::array<ImU32, kFrameStages.size()> kStageColors{
-    IM_COL32(94, 129, 172, 255), IM_COL32(129, 161, 193, 255), IM_COL32(136, 192, 208, 255),
+    IM_COL32(94, 129, 172, 255),  IM_COL32(129, 161, 193, 255), IM_COL32(136, 192, 208, 255),
     IM_COL32(163, 190, 140, 255), IM_COL32(208, 135, 112, 255), IM_COL32(180, 142, 173, 255),
     IM_COL32(110, 118, 132, 255)};
 
@@ -131,7 +130,8 @@ void drawTracks(const WorkerTimeline& timeline) {
 void drawFrameGraph(const Widgets& widgets, const ViewerModel& model) {
     widgets.heading("Frame");
     const StageSummary total = model.statistics.total();
-    widgets.value("rendered", fmt::format("{:.1f} frames a second, {:.1f} ms", model.framesPerSecond, total.last));
+    widgets.value("rendered",
+                  fmt::format("{:.1f} frames a second, {:.1f} ms", model.framesPerSecond, total.last));
     widgets.value("interface", fmt::format("{:.1f} ms a frame", model.uiFrameMs));
     const float mostMs = std::max(total.max, 1.0f);
     const ImVec2 low = ImGui::GetCursorScreenPos();

@@ -1,5 +1,4 @@
 #include "panels.h"
-
 #include "resident_memory.h"
 #include "state/length_text.h"
 #include "state/technique_label.h"
@@ -48,7 +47,8 @@ void drawCascades(const SideResult& side) {
         ImGui::TextUnformatted(lengthText(cascades[i].farView).c_str());
         ImGui::TableNextColumn();
         // Just before the far plane, which is the next cascade's.
-        const double last = cascades[i].nearView + (cascades[i].farView - cascades[i].nearView) * (1.0 - 1e-9);
+        const double last =
+            cascades[i].nearView + (cascades[i].farView - cascades[i].nearView) * (1.0 - 1e-9);
         ImGui::TextUnformatted(stepText(techniqueStepView(side.options.technique, cascades, last)).c_str());
         ImGui::TableNextColumn();
         ImGui::Text("%zu", draws[i]);
@@ -70,8 +70,9 @@ void drawCascadesPanel(const Widgets& widgets, const ViewerModel& model) {
     }
     for (const SideResult& side : model.shown->sides) {
         const render::FrameStats& stats = side.frame->stats;
-        widgets.sentence(fmt::format("{}: {} visible, {} draws, each {:.3f} times", side.options.technique.name,
-                                     stats.visible, stats.draws, stats.duplication));
+        widgets.sentence(fmt::format("{}: {} visible, {} draws, each {:.3f} times",
+                                     side.options.technique.name, stats.visible, stats.draws,
+                                     stats.duplication));
         ImGui::PushID(&side);
         drawCascades(side);
         ImGui::PopID();

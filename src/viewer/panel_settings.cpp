@@ -1,5 +1,4 @@
 #include "panels.h"
-
 #include "state/explanations.h"
 
 #include <fmt/format.h>
@@ -16,7 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 6> kScenes{"cubes", "afc", "afc-near", "rotation", "ladder", "mixed"};
 
 /// Splits worth a click; the one at hand is listed besides.
-constexpr std::array<std::string_view, 8> kSplits{"none",     "ratio:1000", "ratio:30",    "count:2",
+constexpr std::array<std::string_view, 8> kSplits{"none",    "ratio:1000", "ratio:30",  "count:2",
                                                   "count:4", "count:8",    "minimax:4", "fitted"};
 
 constexpr int kMostThreads = 16;

@@ -15,9 +15,9 @@ constexpr vk::ImageSubresourceLayers kLayers{vk::ImageAspectFlagBits::eColor, 0,
 /// Between a copy into the picture and the blits out of it, either way.
 vk::ImageMemoryBarrier2 barrierBetween(const gpu::Image& image, vk::ImageLayout from, vk::ImageLayout to) {
     constexpr auto kStage = vk::PipelineStageFlagBits2::eAllTransfer;
-    return gpu::imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, kStage,
-                             vk::AccessFlagBits2::eTransferWrite, kStage,
-                             vk::AccessFlagBits2::eTransferRead | vk::AccessFlagBits2::eTransferWrite, from, to);
+    return gpu::imageBarrier(
+        image.handle(), vk::ImageAspectFlagBits::eColor, kStage, vk::AccessFlagBits2::eTransferWrite, kStage,
+        vk::AccessFlagBits2::eTransferRead | vk::AccessFlagBits2::eTransferWrite, from, to);
 }
 
 } // namespace
@@ -30,14 +30,14 @@ void PictureTexture::recordUpload(vk::CommandBuffer commands, std::size_t slot) 
     const vk::Extent2D extent{picture->width, picture->height};
     if (isEmpty() || m_image.options().extent != extent) {
         m_device.handle().waitIdle(); // a frame in flight may still read the old one
-        m_image = gpu::Image(m_device,
-                             {.extent = extent,
-                              .format = vk::Format::eR8G8B8A8Unorm,
-                              // gpu::Image makes a view, which transfers alone would not allow
-                              .usage = vk::ImageUsageFlagBits::eTransferDst |
-                                       vk::ImageUsageFlagBits::eTransferSrc |
-                                       vk::ImageUsageFlagBits::eSampled},
-                             m_name);
+        m_image =
+            gpu::Image(m_device,
+                       {.extent = extent,
+                        .format = vk::Format::eR8G8B8A8Unorm,
+                        // gpu::Image makes a view, which transfers alone would not allow
+                        .usage = vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eTransferSrc |
+                                 vk::ImageUsageFlagBits::eSampled},
+                       m_name);
     }
     const std::size_t bytes = picture->pixels.size() * sizeof(image::Rgba8);
     gpu::Buffer& staging = m_staging[slot];

@@ -37,7 +37,8 @@ Presenter::Presenter(const UiDevice& ui, const Window& window, bool waitsForDisp
       m_pictures{std::make_unique<PictureTexture>(m_device, kFramesInFlight, "left picture"),
                  std::make_unique<PictureTexture>(m_device, kFramesInFlight, "right picture")} {
     for (Slot& slot : m_slots) {
-        slot.pool = std::make_unique<gpu::CommandPool>(m_device, vk::CommandBufferLevel::ePrimary, "interface");
+        slot.pool =
+            std::make_unique<gpu::CommandPool>(m_device, vk::CommandBufferLevel::ePrimary, "interface");
         slot.done = m_device.handle().createFenceUnique({.flags = vk::FenceCreateFlagBits::eSignaled});
         slot.imageReady = m_device.handle().createSemaphoreUnique({});
     }
@@ -55,8 +56,8 @@ Presenter::~Presenter() {
 void Presenter::renew() {
     m_device.handle().waitIdle();
     m_wanted = m_window.extent();
-    m_swapchain = std::make_unique<Swapchain>(m_device, m_ui.surface(), m_wanted, m_waitsForDisplay,
-                                              m_swapchain.get());
+    m_swapchain =
+        std::make_unique<Swapchain>(m_device, m_ui.surface(), m_wanted, m_waitsForDisplay, m_swapchain.get());
     m_isStale = false;
 }
 
@@ -70,8 +71,8 @@ bool Presenter::draw(const PictureLayout& layout, ImDrawData* interface, image::
     }
     const std::size_t index = m_frames % kFramesInFlight;
     Slot& slot = m_slots[index];
-    const vk::Result waited = m_device.handle().waitForFences(*slot.done, VK_TRUE,
-                                                              std::numeric_limits<std::uint64_t>::max());
+    const vk::Result waited =
+        m_device.handle().waitForFences(*slot.done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
     vk::resultCheck(waited, "vkWaitForFences");
     const std::optional<std::uint32_t> image = m_swapchain->acquire(*slot.imageReady);
     if (!image) {
@@ -109,17 +110,16 @@ void Presenter::record(vk::CommandBuffer commands, std::size_t slot, const Swapc
     for (const auto& picture : m_pictures) {
         picture->recordUpload(commands, slot);
     }
-    gpu::pipelineBarrier(commands,
-                         {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor, Stage::eAllTransfer,
-                                            Access::eNone, Stage::eAllTransfer, Access::eTransferWrite,
-                                            vk::ImageLayout::eUndefined,
-                                            vk::ImageLayout::eTransferDstOptimal)});
+    gpu::pipelineBarrier(
+        commands, {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor, Stage::eAllTransfer,
+                                     Access::eNone, Stage::eAllTransfer, Access::eTransferWrite,
+                                     vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal)});
     commands.clearColorImage(target.image, vk::ImageLayout::eTransferDstOptimal, kBackground, kWhole);
-    gpu::pipelineBarrier(commands,
-                         {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor, Stage::eAllTransfer,
-                                            Access::eTransferWrite, Stage::eAllTransfer,
-                                            Access::eTransferWrite, vk::ImageLayout::eTransferDstOptimal,
-                                            vk::ImageLayout::eTransferDstOptimal)});
+    gpu::pipelineBarrier(
+        commands,
+        {gpu::imageBarrier(target.image, vk::ImageAspectFlagBits::eColor, Stage::eAllTransfer,
+                           Access::eTransferWrite, Stage::eAllTransfer, Access::eTransferWrite,
+                           vk::ImageLayout::eTransferDstOptimal, vk::ImageLayout::eTransferDstOptimal)});
     const vk::Rect2D area = within(layout.area, m_swapchain->extent());
     const double divider = layout.pictures > 1 ? layout.divider : 1.0;
     m_pictures[0]->recordBlit(commands, target.image, area, 0.0, divider);

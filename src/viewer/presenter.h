@@ -17,9 +17,9 @@ namespace cdr::viewer {
 
 /// Where pictures go in the window.
 struct PictureLayout {
-    vk::Rect2D area;             ///< pixels of the window
-    double divider = 1.0;        ///< share of the area's width that the left picture has
-    std::size_t pictures = 1;    ///< 1: the left one alone
+    vk::Rect2D area;          ///< pixels of the window
+    double divider = 1.0;     ///< share of the area's width that the left picture has
+    std::size_t pictures = 1; ///< 1: the left one alone
 };
 
 /// Puts pictures and interface on the window's screen, two frames in flight.

@@ -33,9 +33,9 @@ struct SideResult {
     std::shared_ptr<const render::Frame> frame;
     std::shared_ptr<const image::ImageRgba8> picture; ///< what the view shows of it
     WorkerTimeline timeline;
-    std::optional<WrongCount> wrong;        ///< of the wrong view
-    std::optional<std::uint64_t> flipsNow;  ///< of the flips view: since the frame before
-    std::uint64_t flippedPixels = 0;        ///< and within the last second
+    std::optional<WrongCount> wrong;       ///< of the wrong view
+    std::optional<std::uint64_t> flipsNow; ///< of the flips view: since the frame before
+    std::uint64_t flippedPixels = 0;       ///< and within the last second
 };
 
 /// The answer to a request.

@@ -11,8 +11,7 @@ void SceneStage::open(const ViewSettings& settings) {
         return;
     }
     auto opened = std::make_shared<const scene::OpenedScene>(scene::openScene(settings.scene, settings.seed));
-    auto next =
-        std::make_unique<OnStage>(OnStage{opened, render::GpuScene(m_device, opened->staged.scene)});
+    auto next = std::make_unique<OnStage>(OnStage{opened, render::GpuScene(m_device, opened->staged.scene)});
     for (SideRenderer& side : m_sides) {
         side.drop();
     }

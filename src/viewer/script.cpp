@@ -4,10 +4,9 @@
 
 #include <cdr/base/suggest.h>
 
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <vulkan/vulkan.hpp>
-
-#include <GLFW/glfw3.h>
 
 #include <array>
 #include <cctype>
@@ -24,10 +23,11 @@ constexpr double kMaxCount = 1e6;
 
 int keyOf(const std::string& name) {
     static const std::map<std::string, int, std::less<>> kNamed{
-        {"tab", GLFW_KEY_TAB},     {"space", GLFW_KEY_SPACE}, {"home", GLFW_KEY_HOME},
-        {"up", GLFW_KEY_UP},       {"down", GLFW_KEY_DOWN},   {"left", GLFW_KEY_LEFT},
-        {"right", GLFW_KEY_RIGHT}, {"escape", GLFW_KEY_ESCAPE}, {"shift", GLFW_KEY_LEFT_SHIFT},
-        {"control", GLFW_KEY_LEFT_CONTROL}};
+        {"tab", GLFW_KEY_TAB},          {"space", GLFW_KEY_SPACE},
+        {"home", GLFW_KEY_HOME},        {"up", GLFW_KEY_UP},
+        {"down", GLFW_KEY_DOWN},        {"left", GLFW_KEY_LEFT},
+        {"right", GLFW_KEY_RIGHT},      {"escape", GLFW_KEY_ESCAPE},
+        {"shift", GLFW_KEY_LEFT_SHIFT}, {"control", GLFW_KEY_LEFT_CONTROL}};
     if (const auto found = kNamed.find(name); found != kNamed.end()) {
         return found->second;
     }
@@ -116,7 +116,10 @@ const std::map<std::string, Reader, std::less<>>& readers() {
              const double x = w.number("x");
              s.emplace_back(InputEvent(MoveInput{x, w.number("y")}));
          }},
-        {"scroll", [](Words& w, Steps& s) { s.emplace_back(InputEvent(ScrollInput{0.0, w.number("notches")})); }},
+        {"scroll",
+         [](Words& w, Steps& s) {
+             s.emplace_back(InputEvent(ScrollInput{0.0, w.number("notches")}));
+         }},
         {"click", [](Words& w, Steps& s) { s.emplace_back(ClickItem{w.rest("item")}); }},
         {"drop", [](Words& w, Steps& s) { s.emplace_back(InputEvent(DropInput{{w.rest("file")}})); }},
         {"resize",
@@ -133,7 +136,8 @@ const std::map<std::string, Reader, std::less<>>& readers() {
          }},
         {"wait-ui",
          [](Words& w, Steps& s) {
-             s.emplace_back(WaitUi{static_cast<std::uint64_t>(w.whole("frames", 1, static_cast<int>(kMaxCount)))});
+             s.emplace_back(
+                 WaitUi{static_cast<std::uint64_t>(w.whole("frames", 1, static_cast<int>(kMaxCount)))});
          }},
         {"window", [](Words& w, Steps& s) { s.emplace_back(SaveWindow{w.rest("file")}); }},
         {"picture", [](Words& w, Steps& s) { s.emplace_back(SavePicture{w.rest("file")}); }},

@@ -50,8 +50,7 @@ struct Restore {};
 struct Quit {};
 
 using ScriptStep = std::variant<InputEvent, ClickItem, WindowSize, WaitFrame, WaitUi, SaveWindow, SavePicture,
-                                PrintPlace, PrintState,
-                                PrintCommand, WaitState, Minimise, Restore, Quit>;
+                                PrintPlace, PrintState, PrintCommand, WaitState, Minimise, Restore, Quit>;
 
 /// Reads a script, one step a line; empty lines and those that begin with # are left out.
 ///

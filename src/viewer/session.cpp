@@ -22,8 +22,8 @@ bool isSameCamera(const scene::Camera& a, const scene::Camera& b) {
 }
 
 bool asksTheSame(const RenderRequest& a, const RenderRequest& b) {
-    const bool sameCamera = a.camera.has_value() == b.camera.has_value() &&
-                            (!a.camera || isSameCamera(*a.camera, *b.camera));
+    const bool sameCamera =
+        a.camera.has_value() == b.camera.has_value() && (!a.camera || isSameCamera(*a.camera, *b.camera));
     return sameCamera && a.settings == b.settings && a.extent == b.extent;
 }
 
@@ -52,7 +52,8 @@ void Session::followPath(double seconds) {
 }
 
 RenderRequest Session::wanted(const PictureArea& area) const {
-    RenderRequest request{.serial = m_serial + 1, .settings = m_model.settings, .extent = area.extent, .camera = {}};
+    RenderRequest request{
+        .serial = m_serial + 1, .settings = m_model.settings, .extent = area.extent, .camera = {}};
     request.settings.divider = 0.5; // both sides are whole pictures, so it need not be rendered anew
     const bool isOpen = m_model.shown != nullptr && m_model.shown->sceneName == m_model.settings.scene;
     if (isOpen && m_model.hasCamera) {
@@ -150,9 +151,8 @@ void Session::pickClicked() {
     const auto& sides = m_model.shown->sides;
     const double divider = m_model.settings.divider * sides.front().options.width;
     const SideResult& side = sides.size() > 1 && pixel.x >= divider ? sides[1] : sides[0];
-    const auto point =
-        pickAt(*side.frame, m_model.shown->scene->staged.scene, side.options.technique,
-               static_cast<std::uint32_t>(pixel.x), static_cast<std::uint32_t>(pixel.y));
+    const auto point = pickAt(*side.frame, m_model.shown->scene->staged.scene, side.options.technique,
+                              static_cast<std::uint32_t>(pixel.x), static_cast<std::uint32_t>(pixel.y));
     if (point) {
         m_model.measuring.click(*point);
         m_model.pivot = point->position;

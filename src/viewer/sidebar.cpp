@@ -1,5 +1,4 @@
 #include "panels.h"
-
 #include "state/help_text.h"
 
 #include <imgui.h>

@@ -21,7 +21,8 @@ constexpr std::uint64_t kRestFrames = 30;
 } // namespace
 
 Soak::Soak(double seconds, std::uint64_t seed, const ViewerModel& model)
-    : m_steps(std::max<std::uint64_t>(static_cast<std::uint64_t>(std::llround(seconds * kStepsPerSecond)), 1)),
+    : m_steps(
+          std::max<std::uint64_t>(static_cast<std::uint64_t>(std::llround(seconds * kStepsPerSecond)), 1)),
       m_input({.seed = seed, .seconds = 1.0 / kStepsPerSecond}),
       m_home(model.settings) {}
 
@@ -116,9 +117,10 @@ std::string Soak::report() const {
     constexpr double kMegabyte = 1e6;
     const double warm = static_cast<double>(m_warmBytes);
     const double growth = warm > 0.0 ? (static_cast<double>(m_endBytes) / warm - 1.0) * 100.0 : 0.0;
-    return fmt::format("soak: {} steps, {} frames rendered, resident {:.1f} MB after warm-up, {:.1f} MB at the "
-                       "end ({:+.2f} %)",
-                       m_done, m_results, warm / kMegabyte, static_cast<double>(m_endBytes) / kMegabyte, growth);
+    return fmt::format(
+        "soak: {} steps, {} frames rendered, resident {:.1f} MB after warm-up, {:.1f} MB at the "
+        "end ({:+.2f} %)",
+        m_done, m_results, warm / kMegabyte, static_cast<double>(m_endBytes) / kMegabyte, growth);
 }
 
 } // namespace cdr::viewer

@@ -51,7 +51,9 @@ PictureExtent windowSize(const Arguments& arguments) {
     const auto width = std::from_chars(text.data(), end, size.width);
     const bool hasWidth = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
     const auto height = hasWidth ? std::from_chars(width.ptr + 1, end, size.height) : width;
-    const auto fits = [](std::uint32_t side) { return side >= 1 && side <= static_cast<std::uint32_t>(kMaxWindowSide); };
+    const auto fits = [](std::uint32_t side) {
+        return side >= 1 && side <= static_cast<std::uint32_t>(kMaxWindowSide);
+    };
     if (!hasWidth || height.ec != std::errc() || height.ptr != end || !fits(size.width) ||
         !fits(size.height)) {
         throw base::InputError(fmt::format("size must be WIDTHxHEIGHT, 1 to {}, such as 1280x720, not '{}'",

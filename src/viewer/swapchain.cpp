@@ -90,9 +90,9 @@ Swapchain::Swapchain(const gpu::Device& device, vk::SurfaceKHR surface, vk::Exte
     if (!(capabilities.supportedUsageFlags & vk::ImageUsageFlagBits::eTransferDst)) {
         throw base::RunError("the window system's images cannot be copied to");
     }
-    m_isReadable =
-        static_cast<bool>(capabilities.supportedUsageFlags & vk::ImageUsageFlagBits::eTransferSrc);
-    vk::ImageUsageFlags usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferDst;
+    m_isReadable = static_cast<bool>(capabilities.supportedUsageFlags & vk::ImageUsageFlagBits::eTransferSrc);
+    vk::ImageUsageFlags usage =
+        vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferDst;
     if (m_isReadable) {
         usage |= vk::ImageUsageFlagBits::eTransferSrc;
     }
@@ -101,8 +101,8 @@ Swapchain::Swapchain(const gpu::Device& device, vk::SurfaceKHR surface, vk::Exte
     if (capabilities.maxImageCount > 0) {
         count = std::min(count, capabilities.maxImageCount);
     }
-    const bool isOpaque = static_cast<bool>(capabilities.supportedCompositeAlpha &
-                                            vk::CompositeAlphaFlagBitsKHR::eOpaque);
+    const bool isOpaque =
+        static_cast<bool>(capabilities.supportedCompositeAlpha & vk::CompositeAlphaFlagBitsKHR::eOpaque);
     m_swapchain = m_device.createSwapchainKHRUnique(
         {.surface = surface,
          .minImageCount = count,
@@ -145,9 +145,8 @@ void Swapchain::makeImages() {
 std::optional<std::uint32_t> Swapchain::acquire(vk::Semaphore ready) {
     // The C call, since out of date is no error here.
     std::uint32_t index = 0;
-    const auto result = static_cast<vk::Result>(
-        vkAcquireNextImageKHR(m_device, *m_swapchain, std::numeric_limits<std::uint64_t>::max(), ready,
-                              VK_NULL_HANDLE, &index));
+    const auto result = static_cast<vk::Result>(vkAcquireNextImageKHR(
+        m_device, *m_swapchain, std::numeric_limits<std::uint64_t>::max(), ready, VK_NULL_HANDLE, &index));
     if (result == vk::Result::eErrorOutOfDateKHR) {
         return std::nullopt;
     }

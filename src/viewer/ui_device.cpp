@@ -21,7 +21,8 @@ bool hasSwapchain(vk::PhysicalDevice physical) {
 /// The queue family that draws and presents, if the device has such a one.
 std::optional<std::uint32_t> presentingFamily(vk::PhysicalDevice physical, vk::SurfaceKHR surface) {
     const auto family = gpu::findQueueFamily(physical);
-    const bool presents = family && hasSwapchain(physical) && physical.getSurfaceSupportKHR(*family, surface) &&
+    const bool presents = family && hasSwapchain(physical) &&
+                          physical.getSurfaceSupportKHR(*family, surface) &&
                           !physical.getSurfaceFormatsKHR(surface).empty();
     return presents ? family : std::nullopt;
 }
@@ -60,13 +61,13 @@ UiDevice::UiDevice(const WindowSystem& system, const Window& window, const std::
             continue;
         }
         m_owned = makeDevice(devices[index], *family);
-        m_device = std::make_unique<gpu::Device>(
-            gpu::BorrowedDevice{.instance = m_instance.handle(),
-                                .physical = devices[index],
-                                .device = *m_owned,
-                                .queue = m_owned->getQueue(*family, 0),
-                                .queueFamily = *family,
-                                .hasDebugNames = m_instance.hasDebugNames()});
+        m_device =
+            std::make_unique<gpu::Device>(gpu::BorrowedDevice{.instance = m_instance.handle(),
+                                                              .physical = devices[index],
+                                                              .device = *m_owned,
+                                                              .queue = m_owned->getQueue(*family, 0),
+                                                              .queueFamily = *family,
+                                                              .hasDebugNames = m_instance.hasDebugNames()});
         return;
     }
     throw base::RunError("no Vulkan 1.3 device can present to this window system");

@@ -24,8 +24,8 @@ enum class Action : std::uint8_t {
     screenshotPicture, ///< the picture as shown, divider included
     screenshotWindow,
     copyCommandLine,
-    sceneCamera,     ///< back to the scene's own
-    record,          ///< begins or ends recording the camera
+    sceneCamera, ///< back to the scene's own
+    record,      ///< begins or ends recording the camera
     playRecording,
     forgetMeasuring,
 };
@@ -67,8 +67,8 @@ struct ViewerModel {
     Measuring measuring;
     FrameStatistics statistics;
     double framesPerSecond = 0.0;
-    double uiFrameMs = 0.0; ///< the interface, drawn and handed to the display
-    double presentMs = 0.0; ///< of it, waiting for and handing to the display
+    double uiFrameMs = 0.0;     ///< the interface, drawn and handed to the display
+    double presentMs = 0.0;     ///< of it, waiting for and handing to the display
     bool rendersAlways = false; ///< though nothing changes: to see times settle
 
     // Interface

@@ -1,8 +1,7 @@
 #include "widgets.h"
 
-#include <imgui.h>
-
 #include <fmt/format.h>
+#include <imgui.h>
 
 namespace cdr::viewer {
 
@@ -57,8 +56,8 @@ std::size_t Widgets::combo(std::string_view name, std::string_view shown, std::s
                            const std::function<std::string_view(std::size_t)>& nameOf) const {
     label(name);
     std::size_t chosen = count;
-    const bool isOpen =
-        ImGui::BeginCombo(fmt::format("##{}", name).c_str(), std::string(shown).c_str(), ImGuiComboFlags_HeightLarge);
+    const bool isOpen = ImGui::BeginCombo(fmt::format("##{}", name).c_str(), std::string(shown).c_str(),
+                                          ImGuiComboFlags_HeightLarge);
     if (isOpen) {
         for (std::size_t i = 0; i < count; ++i) {
             const std::string entry(nameOf(i));

@@ -111,8 +111,8 @@ void Window::Destroy::operator()(GLFWwindow* window) const {
 Window::Window(const WindowSystem&, std::uint32_t width, std::uint32_t height, const std::string& title) {
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    m_handle.reset(glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr,
-                                    nullptr));
+    m_handle.reset(
+        glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr, nullptr));
     if (m_handle == nullptr) {
         throw base::RunError(fmt::format("no window: {}", lastError()));
     }
@@ -121,8 +121,7 @@ Window::Window(const WindowSystem&, std::uint32_t width, std::uint32_t height, c
     int pixelsWide = 0;
     int pixelsHigh = 0;
     glfwGetFramebufferSize(window, &pixelsWide, &pixelsHigh);
-    m_extent =
-        vk::Extent2D(static_cast<std::uint32_t>(pixelsWide), static_cast<std::uint32_t>(pixelsHigh));
+    m_extent = vk::Extent2D(static_cast<std::uint32_t>(pixelsWide), static_cast<std::uint32_t>(pixelsHigh));
     glfwSetKeyCallback(window, Callbacks::key);
     glfwSetCharCallback(window, Callbacks::character);
     glfwSetMouseButtonCallback(window, Callbacks::button);
@@ -156,32 +155,30 @@ std::vector<InputEvent> Window::takeEvents() {
 
 void Window::inject(const InputEvent& event) {
     GLFWwindow* window = m_handle.get();
-    std::visit(Overloaded{[&](const KeyInput& key) {
-                              const int pressed = key.repeated ? GLFW_REPEAT : GLFW_PRESS;
-                              Callbacks::key(window, key.key, glfwGetKeyScancode(key.key),
-                                             key.pressed ? pressed : GLFW_RELEASE, key.modifiers);
-                          },
-                          [&](const CharacterInput& character) {
-                              Callbacks::character(window, character.codepoint);
-                          },
-                          [&](const ButtonInput& button) {
-                              Callbacks::button(window, button.button,
-                                                button.pressed ? GLFW_PRESS : GLFW_RELEASE, button.modifiers);
-                          },
-                          [&](const MoveInput& move) { Callbacks::move(window, move.x, move.y); },
-                          [&](const ScrollInput& scroll) { Callbacks::scroll(window, scroll.x, scroll.y); },
-                          [&](const DropInput& drop) {
-                              std::vector<std::string> texts(drop.paths.begin(), drop.paths.end());
-                              std::vector<const char*> paths;
-                              for (const std::string& text : texts) {
-                                  paths.push_back(text.c_str());
-                              }
-                              Callbacks::drop(window, static_cast<int>(paths.size()), paths.data());
-                          },
-                          [&](const ResizeInput& size) {
-                              Callbacks::resize(window, size.width, size.height);
-                          }},
-               event);
+    std::visit(
+        Overloaded{
+            [&](const KeyInput& key) {
+                const int pressed = key.repeated ? GLFW_REPEAT : GLFW_PRESS;
+                Callbacks::key(window, key.key, glfwGetKeyScancode(key.key),
+                               key.pressed ? pressed : GLFW_RELEASE, key.modifiers);
+            },
+            [&](const CharacterInput& character) { Callbacks::character(window, character.codepoint); },
+            [&](const ButtonInput& button) {
+                Callbacks::button(window, button.button, button.pressed ? GLFW_PRESS : GLFW_RELEASE,
+                                  button.modifiers);
+            },
+            [&](const MoveInput& move) { Callbacks::move(window, move.x, move.y); },
+            [&](const ScrollInput& scroll) { Callbacks::scroll(window, scroll.x, scroll.y); },
+            [&](const DropInput& drop) {
+                std::vector<std::string> texts(drop.paths.begin(), drop.paths.end());
+                std::vector<const char*> paths;
+                for (const std::string& text : texts) {
+                    paths.push_back(text.c_str());
+                }
+                Callbacks::drop(window, static_cast<int>(paths.size()), paths.data());
+            },
+            [&](const ResizeInput& size) { Callbacks::resize(window, size.width, size.height); }},
+        event);
 }
 
 bool Window::isClosing() const {

@@ -19,8 +19,7 @@ TEST_F(ViewerTest, ShowsWhatTheCommandLineRenders) {
     const auto commands = run.lines("cdr render");
     ASSERT_EQ(commands.size(), 1u);
     // The line names the program as a person would; the test knows where it was built.
-    const RunResult rendered =
-        runShell("'" CDR_PROGRAM "'" + commands[0].substr(3), folder(), environment());
+    const RunResult rendered = runShell("'" CDR_PROGRAM "'" + commands[0].substr(3), folder(), environment());
     ASSERT_EQ(rendered.status, 0) << rendered.err;
     const image::ImageRgba8 shown = picture("shown.png");
     EXPECT_GT(brightness(shown), 20.0);
@@ -63,8 +62,8 @@ TEST_F(ViewerTest, CombosChooseMappingSplitAndFormat) {
     const auto choose = [&](const std::string& combo, const std::string& entry) {
         script += "click " + combo + "\nclick " + combo + "=" + entry + "\nwait-frame\nstate\n";
     };
-    const std::array<const char*, 6> mappings{"reversed", "log",      "log-fragment",
-                                              "anchored", "anchored-reversed", "standard"};
+    const std::array<const char*, 6> mappings{"reversed",          "log",     "log-fragment", "anchored",
+                                              "anchored-reversed", "standard"};
     for (const char* mapping : mappings) {
         choose("technique/mapping", mapping);
     }
@@ -86,7 +85,8 @@ TEST_F(ViewerTest, CombosChooseMappingSplitAndFormat) {
 TEST_F(ViewerTest, TargetsAndThreadsChangeNothingOfThePicture) {
     std::string script = "wait-frame\nwait-ui 3\nclick Draw\nwait-frame\npicture single.png\n";
     for (const std::string targets : {"accumulate", "pool", "layers"}) {
-        script += "click targets\nclick targets=" + targets + "\nwait-frame\nstate\npicture " + targets + ".png\n";
+        script +=
+            "click targets\nclick targets=" + targets + "\nwait-frame\nstate\npicture " + targets + ".png\n";
     }
     const RunResult run = play("--size 800x720 --technique cdr cubes --threads 2", script + "quit\n");
     const auto states = run.lines("scene=");
@@ -110,8 +110,9 @@ TEST_F(ViewerTest, ViewsShowTheSameSceneDifferently) {
         EXPECT_EQ(valueOf(states[i], "view"), views[i]);
         EXPECT_GT(colors(picture(std::string(views[i]) + ".png")), 3u) << views[i];
         for (std::size_t j = 0; j < i && i < 5; ++j) { // flips at rest may be the plain dim picture
-            EXPECT_GT(difference(picture(std::string(views[i]) + ".png"), picture(std::string(views[j]) + ".png")),
-                      0.05)
+            EXPECT_GT(
+                difference(picture(std::string(views[i]) + ".png"), picture(std::string(views[j]) + ".png")),
+                0.05)
                 << views[i] << " and " << views[j];
         }
     }

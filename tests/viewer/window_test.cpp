@@ -14,14 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keeps what a test saw, small, in one picture in the build folder, for people to look at. All are of one size.
+/// Keeps what a test saw, small, in one picture in the build folder, for people to look at. All are of one
+/// size.
 void keepContactSheet(const std::string& name, const std::vector<image::ImageRgba8>& pictures) {
     constexpr std::uint32_t kShrink = 2;
     constexpr std::uint32_t kColumns = 2;
     const std::uint32_t width = pictures.front().width / kShrink;
     const std::uint32_t height = pictures.front().height / kShrink;
     const auto count = static_cast<std::uint32_t>(pictures.size());
-    image::ImageRgba8 sheet(width * kColumns, height * ((count + kColumns - 1) / kColumns), {255, 255, 255, 255});
+    image::ImageRgba8 sheet(width * kColumns, height * ((count + kColumns - 1) / kColumns),
+                            {255, 255, 255, 255});
     for (std::uint32_t i = 0; i < count; ++i) {
         image::paste(sheet, image::shrink(pictures[i], kShrink), i % kColumns * width, i / kColumns * height);
     }
@@ -48,12 +50,13 @@ TEST_F(ViewerTest, DividerFollowsThePointer) {
 }
 
 TEST_F(ViewerTest, FollowsItsSize) {
-    const RunResult run = play("--size 800x480 cubes",
-                               "wait-frame\nstate\nresize 1 1\nwait-state size=1x1\nwait-frame\nwait-ui 3\nwindow one.png\nstate\n"
-                               "resize 500 400\nwait-state size=500x400\nwait-frame\nwait-ui 3\nwindow small.png\n"
-                               "resize 3840 2160\nwait-state size=3492x2160\nwait-frame\nwait-ui 3\n"
-                               "window large.png\nstate\nresize 800 480\nwait-state size=452x480\nwait-frame\n"
-                               "wait-ui 3\nwindow back.png\nquit\n");
+    const RunResult run = play(
+        "--size 800x480 cubes",
+        "wait-frame\nstate\nresize 1 1\nwait-state size=1x1\nwait-frame\nwait-ui 3\nwindow one.png\nstate\n"
+        "resize 500 400\nwait-state size=500x400\nwait-frame\nwait-ui 3\nwindow small.png\n"
+        "resize 3840 2160\nwait-state size=3492x2160\nwait-frame\nwait-ui 3\n"
+        "window large.png\nstate\nresize 800 480\nwait-state size=452x480\nwait-frame\n"
+        "wait-ui 3\nwindow back.png\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 3u);
     EXPECT_EQ(valueOf(states[0], "size"), "452x480");
@@ -79,10 +82,10 @@ TEST_F(ViewerTest, ComesBackFromBeingMinimised) {
 TEST_F(ViewerTest, OpensWhatIsDropped) {
     fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "shapes.gltf");
     std::ofstream(folder() / "broken.gltf") << "{ not a scene";
-    const RunResult run = play("--size 800x480 cubes",
-                               "wait-frame\npicture cubes.png\ndrop shapes.gltf\nwait-frame\nstate\n"
-                               "picture shapes.png\ndrop broken.gltf\nwait-frame\nwait-ui 2\nstate\n"
-                               "picture still.png\nwindow message.png\nquit\n");
+    const RunResult run =
+        play("--size 800x480 cubes", "wait-frame\npicture cubes.png\ndrop shapes.gltf\nwait-frame\nstate\n"
+                                     "picture shapes.png\ndrop broken.gltf\nwait-frame\nwait-ui 2\nstate\n"
+                                     "picture still.png\nwindow message.png\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 2u);
     EXPECT_EQ(valueOf(states[0], "shown"), "shapes.gltf");
@@ -110,9 +113,10 @@ TEST_F(ViewerTest, WheelAndKeysMoveTheCamera) {
 }
 
 TEST_F(ViewerTest, PicksAndMeasures) {
-    const RunResult run = play("--size 800x480 --technique anchored cubes",
-                               "wait-frame\nmove 226 240\npress\nrelease\nwait-frame\nstate\n"
-                               "move 120 130\npress\nrelease\nwait-frame\nwait-ui 2\nstate\nwindow w.png\nquit\n");
+    const RunResult run =
+        play("--size 800x480 --technique anchored cubes",
+             "wait-frame\nmove 226 240\npress\nrelease\nwait-frame\nstate\n"
+             "move 120 130\npress\nrelease\nwait-frame\nwait-ui 2\nstate\nwindow w.png\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 2u);
     EXPECT_NE(valueOf(states[0], "picked"), "") << states[0];
@@ -138,7 +142,8 @@ TEST_F(ViewerTest, EveryTabDraws) {
         names.push_back(tab + ".png");
         script += "click " + tab + "\nwait-ui 3\nwindow " + names.back() + "\n";
     }
-    script += "key F1\nwait-ui 3\nwindow help.png\nkey F1\nkey tab\nwait-frame\nwait-ui 3\nwindow plain.png\nquit\n";
+    script += "key F1\nwait-ui 3\nwindow help.png\nkey F1\nkey tab\nwait-frame\nwait-ui 3\nwindow "
+              "plain.png\nquit\n";
     play("--size 1280x720 --compare standard,anchored --threads 2 cubes", script);
     names.insert(names.end(), {"help.png", "plain.png"});
     std::vector<image::ImageRgba8> windows;
@@ -153,8 +158,8 @@ TEST_F(ViewerTest, EveryTabDraws) {
 
 TEST_F(ViewerTest, SurvivesRandomInput) {
     // A 36th of the half hour that the issue asks for; the same options with more seconds are the long one.
-    const RunResult run = runShell("'" CDR_VIEWER "' --validate --size 400x300 --soak 5 --seed 7 cubes", folder(),
-                                   environment());
+    const RunResult run = runShell("'" CDR_VIEWER "' --validate --size 400x300 --soak 5 --seed 7 cubes",
+                                   folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     const auto lines = run.lines("soak: ");
@@ -175,7 +180,8 @@ TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
     expectError("no-such-scene", 2, "no-such-scene");
     expectError("--device 99", 2, "99");
     expectError("--script missing", 2, "missing");
-    const RunResult blind = runShell("env -u DISPLAY -u WAYLAND_DISPLAY '" CDR_VIEWER "' afc", folder(), environment());
+    const RunResult blind =
+        runShell("env -u DISPLAY -u WAYLAND_DISPLAY '" CDR_VIEWER "' afc", folder(), environment());
     EXPECT_EQ(blind.status, 1);
     EXPECT_NE(blind.err.find("cdr render afc"), std::string::npos) << blind.err;
     EXPECT_EQ(std::count(blind.err.begin(), blind.err.end(), '\n'), 1) << blind.err;
@@ -185,20 +191,23 @@ TEST_F(ViewerTest, ListensToTheXServer) {
     if (std::string(CDR_XDOTOOL).empty()) {
         GTEST_SKIP() << "no xdotool; tools/setup.sh installs it";
     }
-    std::ofstream(folder() / "script") << "wait-frame\nwindow before.png\nstate\nwait-state technique=anchored\n"
-                                          "wait-state fov=0.6\nwait-frame\nwait-ui 3\nwindow after.png\nstate\n";
+    std::ofstream(folder() / "script")
+        << "wait-frame\nwindow before.png\nstate\nwait-state technique=anchored\n"
+           "wait-state fov=0.6\nwait-frame\nwait-ui 3\nwindow after.png\nstate\n";
     // xdotool waits for the window; then a key, the wheel twice, and the key that quits. Keys sent before the
     // script has taken its first picture would be no less right, so nothing waits for that.
-    std::ofstream(folder() / "hands") << "set -e\n"
-                                         "window=$('" CDR_XDOTOOL "' search --sync --onlyvisible --name cdr-viewer)\n"
-                                         "while [ ! -s run.out ]; do read -t 0.1 <> <(:) || true; done\n"
-                                         "'" CDR_XDOTOOL "' windowfocus --sync $window mousemove --window $window 200 200\n"
-                                         "'" CDR_XDOTOOL "' key 6 click 4 click 4\n"
-                                         "while [ ! -s after.png ]; do read -t 0.1 <> <(:) || true; done\n"
-                                         "'" CDR_XDOTOOL "' key ctrl+q\n";
-    const RunResult run = runShell("(timeout 100 bash hands & '" CDR_VIEWER
-                                   "' --validate --size 800x480 --script script cubes; status=$?; wait; exit $status)",
-                                   folder(), environment());
+    std::ofstream(folder() / "hands")
+        << "set -e\n"
+           "window=$('" CDR_XDOTOOL "' search --sync --onlyvisible --name cdr-viewer)\n"
+           "while [ ! -s run.out ]; do read -t 0.1 <> <(:) || true; done\n"
+           "'" CDR_XDOTOOL "' windowfocus --sync $window mousemove --window $window 200 200\n"
+           "'" CDR_XDOTOOL "' key 6 click 4 click 4\n"
+           "while [ ! -s after.png ]; do read -t 0.1 <> <(:) || true; done\n"
+           "'" CDR_XDOTOOL "' key ctrl+q\n";
+    const RunResult run =
+        runShell("(timeout 100 bash hands & '" CDR_VIEWER
+                 "' --validate --size 800x480 --script script cubes; status=$?; wait; exit $status)",
+                 folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 2u) << run.out << run.err;

@@ -36,7 +36,8 @@ struct RenderOptions {
 
 inline constexpr std::size_t kMaxFramesInFlight = 8;
 
-/// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as large.
+/// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as
+/// large.
 enum class FrameCopy : std::uint8_t { color, everything };
 
 /// Renders a scene with one technique into one kind of targets, frame by frame.
@@ -54,8 +55,8 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Renders one frame, waits for it and copies it to the host; Frame::surfaces stays empty unless asked for.
-    /// base::InputError for an unusable camera or split.
+    /// Renders one frame, waits for it and copies it to the host; Frame::surfaces stays empty unless asked
+    /// for. base::InputError for an unusable camera or split.
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);
 
     /// Renders one frame and waits for it, but leaves it on the device: what experiments time.
