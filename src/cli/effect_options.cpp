@@ -1,5 +1,7 @@
 #include "effect_options.h"
 
+#include "commands.h"
+
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 
@@ -54,6 +56,15 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments) {
     command.add_option("--fog", arguments.fog,
                        "Fog with a VISIBILITY in scene units, in which 2 % of a colour is left; "
                        "VISIBILITY,r,g,b gives its linear colour");
+    command
+        .add_option("--translucency", arguments.translucency,
+                    "How blended surfaces are laid over each other: weighted, or sorted, which is exact")
+        ->capture_default_str();
+    command
+        .add_option("--translucency-memory", arguments.translucencyMiB,
+                    "Most MiB for sorted fragments; frames that need more are drawn weighted")
+        ->check(CLI::Range(std::uint64_t{1}, kMostTranslucencyMiB))
+        ->capture_default_str();
 }
 
 render::Effects effectsOf(const EffectArguments& arguments) {
@@ -66,6 +77,11 @@ render::Effects effectsOf(const EffectArguments& arguments) {
     }
     requireUsable(effects);
     return effects;
+}
+
+render::TranslucencyOptions translucencyOf(const EffectArguments& arguments) {
+    return {.method = render::parseTranslucency(arguments.translucency),
+            .mostBytes = arguments.translucencyMiB << 20u};
 }
 
 } // namespace cdr::cli
