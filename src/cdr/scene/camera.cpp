@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 namespace cdr::scene {
@@ -112,6 +113,13 @@ double radiansOf(double degrees) {
 
 double degreesOf(double radians) {
     const double degrees = radians * 180.0 / std::numbers::pi;
+    // Of those that give the radians back, the shortest to write.
+    for (int digits = 3; digits <= 17; ++digits) {
+        const double shorter = std::strtod(fmt::format("{:.{}g}", degrees, digits).c_str(), nullptr);
+        if (radiansOf(shorter) == radians) {
+            return shorter;
+        }
+    }
     // Two roundings there and two back: what gives the radians back, if anything does, is next to it.
     double nearest = degrees;
     double below = degrees;
