@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
+#include <string>
 
 namespace cdr::scene {
 
@@ -115,7 +116,9 @@ double degreesOf(double radians) {
     const double degrees = radians * 180.0 / std::numbers::pi;
     // Of those that give the radians back, the shortest to write.
     for (int digits = 3; digits <= 17; ++digits) {
-        const double shorter = std::strtod(fmt::format("{:.{}g}", degrees, digits).c_str(), nullptr);
+        const std::string text = fmt::format("{:.{}g}", degrees, digits);
+        double shorter = 0.0;
+        std::from_chars(text.data(), text.data() + text.size(), shorter);
         if (radiansOf(shorter) == radians) {
             return shorter;
         }
