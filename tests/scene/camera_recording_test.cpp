@@ -137,8 +137,6 @@ TEST(CameraRecording, TurnsTheShortWayAndStaysUpright) {
     record(recording, 1.0, lookAlong({}, glm::dvec3(0.0), {std::sin(-3.0), 0.0, -std::cos(-3.0)}));
     for (int i = 0; i <= 10; ++i) {
         const Camera camera = cameraAt(recording, 0.1 * i);
-        EXPECT_GT(camera.back.z, -1.0);
-        EXPECT_GT(-camera.back.z, -2.0);
         EXPECT_GE(-camera.back.z, std::cos(0.15) - 1e-12) << i; // past +z, never through -z
         EXPECT_NEAR(camera.up.y, 1.0, 1e-12);
     }

@@ -1,3 +1,5 @@
+#include <cdr/depth/forecast.h>
+
 #include <gtest/gtest.h>
 #include <viewer/state/length_text.h>
 #include <viewer/state/technique_label.h>

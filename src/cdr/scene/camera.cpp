@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace cdr::scene {
 
@@ -112,6 +114,15 @@ double radiansOf(double degrees) {
 
 double degreesOf(double radians) {
     const double degrees = radians * 180.0 / std::numbers::pi;
+    // Of those that give the radians back, the shortest to write.
+    for (int digits = 3; digits <= 17; ++digits) {
+        const std::string text = fmt::format("{:.{}g}", degrees, digits);
+        double shorter = 0.0;
+        std::from_chars(text.data(), text.data() + text.size(), shorter);
+        if (radiansOf(shorter) == radians) {
+            return shorter;
+        }
+    }
     // Two roundings there and two back: what gives the radians back, if anything does, is next to it.
     double nearest = degrees;
     double below = degrees;

@@ -51,14 +51,14 @@ struct PictureExtent {
 
 /// What a person asked of the camera during one frame. Nothing in it is of a window system.
 struct CameraInput {
-    CameraKeys keys;
+    CameraKeys keys{};
     glm::dvec2 drag{0.0};   ///< movement with the button that looks or turns held: pixels, x right, y down
     glm::dvec2 pan{0.0};    ///< movement with the button that shifts held: pixels, x right, y down
     glm::dvec2 cursor{0.0}; ///< pixels from the picture's top left corner
     double scroll = 0.0;    ///< notches, away from the person positive
-    CameraAxes axes;
+    CameraAxes axes{};
     double seconds = 0.0; ///< since the last frame, >= 0
-    PictureExtent extent;
+    PictureExtent extent{};
 };
 
 } // namespace cdr::viewer

@@ -31,8 +31,8 @@ struct ViewSettings {
     std::string scene = "rotation"; ///< a name or file for scene::openScene()
     std::uint64_t seed = scene::kDefaultSeed;
     depth::Technique technique = depth::parseTechnique("anchored"); ///< the left one of a split screen
-    std::optional<depth::Technique> second; ///< right of the divider; empty for one picture
-    double divider = 0.5;                   ///< share of the width that the left picture has, 0 to 1
+    std::optional<depth::Technique> second{}; ///< right of the divider; empty for one picture
+    double divider = 0.5;                     ///< share of the width that the left picture has, 0 to 1
     render::TargetsChoice targets = render::TargetsKind::single;
     render::Submission submission = render::Submission::secondaries;
     render::Batching batching = render::Batching::instanced;
