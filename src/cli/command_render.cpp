@@ -13,6 +13,7 @@
 
 #include <experiments/aov.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -246,9 +247,8 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
     CLI::App* command = program.add_subcommand("render", "Render a scene into pictures");
     auto arguments = std::make_shared<RenderArguments>();
     command
-        ->add_option(
-            "scene", arguments->scene,
-            "cubes, afc, afc-near, rotation, ladder, mixed, boulders, sheets, orbit, or a .gltf or .glb file")
+        ->add_option("scene", arguments->scene,
+                     fmt::format("{}, or a .gltf or .glb file", fmt::join(scene::generatedScenes(), ", ")))
         ->required();
     addTechniqueOptions(*command, *arguments);
     addEffectOptions(*command, arguments->effects);

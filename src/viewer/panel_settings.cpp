@@ -12,8 +12,6 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kScenes{"cubes", "afc", "afc-near", "rotation", "ladder", "mixed"};
-
 /// Splits worth a click; the one at hand is listed besides.
 constexpr std::array<std::string_view, 8> kSplits{"none",    "ratio:1000", "ratio:30",  "count:2",
                                                   "count:4", "count:8",    "minimax:4", "fitted"};
@@ -65,10 +63,11 @@ void chooseTechnique(const Widgets& widgets, std::string_view prefix, depth::Tec
 void drawScenePanel(const Widgets& widgets, ViewerModel& model) {
     widgets.heading("Scene");
     const std::string shown = std::filesystem::path(model.settings.scene).filename().string();
+    const std::span<const std::string_view> scenes = scene::generatedScenes();
     const std::size_t chosen =
-        widgets.combo("scene", shown, kScenes.size(), [](std::size_t i) { return kScenes[i]; });
-    if (chosen < kScenes.size()) {
-        model.settings.scene = kScenes[chosen];
+        widgets.combo("scene", shown, scenes.size(), [&](std::size_t i) { return scenes[i]; });
+    if (chosen < scenes.size()) {
+        model.settings.scene = scenes[chosen];
     }
     if (model.shown != nullptr && model.shown->scene != nullptr) {
         const scene::OpenedScene& opened = *model.shown->scene;

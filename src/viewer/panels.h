@@ -13,6 +13,7 @@ void drawTechniquePanel(const Widgets& widgets, ViewerModel& model);
 void drawViewPanel(const Widgets& widgets, ViewerModel& model);
 /// How the frame is made. New renderer switches belong here.
 void drawRenderingPanel(const Widgets& widgets, ViewerModel& model);
+void drawFinishPanel(const Widgets& widgets, ViewerModel& model);
 void drawCameraPanel(const Widgets& widgets, ViewerModel& model);
 void drawFrameGraph(const Widgets& widgets, const ViewerModel& model);
 void drawTimeline(const Widgets& widgets, const ViewerModel& model);

@@ -2,15 +2,23 @@
 
 #include "state/view_picture.h"
 
+#include <cdr/scene/levels.h>
+
 #include <utility>
 
 namespace cdr::viewer {
 
 void SceneStage::open(const ViewSettings& settings) {
-    if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed) {
+    const bool needsLevels = settings.finish.detail != scene::DetailMode::none;
+    if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
+        (m_hasLevels || !needsLevels)) {
         return;
     }
-    auto opened = std::make_shared<const scene::OpenedScene>(scene::openScene(settings.scene, settings.seed));
+    auto opened = std::make_shared<scene::OpenedScene>(scene::openScene(settings.scene, settings.seed));
+    if (needsLevels) {
+        base::WorkerPool workers(settings.threads);
+        scene::makeLevels(opened->staged.scene, workers);
+    }
     auto next = std::make_unique<OnStage>(OnStage{opened, render::GpuScene(m_device, opened->staged.scene)});
     for (SideRenderer& side : m_sides) {
         side.drop();
@@ -22,6 +30,7 @@ void SceneStage::open(const ViewSettings& settings) {
     m_scene = std::move(next);
     m_sceneName = settings.scene;
     m_seed = settings.seed;
+    m_hasLevels = needsLevels;
 }
 
 StageSet SceneStage::set() const {

@@ -39,6 +39,7 @@ class SceneStage {
     const gpu::Device& m_device;
     std::string m_sceneName;
     std::uint64_t m_seed = 0;
+    bool m_hasLevels = false; ///< of detail, which are made when first asked for
     std::unique_ptr<OnStage> m_scene;
     std::array<SideRenderer, 2> m_sides;
     SideRenderer m_reference;

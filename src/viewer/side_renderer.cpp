@@ -10,7 +10,8 @@ bool fits(const render::RenderOptions& made, const render::RenderOptions& wanted
     return made.width == wanted.width && made.height == wanted.height &&
            isSameTechnique(made.technique, wanted.technique) && made.targets == wanted.targets &&
            made.threads == wanted.threads && made.submission == wanted.submission &&
-           made.batching == wanted.batching;
+           made.batching == wanted.batching && made.detail.mode == wanted.detail.mode &&
+           made.translucency.method == wanted.translucency.method && made.effects == wanted.effects;
 }
 
 } // namespace

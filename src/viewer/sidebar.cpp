@@ -40,7 +40,10 @@ void drawSidebar(const Widgets& widgets, ItemPlaces& places, float width, Viewer
             drawCameraPanel(widgets, model);
             drawMeasuringPanel(widgets, model);
         });
-        drawTab("Draw", places, [&] { drawRenderingPanel(widgets, model); });
+        drawTab("Draw", places, [&] {
+            drawRenderingPanel(widgets, model);
+            drawFinishPanel(widgets, model);
+        });
         drawTab("Frame", places, [&] {
             drawFrameGraph(widgets, model);
             widgets.checkbox("render though nothing changes", model.rendersAlways);

@@ -51,6 +51,22 @@ class Words {
     std::string m_line;
 };
 
+void addFinish(Words& words, const ViewSettings& settings) {
+    render::RenderOptions options{.targets = settings.targets};
+    apply(settings.finish, options);
+    const render::RenderOptions defaults;
+    words.addUnless(options.detail.mode == defaults.detail.mode, "--detail", scene::nameOf(options.detail));
+    words.addUnless(options.translucency.method == defaults.translucency.method, "--translucency",
+                    render::nameOf(options.translucency.method));
+    const render::Effects& effects = options.effects;
+    words.addUnless(effects.antialias == defaults.effects.antialias, "--antialias",
+                    render::nameOf(effects.antialias));
+    words.addUnless(
+        effects.occlusion.radius == 0.0, "--occlusion",
+        fmt::format("{}{}", effects.occlusion.radius, effects.occlusion.perLayer ? ":layers" : ""));
+    words.addUnless(effects.fog.visibility == 0.0, "--fog", fmt::format("{}", effects.fog.visibility));
+}
+
 void addTechnique(Words& words, const ViewSettings& settings, const depth::Technique& technique) {
     const auto presets = depth::presets();
     const auto preset = std::find_if(presets.begin(), presets.end(), [&](const depth::Technique& p) {
@@ -69,6 +85,7 @@ void addTechnique(Words& words, const ViewSettings& settings, const depth::Techn
     words.addUnless(settings.submission == defaults.submission, "--submission",
                     render::nameOf(settings.submission));
     words.addUnless(settings.batching == defaults.batching, "--batching", render::nameOf(settings.batching));
+    addFinish(words, settings);
     words.addUnless(settings.threads == defaults.threads, "--threads", fmt::format("{}", settings.threads));
 }
 

@@ -37,17 +37,21 @@ bool ViewSettings::operator==(const ViewSettings& other) const {
     return scene == other.scene && seed == other.seed && isSameTechnique(technique, other.technique) &&
            isSame(second, other.second) && divider == other.divider && targets == other.targets &&
            submission == other.submission && batching == other.batching && threads == other.threads &&
-           view == other.view;
+           view == other.view && finish == other.finish;
 }
 
 Rework reworkOf(const ViewSettings& before, const ViewSettings& after) {
-    if (before.scene != after.scene || before.seed != after.seed) {
+    const auto needsLevels = [](const ViewSettings& settings) {
+        return settings.finish.detail != scene::DetailMode::none;
+    };
+    if (before.scene != after.scene || before.seed != after.seed ||
+        (needsLevels(after) && !needsLevels(before))) {
         return Rework::scene;
     }
     if (!isSameTechnique(before.technique, after.technique) || !isSame(before.second, after.second) ||
         !(before.targets == after.targets) || before.submission != after.submission ||
         before.batching != after.batching || before.threads != after.threads ||
-        needsReference(before.view) != needsReference(after.view)) {
+        !(before.finish == after.finish) || needsReference(before.view) != needsReference(after.view)) {
         return Rework::renderer;
     }
     return before.view == after.view ? Rework::nothing : Rework::picture;
@@ -55,13 +59,16 @@ Rework reworkOf(const ViewSettings& before, const ViewSettings& after) {
 
 render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t side,
                                     const PictureExtent& extent) {
-    return {.width = extent.width,
-            .height = extent.height,
-            .technique = side == 1 && settings.second ? *settings.second : settings.technique,
-            .targets = settings.targets,
-            .threads = settings.threads,
-            .submission = settings.submission,
-            .batching = settings.batching};
+    render::RenderOptions options{.width = extent.width,
+                                  .height = extent.height,
+                                  .technique =
+                                      side == 1 && settings.second ? *settings.second : settings.technique,
+                                  .targets = settings.targets,
+                                  .threads = settings.threads,
+                                  .submission = settings.submission,
+                                  .batching = settings.batching};
+    apply(settings.finish, options);
+    return options;
 }
 
 depth::Technique presetOfKey(std::size_t key) {

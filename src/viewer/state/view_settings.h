@@ -1,6 +1,7 @@
 #pragma once
 
 #include "camera_input.h"
+#include "finish.h"
 
 #include <cdr/render/renderer.h>
 #include <cdr/scene/open_scene.h>
@@ -38,6 +39,7 @@ struct ViewSettings {
     render::Batching batching = render::Batching::instanced;
     std::size_t threads = 1;
     ViewKind view = ViewKind::shaded;
+    Finish finish;
 
     bool operator==(const ViewSettings&) const;
 };
