@@ -52,7 +52,8 @@ class Words {
 };
 
 void addFinish(Words& words, const ViewSettings& settings) {
-    render::RenderOptions options{.targets = settings.targets};
+    render::RenderOptions options;
+    options.targets = settings.targets;
     apply(settings.finish, options);
     const render::RenderOptions defaults;
     words.addUnless(options.detail.mode == defaults.detail.mode, "--detail", scene::nameOf(options.detail));
