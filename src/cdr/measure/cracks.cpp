@@ -7,7 +7,7 @@ namespace cdr::measure {
 
 namespace {
 
-/// Whether a picture shows `pixel`'s object, or anything as far away, in or around a place.
+/// Whether a picture shows `pixel`'s object, anything as far away, or a silhouette in or around a place.
 bool isExplained(const SeenImage& whole, std::uint32_t x, std::uint32_t y, const SeenPixel& pixel,
                  std::uint32_t reach) {
     const std::uint32_t left = x - std::min(x, reach);
@@ -17,7 +17,8 @@ bool isExplained(const SeenImage& whole, std::uint32_t x, std::uint32_t y, const
     for (std::uint32_t row = top; row < bottom; ++row) {
         for (std::uint32_t column = left; column < right; ++column) {
             const SeenPixel& around = whole.at(column, row);
-            if (around.id == pixel.id || around.distanceView >= pixel.distanceView) {
+            if (around.id == pixel.id || around.id != whole.at(x, y).id ||
+                around.distanceView >= pixel.distanceView) {
                 return true;
             }
         }

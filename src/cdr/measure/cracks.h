@@ -28,10 +28,11 @@ struct Crack {
     bool operator==(const Crack&) const = default;
 };
 
-/// Hunts for holes: every pixel of `shown` whose object `whole` shows nowhere within `reach` pixels along
-/// rows and columns, and that lies farther than all that `whole` shows there: what is behind shows through in
-/// the middle of a surface. Silhouettes that move by `reach` pixels or less are none; neither, thus, are
-/// holes that close to one. An object that shows through itself is not found. Row by row.
+/// Hunts for holes: every pixel of `shown` around which `whole` shows a single object, another and nearer
+/// one, within `reach` pixels along rows and columns: what is behind shows through in the middle of a
+/// surface. Silhouettes that move by `reach` pixels or less are none, nor is what opens between two that both
+/// retreat; neither, thus, are holes that close to one. An object that shows through itself is not found. Row
+/// by row.
 /// @param whole the same view without holes; base::InputError when the sizes differ.
 std::vector<Crack> findCracks(const SeenImage& shown, const SeenImage& whole,
                               std::uint32_t reach = kCrackReach);
