@@ -98,8 +98,8 @@ struct Window::Callbacks {
     }
     static void resize(GLFWwindow* handle, int width, int height) {
         Window& window = of(handle);
-        window.m_extent = vk::Extent2D(static_cast<std::uint32_t>(std::max(width, 0)),
-                                       static_cast<std::uint32_t>(std::max(height, 0)));
+        window.m_extent = vk::Extent2D{static_cast<std::uint32_t>(std::max(width, 0)),
+                                       static_cast<std::uint32_t>(std::max(height, 0))};
         window.m_events.emplace_back(ResizeInput{width, height});
     }
 };
@@ -121,7 +121,7 @@ Window::Window(const WindowSystem&, std::uint32_t width, std::uint32_t height, c
     int pixelsWide = 0;
     int pixelsHigh = 0;
     glfwGetFramebufferSize(window, &pixelsWide, &pixelsHigh);
-    m_extent = vk::Extent2D(static_cast<std::uint32_t>(pixelsWide), static_cast<std::uint32_t>(pixelsHigh));
+    m_extent = vk::Extent2D{static_cast<std::uint32_t>(pixelsWide), static_cast<std::uint32_t>(pixelsHigh)};
     glfwSetKeyCallback(window, Callbacks::key);
     glfwSetCharCallback(window, Callbacks::character);
     glfwSetMouseButtonCallback(window, Callbacks::button);
