@@ -187,6 +187,7 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                                   .batching = render::parseBatching(arguments.batching),
                                   .detail = scene::parseDetail(arguments.detail),
                                   .effects = effectsOf(arguments.effects),
+                                  .focus = focusOf(arguments.effects),
                                   .translucency = translucencyOf(arguments, aov)};
     checkArguments(arguments, name);
     base::WorkerPool workers(arguments.threads);
@@ -305,9 +306,9 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
     CLI::App* command = program.add_subcommand("render", "Render a scene into pictures");
     auto arguments = std::make_shared<RenderArguments>();
     command
-        ->add_option(
-            "scene", arguments->scene,
-            "cubes, afc, afc-near, rotation, ladder, mixed, boulders, sheets, orbit, or a .gltf or .glb file")
+        ->add_option("scene", arguments->scene,
+                     "cubes, afc, afc-near, rotation, ladder, mixed, boulders, sheets, alley, orbit, or a "
+                     ".gltf or .glb file")
         ->required();
     addTechniqueOptions(*command, *arguments);
     command

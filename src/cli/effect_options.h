@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/render/effects.h>
+#include <cdr/render/focus.h>
 
 #include <CLI/CLI.hpp>
 
@@ -13,11 +14,13 @@ struct EffectArguments {
     std::string antialias = "none";
     std::string occlusion; ///< RADIUS or RADIUS:layers
     std::string fog;       ///< VISIBILITY or VISIBILITY,r,g,b
+    std::string focus;     ///< DISTANCE:APERTURE or DISTANCE:APERTURE:blend
 };
 
 void addEffectOptions(CLI::App& command, EffectArguments& arguments);
 
 /// base::InputError that names the option for text that does not parse, and for values out of range.
 render::Effects effectsOf(const EffectArguments& arguments);
+render::Focus focusOf(const EffectArguments& arguments);
 
 } // namespace cdr::cli
