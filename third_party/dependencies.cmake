@@ -38,3 +38,25 @@ target_link_libraries(cdr_vma INTERFACE Vulkan::Vulkan)
 find_path(STB_INCLUDE_DIR stb_easy_font.h PATH_SUFFIXES stb REQUIRED)
 add_library(cdr_stb INTERFACE)
 target_include_directories(cdr_stb SYSTEM INTERFACE "${STB_INCLUDE_DIR}")
+
+# The viewer's window and interface: optional, since the library and the command line need neither. Dear ImGui comes as
+# Debian's static library, with its GLFW and Vulkan back ends inside.
+find_package(glfw3 3.3 QUIET)
+find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui)
+find_path(IMGUI_BACKENDS_DIR imgui_impl_vulkan.h PATH_SUFFIXES imgui/backends imgui)
+find_library(IMGUI_LIBRARY imgui)
+find_library(STB_LIBRARY stb) # what Debian's Dear ImGui was linked against
+if(glfw3_FOUND AND IMGUI_INCLUDE_DIR AND IMGUI_BACKENDS_DIR AND IMGUI_LIBRARY)
+    set(CDR_HAS_VIEWER TRUE)
+    add_library(cdr_imgui INTERFACE)
+    target_include_directories(cdr_imgui SYSTEM INTERFACE "${IMGUI_INCLUDE_DIR}" "${IMGUI_BACKENDS_DIR}")
+    target_link_libraries(cdr_imgui INTERFACE "${IMGUI_LIBRARY}" glfw Vulkan::Vulkan ${CMAKE_DL_LIBS})
+    if(STB_LIBRARY)
+        target_link_libraries(cdr_imgui INTERFACE "${STB_LIBRARY}")
+    endif()
+    # A font made for reading; without it Dear ImGui's own pixel font is used.
+    find_file(CDR_VIEWER_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu /usr/share/fonts/TTF
+        /usr/share/fonts/dejavu NO_CMAKE_FIND_ROOT_PATH)
+else()
+    message(STATUS "cdr-viewer is not built: it needs GLFW and Dear ImGui (libglfw3-dev, libimgui-dev)")
+endif()

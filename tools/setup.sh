@@ -13,11 +13,13 @@ packages=(
     # libraries
     libcli11-dev libfmt-dev libglm-dev libmeshoptimizer-dev libopenexr-dev libspng-dev libssl-dev libstb-dev
     libtinygltf-dev libturbojpeg0-dev nlohmann-json3-dev
+    # the viewer: optional, without them it is not built; the font is what it writes with
+    libglfw3-dev libimgui-dev fonts-dejavu-core
+    # its tests, which drive the real window on a display of their own: optional, they skip and say so
+    xvfb xdotool
     # plots: optional, only the --plot of timing and scaling asks for it, and says so where it is missing
     gnuplot-nox
-    # videos: optional, only flicker's --videos asks for it, and says so where it is missing
-    ffmpeg
-    # the report's videos: optional, it says so where they cannot be made
+    # videos: optional, only flicker's --videos and the report ask for it, and say so where it is missing
     ffmpeg
     # tests, benchmarks and checks
     libbenchmark-dev libgtest-dev clang-format clang-tidy

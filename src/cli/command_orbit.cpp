@@ -1,5 +1,3 @@
-#include "command_orbit.h"
-
 #include "commands.h"
 #include "console.h"
 
@@ -48,16 +46,25 @@ void writePictures(const std::filesystem::path& folder,
                                                results.front().fovYDegrees, device)));
 }
 
-nlohmann::ordered_json toJson(const experiments::OrbitResult& result) {
-    return {{"scene", "orbit"},
-            {"frame", result.frame},
-            {"fov_degrees", result.fovYDegrees},
-            {"technique", result.technique},
-            {"cascades", result.cascades},
-            {"pixels", result.wrong.pixels},
-            {"wrong", result.wrong.wrong},
-            {"wrong_fraction", result.wrong.fraction()},
-            {"edge_wrong", result.wrong.edgeWrong}};
+/// @param pictures what the last frame's pictures were written of; empty when none were.
+nlohmann::ordered_json toJson(const experiments::OrbitResult& result,
+                              const std::vector<experiments::PictureResult>& pictures) {
+    nlohmann::ordered_json row{{"scene", "orbit"},
+                               {"frame", result.frame},
+                               {"fov_degrees", result.fovYDegrees},
+                               {"technique", result.technique},
+                               {"cascades", result.cascades},
+                               {"pixels", result.wrong.pixels},
+                               {"wrong", result.wrong.wrong},
+                               {"wrong_fraction", result.wrong.fraction()},
+                               {"edge_wrong", result.wrong.edgeWrong}};
+    for (const experiments::PictureResult& picture : pictures) {
+        if (picture.technique == result.technique) {
+            row["picture"] = fileName(picture) + ".png";
+            row["heat_map"] = fileName(picture) + "_wrong.png";
+        }
+    }
+    return row;
 }
 
 /// A row per frame, a column per technique.
@@ -120,7 +127,9 @@ void run(const GlobalOptions& global, OrbitArguments& arguments) {
                                         {"frames", arguments.options.frames},
                                         {"instances", staged.scene.instances.size()}});
     for (const experiments::OrbitResult& row : result.results) {
-        document["results"].push_back(toJson(row));
+        const bool isLast = !arguments.folder.empty() && row.frame == result.results.back().frame;
+        document["results"].push_back(
+            toJson(row, isLast ? result.last : std::vector<experiments::PictureResult>{}));
     }
     writeJson(arguments.output, document);
 }

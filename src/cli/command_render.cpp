@@ -1,3 +1,4 @@
+#include "camera_options.h"
 #include "commands.h"
 #include "console.h"
 #include "effect_options.h"
@@ -12,10 +13,10 @@
 
 #include <experiments/aov.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <numbers>
 #include <optional>
 
 namespace cdr::cli {
@@ -33,21 +34,13 @@ struct RenderArguments {
     std::string batching = "instanced";
     EffectArguments effects;
     std::string detail = "none";
-    std::string translucency = "weighted";
-    std::uint64_t translucencyMiB = render::TranslucencyOptions{}.mostBytes >> 20u;
     std::size_t threads = 1;
     std::string size = "1280x720";
-    std::uint32_t frame = 0;
-    std::uint32_t frames = 1;
     std::string aov = "color";
     std::string file;
     bool hash = false;
     std::filesystem::path trace;
-    std::string eye;
-    std::string target;
-    std::optional<double> fovDegrees;
-    std::optional<double> nearView;
-    std::optional<double> farView;
+    CameraOptions camera;
     std::uint64_t seed = scene::kDefaultSeed;
     scene::GltfChoice choice;
     OutputOptions output;
@@ -71,56 +64,19 @@ depth::Technique techniqueOf(const RenderArguments& arguments) {
     return technique;
 }
 
-glm::dvec3 parsePoint(const std::string& what, const std::string& text) {
-    const std::size_t first = text.find(',');
-    const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
-    if (second == std::string::npos) {
-        throw base::InputError(
-            fmt::format("{} must be three numbers x,y,z, not '{}'", what, text.substr(0, 60)));
-    }
-    return {base::parseNumber(what, text.substr(0, first)),
-            base::parseNumber(what, text.substr(first + 1, second - first - 1)),
-            base::parseNumber(what, text.substr(second + 1))};
-}
-
-/// The scene's own camera at a frame, with what the arguments override.
-scene::Camera cameraAt(const RenderArguments& arguments, const scene::CameraPath& path, std::uint32_t frame) {
-    scene::Camera camera = path.at(frame);
-    if (arguments.fovDegrees) {
-        camera.fovY = *arguments.fovDegrees * std::numbers::pi / 180.0;
-    }
-    camera.nearView = arguments.nearView.value_or(camera.nearView);
-    camera.farView = arguments.farView.value_or(camera.farView);
-    scene::requireUsable(camera);
-    if (!arguments.eye.empty() || !arguments.target.empty()) {
-        const glm::dvec3 eye = arguments.eye.empty() ? camera.position : parsePoint("--eye", arguments.eye);
-        // Without a target the view direction stays.
-        const glm::dvec3 target =
-            arguments.target.empty() ? eye - camera.back : parsePoint("--target", arguments.target);
-        camera = scene::lookAt(camera, eye, target);
-    }
-    return camera;
-}
-
-render::TranslucencyOptions translucencyOf(const RenderArguments& arguments, experiments::Aov aov) {
-    return {.method = render::parseTranslucency(arguments.translucency),
-            .mostBytes = arguments.translucencyMiB << 20u,
-            .countsCoverage = aov == experiments::Aov::coverage};
-}
-
 /// What can be wrong with the arguments, before anything is loaded or made.
-void checkArguments(const RenderArguments& arguments, const SequenceName& name) {
-    if (arguments.frames > 1 && !arguments.file.empty() && !name.hasNumber()) {
+void checkArguments(const RenderArguments& arguments, const FrameCameras& cameras, const SequenceName& name) {
+    if (cameras.frames > 1 && !arguments.file.empty() && !name.hasNumber()) {
         throw base::InputError(
             fmt::format("{}: several frames need a number in the name, such as %04d", arguments.file));
     }
     if (!arguments.file.empty()) {
-        const std::string extension = name.at(arguments.frame).extension().string();
+        const std::string extension = name.at(cameras.first).extension().string();
         constexpr std::array<std::string_view, 3> kExtensions{".png", ".tga", ".exr"};
         if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
             throw base::InputError(base::unknownName("picture format", extension, kExtensions));
         }
-        base::requireWritable(name.at(arguments.frame));
+        base::requireWritable(name.at(cameras.first));
     }
     if (!arguments.trace.empty()) {
         base::requireWritable(arguments.trace);
@@ -188,8 +144,10 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                                   .detail = scene::parseDetail(arguments.detail),
                                   .effects = effectsOf(arguments.effects),
                                   .focus = focusOf(arguments.effects),
-                                  .translucency = translucencyOf(arguments, aov)};
-    checkArguments(arguments, name);
+                                  .translucency = translucencyOf(arguments.effects)};
+    options.translucency.countsCoverage = aov == experiments::Aov::coverage;
+    const FrameCameras cameras(arguments.camera);
+    checkArguments(arguments, cameras, name);
     base::WorkerPool workers(arguments.threads);
     std::optional<base::Trace> trace;
     if (!arguments.trace.empty()) {
@@ -200,8 +158,7 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
         scene::makeLevels(opened.staged.scene, workers);
     }
     const scene::Scene& scene = opened.staged.scene;
-    cameraAt(arguments, opened.staged.path,
-             arguments.frame); // an unusable camera ends here, before the device is made
+    cameras.at(opened.staged.path, cameras.first); // an unusable camera ends here, before the device is made
 
     const Session session(global);
     const Console console(global, arguments.output);
@@ -217,9 +174,9 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     if (aov == experiments::Aov::wrong) {
         caster.emplace(scene, workers);
     }
-    for (std::uint32_t number = arguments.frame; number < arguments.frame + arguments.frames; ++number) {
-        console.progress(number - arguments.frame, arguments.frames, arguments.scene);
-        const scene::Camera camera = cameraAt(arguments, opened.staged.path, number);
+    for (std::uint32_t number = cameras.first; number < cameras.first + cameras.frames; ++number) {
+        console.progress(number - cameras.first, cameras.frames, arguments.scene);
+        const scene::Camera camera = cameras.at(opened.staged.path, number);
         if (trace) {
             trace->beginFrame(fmt::format("frame {}", number));
         }
@@ -285,21 +242,6 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
         ->capture_default_str();
 }
 
-void addCameraOptions(CLI::App& command, RenderArguments& arguments) {
-    command.add_option("--frame", arguments.frame, "First frame of the scene's camera path")
-        ->capture_default_str();
-    command.add_option("--frames", arguments.frames, "How many frames")
-        ->check(CLI::Range(1u, kMaxFrames))
-        ->capture_default_str();
-    command.add_option("--eye", arguments.eye, "Camera position x,y,z instead of the scene's");
-    command.add_option("--target", arguments.target, "Point x,y,z to look at");
-    command.add_option("--fov", arguments.fovDegrees, "Vertical field of view in degrees");
-    command.add_option("--near", arguments.nearView, "Near plane, view distance");
-    command.add_option("--far", arguments.farView, "Far plane, view distance");
-    command.add_option("--seed", arguments.seed, "Seed of a random scene")->capture_default_str();
-    addSceneChoice(command, arguments.choice);
-}
-
 } // namespace
 
 void addRender(CLI::App& program, const GlobalOptions& global) {
@@ -307,21 +249,13 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
     auto arguments = std::make_shared<RenderArguments>();
     command
         ->add_option("scene", arguments->scene,
-                     "cubes, afc, afc-near, rotation, ladder, mixed, boulders, sheets, alley, orbit, or a "
-                     ".gltf or .glb file")
+                     fmt::format("{}, or a .gltf or .glb file", fmt::join(scene::generatedScenes(), ", ")))
         ->required();
     addTechniqueOptions(*command, *arguments);
-    command
-        ->add_option("--translucency", arguments->translucency,
-                     "How blended surfaces are laid over each other: weighted, or sorted, which is exact")
-        ->capture_default_str();
-    command
-        ->add_option("--translucency-memory", arguments->translucencyMiB,
-                     "Most MiB for sorted fragments; frames that need more are drawn weighted")
-        ->check(CLI::Range(std::uint64_t{1}, kMostTranslucencyMiB))
-        ->capture_default_str();
     addEffectOptions(*command, arguments->effects);
-    addCameraOptions(*command, *arguments);
+    addCameraOptions(*command, arguments->camera);
+    addSceneChoice(*command, arguments->choice);
+    command->add_option("--seed", arguments->seed, "Seed of a random scene")->capture_default_str();
     command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command
         ->add_option("--aov", arguments->aov,

@@ -1,4 +1,3 @@
-#include "command_orbit.h"
 #include "commands.h"
 #include "console.h"
 

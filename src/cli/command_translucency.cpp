@@ -25,6 +25,11 @@ struct TranslucencyArguments {
     OutputOptions output;
 };
 
+/// Of a result's files.
+std::string stemOf(const experiments::TranslucencyResult& result) {
+    return fmt::format("{}_{}", nameOf(result.stats.method), result.cascades);
+}
+
 nlohmann::ordered_json toJson(const experiments::TranslucencyResult& result) {
     const measure::LayerDifference& difference = result.difference;
     return {{"method", nameOf(result.stats.method)},
@@ -62,7 +67,7 @@ void printTable(const Console& console, const std::vector<experiments::Transluce
 void writePictures(const std::filesystem::path& folder, const experiments::TranslucencyResults& all) {
     image::writeImage(folder / "truth.png", all.truth);
     for (const experiments::TranslucencyResult& result : all.results) {
-        const std::string stem = fmt::format("{}_{}", nameOf(result.stats.method), result.cascades);
+        const std::string stem = stemOf(result);
         image::writeImage(folder / (stem + ".png"), result.picture);
         image::writeImage(folder / (stem + "_error.png"),
                           experiments::errorPicture(result.picture, all.truth));
@@ -112,6 +117,10 @@ void run(const GlobalOptions& global, TranslucencyArguments& arguments) {
                                         {"seed", experiment.seed}});
     for (const experiments::TranslucencyResult& result : all.results) {
         document["results"].push_back(toJson(result));
+        if (!arguments.folder.empty()) {
+            document["results"].back()["picture"] = stemOf(result) + ".png";
+            document["results"].back()["error_picture"] = stemOf(result) + "_error.png";
+        }
     }
     writeJson(arguments.output, document);
 }

@@ -17,6 +17,7 @@ void addAdvise(CLI::App& program, const GlobalOptions& global);
 void addTiming(CLI::App& program, const GlobalOptions& global);
 void addScaling(CLI::App& program, const GlobalOptions& global);
 void addDetail(CLI::App& program, const GlobalOptions& global);
+void addOrbit(CLI::App& program, const GlobalOptions& global);
 void addTranslucency(CLI::App& program, const GlobalOptions& global);
 void addFocus(CLI::App& program, const GlobalOptions& global);
 void addReport(CLI::App& program, const GlobalOptions& global);

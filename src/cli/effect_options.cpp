@@ -1,5 +1,7 @@
 #include "effect_options.h"
 
+#include "commands.h"
+
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 
@@ -59,6 +61,15 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments) {
         "A lens sharp at view distance DISTANCE, as DISTANCE:APERTURE in scene units: cascades "
         "out of focus are drawn in fewer pixels, for --targets layers; with :blend they fade "
         "into each other");
+    command
+        .add_option("--translucency", arguments.translucency,
+                    "How blended surfaces are laid over each other: weighted, or sorted, which is exact")
+        ->capture_default_str();
+    command
+        .add_option("--translucency-memory", arguments.translucencyMiB,
+                    "Most MiB for sorted fragments; frames that need more are drawn weighted")
+        ->check(CLI::Range(std::uint64_t{1}, kMostTranslucencyMiB))
+        ->capture_default_str();
 }
 
 render::Effects effectsOf(const EffectArguments& arguments) {
@@ -88,6 +99,11 @@ render::Focus focusOf(const EffectArguments& arguments) {
                               .blend = parts.size() == 3};
     requireUsable(focus);
     return focus;
+}
+
+render::TranslucencyOptions translucencyOf(const EffectArguments& arguments) {
+    return {.method = render::parseTranslucency(arguments.translucency),
+            .mostBytes = arguments.translucencyMiB << 20u};
 }
 
 } // namespace cdr::cli

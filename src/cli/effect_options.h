@@ -2,19 +2,23 @@
 
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
+#include <cdr/render/translucency.h>
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <string>
 
 namespace cdr::cli {
 
-/// The effects of a picture as a command line gives them.
+/// The effects and the translucency of a picture as a command line gives them.
 struct EffectArguments {
     std::string antialias = "none";
     std::string occlusion; ///< RADIUS or RADIUS:layers
     std::string fog;       ///< VISIBILITY or VISIBILITY,r,g,b
     std::string focus;     ///< DISTANCE:APERTURE or DISTANCE:APERTURE:blend
+    std::string translucency = "weighted";
+    std::uint64_t translucencyMiB = render::TranslucencyOptions{}.mostBytes >> 20u;
 };
 
 void addEffectOptions(CLI::App& command, EffectArguments& arguments);
@@ -22,5 +26,8 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments);
 /// base::InputError that names the option for text that does not parse, and for values out of range.
 render::Effects effectsOf(const EffectArguments& arguments);
 render::Focus focusOf(const EffectArguments& arguments);
+
+/// base::InputError with a suggestion for an unknown method.
+render::TranslucencyOptions translucencyOf(const EffectArguments& arguments);
 
 } // namespace cdr::cli

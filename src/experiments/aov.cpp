@@ -105,10 +105,7 @@ image::ImageRgba8 cascadePicture(const render::Frame& frame) {
             return {0, 0, 0, 255};
         }
         const image::Rgba8& color = frame.color.at(x, y);
-        const double light = 0.3 + 0.7 * std::max({color[0], color[1], color[2]}) / 255.0;
-        const auto& tint = kTints[frame.cascade(x, y) % kTints.size()];
-        return {toByte(light * static_cast<double>(tint[0])), toByte(light * static_cast<double>(tint[1])),
-                toByte(light * static_cast<double>(tint[2])), 255};
+        return cascadeTint(frame.cascade(x, y), std::max({color[0], color[1], color[2]}));
     });
 }
 
@@ -161,6 +158,13 @@ Aov parseAov(std::string_view name) {
         throw base::InputError(base::unknownName("output", name, kNames));
     }
     return static_cast<Aov>(found - kNames.begin());
+}
+
+image::Rgba8 cascadeTint(std::size_t cascade, std::uint8_t light) {
+    const double share = 0.3 + 0.7 * light / 255.0;
+    const auto& tint = kTints[cascade % kTints.size()];
+    return {toByte(share * static_cast<double>(tint[0])), toByte(share * static_cast<double>(tint[1])),
+            toByte(share * static_cast<double>(tint[2])), 255};
 }
 
 image::ImageRgba8 pictureOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth) {

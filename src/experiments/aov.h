@@ -28,6 +28,9 @@ std::string_view nameOf(Aov aov);
 /// base::InputError with a suggestion for an unknown name.
 Aov parseAov(std::string_view name);
 
+/// The colour in which Aov::cascade shows a cascade's surface of that lightness, the largest of its channels.
+image::Rgba8 cascadeTint(std::size_t cascade, std::uint8_t light);
+
 /// The 8-bit picture of an output. `truth` is needed for Aov::wrong alone.
 image::ImageRgba8 pictureOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth);
 

@@ -4,6 +4,8 @@ import { summary, verdicts } from "./logic/verdicts.js";
 import { h } from "./view/elements.js";
 import { fillAdvise } from "./view/section_advise.js";
 import { fillDetail } from "./view/section_detail.js";
+import { fillOrbit } from "./view/section_orbit.js";
+import { fillTranslucency } from "./view/section_translucency.js";
 import { facts, fillEnvironment } from "./view/section_environment.js";
 import { fillFlicker, fillNearObject } from "./view/section_flicker.js";
 import { fillPictures } from "./view/section_pictures.js";
@@ -23,6 +25,8 @@ const fillers = {
     timing: fillTiming,
     scaling: fillScaling,
     detail: fillDetail,
+    translucency: fillTranslucency,
+    orbit: fillOrbit,
     advise: fillAdvise,
 };
 

@@ -28,6 +28,10 @@ struct Amounts {
     const char* detailScene;
     const char* detailFrames;
     const char* detailSize;
+    const char* translucencySize;
+    const char* translucencyCascades;
+    const char* orbitFrames;
+    const char* orbitSize;
 };
 
 constexpr Amounts kSmallest{.pictureFrames = "1",
@@ -47,7 +51,11 @@ constexpr Amounts kSmallest{.pictureFrames = "1",
                             .repeats = "2",
                             .detailScene = "cubes",
                             .detailFrames = "2",
-                            .detailSize = "160x90"};
+                            .detailSize = "160x90",
+                            .translucencySize = "96x54",
+                            .translucencyCascades = "1,4",
+                            .orbitFrames = "2",
+                            .orbitSize = "160x90"};
 constexpr Amounts kQuick{.pictureFrames = "2",
                          .pictureSize = "1280x720",
                          .probeDistances = "1,100,10000,1000000,100000000",
@@ -65,7 +73,11 @@ constexpr Amounts kQuick{.pictureFrames = "2",
                          .repeats = "5",
                          .detailScene = "boulders",
                          .detailFrames = "6",
-                         .detailSize = "1280x720"};
+                         .detailSize = "1280x720",
+                         .translucencySize = "640x360",
+                         .translucencyCascades = "1,2,4,8",
+                         .orbitFrames = "7",
+                         .orbitSize = "1280x720"};
 constexpr Amounts kFull{.pictureFrames = "12",
                         .pictureSize = "1280x720",
                         .probeDistances = "1,10,100,1000,10000,100000,1000000,10000000,100000000",
@@ -83,7 +95,11 @@ constexpr Amounts kFull{.pictureFrames = "12",
                         .repeats = "7",
                         .detailScene = "boulders",
                         .detailFrames = "120",
-                        .detailSize = "1280x720"};
+                        .detailSize = "1280x720",
+                        .translucencySize = "1280x720",
+                        .translucencyCascades = "1,2,3,4,5,6,7,8",
+                        .orbitFrames = "49",
+                        .orbitSize = "1280x720"};
 
 const Amounts& amountsOf(Effort effort) {
     switch (effort) {
@@ -195,6 +211,18 @@ std::vector<Section> makePlan(const PlanOptions& options) {
          .folderOption = "--out",
          .folder = "detail",
          .expectedSeconds = seconds(20.0, 300.0)},
+        {.name = "translucency",
+         .arguments = rendered({"translucency", "--size", amounts.translucencySize, "--cascades",
+                                amounts.translucencyCascades}),
+         .folderOption = "--out",
+         .folder = "translucency",
+         .expectedSeconds = seconds(10.0, 60.0)},
+        {.name = "orbit",
+         .arguments = {"orbit", "--frames", amounts.orbitFrames, "--size", amounts.orbitSize, "--threads",
+                       fmt::format("{}", options.threads)},
+         .folderOption = "--out",
+         .folder = "orbit",
+         .expectedSeconds = seconds(15.0, 90.0)},
     };
 }
 

@@ -174,6 +174,16 @@ void Trace::addJob(std::size_t worker, const Job& job) {
     track.jobs.push_back({.frame = m_frames.size() - 1, .job = job});
 }
 
+void Trace::forget() {
+    m_frames.resize(1);
+    m_stages.clear();
+    m_droppedStages = 0;
+    for (WorkerTrack& track : m_workers) {
+        track.jobs.clear();
+        track.dropped = 0;
+    }
+}
+
 nlohmann::ordered_json Trace::toJson() const {
     return Writer(*this).write();
 }

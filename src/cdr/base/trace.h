@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,27 @@ class Trace {
     /// A job that `worker` just ended; on that worker's thread.
     void addJob(std::size_t worker, const Job& job);
 
+    /// A stage or job that was recorded, and the frame it belongs to: frames count from 1, 0 is before the
+    /// first.
+    struct Stage {
+        const char* name;
+        std::size_t frame;
+        Clock::time_point begin;
+        Clock::time_point end;
+    };
+    struct FramedJob {
+        std::size_t frame;
+        Job job;
+    };
+    // What was recorded, in order. Driving thread, between batches.
+    std::span<const Stage> stages() const { return m_stages; }
+    std::size_t workers() const { return m_workers.size(); }
+    std::span<const FramedJob> jobs(std::size_t worker) const { return m_workers.at(worker).jobs; }
+
+    /// Forgets all that was recorded, so that a trace that is read frame by frame can go on for ever. Keeps
+    /// its memory. Driving thread, between batches.
+    void forget();
+
     /// Ignores everything from now on. Driving thread, between batches.
     void stop() { m_stopped = true; }
 
@@ -55,16 +77,6 @@ class Trace {
     static constexpr std::size_t kMaxEventsPerTrack = 300'000;
 
   private:
-    struct Stage {
-        const char* name;
-        std::size_t frame;
-        Clock::time_point begin;
-        Clock::time_point end;
-    };
-    struct FramedJob {
-        std::size_t frame;
-        Job job;
-    };
     /// On cache lines of its own, since its neighbours belong to other workers.
     struct alignas(64) WorkerTrack {
         std::vector<FramedJob> jobs;

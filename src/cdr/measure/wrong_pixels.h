@@ -30,6 +30,9 @@ struct WrongPixels {
 
 /// Per pixel: 1 where the truth is an object's and its eight neighbours share the id, else 0.
 image::Raster<std::uint8_t> innerMask(const TruthImage& truth);
+/// The same of ids (object index + 1), for answers other than the truth, into a mask that is resized as
+/// needed.
+void innerMask(const image::ImageU32& ids, image::Raster<std::uint8_t>& mask);
 
 /// Compares ids (object index + 1) of one size; base::InputError when the sizes differ.
 WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth);

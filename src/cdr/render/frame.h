@@ -46,7 +46,9 @@ struct Frame {
     depth::Cascades cascades;        ///< nearest first
     std::vector<double> anchorsView; ///< each cascade's anchor plane, 0 where the mapping is not anchored
     image::ImageRgba8 color;         ///< sRGB
-    image::Raster<Surface> surfaces; ///< the G-buffer: opaque surfaces, blended ones are seen through
+    /// The G-buffer: opaque surfaces, blended ones are seen through; empty where FrameCopy::color was asked
+    /// for.
+    image::Raster<Surface> surfaces;
     /// Translucent fragments at or in front of the opaque surface; empty unless they were counted.
     image::ImageU32 coverage;
     FrameStats stats;

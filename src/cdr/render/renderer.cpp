@@ -163,8 +163,8 @@ void Renderer::launch(Slot& slot, Destination destination) {
         m_translucent->record(slot.path->primary(), *slot.translucent);
     }
     m_picture.finish(slot.path->primary());
-    if (destination == Destination::host) {
-        recordReadback(slot.path->primary());
+    if (destination != Destination::device) {
+        recordReadback(slot.path->primary(), destination);
     }
     const std::span<const vk::CommandBuffer> commands = slot.path->end(view);
     slot.stats.times.recordMs = watch.lap("record");
@@ -221,8 +221,8 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destinati
     return slot;
 }
 
-Frame Renderer::render(const scene::Camera& camera) {
-    Slot& slot = run(camera, Destination::host);
+Frame Renderer::render(const scene::Camera& camera, FrameCopy copy) {
+    Slot& slot = run(camera, copy == FrameCopy::color ? Destination::hostColor : Destination::host);
     waitFor(slot);
     return fetch(slot);
 }
@@ -252,17 +252,19 @@ void Renderer::waitFor(Slot& slot) {
     }
 }
 
-void Renderer::recordReadback(vk::CommandBuffer primary) const {
+void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination) const {
     const gpu::Image& gbuffer = m_targets.gbuffer();
     m_device.beginLabel(primary, "read-back");
-    gpu::pipelineBarrier(
-        primary, {gpu::imageBarrier(
-                     gbuffer.handle(), vk::ImageAspectFlagBits::eColor,
-                     vk::PipelineStageFlagBits2::eFragmentShader, vk::AccessFlagBits2::eShaderSampledRead,
-                     vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
-                     vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal)});
     m_colorCopy.record(primary, m_picture.encoded());
-    m_surfaceCopy.record(primary, gbuffer);
+    if (destination == Destination::host) {
+        gpu::pipelineBarrier(
+            primary, {gpu::imageBarrier(
+                         gbuffer.handle(), vk::ImageAspectFlagBits::eColor,
+                         vk::PipelineStageFlagBits2::eFragmentShader, vk::AccessFlagBits2::eShaderSampledRead,
+                         vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
+                         vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal)});
+        m_surfaceCopy.record(primary, gbuffer);
+    }
     if (m_translucent != nullptr) {
         m_translucent->recordReadback(primary);
     }
@@ -276,7 +278,9 @@ Frame Renderer::fetch(const Slot& slot) const {
     frame.cascades = slot.cascades;
     frame.anchorsView = slot.anchorsView();
     frame.color = m_colorCopy.fetch<image::Rgba8>();
-    frame.surfaces = m_surfaceCopy.fetch<Surface>();
+    if (slot.destination == Destination::host) {
+        frame.surfaces = m_surfaceCopy.fetch<Surface>();
+    }
     if (m_translucent != nullptr) {
         frame.coverage = m_translucent->coverage();
     }

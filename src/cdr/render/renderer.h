@@ -46,6 +46,10 @@ struct RenderOptions {
 
 inline constexpr std::size_t kMaxFramesInFlight = 8;
 
+/// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as
+/// large.
+enum class FrameCopy : std::uint8_t { color, everything };
+
 /// Renders a scene with one technique into one kind of targets, frame by frame.
 ///
 /// Data flows one way: camera -> cull -> split -> bin -> record on workers -> execute -> shade -> translucent
@@ -63,9 +67,9 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Renders one frame, waits for it and copies it to the host. base::InputError for an unusable camera or
-    /// split.
-    Frame render(const scene::Camera& camera);
+    /// Renders one frame, waits for it and copies it to the host; Frame::surfaces stays empty unless asked
+    /// for. base::InputError for an unusable camera or split.
+    Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);
 
     /// Renders one frame and waits for it, but leaves it on the device: what experiments time.
     FrameStats draw(const scene::Camera& camera);
@@ -80,7 +84,7 @@ class Renderer {
 
   private:
     struct Slot;
-    enum class Destination { device, host };
+    enum class Destination { device, hostColor, host };
     std::unique_ptr<FocusLayers> makeFocusLayers() const;
     std::unique_ptr<DrawPath> makePath(const std::string& name);
     Slot& nextSlot();
@@ -94,7 +98,7 @@ class Renderer {
     void settle(Slot& slot);
     void waitFor(Slot& slot);
     Slot& run(const scene::Camera& camera, Destination destination);
-    void recordReadback(vk::CommandBuffer primary) const;
+    void recordReadback(vk::CommandBuffer primary, Destination destination) const;
     Frame fetch(const Slot& slot) const;
 
     const gpu::Device& m_device;

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace cdr::scene {
 
@@ -12,6 +15,41 @@ namespace {
 
 bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// How far the computed length of a vector that was divided by its length may be from 1, and then some.
+constexpr double kUnitTolerance = 1e-15;
+
+const glm::dvec3& requireFinite(const glm::dvec3& v, const char* what) {
+    if (!isFinite(v)) {
+        throw base::InputError(fmt::format("camera: {} must be finite", what));
+    }
+    return v;
+}
+
+/// `v` at length 1; as it is where it has that length but for roundings, so that doing it again changes
+/// nothing.
+glm::dvec3 unit(const glm::dvec3& v, const char* what) {
+    requireFinite(v, what);
+    if (std::abs(glm::dot(v, v) - 1.0) <= kUnitTolerance) {
+        return v;
+    }
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest <= 0.0) {
+        throw base::InputError(fmt::format("camera: {} must not be zero", what));
+    }
+    const glm::dvec3 scaled = v / largest; // else squares of tiny and huge numbers leave the range
+    return scaled / glm::length(scaled);
+}
+
+/// Right and up without roll for a camera whose back is set.
+Camera level(Camera camera) {
+    // World z stands in for up where the view runs along y and y would give no right.
+    const bool alongY = std::abs(camera.back.y) > 1.0 - 1e-12;
+    const glm::dvec3 worldUp = alongY ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
+    camera.right = glm::normalize(glm::cross(worldUp, camera.back));
+    camera.up = glm::cross(camera.back, camera.right);
+    return camera;
 }
 
 } // namespace
@@ -27,12 +65,78 @@ Camera lookAt(Camera camera, const glm::dvec3& eye, const glm::dvec3& target) {
     }
     camera.position = eye;
     camera.back = toEye / distance;
-    // World z stands in for up where the view runs along y and y would give no right.
-    const bool alongY = std::abs(camera.back.y) > 1.0 - 1e-12;
-    const glm::dvec3 worldUp = alongY ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
-    camera.right = glm::normalize(glm::cross(worldUp, camera.back));
-    camera.up = glm::cross(camera.back, camera.right);
+    return level(camera);
+}
+
+Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward) {
+    camera.position = requireFinite(eye, "eye");
+    camera.back = -unit(forward, "view direction");
+    return level(camera);
+}
+
+Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward, const glm::dvec3& up) {
+    camera.position = requireFinite(eye, "eye");
+    camera.back = -unit(forward, "view direction");
+    camera.up = unit(up, "up");
+    if (std::abs(glm::dot(camera.up, camera.back)) > kUnitTolerance) {
+        glm::dvec3 right = glm::cross(camera.up, camera.back);
+        // Below this, roundings decide which way is up.
+        constexpr double kLeastSine = 1e-9;
+        if (glm::length(right) < kLeastSine) {
+            throw base::InputError("camera: up lies along the view");
+        }
+        // Of a short product roundings are a large part: once more across the view.
+        right = glm::normalize(right);
+        right -= glm::dot(right, camera.back) * camera.back;
+        camera.up = unit(glm::cross(camera.back, right), "up");
+    }
+    camera.right = glm::cross(camera.up, camera.back);
     return camera;
+}
+
+Camera canonical(const Camera& camera) {
+    Camera said = lookAlong(camera, camera.position, -camera.back);
+    if (said.right != camera.right || said.up != camera.up) {
+        said = lookAlong(camera, camera.position, -camera.back, camera.up);
+    }
+    said.fovY = radiansOf(degreesOf(camera.fovY));
+    return said;
+}
+
+bool isLevel(const Camera& camera) {
+    const Camera said = lookAlong(camera, camera.position, -camera.back);
+    return said.right == camera.right && said.up == camera.up && said.back == camera.back;
+}
+
+double radiansOf(double degrees) {
+    return degrees * std::numbers::pi / 180.0;
+}
+
+double degreesOf(double radians) {
+    const double degrees = radians * 180.0 / std::numbers::pi;
+    // Of those that give the radians back, the shortest to write.
+    for (int digits = 3; digits <= 17; ++digits) {
+        const std::string text = fmt::format("{:.{}g}", degrees, digits);
+        double shorter = 0.0;
+        std::from_chars(text.data(), text.data() + text.size(), shorter);
+        if (radiansOf(shorter) == radians) {
+            return shorter;
+        }
+    }
+    // Two roundings there and two back: what gives the radians back, if anything does, is next to it.
+    double nearest = degrees;
+    double below = degrees;
+    double above = degrees;
+    for (int step = 0; step < 4 && radiansOf(nearest) != radians; ++step) {
+        below = std::nextafter(below, 0.0);
+        above = std::nextafter(above, HUGE_VAL);
+        for (const double candidate : {below, above}) {
+            if (std::abs(radiansOf(candidate) - radians) < std::abs(radiansOf(nearest) - radians)) {
+                nearest = candidate;
+            }
+        }
+    }
+    return nearest;
 }
 
 void requireUsable(const Camera& camera) {

@@ -26,6 +26,25 @@ struct Camera {
 /// is along y. base::InputError when eye and target coincide or are not finite.
 Camera lookAt(Camera camera, const glm::dvec3& eye, const glm::dvec3& target);
 
+/// Turns `camera` to look from `eye` along `forward`, keeping its lens. A unit vector is taken as it is, to
+/// the bit, so lookAlong(c, c.position, -c.back) gives back a camera that came from lookAt(), wherever it
+/// stands. Without `up`, that is as in lookAt(); with it, the camera's up is what of it is across the view.
+/// base::InputError when a vector is zero or not finite, or `up` lies along the view.
+Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward);
+Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward, const glm::dvec3& up);
+
+/// The camera that words can say: the nearest that lookAlong() and radiansOf() give for it. Differs by
+/// roundings alone where its axes are orthonormal; the same camera, to the bit, when applied again.
+/// base::InputError as lookAlong().
+Camera canonical(const Camera& camera);
+/// Whether the camera is what lookAlong() makes of its eye and forward alone, to the bit.
+bool isLevel(const Camera& camera);
+
+/// Radians of an angle in degrees, the way every option of the command line is read.
+double radiansOf(double degrees);
+/// The degrees whose radiansOf() is `radians`, or comes nearest.
+double degreesOf(double radians);
+
 /// base::InputError, naming the value, unless the lens is usable: finite, 0 < near < far, 0 < fovY < pi.
 void requireUsable(const Camera& camera);
 

@@ -12,8 +12,8 @@ struct EarthMaps {
     image::ImageRgba8 topography; ///< grey: kMetresPerGrey each, sea level 0
 };
 
-/// The topography's grey values, checked against 13 places of known elevation, from Madrid (26 at 650 m) to
-/// Tibet (202 at 5,000 m): each gives 23.6 to 27.0.
+/// The topography's grey values, checked against 11 known places of known elevation, from Madrid (26 at 650
+/// m) to Tibet (202 at 5,000 m): each gives 23.6 to 27.0.
 inline constexpr double kMetresPerGrey = 25.0;
 
 /// What the scene orbit is made of.

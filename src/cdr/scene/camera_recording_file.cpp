@@ -1,0 +1,148 @@
+#include <cdr/base/error.h>
+#include <cdr/base/file.h>
+#include <cdr/scene/camera_recording.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace cdr::scene {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "cdr camera path";
+constexpr int kFormatVersion = 1;
+/// A camera takes about 500 bytes.
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{kMaxRecordedCameras} * 640;
+constexpr std::size_t kMostSceneName = 4096;
+/// How far axes may be from orthonormal: far above roundings, far below what can be seen.
+constexpr double kAxesTolerance = 1e-9;
+
+Json toJson(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+Json toJson(const RecordedCamera& recorded) {
+    const Camera& camera = recorded.camera;
+    return {{"seconds", recorded.seconds},   {"position", toJson(camera.position)},
+            {"right", toJson(camera.right)}, {"up", toJson(camera.up)},
+            {"back", toJson(camera.back)},   {"fov_radians", camera.fovY},
+            {"near", camera.nearView},       {"far", camera.farView}};
+}
+
+/// Deeper nesting than a recording has would take fifty times the file's size.
+bool refuseNesting(int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    constexpr int kDeepest = 4; // recording, cameras, camera, vector, number
+    if (depth > kDeepest) {
+        throw base::InputError("is not a camera path of cdr-viewer");
+    }
+    return true;
+}
+
+double numberIn(const nlohmann::json& json, const char* key) {
+    const nlohmann::json& value = json.at(key);
+    if (!value.is_number()) {
+        throw base::InputError(fmt::format("{} must be a number", key));
+    }
+    return value.get<double>();
+}
+
+glm::dvec3 vectorIn(const nlohmann::json& json, const char* key) {
+    const nlohmann::json& value = json.at(key);
+    if (!value.is_array() || value.size() != 3 || !value[0].is_number() || !value[1].is_number() ||
+        !value[2].is_number()) {
+        throw base::InputError(fmt::format("{} must be three numbers", key));
+    }
+    return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+void requireOrthonormal(const Camera& camera) {
+    const std::array<glm::dvec3, 3> axes{camera.right, camera.up, camera.back};
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        for (std::size_t j = i; j < axes.size(); ++j) {
+            // Written so that what is not a number fails.
+            if (!(std::abs(glm::dot(axes[i], axes[j]) - (i == j ? 1.0 : 0.0)) <= kAxesTolerance)) {
+                throw base::InputError("right, up and back must be orthonormal");
+            }
+        }
+    }
+    if (glm::dot(glm::cross(camera.up, camera.back), camera.right) < 0.0) {
+        throw base::InputError("right, up and back must be right-handed");
+    }
+}
+
+RecordedCamera cameraIn(const nlohmann::json& json) {
+    const RecordedCamera recorded{.seconds = numberIn(json, "seconds"),
+                                  .camera = {.position = vectorIn(json, "position"),
+                                             .right = vectorIn(json, "right"),
+                                             .up = vectorIn(json, "up"),
+                                             .back = vectorIn(json, "back"),
+                                             .fovY = numberIn(json, "fov_radians"),
+                                             .nearView = numberIn(json, "near"),
+                                             .farView = numberIn(json, "far")}};
+    requireUsable(recorded.camera);
+    requireOrthonormal(recorded.camera);
+    return recorded;
+}
+
+CameraRecording recordingIn(const nlohmann::json& json) {
+    if (!json.is_object() || json.value("format", "") != kFormat) {
+        throw base::InputError("is not a camera path of cdr-viewer");
+    }
+    if (json.at("version") != kFormatVersion) {
+        throw base::InputError(fmt::format("has another version than {}", kFormatVersion));
+    }
+    const nlohmann::json& cameras = json.at("cameras");
+    if (!cameras.is_array() || cameras.empty() || cameras.size() > kMaxRecordedCameras) {
+        throw base::InputError(fmt::format("must hold 1 to {} cameras", kMaxRecordedCameras));
+    }
+    CameraRecording recording{.scene = json.at("scene").get<std::string>(), .cameras = {}};
+    if (recording.scene.size() > kMostSceneName) {
+        throw base::InputError("the scene's name is too long");
+    }
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        try {
+            recording.cameras.push_back(cameraIn(cameras[i]));
+        } catch (const base::InputError& error) {
+            throw base::InputError(fmt::format("camera {}: {}", i, error.what()));
+        }
+        const double seconds = recording.seconds();
+        if (!(seconds >= 0.0) || !std::isfinite(seconds) ||
+            (i > 0 && seconds <= recording.cameras[i - 1].seconds)) {
+            throw base::InputError(fmt::format("camera {}: seconds must be finite and ascend from 0 on", i));
+        }
+    }
+    return recording;
+}
+
+} // namespace
+
+void writeRecording(const std::filesystem::path& path, const CameraRecording& recording) {
+    Json cameras = Json::array();
+    for (const RecordedCamera& camera : recording.cameras) {
+        cameras.push_back(toJson(camera));
+    }
+    const Json json{{"format", kFormat},
+                    {"version", kFormatVersion},
+                    {"scene", recording.scene},
+                    {"cameras", std::move(cameras)}};
+    // A scene is named by a path, which need not be UTF-8.
+    base::writeText(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+CameraRecording readRecording(const std::filesystem::path& path) {
+    const base::Bytes bytes = base::readFile(path, kMostBytes);
+    try {
+        return recordingIn(nlohmann::json::parse(bytes, refuseNesting));
+    } catch (const base::InputError& error) {
+        throw base::InputError(fmt::format("{}: {}", path.string(), error.what()));
+    } catch (const nlohmann::json::exception&) {
+        throw base::InputError(path.string() + ": is not a camera path of cdr-viewer, or damaged");
+    }
+}
+
+} // namespace cdr::scene

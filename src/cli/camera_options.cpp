@@ -1,0 +1,99 @@
+#include "camera_options.h"
+
+#include "commands.h"
+
+#include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
+#include <cdr/scene/camera_recording.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cdr::cli {
+
+namespace {
+
+glm::dvec3 parsePoint(const std::string& what, const std::string& text) {
+    const std::size_t first = text.find(',');
+    const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
+    if (second == std::string::npos) {
+        throw base::InputError(
+            fmt::format("{} must be three numbers x,y,z, not '{}'", what, text.substr(0, 60)));
+    }
+    return {base::parseNumber(what, text.substr(0, first)),
+            base::parseNumber(what, text.substr(first + 1, second - first - 1)),
+            base::parseNumber(what, text.substr(second + 1))};
+}
+
+/// The camera where and as the options say it stands; as it is where they say nothing.
+scene::Camera placed(const scene::Camera& camera, const CameraOptions& options) {
+    if (options.eye.empty() && options.target.empty() && options.direction.empty() && options.up.empty()) {
+        return camera;
+    }
+    const glm::dvec3 eye = options.eye.empty() ? camera.position : parsePoint("--eye", options.eye);
+    glm::dvec3 forward = -camera.back; // without target and direction, it stays
+    if (!options.target.empty()) {
+        const scene::Camera looking = scene::lookAt(camera, eye, parsePoint("--target", options.target));
+        if (options.up.empty()) {
+            return looking;
+        }
+        forward = -looking.back;
+    } else if (!options.direction.empty()) {
+        forward = parsePoint("--direction", options.direction);
+    }
+    return options.up.empty() ? scene::lookAlong(camera, eye, forward)
+                              : scene::lookAlong(camera, eye, forward, parsePoint("--up", options.up));
+}
+
+} // namespace
+
+void addCameraOptions(CLI::App& command, CameraOptions& options) {
+    CLI::Option* frame =
+        command.add_option("--frame", options.frame, "First frame of the scene's camera path");
+    frame->capture_default_str();
+    command.add_option("--frames", options.frames, "How many frames; 1, or with --path as many as recorded")
+        ->check(CLI::Range(1u, kMaxFrames));
+    CLI::Option* path = command.add_option("--path", options.path,
+                                           "Camera path recorded by cdr-viewer, instead of the scene's");
+    CLI::Option* eye =
+        command.add_option("--eye", options.eye, "Camera position x,y,z instead of the scene's");
+    CLI::Option* target = command.add_option("--target", options.target, "Point x,y,z to look at");
+    CLI::Option* direction =
+        command.add_option("--direction", options.direction,
+                           "View direction x,y,z, instead of a target: exact however far out the camera is");
+    CLI::Option* up =
+        command.add_option("--up", options.up, "What is up in the picture: x,y,z; else world y");
+    target->excludes(direction);
+    for (CLI::Option* place : {frame, eye, target, direction, up}) {
+        place->excludes(path);
+    }
+    command.add_option("--fov", options.fovDegrees, "Vertical field of view in degrees");
+    command.add_option("--near", options.nearView, "Near plane, view distance");
+    command.add_option("--far", options.farView, "Far plane, view distance");
+}
+
+FrameCameras::FrameCameras(const CameraOptions& options)
+    : first(options.frame),
+      frames(options.frames.value_or(1)),
+      m_options(options) {
+    if (options.path.empty()) {
+        return;
+    }
+    const scene::CameraRecording recording = scene::readRecording(options.path);
+    frames = options.frames.value_or(static_cast<std::uint32_t>(recording.cameras.size()));
+    m_recorded = scene::pathOf(recording, frames);
+}
+
+scene::Camera FrameCameras::at(const scene::CameraPath& own, std::uint32_t frame) const {
+    scene::Camera camera = m_recorded ? m_recorded->at(frame) : own.at(frame);
+    if (m_options.fovDegrees) {
+        camera.fovY = scene::radiansOf(*m_options.fovDegrees);
+    }
+    camera.nearView = m_options.nearView.value_or(camera.nearView);
+    camera.farView = m_options.farView.value_or(camera.farView);
+    scene::requireUsable(camera);
+    return placed(camera, m_options);
+}
+
+} // namespace cdr::cli

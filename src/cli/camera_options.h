@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cdr/scene/camera_path.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace cdr::cli {
+
+/// What a person may say of the cameras to render.
+struct CameraOptions {
+    std::uint32_t frame = 0;
+    std::optional<std::uint32_t> frames;
+    std::string path; ///< file of a scene::CameraRecording
+    std::string eye;
+    std::string target;
+    std::string direction;
+    std::string up;
+    std::optional<double> fovDegrees;
+    std::optional<double> nearView;
+    std::optional<double> farView;
+};
+
+/// Adds --frame, --frames, --path, --eye, --target, --direction, --up, --fov, --near and --far.
+void addCameraOptions(CLI::App& command, CameraOptions& options);
+
+/// Which frames to render, numbered from `first` on, and their cameras.
+class FrameCameras {
+  public:
+    /// Reads a recorded path. base::InputError when that fails, or for words that contradict each other.
+    explicit FrameCameras(const CameraOptions& options);
+
+    std::uint32_t first = 0;
+    std::uint32_t frames = 1;
+
+    /// The camera of a frame: the scene's own or the recorded one, with what the options override.
+    /// base::InputError for an unusable one.
+    scene::Camera at(const scene::CameraPath& own, std::uint32_t frame) const;
+
+  private:
+    CameraOptions m_options;
+    std::optional<scene::CameraPath> m_recorded;
+};
+
+} // namespace cdr::cli

@@ -1,0 +1,41 @@
+import { number, percent } from "../logic/format.js";
+import { techniqueTitles } from "../logic/thesis.js";
+import { slot, table, techniqueLabel } from "./elements.js";
+import { makeWipe } from "./wipe.js";
+
+const titleOf = (technique) => techniqueTitles[technique] ?? technique;
+
+export function fillOrbit(document, folder) {
+    const last = document.results.filter((row) => row.picture);
+    if (last.length > 0) {
+        slot("orbit", "wipe").append(makeWipe({
+            scene: "The runway from orbit", width: document.options.width, height: document.options.height,
+            items: last.map((row) => itemOf(row, folder)), alt: altOf }));
+    }
+    slot("orbit", "table").append(makeTable(document));
+}
+
+function itemOf(row, folder) {
+    return {
+        technique: row.technique,
+        title: titleOf(row.technique),
+        note: `${percent(row.wrong_fraction)} wrong off edges through ${number(row.fov_degrees, 2)}\u00b0`,
+        picture: `${folder}/${row.picture}`,
+        heatMap: `${folder}/${row.heat_map}`,
+    };
+}
+
+function altOf(item, kind) {
+    return kind === "picture" ? `The runway\u2019s numbers under ${item.title}: ${item.note}.` : `The same, wrong pixels red, under ${item.title}: ${item.note}.`;
+}
+
+/** A row for each lens, a column for each technique. */
+function makeTable(document) {
+    const techniques = [...new Set(document.results.map((row) => row.technique))];
+    const frames = [...new Set(document.results.map((row) => row.frame))];
+    const find = (frame, technique) => document.results.find((row) => row.frame === frame && row.technique === technique);
+    return table("Share of wrong pixels off edges along the zoom.",
+        ["Lens", ...techniques.map((technique) => techniqueLabel(technique, titleOf(technique)))],
+        frames.map((frame) => [`${number(find(frame, techniques[0]).fov_degrees, 3)}\u00b0`,
+            ...techniques.map((technique) => percent(find(frame, technique).wrong_fraction))]));
+}

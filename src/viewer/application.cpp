@@ -1,0 +1,241 @@
+#include "application.h"
+
+#include "overlay.h"
+#include "panels.h"
+#include "shortcuts.h"
+#include "shown_picture.h"
+#include "startup.h"
+#include "statistics_report.h"
+
+#include <cdr/base/error.h>
+#include <cdr/image/codec.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr float kSidebarWidth = 348.0f; ///< at 96 dots per inch
+constexpr float kLeastPicture = 160.0f; ///< beside it, else it hides
+/// The interface's pace while pictures come more slowly than that, milliseconds.
+constexpr std::chrono::milliseconds kRedrawEvery{33};
+constexpr double kIdleSeconds = 0.25;
+constexpr double kBusySeconds = 0.004;
+constexpr int kSettleFrames = 3;
+constexpr std::size_t kMostIntervals = 1'000'000;
+
+std::string describe(const gpu::DeviceInfo& info) {
+    return fmt::format("{}, {}", info.name, info.driver);
+}
+
+double secondsSince(std::chrono::steady_clock::time_point then) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
+
+} // namespace
+
+Application::Application(const Arguments& arguments)
+    : m_arguments(arguments),
+      m_model(initialModel(arguments)),
+      m_script(loadScript(arguments)),
+      m_system(fmt::format("cdr render {} -o picture.png", arguments.scene)),
+      m_renderInstance({.validate = arguments.validate, .extensions = {}}),
+      m_renderDevice(m_renderInstance, arguments.device),
+      m_window(m_system, windowSize(arguments).width, windowSize(arguments).height, "cdr-viewer"),
+      m_ui(m_system, m_window, arguments.device, arguments.validate),
+      m_presenter(m_ui, m_window, arguments.waitsForDisplay),
+      m_interface(m_ui, m_window, m_presenter, arguments.uiScale),
+      m_session(m_renderDevice, m_model) {
+    m_model.device = describe(m_renderDevice.info());
+    m_model.uiDevice = describe(m_ui.device().info());
+    if (arguments.soakSeconds) {
+        m_soak.emplace(*arguments.soakSeconds, arguments.seed, m_model);
+    }
+}
+
+bool Application::goesOn() const {
+    const bool isOver = m_arguments.frames && m_uiFrames >= *m_arguments.frames;
+    return !m_quits && !isOver && !m_window.isClosing() && !(m_soak && m_soak->isDone());
+}
+
+void Application::wait() const {
+    const bool isDriven = m_script || m_soak;
+    const bool isMinimised = m_window.extent().width == 0 || m_window.extent().height == 0;
+    const bool isBusy = isDriven || ((m_redraws > 0 || m_control.isActive()) && !isMinimised);
+    if (isBusy) {
+        m_window.wait(isDriven && m_session.isSettled() ? 0.0 : kBusySeconds);
+    } else {
+        const bool moves = !isMinimised && (m_model.motion != Motion::free || m_model.rendersAlways ||
+                                            !m_session.isSettled());
+        m_window.wait(moves ? std::chrono::duration<double>(kRedrawEvery).count() : kIdleSeconds);
+    }
+}
+
+void Application::playScript() {
+    const ScriptWish wish = m_script->step(m_window, m_places, m_session, m_model);
+    if (!wish.text.empty()) {
+        fmt::print("{}\n", wish.text);
+        std::fflush(stdout);
+    }
+    if (wish.window) {
+        m_capture = wish.window;
+    }
+    if (wish.picture) {
+        savePicture(*wish.picture);
+    }
+    m_quits = m_quits || wish.quits;
+    m_redraws = std::max(m_redraws, 1);
+    if (m_script->isDone()) {
+        m_script.reset();
+    }
+}
+
+void Application::handleInput() {
+    const PictureArea area = pictureArea();
+    for (const InputEvent& event : m_window.takeEvents()) {
+        m_redraws = kSettleFrames;
+        const bool free = m_control.dragsDivider() || !m_interface.wantsPointer();
+        if (const auto* drop = std::get_if<DropInput>(&event)) {
+            dropFiles(*drop);
+        } else if (const auto* key = std::get_if<KeyInput>(&event)) {
+            if (!m_interface.wantsKeys()) {
+                applyShortcut(*key, m_model);
+            }
+            m_control.handle(event, area, !m_interface.wantsKeys(), m_model);
+        } else {
+            m_control.handle(event, area, free, m_model);
+        }
+    }
+    if (const auto click = m_control.takeClick()) {
+        m_session.click(*click);
+    }
+}
+
+float Application::sidebarWidth() const {
+    const float width = kSidebarWidth * m_interface.scale();
+    const float window = static_cast<float>(m_window.extent().width / m_window.pixelsPerUnit());
+    return m_model.showsPanel && window >= width + kLeastPicture * m_interface.scale() ? width : 0.0f;
+}
+
+PictureArea Application::pictureArea() const {
+    PictureArea area;
+    area.pixelsPerUnit = m_window.pixelsPerUnit();
+    const vk::Extent2D window = m_window.extent();
+    const auto sidebar = static_cast<std::uint32_t>(std::lround(sidebarWidth() * area.pixelsPerUnit));
+    area.extent = {std::max(window.width - std::min(sidebar, window.width), 1u), std::max(window.height, 1u)};
+    return area;
+}
+
+bool Application::isRedrawDue() const {
+    const bool moves = m_model.motion != Motion::free || m_model.rendersAlways || !m_session.isSettled();
+    return m_redraws > 0 || m_soak || (moves && Clock::now() - m_lastFrame >= kRedrawEvery);
+}
+
+void Application::layOut() {
+    if (const float width = sidebarWidth(); width > 0.0f) {
+        drawSidebar(m_widgets, m_places, width, m_model);
+    }
+    if (m_model.showsHelp) {
+        drawHelp(m_model);
+    }
+    drawOverlay(pictureArea(), m_model);
+}
+
+void Application::present(image::ImageRgba8* capture, ImDrawData* drawn) {
+    const PictureArea area = pictureArea();
+    const PictureLayout layout{.area = {{area.x, area.y}, {area.extent.width, area.extent.height}},
+                               .divider = m_model.settings.divider,
+                               .pictures = m_model.shown != nullptr ? m_model.shown->sides.size() : 1};
+    const auto begin = Clock::now();
+    m_presenter.draw(layout, drawn, capture);
+    m_model.presentMs = 1000.0 * secondsSince(begin);
+}
+
+void Application::drawFrame() {
+    const vk::Extent2D extent = m_window.extent();
+    if (extent.width == 0 || extent.height == 0) {
+        return;
+    }
+    const auto begin = Clock::now();
+    const double interval = std::chrono::duration<double>(begin - m_lastFrame).count();
+    if (m_arguments.statistics && m_uiIntervals.size() < kMostIntervals) {
+        m_uiIntervals.push_back(1000.0 * interval);
+    }
+    m_lastFrame = begin;
+    m_places.beginFrame();
+    m_interface.begin(interval);
+    layOut();
+    ImDrawData* drawn = m_interface.end();
+    image::ImageRgba8 pixels;
+    present(m_capture ? &pixels : nullptr, drawn);
+    if (m_capture && !pixels.pixels.empty()) {
+        image::writeImage(*std::exchange(m_capture, std::nullopt), pixels);
+    }
+    m_model.uiFrameMs = 1000.0 * secondsSince(begin);
+    m_redraws = std::max(m_redraws - 1, 0);
+    ++m_uiFrames;
+}
+
+void Application::run() {
+    const auto began = Clock::now();
+    while (goesOn()) {
+        wait();
+        if (m_script) {
+            playScript();
+        }
+        if (m_soak) {
+            m_soak->step(m_window, m_control, pictureArea(), m_session, m_model);
+        }
+        handleInput();
+        for (const Action action : std::exchange(m_model.actions, {})) {
+            perform(action);
+            m_redraws = kSettleFrames;
+        }
+        if (m_session.takeResult()) {
+            for (std::size_t side = 0; side < m_model.shown->sides.size(); ++side) {
+                m_presenter.picture(side).set(m_model.shown->sides[side].picture);
+            }
+            m_redraws = std::max(m_redraws, 1);
+        }
+        const double seconds = secondsSince(std::exchange(m_lastUpdate, Clock::now()));
+        m_control.apply(pictureArea(), seconds, m_model);
+        if (m_window.extent().width > 0 && m_window.extent().height > 0) {
+            m_session.update(pictureArea(), m_control.cursor(), seconds, m_control.isActive());
+        }
+        if (isRedrawDue()) {
+            drawFrame();
+        }
+    }
+    if (m_arguments.statistics) {
+        fmt::print("{}", statisticsReport(m_model, m_session.results(), secondsSince(began), m_uiIntervals));
+    }
+    finish();
+}
+
+void Application::finish() {
+    if (m_soak) {
+        fmt::print("{}\n", m_soak->report());
+    }
+    if (!m_arguments.screenshot.empty()) {
+        m_capture = m_arguments.screenshot;
+        constexpr int kTries = 3; // the window may just have changed its size
+        for (int attempt = 0; attempt < kTries && m_capture; ++attempt) {
+            drawFrame();
+        }
+    }
+    for (const gpu::Instance* instance : {&std::as_const(m_renderInstance), &m_ui.instance()}) {
+        const auto messages = instance->validation().messages();
+        if (!messages.empty()) {
+            throw base::RunError(
+                fmt::format("{} validation messages, the first: {}", messages.size(), messages.front()));
+        }
+    }
+}
+
+} // namespace cdr::viewer

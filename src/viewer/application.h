@@ -1,0 +1,75 @@
+#pragma once
+
+#include "arguments.h"
+#include "camera_control.h"
+#include "interface.h"
+#include "item_places.h"
+#include "presenter.h"
+#include "script_player.h"
+#include "session.h"
+#include "soak.h"
+#include "ui_device.h"
+#include "viewer_model.h"
+#include "widgets.h"
+#include "window.h"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace cdr::viewer {
+
+/// The program: a window whose thread runs the interface, and a thread that renders.
+class Application {
+  public:
+    /// base::InputError for what cannot be asked for, base::RunError where there is no window system.
+    explicit Application(const Arguments& arguments);
+    /// Until the window closes. base::RunError when something failed that no other request can mend.
+    void run();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    bool goesOn() const;
+    void wait() const;
+    void playScript();
+    void handleInput();
+    void perform(Action action);
+    void dropFiles(const DropInput& drop);
+    void toggleRecording();
+    PictureArea pictureArea() const;
+    float sidebarWidth() const;
+    bool isRedrawDue() const;
+    void drawFrame();
+    void layOut();
+    void present(image::ImageRgba8* capture, ImDrawData* drawn);
+    void savePicture(const std::filesystem::path& file);
+    void finish();
+
+    Arguments m_arguments;
+    ViewerModel m_model;
+    std::optional<ScriptPlayer> m_script;
+    std::optional<Soak> m_soak;
+    WindowSystem m_system;
+    gpu::Instance m_renderInstance;
+    gpu::Device m_renderDevice;
+    Window m_window;
+    UiDevice m_ui;
+    Presenter m_presenter;
+    Interface m_interface;
+    ItemPlaces m_places;
+    Widgets m_widgets{m_places};
+    CameraControl m_control;
+    Session m_session;
+
+    std::optional<std::filesystem::path> m_capture; ///< file for the next frame's window
+    Clock::time_point m_lastFrame = Clock::now();
+    Clock::time_point m_lastUpdate = Clock::now();
+    int m_redraws = 3; ///< frames due: the interface takes a few to settle after input
+    std::uint64_t m_uiFrames = 0;
+    std::vector<double> m_uiIntervals; ///< milliseconds, for --statistics
+    bool m_quits = false;
+};
+
+} // namespace cdr::viewer

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cdr/scene/open_scene.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::viewer {
+
+/// The command line of cdr-viewer.
+struct Arguments {
+    std::string scene = "cubes";
+    std::uint64_t seed = scene::kDefaultSeed;
+    std::string technique = "standard";
+    std::string compare; ///< "LEFT,RIGHT"; empty for one technique
+    std::string targets = "single";
+    std::string format;
+    std::size_t threads = 1;
+    std::string size = "1280x720";
+    std::string device;
+    bool validate = false;
+    bool plays = false;                  ///< the scene's camera path from the start
+    bool waitsForDisplay = false;        ///< FIFO instead of mailbox
+    double uiScale = 0.0;                ///< 0: the display's
+    std::optional<std::uint64_t> frames; ///< UI frames after which to quit
+    std::filesystem::path script;
+    std::filesystem::path screenshot; ///< of the window, when it quits
+    std::optional<double> soakSeconds;
+    bool statistics = false; ///< prints frame times when it quits
+};
+
+/// Reads the command line; may print help or the version and say that the program is done.
+/// base::InputError says what is wrong.
+struct ParsedArguments {
+    Arguments arguments;
+    std::optional<int> exitStatus;
+};
+ParsedArguments parseArguments(int argc, char** argv);
+
+} // namespace cdr::viewer

@@ -1,0 +1,140 @@
+#include "interface.h"
+
+#include "style.h"
+
+#include <cdr/gpu/commands.h>
+#include <cdr/gpu/pipeline.h>
+
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_vulkan.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr float kTextHeight = 15.0f; ///< at 96 dots per inch
+
+void checkResult(VkResult result) {
+    if (result < 0) {
+        vk::resultCheck(static_cast<vk::Result>(result), "the interface");
+    }
+}
+
+ImGui_ImplVulkan_InitInfo initInfo(const UiDevice& ui, vk::DescriptorPool pool, const Swapchain& swapchain) {
+    ImGui_ImplVulkan_InitInfo info{};
+    info.Instance = ui.instance().handle();
+    info.PhysicalDevice = ui.device().physical();
+    info.Device = ui.device().handle();
+    info.QueueFamily = ui.device().queueFamily();
+    info.Queue = ui.device().queue();
+    info.DescriptorPool = pool;
+    info.MinImageCount = 2;
+    info.ImageCount = std::max<std::uint32_t>(swapchain.imageCount(), Presenter::kFramesInFlight + 1);
+    info.CheckVkResultFn = checkResult;
+    return info;
+}
+
+void initVulkan(ImGui_ImplVulkan_InitInfo info, vk::RenderPass renderPass) {
+#if IMGUI_VERSION_NUM >= 19240
+    info.PipelineInfoMain.RenderPass = renderPass;
+    ImGui_ImplVulkan_Init(&info);
+#elif IMGUI_VERSION_NUM >= 19030
+    info.RenderPass = renderPass;
+    ImGui_ImplVulkan_Init(&info);
+#else
+    ImGui_ImplVulkan_Init(&info, renderPass);
+#endif
+}
+
+} // namespace
+
+Interface::Interface(const UiDevice& ui, Window& window, const Presenter& presenter, double scale)
+    : m_window(window),
+      m_scale(static_cast<float>(scale > 0.0 ? scale : window.textScale())),
+      m_pixelsPerUnit(static_cast<float>(window.pixelsPerUnit())) {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr; // layout is ours, nothing is left behind
+    io.LogFilename = nullptr;
+    applyStyle(m_scale);
+    loadFont();
+    constexpr std::uint32_t kSets = 8;
+    m_descriptors =
+        gpu::makeDescriptorPool(ui.device(), kSets, 1, {vk::DescriptorType::eCombinedImageSampler});
+    ImGui_ImplGlfw_InitForVulkan(window.handle(), false);
+    initVulkan(initInfo(ui, *m_descriptors, presenter.swapchain()), presenter.swapchain().renderPass());
+    uploadFont(ui.device());
+}
+
+Interface::~Interface() {
+    ImGui_ImplVulkan_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void Interface::loadFont() {
+    ImGuiIO& io = ImGui::GetIO();
+    const float pixels = std::round(kTextHeight * m_scale * m_pixelsPerUnit);
+    // Drawn at the display's pixels, laid out in screen coordinates.
+    io.FontGlobalScale = 1.0f / m_pixelsPerUnit;
+#ifdef CDR_VIEWER_FONT
+    static constexpr ImWchar kGlyphs[] = {0x20,   0xff,   0x3b1,  0x3c9,  0x2013, 0x2026,
+                                          0x2190, 0x2193, 0x2264, 0x2265, 0};
+    if (std::filesystem::is_regular_file(CDR_VIEWER_FONT) &&
+        io.Fonts->AddFontFromFileTTF(CDR_VIEWER_FONT, pixels, nullptr, kGlyphs) != nullptr) {
+        return;
+    }
+#endif
+    ImFontConfig config;
+    config.SizePixels = std::round(pixels * 13.0f / kTextHeight);
+    io.Fonts->AddFontDefault(&config);
+}
+
+void Interface::uploadFont(const gpu::Device& device) const {
+#if IMGUI_VERSION_NUM < 19000
+    gpu::runOnce(device, [](vk::CommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
+    ImGui_ImplVulkan_DestroyFontUploadObjects();
+#else
+    static_cast<void>(device); // newer back ends upload when they first need it
+#endif
+}
+
+void Interface::begin(double seconds) {
+    ImGui_ImplVulkan_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 1.0));
+    // The window's size as the callbacks told it, so that injected sizes count too.
+    const vk::Extent2D extent = m_window.extent();
+    io.DisplaySize = {static_cast<float>(extent.width) / m_pixelsPerUnit,
+                      static_cast<float>(extent.height) / m_pixelsPerUnit};
+    io.DisplayFramebufferScale = {m_pixelsPerUnit, m_pixelsPerUnit};
+#if IMGUI_VERSION_NUM < 18700 // asks GLFW for the pointer, which knows nothing of injected input
+    const Pointer& pointer = m_window.pointer();
+    io.MousePos = {static_cast<float>(pointer.x), static_cast<float>(pointer.y)};
+    for (std::size_t button = 0; button < pointer.buttons.size(); ++button) {
+        io.MouseDown[button] = pointer.buttons[button];
+    }
+#endif
+    ImGui::NewFrame();
+}
+
+ImDrawData* Interface::end() {
+    ImGui::Render();
+    return ImGui::GetDrawData();
+}
+
+bool Interface::wantsPointer() const {
+    return ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Interface::wantsKeys() const {
+    return ImGui::GetIO().WantTextInput;
+}
+
+} // namespace cdr::viewer

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "presenter.h"
+#include "window.h"
+
+#include <string>
+
+namespace cdr::viewer {
+
+/// Dear ImGui on a window: its context, fonts, style and back ends.
+class Interface {
+  public:
+    Interface(const UiDevice& ui, Window& window, const Presenter& presenter, double scale);
+    ~Interface();
+    Interface(const Interface&) = delete;
+    Interface& operator=(const Interface&) = delete;
+
+    /// Starts a frame; widgets follow.
+    /// @param seconds since the last.
+    void begin(double seconds);
+    /// Ends it; valid until the next begin().
+    ImDrawData* end();
+
+    /// Whether the pointer is over the interface or holds a part of it, so that the picture should not react.
+    bool wantsPointer() const;
+    /// Whether a text is being typed into the interface.
+    bool wantsKeys() const;
+    /// Screen coordinates per unit of 96 dots per inch.
+    float scale() const { return m_scale; }
+
+  private:
+    void loadFont();
+    void uploadFont(const gpu::Device& device) const;
+
+    Window& m_window;
+    float m_scale;
+    float m_pixelsPerUnit;
+    vk::UniqueDescriptorPool m_descriptors;
+};
+
+} // namespace cdr::viewer

@@ -1,0 +1,47 @@
+#include "application.h"
+
+#include <cdr/base/error.h>
+
+#include <fmt/format.h>
+#include <vulkan/vulkan.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kBadInput = 2;
+
+/// One line on standard error, whatever the message holds.
+int fail(int status, std::string message) {
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    fmt::print(stderr, "cdr-viewer: {}\n", message);
+    return status;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const cdr::viewer::ParsedArguments parsed = cdr::viewer::parseArguments(argc, argv);
+        if (parsed.exitStatus) {
+            return *parsed.exitStatus;
+        }
+        cdr::viewer::Application(parsed.arguments).run();
+        return 0;
+    } catch (const cdr::base::InputError& error) {
+        return fail(kBadInput, error.what());
+    } catch (const vk::DeviceLostError&) {
+        return fail(kFailed, "the Vulkan device was lost; its driver crashed or was reset");
+    } catch (const vk::SystemError& error) {
+        return fail(kFailed, fmt::format("Vulkan: {}", error.what()));
+    } catch (const std::bad_alloc&) {
+        return fail(kFailed, "out of memory");
+    } catch (const std::exception& error) {
+        return fail(kFailed, error.what());
+    }
+}

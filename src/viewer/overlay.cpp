@@ -1,0 +1,190 @@
+#include "overlay.h"
+
+#include "state/length_text.h"
+#include "state/technique_label.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr ImU32 kPaper = IM_COL32(18, 20, 24, 214);
+constexpr ImU32 kInk = IM_COL32(228, 232, 238, 255);
+constexpr ImU32 kQuietInk = IM_COL32(160, 168, 180, 255);
+constexpr ImU32 kMarkInk = IM_COL32(90, 169, 230, 255);
+constexpr ImU32 kProblem = IM_COL32(240, 120, 100, 255);
+
+/// The picture in Dear ImGui's coordinates.
+struct Canvas {
+    ImDrawList& draw;
+    ImVec2 low;
+    ImVec2 high;
+
+    Canvas(const PictureArea& area, ImDrawList& list) : draw(list) {
+        const auto units = [&](double pixels) { return static_cast<float>(pixels / area.pixelsPerUnit); };
+        low = {units(area.x), units(area.y)};
+        high = {low.x + units(area.extent.width), low.y + units(area.extent.height)};
+    }
+    float width() const { return high.x - low.x; }
+};
+
+float gap() {
+    return ImGui::GetFontSize() * 0.6f;
+}
+
+/// Lines on a dark plate, `left` or `right` of x, never wider than `most`.
+void plate(const Canvas& canvas, ImVec2 at, bool growsLeft, float most, const std::string& title,
+           const std::string& text) {
+    const float inner = gap() * 0.8f;
+    const float wrap = std::max(most - 2.0f * inner, ImGui::GetFontSize());
+    const ImVec2 titleSize = ImGui::CalcTextSize(title.c_str());
+    const ImVec2 textSize =
+        text.empty() ? ImVec2(0.0f, 0.0f) : ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const ImVec2 size{std::min(std::max(titleSize.x, textSize.x), wrap) + 2.0f * inner,
+                      titleSize.y + (text.empty() ? 0.0f : textSize.y + 2.0f) + 1.6f * inner};
+    const ImVec2 low{growsLeft ? at.x - size.x : at.x, at.y};
+    canvas.draw.AddRectFilled(low, {low.x + size.x, low.y + size.y}, kPaper, 5.0f);
+    canvas.draw.AddText({low.x + inner, low.y + 0.8f * inner}, kInk, title.c_str());
+    if (!text.empty()) {
+        canvas.draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(),
+                            {low.x + inner, low.y + 0.8f * inner + titleSize.y + 2.0f}, kQuietInk,
+                            text.c_str(), nullptr, wrap);
+    }
+}
+
+/// "wrong 12.3 %" and the like, of views that count; else empty.
+std::string countText(const SideResult& side) {
+    if (side.wrong) {
+        return fmt::format("{:.3f} % wrong off edges", 100.0 * side.wrong->share());
+    }
+    if (side.flipsNow) {
+        return fmt::format("{} flips since the last frame, {} pixels in a second", *side.flipsNow,
+                           side.flippedPixels);
+    }
+    return {};
+}
+
+void drawLabel(const Canvas& canvas, const ViewerModel& model, std::size_t index, float divider) {
+    const SideResult& side = model.shown->sides[index];
+    const std::string title = techniqueName(side.options.technique);
+    std::string text = countText(side);
+    if (const auto& point = model.underCursor.at(index)) {
+        const bool resolves = std::isfinite(point->stepView);
+        text += fmt::format("{}tells {} apart at {}", text.empty() ? "" : "\n",
+                            resolves ? stepText(point->stepView) : "nothing",
+                            lengthText(point->distanceView, resolves ? point->stepView : 0.0));
+    }
+    const bool isSplit = model.shown->sides.size() > 1;
+    const float y = canvas.low.y + gap();
+    if (index == 0) {
+        const float room = isSplit ? divider - canvas.low.x - 2.0f * gap() : canvas.width() - 2.0f * gap();
+        if (room > ImGui::GetFontSize() * 6.0f) {
+            plate(canvas, {canvas.low.x + gap(), y}, false, room, title, text);
+        }
+        return;
+    }
+    const float room = canvas.high.x - divider - 2.0f * gap();
+    if (room > ImGui::GetFontSize() * 6.0f) {
+        plate(canvas, {canvas.high.x - gap(), y}, true, room, title, text);
+    }
+}
+
+void drawDivider(const Canvas& canvas, float x) {
+    canvas.draw.AddRectFilled({x - 1.0f, canvas.low.y}, {x + 1.0f, canvas.high.y},
+                              IM_COL32(236, 240, 246, 220));
+    const float middle = (canvas.low.y + canvas.high.y) / 2.0f;
+    const float radius = ImGui::GetFontSize() * 0.75f;
+    canvas.draw.AddCircleFilled({x, middle}, radius, IM_COL32(236, 240, 246, 240));
+    for (const float direction : {-1.0f, 1.0f}) {
+        const float tip = x + direction * radius * 0.66f;
+        const float foot = x + direction * radius * 0.22f;
+        const float half = radius * 0.36f;
+        canvas.draw.AddTriangleFilled({tip, middle}, {foot, middle - half}, {foot, middle + half},
+                                      IM_COL32(40, 46, 56, 255));
+    }
+}
+
+/// Where a world position is on the canvas, if the camera sees it.
+std::optional<ImVec2> onCanvas(const Canvas& canvas, const scene::Camera& camera, const glm::dvec3& world) {
+    const glm::dvec3 view = camera.toView(world);
+    const double w = -view.z;
+    if (w < camera.nearView) {
+        return std::nullopt;
+    }
+    const double tanY = std::tan(camera.fovY / 2.0);
+    const double aspect = (canvas.high.x - canvas.low.x) / (canvas.high.y - canvas.low.y);
+    const double x = view.x / (w * tanY * aspect);
+    const double y = view.y / (w * tanY);
+    if (std::abs(x) > 1.0 || std::abs(y) > 1.0) {
+        return std::nullopt;
+    }
+    return ImVec2(canvas.low.x + static_cast<float>((x + 1.0) / 2.0) * canvas.width(),
+                  canvas.low.y + static_cast<float>((1.0 - y) / 2.0) * (canvas.high.y - canvas.low.y));
+}
+
+void drawMeasuring(const Canvas& canvas, const ViewerModel& model) {
+    const auto& first = model.measuring.first();
+    if (!first || model.shown == nullptr) {
+        return;
+    }
+    const auto mark = [&](const PickedPoint& point) {
+        const auto at = onCanvas(canvas, model.shown->camera, point.position);
+        if (at) {
+            canvas.draw.AddCircle(*at, ImGui::GetFontSize() * 0.4f, kMarkInk, 0, 2.0f);
+        }
+        return at;
+    };
+    const auto from = mark(*first);
+    const auto& second = model.measuring.second();
+    const auto to = second ? mark(*second) : std::nullopt;
+    if (from && to) {
+        canvas.draw.AddLine(*from, *to, kMarkInk, 1.5f);
+    }
+    const std::string text = second ? describe(*model.measuring.span()) : "";
+    plate(canvas, {canvas.low.x + gap(), canvas.high.y - ImGui::GetFontSize() * 4.6f}, false,
+          canvas.width() - 2.0f * gap(), describe(*first), text);
+}
+
+void drawNotice(const Canvas& canvas, const Notice& notice) {
+    if (notice.text.empty() || std::chrono::steady_clock::now() > notice.until) {
+        return;
+    }
+    const float most = canvas.width() - 4.0f * gap();
+    const float wrap = std::max(most, ImGui::GetFontSize());
+    const ImVec2 size = ImGui::CalcTextSize(notice.text.c_str(), nullptr, false, wrap);
+    const ImVec2 low{(canvas.low.x + canvas.high.x - size.x) / 2.0f, canvas.high.y - size.y - 2.5f * gap()};
+    canvas.draw.AddRectFilled({low.x - gap(), low.y - gap() * 0.6f},
+                              {low.x + size.x + gap(), low.y + size.y + gap() * 0.6f}, kPaper, 5.0f);
+    canvas.draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), low, notice.isProblem ? kProblem : kInk,
+                        notice.text.c_str(), nullptr, wrap);
+}
+
+} // namespace
+
+void drawOverlay(const PictureArea& area, const ViewerModel& model) {
+    const Canvas canvas(area, *ImGui::GetBackgroundDrawList());
+    if (canvas.width() < ImGui::GetFontSize() * 8.0f) {
+        return;
+    }
+    if (model.shown != nullptr) {
+        const float divider = canvas.low.x + static_cast<float>(model.settings.divider) * canvas.width();
+        if (model.shown->sides.size() > 1) {
+            drawDivider(canvas, divider);
+        }
+        for (std::size_t side = 0; side < model.shown->sides.size(); ++side) {
+            drawLabel(canvas, model, side, divider);
+        }
+        drawMeasuring(canvas, model);
+    }
+    drawNotice(canvas, model.notice);
+}
+
+} // namespace cdr::viewer

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace cdr::viewer {
+
+/// One handler per alternative, for std::visit.
+template <class... Handlers>
+struct Overloaded : Handlers... {
+    using Handlers::operator()...;
+};
+
+} // namespace cdr::viewer

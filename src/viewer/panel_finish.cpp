@@ -1,0 +1,71 @@
+#include "panels.h"
+#include "state/finish.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr std::array kDetails{scene::DetailMode::none, scene::DetailMode::perObject,
+                              scene::DetailMode::perCascade};
+constexpr std::array<std::string_view, kDetails.size()> kDetailNames{"none", "object", "cascade"};
+
+/// Scene units, for a radius or a visibility; 0 for none.
+constexpr std::array kLengths{0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6};
+constexpr std::array<std::string_view, kLengths.size()> kLengthNames{
+    "none", "0.1", "0.3", "1", "3", "10", "100", "1,000", "10,000", "100,000", "1,000,000"};
+
+std::string_view nameOfLength(double length) {
+    const auto* const found = std::find(kLengths.begin(), kLengths.end(), length);
+    return found == kLengths.end() ? "another"
+                                   : kLengthNames[static_cast<std::size_t>(found - kLengths.begin())];
+}
+
+void chooseLength(const Widgets& widgets, std::string_view name, double& length) {
+    const std::size_t chosen = widgets.combo(name, nameOfLength(length), kLengths.size(),
+                                             [](std::size_t i) { return kLengthNames[i]; });
+    if (chosen < kLengths.size()) {
+        length = kLengths[chosen];
+    }
+}
+
+} // namespace
+
+void drawFinishPanel(const Widgets& widgets, ViewerModel& model) {
+    widgets.heading("Finish");
+    Finish& finish = model.settings.finish;
+    const std::size_t detail = widgets.combo("detail", kDetailNames[static_cast<std::size_t>(finish.detail)],
+                                             kDetails.size(), [](std::size_t i) { return kDetailNames[i]; });
+    if (detail < kDetails.size()) {
+        finish.detail = kDetails[detail];
+    }
+    widgets.sentence(explain(finish.detail));
+    const std::size_t method =
+        widgets.combo("translucency", nameOf(finish.translucency), render::kTranslucencies.size(),
+                      [](std::size_t i) { return nameOf(render::kTranslucencies[i]); });
+    if (method < render::kTranslucencies.size()) {
+        finish.translucency = render::kTranslucencies[method];
+    }
+    widgets.sentence(explain(finish.translucency));
+    const std::size_t antialias =
+        widgets.combo("edges", nameOf(finish.effects.antialias), render::kAntialiases.size(),
+                      [](std::size_t i) { return nameOf(render::kAntialiases[i]); });
+    if (antialias < render::kAntialiases.size()) {
+        finish.effects.antialias = render::kAntialiases[antialias];
+    }
+    widgets.sentence(explain(finish.effects.antialias));
+    chooseLength(widgets, "occlusion", finish.effects.occlusion.radius);
+    if (hasLayers(model.settings.targets.kind)) {
+        widgets.checkbox("on each layer alone", finish.effects.occlusion.perLayer);
+    }
+    widgets.sentence(explain(finish.effects.occlusion));
+    chooseLength(widgets, "fog", finish.effects.fog.visibility);
+    widgets.sentence(explain(finish.effects.fog));
+}
+
+} // namespace cdr::viewer

@@ -1,0 +1,97 @@
+#include "panels.h"
+#include "resident_memory.h"
+#include "state/length_text.h"
+#include "state/technique_label.h"
+#include "state/view_picture.h"
+
+#include <cdr/render/gbuffer.h>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace cdr::viewer {
+
+namespace {
+
+/// Draws of each cascade, counted from the jobs that recorded them.
+std::vector<std::size_t> drawsOf(const SideResult& side) {
+    std::vector<std::size_t> draws(side.frame->cascades.size(), 0);
+    for (const TimelineJob& job : side.timeline.jobs) {
+        if (job.cascade && *job.cascade < draws.size()) {
+            draws[*job.cascade] += job.draws;
+        }
+    }
+    return draws;
+}
+
+void drawCascades(const SideResult& side) {
+    constexpr int kColumns = 4;
+    if (!ImGui::BeginTable("cascades", kColumns, ImGuiTableFlags_SizingStretchProp)) {
+        return;
+    }
+    for (const char* name : {"near", "far", "step at far", "draws"}) {
+        ImGui::TableSetupColumn(name);
+    }
+    ImGui::TableHeadersRow();
+    const std::vector<std::size_t> draws = drawsOf(side);
+    const depth::Cascades& cascades = side.frame->cascades;
+    for (std::size_t i = 0; i < cascades.size(); ++i) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        const ImVec4 color = ImGui::ColorConvertU32ToFloat4(packed(cascadeColor(i)));
+        ImGui::TextColored(color, "%s", lengthText(cascades[i].nearView).c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(lengthText(cascades[i].farView).c_str());
+        ImGui::TableNextColumn();
+        // Just before the far plane, which is the next cascade's.
+        const double last =
+            cascades[i].nearView + (cascades[i].farView - cascades[i].nearView) * (1.0 - 1e-9);
+        ImGui::TextUnformatted(stepText(techniqueStepView(side.options.technique, cascades, last)).c_str());
+        ImGui::TableNextColumn();
+        ImGui::Text("%zu", draws[i]);
+    }
+    ImGui::EndTable();
+}
+
+std::string megabytes(std::uint64_t bytes) {
+    constexpr double kMegabyte = 1e6;
+    return fmt::format("{:.1f} MB", static_cast<double>(bytes) / kMegabyte);
+}
+
+} // namespace
+
+void drawCascadesPanel(const Widgets& widgets, const ViewerModel& model) {
+    widgets.heading("Cascades");
+    if (model.shown == nullptr) {
+        return;
+    }
+    for (const SideResult& side : model.shown->sides) {
+        const render::FrameStats& stats = side.frame->stats;
+        widgets.sentence(fmt::format("{}: {} visible, {} draws, each {:.3f} times",
+                                     side.options.technique.name, stats.visible, stats.draws,
+                                     stats.duplication));
+        ImGui::PushID(&side);
+        drawCascades(side);
+        ImGui::PopID();
+    }
+}
+
+void drawMemoryPanel(const Widgets& widgets, const ViewerModel& model) {
+    widgets.heading("Memory");
+    if (const auto resident = residentBytes()) {
+        widgets.value("program", megabytes(*resident));
+    }
+    if (model.shown != nullptr && !model.shown->sides.empty()) {
+        const render::RenderOptions& options = model.shown->sides.front().options;
+        widgets.value("a G-buffer", megabytes(render::predictGBufferBytes({options.width, options.height})));
+        widgets.value("device", megabytes(model.shown->freeDeviceBytes) + " free");
+    }
+    widgets.heading("Devices");
+    widgets.value("renders", model.device);
+    widgets.value("shows", model.uiDevice);
+}
+
+} // namespace cdr::viewer

@@ -1,0 +1,156 @@
+#include "panels.h"
+#include "state/explanations.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace cdr::viewer {
+
+namespace {
+
+/// Splits worth a click; the one at hand is listed besides.
+constexpr std::array<std::string_view, 8> kSplits{"none",    "ratio:1000", "ratio:30",  "count:2",
+                                                  "count:4", "count:8",    "minimax:4", "fitted"};
+
+constexpr int kMostThreads = 16;
+
+void choosePresets(const Widgets& widgets, std::string_view prefix, depth::Technique& technique) {
+    const auto presets = depth::presets();
+    for (std::size_t i = 0; i < presets.size(); ++i) {
+        if (i % 3 != 0) {
+            widgets.beside();
+        }
+        if (widgets.button(fmt::format("{}/{}", prefix, presets[i].name),
+                           isSameTechnique(technique, presets[i]))) {
+            technique = presets[i];
+        }
+    }
+}
+
+void chooseTechnique(const Widgets& widgets, std::string_view prefix, depth::Technique& technique) {
+    choosePresets(widgets, prefix, technique);
+    depth::Technique wanted = technique;
+    const std::size_t mapping =
+        widgets.combo(fmt::format("{}/mapping", prefix), nameOf(technique.mapping), depth::kMappings.size(),
+                      [](std::size_t i) { return nameOf(depth::kMappings[i]); });
+    if (mapping < depth::kMappings.size()) {
+        wanted = depth::makeTechnique(depth::kMappings[mapping], technique.split, technique.format);
+    }
+    widgets.sentence(explain(technique.mapping));
+    const std::size_t split = widgets.combo(fmt::format("{}/split", prefix), nameOf(technique.split),
+                                            kSplits.size(), [](std::size_t i) { return kSplits[i]; });
+    if (split < kSplits.size()) {
+        wanted = depth::makeTechnique(technique.mapping, depth::parseSplit(std::string(kSplits[split])),
+                                      technique.format);
+    }
+    widgets.sentence(explain(technique.split));
+    const std::size_t format =
+        widgets.combo(fmt::format("{}/format", prefix), nameOf(technique.format), depth::kDepthFormats.size(),
+                      [](std::size_t i) { return nameOf(depth::kDepthFormats[i]); });
+    if (format < depth::kDepthFormats.size()) {
+        wanted.format = depth::kDepthFormats[format];
+    }
+    widgets.sentence(explain(technique.format));
+    technique = wanted;
+}
+
+} // namespace
+
+void drawScenePanel(const Widgets& widgets, ViewerModel& model) {
+    widgets.heading("Scene");
+    const std::string shown = std::filesystem::path(model.settings.scene).filename().string();
+    const std::span<const std::string_view> scenes = scene::generatedScenes();
+    const std::size_t chosen =
+        widgets.combo("scene", shown, scenes.size(), [&](std::size_t i) { return scenes[i]; });
+    if (chosen < scenes.size()) {
+        model.settings.scene = scenes[chosen];
+    }
+    if (model.shown != nullptr && model.shown->scene != nullptr) {
+        const scene::OpenedScene& opened = *model.shown->scene;
+        widgets.sentence(fmt::format("{} objects, {} {}. Drop a .gltf or .glb file to open it.",
+                                     opened.staged.scene.objectCount(), opened.staged.scene.lights.size(),
+                                     opened.staged.scene.lights.size() == 1 ? "light" : "lights"));
+        for (const std::string& note : opened.notes) {
+            widgets.sentence("ignored: " + note);
+        }
+    }
+}
+
+void drawTechniquePanel(const Widgets& widgets, ViewerModel& model) {
+    widgets.heading("Technique");
+    bool compares = model.settings.second.has_value();
+    if (widgets.checkbox("compare two", compares)) {
+        model.settings.second.reset();
+        if (compares) {
+            model.settings.second = depth::parseTechnique("anchored");
+        }
+    }
+    if (!model.settings.second) {
+        chooseTechnique(widgets, "technique", model.settings.technique);
+        return;
+    }
+    if (ImGui::BeginTabBar("sides")) {
+        if (ImGui::BeginTabItem("left of the divider")) {
+            chooseTechnique(widgets, "left", model.settings.technique);
+            ImGui::EndTabItem();
+        }
+        if (ImGui::BeginTabItem("right")) {
+            chooseTechnique(widgets, "right", *model.settings.second);
+            ImGui::EndTabItem();
+        }
+        ImGui::EndTabBar();
+    }
+}
+
+void drawViewPanel(const Widgets& widgets, ViewerModel& model) {
+    widgets.heading("View");
+    const std::size_t view = widgets.combo("view", nameOf(model.settings.view), kViewKinds.size(),
+                                           [](std::size_t i) { return nameOf(kViewKinds[i]); });
+    if (view < kViewKinds.size()) {
+        model.settings.view = kViewKinds[view];
+    }
+    widgets.sentence(explain(model.settings.view));
+}
+
+void drawRenderingPanel(const Widgets& widgets, ViewerModel& model) {
+    widgets.heading("Rendering");
+    ViewSettings& settings = model.settings;
+    const std::size_t targets =
+        widgets.combo("targets", nameOf(settings.targets.kind), render::kTargetsKinds.size(),
+                      [](std::size_t i) { return nameOf(render::kTargetsKinds[i]); });
+    if (targets < render::kTargetsKinds.size()) {
+        settings.targets = render::kTargetsKinds[targets];
+    }
+    if (settings.targets.kind == render::TargetsKind::pool) {
+        int layers = static_cast<int>(settings.targets.layers);
+        if (widgets.count("layers", layers, render::kMinPoolLayers, render::kMaxPoolLayers)) {
+            settings.targets = render::TargetsChoice::pool(static_cast<std::uint32_t>(layers));
+        }
+    }
+    widgets.sentence(explain(settings.targets.kind));
+    int threads = static_cast<int>(settings.threads);
+    if (widgets.count("threads", threads, 1, kMostThreads)) {
+        settings.threads = static_cast<std::size_t>(std::clamp(threads, 1, kMostThreads));
+    }
+    widgets.sentence(explainThreads());
+    const std::size_t submission =
+        widgets.combo("submission", nameOf(settings.submission), render::kSubmissions.size(),
+                      [](std::size_t i) { return nameOf(render::kSubmissions[i]); });
+    if (submission < render::kSubmissions.size()) {
+        settings.submission = render::kSubmissions[submission];
+    }
+    widgets.sentence(explain(settings.submission));
+    const std::size_t batching =
+        widgets.combo("batching", nameOf(settings.batching), render::kBatchings.size(),
+                      [](std::size_t i) { return nameOf(render::kBatchings[i]); });
+    if (batching < render::kBatchings.size()) {
+        settings.batching = render::kBatchings[batching];
+    }
+    widgets.sentence(explain(settings.batching));
+}
+
+} // namespace cdr::viewer

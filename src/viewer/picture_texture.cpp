@@ -1,0 +1,89 @@
+#include "picture_texture.h"
+
+#include <cdr/gpu/commands.h>
+
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr vk::ImageSubresourceLayers kLayers{vk::ImageAspectFlagBits::eColor, 0, 0, 1};
+
+/// Between a copy into the picture and the blits out of it, either way.
+vk::ImageMemoryBarrier2 barrierBetween(const gpu::Image& image, vk::ImageLayout from, vk::ImageLayout to) {
+    constexpr auto kStage = vk::PipelineStageFlagBits2::eAllTransfer;
+    return gpu::imageBarrier(
+        image.handle(), vk::ImageAspectFlagBits::eColor, kStage, vk::AccessFlagBits2::eTransferWrite, kStage,
+        vk::AccessFlagBits2::eTransferRead | vk::AccessFlagBits2::eTransferWrite, from, to);
+}
+
+} // namespace
+
+void PictureTexture::recordUpload(vk::CommandBuffer commands, std::size_t slot) {
+    const std::shared_ptr<const image::ImageRgba8> picture = std::exchange(m_pending, nullptr);
+    if (picture == nullptr || picture->pixels.empty()) {
+        return;
+    }
+    const vk::Extent2D extent{picture->width, picture->height};
+    if (isEmpty() || m_image.options().extent != extent) {
+        m_device.handle().waitIdle(); // a frame in flight may still read the old one
+        m_image =
+            gpu::Image(m_device,
+                       {.extent = extent,
+                        .format = vk::Format::eR8G8B8A8Unorm,
+                        // gpu::Image makes a view, which transfers alone would not allow
+                        .usage = vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eTransferSrc |
+                                 vk::ImageUsageFlagBits::eSampled},
+                       m_name);
+    }
+    const std::size_t bytes = picture->pixels.size() * sizeof(image::Rgba8);
+    gpu::Buffer& staging = m_staging[slot];
+    if (staging.size() != bytes) {
+        staging = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eTransferSrc,
+                              gpu::MemoryUse::hostWrites, m_name + " staging");
+    }
+    std::memcpy(staging.mapped(), picture->pixels.data(), bytes);
+    staging.flush();
+    gpu::pipelineBarrier(commands, {barrierBetween(m_image, vk::ImageLayout::eUndefined,
+                                                   vk::ImageLayout::eTransferDstOptimal)});
+    commands.copyBufferToImage(
+        staging.handle(), m_image.handle(), vk::ImageLayout::eTransferDstOptimal,
+        vk::BufferImageCopy{.imageSubresource = kLayers, .imageExtent = {extent.width, extent.height, 1}});
+    gpu::pipelineBarrier(commands, {barrierBetween(m_image, vk::ImageLayout::eTransferDstOptimal,
+                                                   vk::ImageLayout::eTransferSrcOptimal)});
+}
+
+void PictureTexture::recordBlit(vk::CommandBuffer commands, vk::Image target, const vk::Rect2D& area,
+                                double left, double right) const {
+    if (isEmpty()) {
+        return;
+    }
+    const vk::Extent2D extent = m_image.options().extent;
+    const auto column = [](double share, std::uint32_t width) {
+        return static_cast<std::int32_t>(std::lround(share * width));
+    };
+    const std::int32_t from = column(left, extent.width);
+    const std::int32_t to = column(right, extent.width);
+    const std::int32_t targetFrom = area.offset.x + column(left, area.extent.width);
+    const std::int32_t targetTo = area.offset.x + column(right, area.extent.width);
+    if (from >= to || targetFrom >= targetTo) {
+        return;
+    }
+    const vk::ImageBlit region{
+        .srcSubresource = kLayers,
+        .srcOffsets = {{vk::Offset3D{from, 0, 0},
+                        vk::Offset3D{to, static_cast<std::int32_t>(extent.height), 1}}},
+        .dstSubresource = kLayers,
+        .dstOffsets = {
+            {vk::Offset3D{targetFrom, area.offset.y, 0},
+             vk::Offset3D{targetTo, area.offset.y + static_cast<std::int32_t>(area.extent.height), 1}}}};
+    const bool isExact = extent == area.extent;
+    commands.blitImage(m_image.handle(), vk::ImageLayout::eTransferSrcOptimal, target,
+                       vk::ImageLayout::eTransferDstOptimal, region,
+                       isExact ? vk::Filter::eNearest : vk::Filter::eLinear);
+}
+
+} // namespace cdr::viewer

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "picture_texture.h"
+#include "swapchain.h"
+#include "ui_device.h"
+
+#include <cdr/gpu/commands.h>
+#include <cdr/image/image.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+struct ImDrawData;
+
+namespace cdr::viewer {
+
+/// Where pictures go in the window.
+struct PictureLayout {
+    vk::Rect2D area;          ///< pixels of the window
+    double divider = 1.0;     ///< share of the area's width that the left picture has
+    std::size_t pictures = 1; ///< 1: the left one alone
+};
+
+/// Puts pictures and interface on the window's screen, two frames in flight.
+class Presenter {
+  public:
+    static constexpr std::size_t kFramesInFlight = 2;
+
+    Presenter(const UiDevice& ui, const Window& window, bool waitsForDisplay);
+    ~Presenter();
+    Presenter(const Presenter&) = delete;
+    Presenter& operator=(const Presenter&) = delete;
+
+    /// The left (0) or right (1) picture.
+    PictureTexture& picture(std::size_t side) { return *m_pictures[side]; }
+
+    /// Draws a frame and shows it. False when it was not drawn: the window has no size, or had another.
+    /// @param capture receives the window's pixels when not null; base::RunError where they cannot be read.
+    bool draw(const PictureLayout& layout, ImDrawData* interface, image::ImageRgba8* capture);
+
+    const Swapchain& swapchain() const { return *m_swapchain; }
+
+  private:
+    struct Slot {
+        std::unique_ptr<gpu::CommandPool> pool;
+        vk::UniqueFence done;
+        vk::UniqueSemaphore imageReady;
+    };
+    void renew();
+    void record(vk::CommandBuffer commands, std::size_t slot, const Swapchain::Image& target,
+                const PictureLayout& layout, ImDrawData* interface);
+    void submit(vk::CommandBuffer commands, const Slot& slot, const Swapchain::Image& target) const;
+
+    const UiDevice& m_ui;
+    const gpu::Device& m_device;
+    const Window& m_window;
+    bool m_waitsForDisplay;
+    std::array<std::unique_ptr<PictureTexture>, 2> m_pictures;
+    std::array<Slot, kFramesInFlight> m_slots;
+    std::size_t m_frames = 0;
+    std::unique_ptr<Swapchain> m_swapchain;
+    vk::Extent2D m_wanted; ///< that the swapchain was made for
+    bool m_isStale = false;
+};
+
+} // namespace cdr::viewer

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "state/view_settings.h"
+#include "state/worker_timeline.h"
+#include "state/wrong_view.h"
+
+#include <cdr/render/frame.h>
+#include <cdr/render/renderer.h>
+#include <cdr/scene/open_scene.h>
+
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::viewer {
+
+/// What the interface wants to see next.
+struct RenderRequest {
+    std::uint64_t serial = 0; ///< counts requests
+    ViewSettings settings;
+    PictureExtent extent;
+    std::optional<scene::Camera> camera; ///< the scene's own first one without
+    /// Frames that picking can read. Copying them costs several times what the picture costs.
+    bool wantsSurfaces = true;
+};
+
+/// One technique's answer.
+struct SideResult {
+    render::RenderOptions options;
+    std::shared_ptr<const render::Frame> frame;
+    std::shared_ptr<const image::ImageRgba8> picture; ///< what the view shows of it
+    WorkerTimeline timeline;
+    std::optional<WrongCount> wrong;       ///< of the wrong view
+    std::optional<std::uint64_t> flipsNow; ///< of the flips view: since the frame before
+    std::uint64_t flippedPixels = 0;       ///< and within the last second
+};
+
+/// The answer to a request.
+struct RenderResult {
+    std::uint64_t serial = 0; ///< the request's
+    std::string sceneName{};  ///< the open scene's, as requested
+    ViewSettings settings{};  ///< the request's
+    std::shared_ptr<const scene::OpenedScene> scene{};
+    scene::Camera camera{};
+    std::vector<SideResult> sides{};   ///< empty when it failed
+    double compositeMs = 0.0;          ///< frames turned into what the view shows
+    double frameMs = 0.0;              ///< from the request taken to the pictures made
+    std::uint64_t freeDeviceBytes = 0; ///< of the device that renders
+    std::string message{};             ///< why it failed, one line; else empty
+    std::exception_ptr fatal{};        ///< nothing more will come
+};
+
+} // namespace cdr::viewer

@@ -1,0 +1,48 @@
+#include "render_thread.h"
+
+#include "scene_stage.h"
+
+#include <cdr/base/error.h>
+
+#include <utility>
+
+namespace cdr::viewer {
+
+namespace {
+
+/// The stage's answer, or why there is none. What the next request cannot mend passes through.
+RenderResult answerOrExplain(SceneStage& stage, const RenderRequest& request) {
+    RenderResult result{.serial = request.serial, .sceneName = stage.sceneName()};
+    try {
+        return stage.answer(request);
+    } catch (const base::InputError& error) {
+        result.message = error.what();
+    } catch (const base::RunError& error) {
+        result.message = error.what();
+    } catch (const vk::OutOfDeviceMemoryError&) {
+        result.message = "the device has too little memory for that";
+    }
+    return result;
+}
+
+} // namespace
+
+RenderThread::RenderThread(const gpu::Device& device, std::function<void()> notify)
+    : m_notify(std::move(notify)),
+      m_thread([this, &device](const std::stop_token& stop) { serve(stop, device); }) {}
+
+void RenderThread::serve(const std::stop_token& stop, const gpu::Device& device) {
+    try {
+        SceneStage stage(device);
+        while (const auto request = m_requests.wait(stop)) {
+            m_notify();
+            m_results.put(answerOrExplain(stage, *request));
+            m_notify();
+        }
+    } catch (...) {
+        m_results.put({.fatal = std::current_exception()});
+        m_notify();
+    }
+}
+
+} // namespace cdr::viewer

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace cdr::viewer {
+
+/// Bytes of this process that are in memory; empty where the system does not say.
+std::optional<std::uint64_t> residentBytes();
+
+/// Gives back to the system what the allocator keeps for later, where it can be told to, so that
+/// residentBytes() is what the program uses.
+void returnFreeMemory();
+
+} // namespace cdr::viewer

@@ -1,0 +1,113 @@
+#include "scene_stage.h"
+
+#include "state/view_picture.h"
+
+#include <cdr/scene/levels.h>
+
+#include <utility>
+
+namespace cdr::viewer {
+
+void SceneStage::open(const ViewSettings& settings) {
+    const bool needsLevels = settings.finish.detail != scene::DetailMode::none;
+    if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
+        (m_hasLevels || !needsLevels)) {
+        return;
+    }
+    auto opened = std::make_shared<scene::OpenedScene>(scene::openScene(settings.scene, settings.seed));
+    if (needsLevels) {
+        base::WorkerPool workers(settings.threads);
+        scene::makeLevels(opened->staged.scene, workers);
+    }
+    auto next = std::make_unique<OnStage>(OnStage{opened, render::GpuScene(m_device, opened->staged.scene)});
+    for (SideRenderer& side : m_sides) {
+        side.drop();
+    }
+    m_reference.drop();
+    for (FlipWindow& flips : m_flips) {
+        flips.clear();
+    }
+    m_scene = std::move(next);
+    m_sceneName = settings.scene;
+    m_seed = settings.seed;
+    m_hasLevels = needsLevels;
+}
+
+StageSet SceneStage::set() const {
+    return {.device = m_device, .scene = m_scene->opened->staged.scene, .onDevice = m_scene->onDevice};
+}
+
+SideResult SceneStage::renderSide(const RenderRequest& request, std::size_t side,
+                                  const scene::Camera& camera) {
+    const bool readsSurfaces = request.wantsSurfaces || request.settings.view != ViewKind::shaded;
+    SideResult result{};
+    result.options = renderOptions(request.settings, side, request.extent);
+    result.frame = std::make_shared<const render::Frame>(
+        m_sides.at(side).render(set(), result.options, camera,
+                                readsSurfaces ? render::FrameCopy::everything : render::FrameCopy::color));
+    result.timeline = timelineOf(m_sides.at(side).trace());
+    return result;
+}
+
+render::Frame SceneStage::renderReference(const RenderRequest& request, const scene::Camera& camera) {
+    render::RenderOptions options = renderOptions(request.settings, 0, request.extent);
+    options.technique = referenceTechnique();
+    return m_reference.render(set(), options, camera, render::FrameCopy::everything);
+}
+
+void SceneStage::paint(ViewKind view, std::size_t side, const render::Frame* reference, SideResult& result) {
+    const render::Frame& frame = *result.frame;
+    if (view == ViewKind::shaded) {
+        result.picture = std::shared_ptr<const image::ImageRgba8>(result.frame, &frame.color);
+        return;
+    }
+    auto picture = std::make_shared<image::ImageRgba8>();
+    if (view == ViewKind::wrong) {
+        result.wrong = paintWrong(frame, *reference, *picture);
+    } else if (view == ViewKind::flips) {
+        FlipWindow& flips = m_flips.at(side);
+        flips.add(frame, *reference, std::chrono::duration<double>(Clock::now() - m_start).count());
+        flips.paint(frame, *picture);
+        result.flipsNow = flips.flipsNow();
+        result.flippedPixels = flips.pixelsInWindow();
+    } else {
+        paintView(frame, view, *picture);
+    }
+    result.picture = std::move(picture);
+}
+
+RenderResult SceneStage::answer(const RenderRequest& request) {
+    open(request.settings);
+    const auto begin = Clock::now();
+    const auto millisecondsSince = [](Clock::time_point from) {
+        return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
+    };
+    RenderResult result{.serial = request.serial,
+                        .sceneName = m_sceneName,
+                        .settings = request.settings,
+                        .scene = m_scene->opened};
+    result.camera = request.camera ? *request.camera : m_scene->opened->staged.path.at(0);
+    const std::size_t sides = request.settings.second ? 2 : 1;
+    for (std::size_t side = 0; side < sides; ++side) {
+        result.sides.push_back(renderSide(request, side, result.camera));
+    }
+    if (sides < m_sides.size()) {
+        m_sides.back().drop();
+    }
+    std::optional<render::Frame> reference;
+    if (needsReference(request.settings.view)) {
+        reference = renderReference(request, result.camera);
+    } else {
+        m_reference.drop();
+    }
+    const auto painted = Clock::now();
+    for (std::size_t side = 0; side < sides; ++side) {
+        paint(request.settings.view, side, reference ? &*reference : nullptr, result.sides[side]);
+    }
+    result.compositeMs = millisecondsSince(painted);
+    result.frameMs = millisecondsSince(begin);
+    result.freeDeviceBytes = gpu::freeDeviceBytes(m_device);
+    return result;
+}
+
+} // namespace cdr::viewer

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "render_request.h"
+#include "side_renderer.h"
+#include "state/flip_window.h"
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <string>
+
+namespace cdr::viewer {
+
+/// The open scene on its device, and the renderers that answer requests: left, right, and the anchored answer
+/// where a view needs it. One thread's.
+class SceneStage {
+  public:
+    /// The device must outlive the stage.
+    explicit SceneStage(const gpu::Device& device) : m_device(device) {}
+
+    /// Opens what the request names unless it is open, and renders it. base::InputError or base::RunError say
+    /// what cannot be; the scene that was open then stays.
+    RenderResult answer(const RenderRequest& request);
+
+    const std::string& sceneName() const { return m_sceneName; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    struct OnStage {
+        std::shared_ptr<const scene::OpenedScene> opened;
+        render::GpuScene onDevice;
+    };
+    void open(const ViewSettings& settings);
+    SideResult renderSide(const RenderRequest& request, std::size_t side, const scene::Camera& camera);
+    render::Frame renderReference(const RenderRequest& request, const scene::Camera& camera);
+    void paint(ViewKind view, std::size_t side, const render::Frame* reference, SideResult& result);
+    StageSet set() const;
+
+    const gpu::Device& m_device;
+    std::string m_sceneName;
+    std::uint64_t m_seed = 0;
+    bool m_hasLevels = false; ///< of detail, which are made when first asked for
+    std::unique_ptr<OnStage> m_scene;
+    std::array<SideRenderer, 2> m_sides;
+    SideRenderer m_reference;
+    std::array<FlipWindow, 2> m_flips;
+    Clock::time_point m_start = Clock::now();
+};
+
+} // namespace cdr::viewer

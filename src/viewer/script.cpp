@@ -1,0 +1,186 @@
+#include "script.h"
+
+#include "window.h"
+
+#include <cdr/base/suggest.h>
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <vulkan/vulkan.hpp>
+
+#include <array>
+#include <cctype>
+#include <functional>
+#include <map>
+#include <sstream>
+#include <string_view>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr double kMaxCount = 1e6;
+
+int keyOf(const std::string& name) {
+    static const std::map<std::string, int, std::less<>> kNamed{
+        {"tab", GLFW_KEY_TAB},          {"space", GLFW_KEY_SPACE},
+        {"home", GLFW_KEY_HOME},        {"up", GLFW_KEY_UP},
+        {"down", GLFW_KEY_DOWN},        {"left", GLFW_KEY_LEFT},
+        {"right", GLFW_KEY_RIGHT},      {"escape", GLFW_KEY_ESCAPE},
+        {"shift", GLFW_KEY_LEFT_SHIFT}, {"control", GLFW_KEY_LEFT_CONTROL}};
+    if (const auto found = kNamed.find(name); found != kNamed.end()) {
+        return found->second;
+    }
+    if (name.size() == 1 && std::isalnum(static_cast<unsigned char>(name[0])) != 0) {
+        return std::toupper(static_cast<unsigned char>(name[0])); // GLFW's codes are those of ASCII
+    }
+    for (int i = 1; i <= 12; ++i) {
+        if (name == fmt::format("F{}", i)) {
+            return GLFW_KEY_F1 + i - 1;
+        }
+    }
+    throw base::InputError(fmt::format("no key '{}'", name.substr(0, 20)));
+}
+
+/// The words of one line, taken in turn.
+class Words {
+  public:
+    explicit Words(const std::string& line) : m_words(line) {}
+
+    std::string next(const char* what) {
+        std::string word;
+        if (!(m_words >> word)) {
+            throw base::InputError(fmt::format("{} missing", what));
+        }
+        return word;
+    }
+    std::string nextOr(std::string otherwise) {
+        std::string word;
+        return m_words >> word ? word : std::move(otherwise);
+    }
+    double number(const char* what) { return base::parseNumber(what, next(what)); }
+    int whole(const char* what, int low, int high) { return wholeOf(what, next(what), low, high); }
+    static int wholeOf(const char* what, const std::string& word, int low, int high) {
+        const double value = base::parseNumber(what, word);
+        if (value < low || value > high || value != static_cast<double>(static_cast<int>(value))) {
+            throw base::InputError(fmt::format("{} must be {} to {}", what, low, high));
+        }
+        return static_cast<int>(value);
+    }
+    /// All that is left, spaces included.
+    std::string rest(const char* what) {
+        std::string words;
+        std::getline(m_words >> std::ws, words);
+        if (words.empty()) {
+            throw base::InputError(fmt::format("{} missing", what));
+        }
+        return words;
+    }
+
+  private:
+    std::istringstream m_words;
+};
+
+using Steps = std::vector<ScriptStep>;
+using Reader = std::function<void(Words&, Steps&)>;
+
+void readKey(Words& words, Steps& steps) {
+    const int key = keyOf(words.next("key"));
+    int modifiers = 0;
+    for (std::string word = words.nextOr(""); !word.empty(); word = words.nextOr("")) {
+        modifiers |= word == "shift" ? GLFW_MOD_SHIFT : 0;
+        modifiers |= word == "control" ? GLFW_MOD_CONTROL : 0;
+    }
+    steps.emplace_back(InputEvent(KeyInput{.key = key, .pressed = true, .modifiers = modifiers}));
+    steps.emplace_back(InputEvent(KeyInput{.key = key, .pressed = false, .modifiers = modifiers}));
+}
+
+void readHeld(Words& words, Steps& steps, bool pressed) {
+    steps.emplace_back(InputEvent(KeyInput{.key = keyOf(words.next("key")), .pressed = pressed}));
+}
+
+void readButton(Words& words, Steps& steps, bool pressed) {
+    const int button = Words::wholeOf("button", words.nextOr("0"), 0, 4);
+    steps.emplace_back(InputEvent(ButtonInput{.button = button, .pressed = pressed}));
+}
+
+const std::map<std::string, Reader, std::less<>>& readers() {
+    static const std::map<std::string, Reader, std::less<>> kReaders{
+        {"key", readKey},
+        {"hold", [](Words& w, Steps& s) { readHeld(w, s, true); }},
+        {"let", [](Words& w, Steps& s) { readHeld(w, s, false); }},
+        {"press", [](Words& w, Steps& s) { readButton(w, s, true); }},
+        {"release", [](Words& w, Steps& s) { readButton(w, s, false); }},
+        {"move",
+         [](Words& w, Steps& s) {
+             const double x = w.number("x");
+             s.emplace_back(InputEvent(MoveInput{x, w.number("y")}));
+         }},
+        {"scroll",
+         [](Words& w, Steps& s) {
+             s.emplace_back(InputEvent(ScrollInput{0.0, w.number("notches")}));
+         }},
+        {"click", [](Words& w, Steps& s) { s.emplace_back(ClickItem{w.rest("item")}); }},
+        {"drop", [](Words& w, Steps& s) { s.emplace_back(InputEvent(DropInput{{w.rest("file")}})); }},
+        {"resize",
+         [](Words& w, Steps& s) {
+             const int width = w.whole("width", 1, kMaxWindowSide);
+             s.emplace_back(WindowSize{width, w.whole("height", 1, kMaxWindowSide)});
+         }},
+        {"minimise", [](Words&, Steps& s) { s.emplace_back(Minimise{}); }},
+        {"restore", [](Words&, Steps& s) { s.emplace_back(Restore{}); }},
+        {"wait-frame",
+         [](Words& w, Steps& s) {
+             s.emplace_back(WaitFrame{static_cast<std::uint64_t>(
+                 Words::wholeOf("frames", w.nextOr("0"), 0, static_cast<int>(kMaxCount)))});
+         }},
+        {"wait-ui",
+         [](Words& w, Steps& s) {
+             s.emplace_back(
+                 WaitUi{static_cast<std::uint64_t>(w.whole("frames", 1, static_cast<int>(kMaxCount)))});
+         }},
+        {"window", [](Words& w, Steps& s) { s.emplace_back(SaveWindow{w.rest("file")}); }},
+        {"picture", [](Words& w, Steps& s) { s.emplace_back(SavePicture{w.rest("file")}); }},
+        {"where", [](Words& w, Steps& s) { s.emplace_back(PrintPlace{w.rest("item")}); }},
+        {"state", [](Words&, Steps& s) { s.emplace_back(PrintState{}); }},
+        {"command", [](Words&, Steps& s) { s.emplace_back(PrintCommand{}); }},
+        {"wait-state", [](Words& w, Steps& s) { s.emplace_back(WaitState{w.rest("text")}); }},
+        {"quit", [](Words&, Steps& s) { s.emplace_back(Quit{}); }},
+    };
+    return kReaders;
+}
+
+void readLine(const std::string& line, Steps& steps) {
+    Words words(line);
+    const std::string verb = words.nextOr("#");
+    if (verb.front() == '#') {
+        return;
+    }
+    const auto reader = readers().find(verb);
+    if (reader == readers().end()) {
+        std::vector<std::string_view> known;
+        for (const auto& [name, read] : readers()) {
+            known.push_back(name);
+        }
+        throw base::InputError(base::unknownName("step", verb, known));
+    }
+    reader->second(words, steps);
+}
+
+} // namespace
+
+std::vector<ScriptStep> parseScript(const std::string& text, const std::string& name) {
+    std::vector<ScriptStep> steps;
+    std::istringstream lines(text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        try {
+            readLine(line, steps);
+        } catch (const base::InputError& error) {
+            throw base::InputError(fmt::format("{}, line {}: {}", name, number, error.what()));
+        }
+    }
+    return steps;
+}
+
+} // namespace cdr::viewer

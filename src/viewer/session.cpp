@@ -1,0 +1,212 @@
+#include "session.h"
+
+#include "state/fly_controller.h"
+#include "window.h"
+
+#include <cdr/base/error.h>
+
+#include <exception>
+#include <utility>
+
+namespace cdr::viewer {
+
+namespace {
+
+/// While the camera moves, frames that picking can read come this often.
+constexpr std::chrono::milliseconds kSurfacesEvery{100};
+constexpr std::chrono::seconds kRateWindow{1};
+
+bool isSameCamera(const scene::Camera& a, const scene::Camera& b) {
+    return a.position == b.position && a.right == b.right && a.up == b.up && a.back == b.back &&
+           a.fovY == b.fovY && a.nearView == b.nearView && a.farView == b.farView;
+}
+
+bool asksTheSame(const RenderRequest& a, const RenderRequest& b) {
+    const bool sameCamera =
+        a.camera.has_value() == b.camera.has_value() && (!a.camera || isSameCamera(*a.camera, *b.camera));
+    return sameCamera && a.settings == b.settings && a.extent == b.extent;
+}
+
+} // namespace
+
+Session::Session(const gpu::Device& device, ViewerModel& model)
+    : m_model(model),
+      m_thread(device, [] { WindowSystem::wake(); }) {}
+
+void Session::followPath(double seconds) {
+    if (m_model.motion == Motion::recording) {
+        m_model.recordingSeconds += seconds;
+    }
+    if (m_model.motion == Motion::free || m_model.shown == nullptr || !m_thread.isReady()) {
+        return;
+    }
+    if (m_model.motion == Motion::scenePath) {
+        // Frame by frame, however long each takes, so that neighbours can be compared.
+        m_model.camera = scene::canonical(m_model.shown->scene->staged.path.at(++m_model.pathFrame));
+        return;
+    }
+    if (m_model.recordingSeconds > m_model.recording.seconds()) {
+        m_model.motion = Motion::free;
+    }
+    m_model.camera = cameraAt(m_model.recording, m_model.recordingSeconds);
+}
+
+RenderRequest Session::wanted(const PictureArea& area) const {
+    RenderRequest request{
+        .serial = m_serial + 1, .settings = m_model.settings, .extent = area.extent, .camera = {}};
+    request.settings.divider = 0.5; // both sides are whole pictures, so it need not be rendered anew
+    const bool isOpen = m_model.shown != nullptr && m_model.shown->sceneName == m_model.settings.scene;
+    if (isOpen && m_model.hasCamera) {
+        request.camera = m_model.camera;
+    }
+    return request;
+}
+
+void Session::update(const PictureArea& area, const glm::dvec2& cursor, double seconds, bool isSteered) {
+    followPath(seconds);
+    if (m_model.isRecording) {
+        m_model.recordingSeconds += seconds;
+        record(m_model.recording, m_model.recordingSeconds, m_model.camera);
+    }
+    readCursor(area, cursor);
+    if (m_click && canPick()) {
+        pickClicked();
+    }
+    RenderRequest request = wanted(area);
+    const bool isChanged = !m_asked || !asksTheSame(*m_asked, request);
+    const bool isMoving = isSteered || m_model.motion != Motion::free || m_model.rendersAlways;
+    const auto now = Clock::now();
+    const bool isDue = m_click || (area.contains(cursor) && now - m_surfacesAsked >= kSurfacesEvery);
+    request.wantsSurfaces = !isMoving || isDue;
+    const bool lacksSurfaces = m_asked && !m_asked->wantsSurfaces && request.wantsSurfaces;
+    if (!isChanged && !((m_model.rendersAlways || lacksSurfaces) && m_thread.isReady())) {
+        return;
+    }
+    if (request.wantsSurfaces) {
+        m_surfacesAsked = now;
+    }
+    m_serial = request.serial;
+    m_asked = request;
+    m_thread.request(std::move(request));
+}
+
+bool Session::takeResult() {
+    std::optional<RenderResult> result = m_thread.take();
+    if (!result) {
+        return false;
+    }
+    if (result->fatal) {
+        std::rethrow_exception(result->fatal);
+    }
+    m_shownSerial = result->serial;
+    ++m_results;
+    if (result->message.empty()) {
+        adopt(std::move(*result));
+        return true;
+    }
+    if (m_model.shown == nullptr) {
+        throw base::InputError(result->message);
+    }
+    m_model.say(result->message, true);
+    m_good.divider = m_model.settings.divider;
+    m_model.settings = m_good;
+    return false;
+}
+
+void Session::adopt(RenderResult result) {
+    if (m_model.shown == nullptr || m_model.shown->scene != result.scene) {
+        enterScene(result);
+    }
+    count(result);
+    const std::size_t sides = result.sides.size();
+    for (std::size_t side = 0; side < m_model.readable.size(); ++side) {
+        if (side >= sides) {
+            m_model.readable[side].reset();
+        } else if (!result.sides[side].frame->surfaces.pixels.empty()) {
+            m_model.readable[side] = result.sides[side].frame;
+        }
+    }
+    const bool isReadable = !result.sides.front().frame->surfaces.pixels.empty();
+    if (isReadable) {
+        const render::Frame& frame = *result.sides.front().frame;
+        const double ahead = surfaceView(frame, glm::dvec2(frame.width(), frame.height()) / 2.0);
+        m_model.surfaceView = flightDistance(m_model.camera, ahead, m_model.surfaceView);
+    }
+    m_good = result.settings;
+    m_model.shown = std::make_shared<const RenderResult>(std::move(result));
+}
+
+void Session::click(const glm::dvec2& pixel) {
+    m_click = pixel;
+    m_clickSerial = m_asked ? m_asked->serial : 0;
+}
+
+bool Session::canPick() const {
+    return m_model.shown != nullptr && m_model.shown->serial >= m_clickSerial &&
+           !m_model.shown->sides.front().frame->surfaces.pixels.empty();
+}
+
+void Session::pickClicked() {
+    const glm::dvec2 pixel = *std::exchange(m_click, std::nullopt);
+    const auto& sides = m_model.shown->sides;
+    const double divider = m_model.settings.divider * sides.front().options.width;
+    const SideResult& side = sides.size() > 1 && pixel.x >= divider ? sides[1] : sides[0];
+    const auto point = pickAt(*side.frame, m_model.shown->scene->staged.scene, side.options.technique,
+                              static_cast<std::uint32_t>(pixel.x), static_cast<std::uint32_t>(pixel.y));
+    if (point) {
+        m_model.measuring.click(*point);
+        m_model.pivot = point->position;
+    }
+}
+
+void Session::enterScene(const RenderResult& result) {
+    m_model.sceneCamera = result.scene->staged.path.at(0);
+    m_model.camera = scene::canonical(result.camera);
+    m_model.hasCamera = true;
+    m_model.pathFrame = 0;
+    m_model.surfaceView = 0.0;
+    m_model.measuring.clear();
+    m_model.statistics.clear();
+    m_model.underCursor = {};
+    m_model.pivot = m_model.camera.position - m_model.camera.back;
+}
+
+void Session::readCursor(const PictureArea& area, const glm::dvec2& cursor) {
+    for (std::size_t side = 0; side < m_model.underCursor.size(); ++side) {
+        const std::shared_ptr<const render::Frame>& frame = m_model.readable[side];
+        m_model.underCursor[side].reset();
+        if (frame == nullptr || !area.contains(cursor) || m_model.shown->sides.size() <= side) {
+            continue;
+        }
+        // The frame may be of another size while the window changes its own.
+        const glm::dvec2 share = cursor / glm::dvec2(area.extent.width, area.extent.height);
+        m_model.underCursor[side] =
+            pickAt(*frame, m_model.shown->scene->staged.scene, m_model.shown->sides[side].options.technique,
+                   static_cast<std::uint32_t>(share.x * frame->width()),
+                   static_cast<std::uint32_t>(share.y * frame->height()));
+    }
+}
+
+void Session::count(const RenderResult& result) {
+    StageTimes times;
+    for (const SideResult& side : result.sides) {
+        const render::FrameTimes& ms = side.frame->stats.times;
+        times[FrameStage::cull] += static_cast<float>(ms.cullMs);
+        times[FrameStage::split] += static_cast<float>(ms.splitMs);
+        times[FrameStage::bin] += static_cast<float>(ms.binMs);
+        times[FrameStage::record] += static_cast<float>(ms.recordMs);
+        times[FrameStage::execute] += static_cast<float>(ms.executeMs);
+    }
+    times[FrameStage::composite] = static_cast<float>(result.compositeMs);
+    times[FrameStage::present] = static_cast<float>(m_model.presentMs);
+    m_model.statistics.add(times);
+    const auto now = Clock::now();
+    m_arrivals.push_back(now);
+    while (m_arrivals.size() > 2 && now - m_arrivals.front() > kRateWindow) {
+        m_arrivals.pop_front();
+    }
+    const double span = std::chrono::duration<double>(now - m_arrivals.front()).count();
+    m_model.framesPerSecond = span > 0.0 ? static_cast<double>(m_arrivals.size() - 1) / span : 0.0;
+}
+
+} // namespace cdr::viewer

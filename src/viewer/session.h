@@ -1,0 +1,60 @@
+#pragma once
+
+#include "camera_control.h"
+#include "render_thread.h"
+#include "viewer_model.h"
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+namespace cdr::viewer {
+
+/// Keeps the render thread asked for what the model wants to see, and the model told of what came of it.
+class Session {
+  public:
+    /// The device and the model must outlive the session.
+    Session(const gpu::Device& device, ViewerModel& model);
+
+    /// Moves the camera along its path, if it follows one, and asks for what is wanted and not yet asked for.
+    /// @param isSteered whether somebody moves the camera by hand.
+    void update(const PictureArea& area, const glm::dvec2& cursor, double seconds, bool isSteered);
+    /// Takes the newest result into the model. True when there are new pictures. base::InputError when the
+    /// first scene cannot be opened; rethrows what ended the render thread.
+    bool takeResult();
+    /// Picks what is at a pixel of the picture, once a frame that can be read has come.
+    void click(const glm::dvec2& pixel);
+
+    /// Whether all that is wanted is shown.
+    bool isSettled() const { return m_asked && m_shownSerial == m_asked->serial && !m_click; }
+    /// Whether the render thread has taken the last request.
+    bool isReady() const { return m_thread.isReady(); }
+    std::uint64_t results() const { return m_results; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    void followPath(double seconds);
+    RenderRequest wanted(const PictureArea& area) const;
+    void adopt(RenderResult result);
+    void enterScene(const RenderResult& result);
+    /// Whether what is shown was asked for when the click came, or later, and can be picked from.
+    bool canPick() const;
+    void pickClicked();
+    void readCursor(const PictureArea& area, const glm::dvec2& cursor);
+    void count(const RenderResult& result);
+
+    ViewerModel& m_model;
+    std::optional<RenderRequest> m_asked;
+    ViewSettings m_good; ///< of the last request that did not fail
+    std::uint64_t m_serial = 0;
+    std::uint64_t m_shownSerial = 0;
+    std::uint64_t m_results = 0;
+    std::optional<glm::dvec2> m_click;
+    std::uint64_t m_clickSerial = 0; ///< of the last request when it came
+    Clock::time_point m_surfacesAsked{};
+    std::deque<Clock::time_point> m_arrivals; ///< of the last second
+    RenderThread m_thread;
+};
+
+} // namespace cdr::viewer

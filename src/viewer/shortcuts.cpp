@@ -1,0 +1,91 @@
+#include "shortcuts.h"
+
+#include <GLFW/glfw3.h>
+#include <vulkan/vulkan.hpp>
+
+namespace cdr::viewer {
+
+namespace {
+
+void toggleComparison(ViewSettings& settings) {
+    if (settings.second) {
+        settings.second.reset();
+    } else {
+        settings.second = depth::parseTechnique("anchored");
+    }
+}
+
+void nextView(ViewSettings& settings) {
+    const auto now = static_cast<std::size_t>(settings.view);
+    settings.view = kViewKinds[(now + 1) % kViewKinds.size()];
+}
+
+void toggleMotion(ViewerModel& model, Motion motion) {
+    model.motion = model.motion == motion ? Motion::free : motion;
+}
+
+} // namespace
+
+void applyShortcut(const KeyInput& key, ViewerModel& model) {
+    if (!key.pressed || key.repeated) {
+        return;
+    }
+    const bool shift = (key.modifiers & GLFW_MOD_SHIFT) != 0;
+    const bool control = (key.modifiers & GLFW_MOD_CONTROL) != 0;
+    if (key.key >= GLFW_KEY_1 && key.key < GLFW_KEY_1 + static_cast<int>(kPresetKeys)) {
+        const std::size_t side = shift && model.settings.second ? 1 : 0;
+        model.settings = withPreset(model.settings, side, static_cast<std::size_t>(key.key - GLFW_KEY_1) + 1);
+        return;
+    }
+    switch (key.key) {
+    case GLFW_KEY_F1:
+        model.showsHelp = !model.showsHelp;
+        break;
+    case GLFW_KEY_ESCAPE:
+        model.showsHelp = false;
+        break;
+    case GLFW_KEY_TAB:
+        model.showsPanel = !model.showsPanel;
+        break;
+    case GLFW_KEY_C:
+        if (control) {
+            model.actions.push_back(Action::copyCommandLine);
+        } else {
+            toggleComparison(model.settings);
+        }
+        break;
+    case GLFW_KEY_Q:
+        if (control) {
+            model.actions.push_back(Action::quit);
+        }
+        break;
+    case GLFW_KEY_V:
+        nextView(model.settings);
+        break;
+    case GLFW_KEY_O:
+        model.orbits = !model.orbits;
+        break;
+    case GLFW_KEY_SPACE:
+        toggleMotion(model, Motion::scenePath);
+        break;
+    case GLFW_KEY_HOME:
+        model.actions.push_back(Action::sceneCamera);
+        break;
+    case GLFW_KEY_R:
+        model.actions.push_back(Action::record);
+        break;
+    case GLFW_KEY_P:
+        model.actions.push_back(Action::playRecording);
+        break;
+    case GLFW_KEY_X:
+        model.actions.push_back(Action::forgetMeasuring);
+        break;
+    case GLFW_KEY_F12:
+        model.actions.push_back(shift ? Action::screenshotWindow : Action::screenshotPicture);
+        break;
+    default:
+        break;
+    }
+}
+
+} // namespace cdr::viewer

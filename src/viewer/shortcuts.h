@@ -1,0 +1,11 @@
+#pragma once
+
+#include "input_event.h"
+#include "viewer_model.h"
+
+namespace cdr::viewer {
+
+/// What a key does to the model, those that move the camera aside. helpText() lists them.
+void applyShortcut(const KeyInput& key, ViewerModel& model);
+
+} // namespace cdr::viewer

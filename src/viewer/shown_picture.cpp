@@ -1,0 +1,66 @@
+#include "shown_picture.h"
+
+#include "state/command_line.h"
+#include "state/split_picture.h"
+#include "state/technique_label.h"
+
+#include <fmt/format.h>
+
+namespace cdr::viewer {
+
+image::ImageRgba8 shownPicture(const ViewerModel& model) {
+    if (model.shown == nullptr || model.shown->sides.empty()) {
+        return {};
+    }
+    const auto& sides = model.shown->sides;
+    if (sides.size() == 1) {
+        return *sides.front().picture;
+    }
+    image::ImageRgba8 picture;
+    composeSplit(*sides[0].picture, *sides[1].picture, model.settings.divider, picture);
+    return picture;
+}
+
+std::string stateLine(const ViewerModel& model) {
+    const ViewSettings& settings = model.settings;
+    std::string line = fmt::format(
+        "scene={} technique={} second={} view={} targets={} threads={} divider={:.4f} fov={:.6g} orbits={} "
+        "eye={}",
+        settings.scene, techniqueName(settings.technique),
+        settings.second ? techniqueName(*settings.second) : "none", nameOf(settings.view),
+        nameOf(settings.targets), settings.threads, settings.divider, scene::degreesOf(model.camera.fovY),
+        model.orbits ? 1 : 0, exactText(model.camera.position));
+    if (model.shown != nullptr && !model.shown->sides.empty()) {
+        const SideResult& side = model.shown->sides.front();
+        line += fmt::format(" shown={} size={}x{} cascades={} draws={}", model.shown->sceneName,
+                            side.options.width, side.options.height, side.frame->cascades.size(),
+                            side.frame->stats.draws);
+        if (side.wrong) {
+            line += fmt::format(" wrong={}", side.wrong->wrong);
+        }
+        if (side.flipsNow) {
+            line += fmt::format(" flips={} flipped={}", *side.flipsNow, side.flippedPixels);
+        }
+    }
+    if (const auto& picked = model.measuring.first()) {
+        line += fmt::format(" picked=\"{}\"", describe(*picked));
+    }
+    if (model.measuring.second()) {
+        line += fmt::format(" measured=\"{}\"", describe(*model.measuring.span()));
+    }
+    return line + fmt::format(" notice=\"{}\"", model.notice.text);
+}
+
+std::string commandLineOf(const ViewerModel& model) {
+    ReproducedView view{.settings = model.settings,
+                        .side = 0,
+                        .camera = model.camera,
+                        .sceneCamera = model.sceneCamera,
+                        .extent = {}};
+    if (model.shown != nullptr && !model.shown->sides.empty()) {
+        view.extent = {model.shown->sides.front().options.width, model.shown->sides.front().options.height};
+    }
+    return renderCommand(view);
+}
+
+} // namespace cdr::viewer

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "viewer_model.h"
+
+#include <cdr/image/image.h>
+
+namespace cdr::viewer {
+
+/// The picture as the window shows it, without the interface: one side's, or both with the divider between.
+/// Empty while nothing is shown.
+image::ImageRgba8 shownPicture(const ViewerModel& model);
+
+/// What is shown in words, one line of NAME=VALUE, for scripts.
+std::string stateLine(const ViewerModel& model);
+
+/// The `cdr render` line that draws the left picture.
+std::string commandLineOf(const ViewerModel& model);
+
+} // namespace cdr::viewer

@@ -1,0 +1,32 @@
+#include "side_renderer.h"
+
+#include "state/view_settings.h"
+
+namespace cdr::viewer {
+
+namespace {
+
+bool fits(const render::RenderOptions& made, const render::RenderOptions& wanted) {
+    return made.width == wanted.width && made.height == wanted.height &&
+           isSameTechnique(made.technique, wanted.technique) && made.targets == wanted.targets &&
+           made.threads == wanted.threads && made.submission == wanted.submission &&
+           made.batching == wanted.batching && made.detail.mode == wanted.detail.mode &&
+           made.translucency.method == wanted.translucency.method && made.effects == wanted.effects;
+}
+
+} // namespace
+
+render::Frame SideRenderer::render(const StageSet& set, render::RenderOptions options,
+                                   const scene::Camera& camera, render::FrameCopy copy) {
+    if (m_renderer == nullptr || !fits(m_renderer->options(), options)) {
+        m_renderer.reset(); // its memory goes before that of the next is asked for
+        m_trace = std::make_unique<base::Trace>(options.threads);
+        options.trace = m_trace.get();
+        m_renderer = std::make_unique<render::Renderer>(set.device, set.scene, set.onDevice, options);
+    }
+    m_trace->forget();
+    m_trace->beginFrame("frame");
+    return m_renderer->render(camera, copy);
+}
+
+} // namespace cdr::viewer

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cdr/base/trace.h>
+#include <cdr/gpu/device.h>
+#include <cdr/render/gpu_scene.h>
+#include <cdr/render/renderer.h>
+
+#include <memory>
+
+namespace cdr::viewer {
+
+/// What all renderers of a stage share.
+struct StageSet {
+    const gpu::Device& device;
+    const scene::Scene& scene;
+    const render::GpuScene& onDevice;
+};
+
+/// One renderer and its trace, made anew when what it is made from changes.
+class SideRenderer {
+  public:
+    render::Frame render(const StageSet& set, render::RenderOptions options, const scene::Camera& camera,
+                         render::FrameCopy copy);
+    /// Of the last frame.
+    const base::Trace& trace() const { return *m_trace; }
+    void drop() { m_renderer.reset(); }
+
+  private:
+    std::unique_ptr<base::Trace> m_trace; ///< outlives the renderer
+    std::unique_ptr<render::Renderer> m_renderer;
+};
+
+} // namespace cdr::viewer

@@ -1,0 +1,126 @@
+#include "soak.h"
+
+#include "resident_memory.h"
+#include "shown_picture.h"
+
+#include <cdr/image/codec.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr std::uint64_t kMinimisedSteps = 5;
+/// Frames of the interface in the view where memory is measured, before it is.
+constexpr std::uint64_t kRestFrames = 30;
+
+} // namespace
+
+Soak::Soak(double seconds, std::uint64_t seed, const ViewerModel& model)
+    : m_steps(
+          std::max<std::uint64_t>(static_cast<std::uint64_t>(std::llround(seconds * kStepsPerSecond)), 1)),
+      m_input({.seed = seed, .seconds = 1.0 / kStepsPerSecond}),
+      m_home(model.settings) {}
+
+void Soak::play(Window& window, CameraControl& control, const PictureArea& area, Session& session,
+                ViewerModel& model) {
+    const SoakStep step = m_input.next();
+    if (m_minimisedFor > 0 && --m_minimisedFor == 0) {
+        window.inject(window.currentSize());
+    }
+    if (step.settings) {
+        model.settings = *step.settings;
+    }
+    if (step.resize) {
+        window.resize(static_cast<int>(step.resize->width), static_cast<int>(step.resize->height));
+    }
+    if (step.minimises && m_minimisedFor == 0) {
+        window.inject(ResizeInput{0, 0});
+        m_minimisedFor = kMinimisedSteps;
+    }
+    // The pointer runs over the interface too.
+    window.inject(MoveInput{step.input.cursor.x, step.input.cursor.y});
+    model.orbits = step.orbits;
+    control.steer(step.input, step.zooms, model);
+    if (step.click) {
+        const PictureExtent& extent = area.extent;
+        session.click({std::min<double>(step.click->x, extent.width - 1.0),
+                       std::min<double>(step.click->y, extent.height - 1.0)});
+    }
+    if (step.screenshot) {
+        const image::ImageRgba8 picture = shownPicture(model);
+        if (!picture.pixels.empty()) {
+            image::encodePng(picture);
+        }
+    }
+    if (step.returnsHome) {
+        model.actions.push_back(Action::sceneCamera);
+    }
+}
+
+void Soak::rest(Window& window, ViewerModel& model) {
+    m_phase = Phase::resting;
+    m_restedFrames = 0;
+    m_minimisedFor = 0;
+    window.resize(m_homeSize.width, m_homeSize.height);
+    window.inject(window.currentSize());
+    model.settings = m_home;
+    model.orbits = false;
+    model.motion = Motion::free;
+    model.actions.push_back(Action::sceneCamera);
+}
+
+void Soak::measure(Window& window, const Session& session) {
+    window.inject(window.currentSize());
+    if (!session.isSettled() || ++m_restedFrames < kRestFrames) {
+        return;
+    }
+    returnFreeMemory();
+    const std::uint64_t bytes = residentBytes().value_or(0);
+    m_phase = Phase::playing;
+    if (!m_isWarm) {
+        m_isWarm = true;
+        m_warmBytes = bytes;
+        return;
+    }
+    m_endBytes = bytes;
+    m_results = session.results();
+    m_isDone = true;
+}
+
+void Soak::step(Window& window, CameraControl& control, const PictureArea& area, Session& session,
+                ViewerModel& model) {
+    if (m_homeSize.width == 0) {
+        m_homeSize = window.currentSize();
+    }
+    if (m_phase == Phase::resting) {
+        measure(window, session);
+        return;
+    }
+    if (!session.isReady() || model.shown == nullptr) {
+        return;
+    }
+    const auto warmSteps = static_cast<std::uint64_t>(static_cast<double>(m_steps) * kWarmUp);
+    if ((!m_isWarm && m_done >= warmSteps) || m_done >= m_steps) {
+        rest(window, model);
+        return;
+    }
+    play(window, control, area, session, model);
+    ++m_done;
+}
+
+std::string Soak::report() const {
+    constexpr double kMegabyte = 1e6;
+    const double warm = static_cast<double>(m_warmBytes);
+    const double growth = warm > 0.0 ? (static_cast<double>(m_endBytes) / warm - 1.0) * 100.0 : 0.0;
+    return fmt::format(
+        "soak: {} steps, {} frames rendered, resident {:.1f} MB after warm-up, {:.1f} MB at the "
+        "end ({:+.2f} %)",
+        m_done, m_results, warm / kMegabyte, static_cast<double>(m_endBytes) / kMegabyte, growth);
+}
+
+} // namespace cdr::viewer

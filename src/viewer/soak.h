@@ -1,0 +1,54 @@
+#pragma once
+
+#include "camera_control.h"
+#include "session.h"
+#include "state/soak_input.h"
+#include "window.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace cdr::viewer {
+
+/// Plays seeded random input, a step per frame of the interface and as fast as frames come, and watches the
+/// memory. It is measured in one and the same view, first after a warm-up and again at the end.
+class Soak {
+  public:
+    static constexpr double kStepsPerSecond = 60.0;
+    /// The share of the steps that warms up.
+    static constexpr double kWarmUp = 0.25;
+
+    /// @param seconds' worth of input.
+    Soak(double seconds, std::uint64_t seed, const ViewerModel& model);
+
+    /// Plays a step, if the renderer has taken the last one.
+    void step(Window& window, CameraControl& control, const PictureArea& area, Session& session,
+              ViewerModel& model);
+    bool isDone() const { return m_isDone; }
+    /// "soak: 1800 steps, ...", one line.
+    std::string report() const;
+
+  private:
+    enum class Phase { playing, resting };
+    void play(Window& window, CameraControl& control, const PictureArea& area, Session& session,
+              ViewerModel& model);
+    void rest(Window& window, ViewerModel& model);
+    void measure(Window& window, const Session& session);
+
+    std::uint64_t m_steps;
+    std::uint64_t m_done = 0;
+    std::uint64_t m_restedFrames = 0;
+    SoakInput m_input;
+    ViewSettings m_home; ///< of the view in which memory is measured
+    ResizeInput m_homeSize;
+    std::uint64_t m_minimisedFor = 0;
+    Phase m_phase = Phase::playing;
+    bool m_isWarm = false;
+    bool m_isDone = false;
+    std::uint64_t m_warmBytes = 0;
+    std::uint64_t m_endBytes = 0;
+    std::uint64_t m_results = 0;
+};
+
+} // namespace cdr::viewer

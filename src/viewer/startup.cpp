@@ -1,0 +1,84 @@
+#include "startup.h"
+
+#include "window.h"
+
+#include <cdr/base/error.h>
+#include <cdr/base/file.h>
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr std::uintmax_t kMaxScriptBytes = 1 << 20;
+
+} // namespace
+
+ViewerModel initialModel(const Arguments& arguments) {
+    ViewerModel model;
+    ViewSettings& settings = model.settings;
+    settings.scene = arguments.scene;
+    settings.seed = arguments.seed;
+    settings.targets = render::parseTargets(arguments.targets);
+    settings.threads = arguments.threads;
+    settings.technique = depth::parseTechnique(arguments.technique);
+    if (!arguments.compare.empty()) {
+        const std::size_t comma = arguments.compare.find(',');
+        if (comma == std::string::npos) {
+            throw base::InputError(
+                fmt::format("--compare must be LEFT,RIGHT, not '{}'", arguments.compare.substr(0, 60)));
+        }
+        settings.technique = depth::parseTechnique(arguments.compare.substr(0, comma));
+        settings.second = depth::parseTechnique(arguments.compare.substr(comma + 1));
+    }
+    if (!arguments.format.empty()) {
+        settings.technique.format = depth::parseDepthFormat(arguments.format);
+        if (settings.second) {
+            settings.second->format = settings.technique.format;
+        }
+    }
+    model.motion = arguments.plays ? Motion::scenePath : Motion::free;
+    return model;
+}
+
+PictureExtent windowSize(const Arguments& arguments) {
+    PictureExtent size;
+    const std::string& text = arguments.size;
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    const bool hasWidth = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+    const auto height = hasWidth ? std::from_chars(width.ptr + 1, end, size.height) : width;
+    const auto fits = [](std::uint32_t side) {
+        return side >= 1 && side <= static_cast<std::uint32_t>(kMaxWindowSide);
+    };
+    if (!hasWidth || height.ec != std::errc() || height.ptr != end || !fits(size.width) ||
+        !fits(size.height)) {
+        throw base::InputError(fmt::format("size must be WIDTHxHEIGHT, 1 to {}, such as 1280x720, not '{}'",
+                                           kMaxWindowSide, text.substr(0, 60)));
+    }
+    return size;
+}
+
+std::optional<ScriptPlayer> loadScript(const Arguments& arguments) {
+    if (arguments.script.empty()) {
+        return std::nullopt;
+    }
+    const base::Bytes bytes = base::readFile(arguments.script, kMaxScriptBytes);
+    return ScriptPlayer(parseScript({bytes.begin(), bytes.end()}, arguments.script.string()));
+}
+
+std::filesystem::path freeName(const std::string& stem, const std::string& extension) {
+    constexpr int kMostNumbers = 10'000;
+    for (int number = 1; number < kMostNumbers; ++number) {
+        std::filesystem::path name = fmt::format("{}-{:04}{}", stem, number, extension);
+        if (!std::filesystem::exists(name)) {
+            return name;
+        }
+    }
+    throw base::InputError(fmt::format("no free name {}-NNNN{} here", stem, extension));
+}
+
+} // namespace cdr::viewer

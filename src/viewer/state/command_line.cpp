@@ -1,0 +1,147 @@
+#include "command_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr std::string_view kHarmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                       "_-./:,=+@%";
+
+std::string_view aovOf(ViewKind view) {
+    switch (view) {
+    case ViewKind::cascades:
+        return "cascade";
+    case ViewKind::distance:
+        return "distance";
+    case ViewKind::ids:
+        return "id";
+    case ViewKind::wrong:
+        return "wrong";
+    case ViewKind::shaded:
+    case ViewKind::flips:
+        break;
+    }
+    return "color";
+}
+
+/// Words of a command line, quoted one by one.
+class Words {
+  public:
+    void add(std::string_view word) {
+        if (!m_line.empty()) {
+            m_line += ' ';
+        }
+        m_line += shellQuoted(word);
+    }
+    /// An option and its value in one word, since a value may begin with a minus.
+    void add(std::string_view option, std::string_view value) { add(fmt::format("{}={}", option, value)); }
+    void addUnless(bool isDefault, std::string_view option, std::string_view value) {
+        if (!isDefault) {
+            add(option, value);
+        }
+    }
+    const std::string& line() const { return m_line; }
+
+  private:
+    std::string m_line;
+};
+
+void addFinish(Words& words, const ViewSettings& settings) {
+    render::RenderOptions options;
+    options.targets = settings.targets;
+    apply(settings.finish, options);
+    const render::RenderOptions defaults;
+    words.addUnless(options.detail.mode == defaults.detail.mode, "--detail", scene::nameOf(options.detail));
+    words.addUnless(options.translucency.method == defaults.translucency.method, "--translucency",
+                    render::nameOf(options.translucency.method));
+    const render::Effects& effects = options.effects;
+    words.addUnless(effects.antialias == defaults.effects.antialias, "--antialias",
+                    render::nameOf(effects.antialias));
+    words.addUnless(
+        effects.occlusion.radius == 0.0, "--occlusion",
+        fmt::format("{}{}", effects.occlusion.radius, effects.occlusion.perLayer ? ":layers" : ""));
+    words.addUnless(effects.fog.visibility == 0.0, "--fog", fmt::format("{}", effects.fog.visibility));
+}
+
+void addTechnique(Words& words, const ViewSettings& settings, const depth::Technique& technique) {
+    const auto presets = depth::presets();
+    const auto preset = std::find_if(presets.begin(), presets.end(), [&](const depth::Technique& p) {
+        return p.mapping == technique.mapping && p.split == technique.split;
+    });
+    if (preset != presets.end()) {
+        words.add("--technique", preset->name);
+    } else {
+        words.add("--depth", depth::nameOf(technique.mapping));
+        words.add("--split", depth::nameOf(technique.split));
+    }
+    words.addUnless(technique.format == depth::DepthFormat::d32f, "--format",
+                    depth::nameOf(technique.format));
+    const ViewSettings defaults;
+    words.addUnless(settings.targets == defaults.targets, "--targets", render::nameOf(settings.targets));
+    words.addUnless(settings.submission == defaults.submission, "--submission",
+                    render::nameOf(settings.submission));
+    words.addUnless(settings.batching == defaults.batching, "--batching", render::nameOf(settings.batching));
+    addFinish(words, settings);
+    words.addUnless(settings.threads == defaults.threads, "--threads", fmt::format("{}", settings.threads));
+}
+
+bool isSamePose(const scene::Camera& a, const scene::Camera& b) {
+    return a.position == b.position && a.right == b.right && a.up == b.up && a.back == b.back;
+}
+
+void addCamera(Words& words, const scene::Camera& camera, const scene::Camera& own) {
+    if (!isSamePose(camera, own)) {
+        const scene::Camera said = scene::canonical(camera);
+        words.add("--eye", exactText(said.position));
+        words.add("--direction", exactText(-said.back));
+        words.addUnless(scene::isLevel(said), "--up", exactText(said.up));
+    }
+    words.addUnless(camera.fovY == own.fovY, "--fov", fmt::format("{}", scene::degreesOf(camera.fovY)));
+    words.addUnless(camera.nearView == own.nearView, "--near", fmt::format("{}", camera.nearView));
+    words.addUnless(camera.farView == own.farView, "--far", fmt::format("{}", camera.farView));
+}
+
+} // namespace
+
+std::string renderCommand(const ReproducedView& view, std::string_view output) {
+    const ViewSettings& settings = view.settings;
+    Words words;
+    words.add("cdr");
+    words.add("render");
+    // A file whose name begins with a minus would be an option.
+    words.add(settings.scene.starts_with('-') ? fmt::format("./{}", settings.scene) : settings.scene);
+    addTechnique(words, settings, renderOptions(settings, view.side, view.extent).technique);
+    addCamera(words, view.camera, view.sceneCamera);
+    words.addUnless(settings.seed == scene::kDefaultSeed, "--seed", fmt::format("{}", settings.seed));
+    words.add("--size", fmt::format("{}x{}", view.extent.width, view.extent.height));
+    words.addUnless(aovOf(settings.view) == "color", "--aov", aovOf(settings.view));
+    words.add("--output", output);
+    return words.line();
+}
+
+std::string shellQuoted(std::string_view word) {
+    if (!word.empty() && word.find_first_not_of(kHarmless) == std::string_view::npos) {
+        return std::string(word);
+    }
+    std::string quoted = "'";
+    for (const char c : word) {
+        if (c == '\'') {
+            quoted += "'\\''";
+        } else {
+            quoted += c;
+        }
+    }
+    quoted += '\'';
+    return quoted;
+}
+
+std::string exactText(const glm::dvec3& point) {
+    return fmt::format("{},{},{}", point.x, point.y, point.z);
+}
+
+} // namespace cdr::viewer

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "view_settings.h"
+
+#include <cdr/scene/camera.h>
+
+#include <string>
+#include <string_view>
+
+namespace cdr::viewer {
+
+/// One picture on the screen.
+struct ReproducedView {
+    ViewSettings settings;
+    std::size_t side = 0; ///< of a split screen: 0 left, 1 right
+    scene::Camera camera;
+    scene::Camera sceneCamera; ///< the scene's own at frame 0: what agrees with it is left out
+    PictureExtent extent;
+};
+
+/// The `cdr render` line that draws the same picture without a window, quoted for a POSIX shell, writing to
+/// `output`. The camera comes back to the bit where its pose and its field of view are each the scene's own
+/// or scene::canonical(), which controllers and recordings keep them; else but for roundings.
+///
+/// A technique with a fitted split depends on the frames before; there the picture is that of a renderer
+/// which begins with this camera. The wrong view is compared with a float64 ray cast instead of the anchored
+/// answer; flips, which need time, become the shaded picture.
+std::string renderCommand(const ReproducedView& view, std::string_view output = "view.png");
+
+/// `word` as a POSIX shell must read it to mean it: as it is where nothing in it is special, else in single
+/// quotes.
+std::string shellQuoted(std::string_view word);
+
+/// "x,y,z" with as many digits as bring each back to the bit.
+std::string exactText(const glm::dvec3& point);
+
+} // namespace cdr::viewer

@@ -1,0 +1,53 @@
+#include "finish.h"
+
+#include <array>
+#include <cstddef>
+
+namespace cdr::viewer {
+
+void apply(const Finish& finish, render::RenderOptions& options) {
+    options.detail.mode = finish.detail;
+    options.translucency.method = finish.translucency;
+    options.effects = finish.effects;
+    options.effects.occlusion.perLayer = finish.effects.occlusion.perLayer && hasLayers(options.targets.kind);
+}
+
+std::string_view explain(scene::DetailMode detail) {
+    constexpr std::array<std::string_view, 3> kTexts{
+        "Every mesh in full: slow where they are dense and small.",
+        "Each object at the coarsest level whose error stays under half a pixel, the same level in all its "
+        "cascades: nothing cracks.",
+        "Each cascade chooses, as the thesis has it: an object that straddles a boundary is drawn at two "
+        "levels, and may crack there."};
+    return kTexts[static_cast<std::size_t>(detail)];
+}
+
+std::string_view explain(render::Translucency translucency) {
+    return translucency == render::Translucency::weighted
+               ? "Blended surfaces of a cascade are averaged by weight, cascades laid over each other: fast, "
+                 "and approximate where surfaces overlap."
+               : "Every blended fragment is kept, sorted by its distance and laid over the next: exact, at "
+                 "the price of memory.";
+}
+
+std::string_view explain(render::Antialias antialias) {
+    return antialias == render::Antialias::none
+               ? "Pixels as they were sampled: what measurements look at."
+               : "Stairs along edges of brightness are smoothed after shading.";
+}
+
+std::string_view explain(const render::Occlusion& occlusion) {
+    if (occlusion.radius <= 0.0) {
+        return "Corners get as much ambient light as open ground.";
+    }
+    return occlusion.perLayer
+               ? "Corners lose ambient light, on each cascade's layer alone (thesis method 2): what lies in "
+                 "another cascade takes none. Needs targets with layers."
+               : "Corners lose ambient light, by the one distance of all cascades: no boundary shows.";
+}
+
+std::string_view explain(const render::Fog& fog) {
+    return fog.visibility <= 0.0 ? "Clear air." : "At this distance 2 % of a colour is left.";
+}
+
+} // namespace cdr::viewer

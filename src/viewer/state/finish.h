@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cdr/render/renderer.h>
+
+#include <string_view>
+
+namespace cdr::viewer {
+
+/// What a picture is finished with, whatever its technique.
+struct Finish {
+    scene::DetailMode detail = scene::DetailMode::none;
+    render::Translucency translucency = render::Translucency::weighted;
+    render::Effects effects{};
+
+    bool operator==(const Finish&) const = default;
+};
+
+/// Puts it into the options of a renderer. Occlusion per layer is for targets that have layers, so with
+/// others it is worked out over the whole picture.
+void apply(const Finish& finish, render::RenderOptions& options);
+
+std::string_view explain(scene::DetailMode detail);
+std::string_view explain(render::Translucency translucency);
+std::string_view explain(render::Antialias antialias);
+std::string_view explain(const render::Occlusion& occlusion);
+std::string_view explain(const render::Fog& fog);
+
+} // namespace cdr::viewer

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "camera_input.h"
+
+#include <cdr/scene/camera.h>
+
+namespace cdr::viewer {
+
+/// How fast a flight goes.
+struct FlySpeed {
+    double perSecond = 0.7;       ///< ahead: share of the way to what is looked at; sideways: of the picture
+    double fasterBy = 8.0;        ///< with CameraKey::faster, and the reverse with slower
+    double axisTurnHeights = 1.5; ///< picture heights per second that a gamepad turns by at full deflection
+};
+
+/// Flies freely: keys move, dragging looks about, so that what is under the pointer follows it pixel by
+/// pixel.
+///
+/// Speed follows from the distance of what is looked at: ahead it is a share of the way there, so a surface
+/// is approached and never passed; sideways a share of what the picture covers there, so it looks equally
+/// fast through every lens. Independent of the frame rate. A camera that turns loses its roll; one that does
+/// not keeps its bits.
+/// @param surfaceView view distance of what is looked at, or of the nearest surface: see flightDistance().
+scene::Camera fly(const scene::Camera& camera, const CameraInput& input, double surfaceView,
+                  const FlySpeed& speed = {});
+
+/// The distance that a flight's speed follows from: a little short of `surfaceView`, so that approaching
+/// stops before near cuts the surface open; where that is infinite, or 0, the last such distance; between
+/// near and far.
+/// @param lastView what this gave last, 0 at first.
+double flightDistance(const scene::Camera& camera, double surfaceView, double lastView);
+
+} // namespace cdr::viewer

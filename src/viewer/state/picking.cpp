@@ -1,0 +1,100 @@
+#include "picking.h"
+
+#include "heading.h"
+#include "length_text.h"
+#include "technique_label.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cdr::viewer {
+
+namespace {
+
+double nearestSurface(const render::Frame& frame) {
+    constexpr std::uint32_t kSamples = 32; // each way
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t row = 0; row < kSamples; ++row) {
+        for (std::uint32_t column = 0; column < kSamples; ++column) {
+            nearest = std::min(nearest, frame.distanceView((2 * column + 1) * frame.width() / (2 * kSamples),
+                                                           (2 * row + 1) * frame.height() / (2 * kSamples)));
+        }
+    }
+    return nearest;
+}
+
+} // namespace
+
+double surfaceView(const render::Frame& frame, const glm::dvec2& pixel) {
+    if (frame.width() == 0 || frame.height() == 0) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const bool inside =
+        pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < frame.width() && pixel.y < frame.height();
+    const double under =
+        inside ? frame.distanceView(static_cast<std::uint32_t>(pixel.x), static_cast<std::uint32_t>(pixel.y))
+               : std::numeric_limits<double>::infinity();
+    return std::isfinite(under) ? under : nearestSurface(frame);
+}
+
+std::string objectName(const scene::Scene& scene, std::uint32_t object) {
+    if (object < scene.objectNames.size() && !scene.objectNames[object].empty()) {
+        return scene.objectNames[object];
+    }
+    return fmt::format("object {}", object);
+}
+
+std::optional<PickedPoint> pickAt(const render::Frame& frame, const scene::Scene& scene,
+                                  const depth::Technique& technique, std::uint32_t x, std::uint32_t y) {
+    if (x >= frame.width() || y >= frame.height()) {
+        return std::nullopt;
+    }
+    const std::optional<render::Pick> pick = frame.pick(x, y);
+    if (!pick) {
+        return std::nullopt;
+    }
+    return PickedPoint{.object = pick->object,
+                       .name = objectName(scene, pick->object),
+                       .position = pick->position,
+                       .normal = pick->normal,
+                       .distanceView = pick->distanceView,
+                       .stepView = techniqueStepView(technique, frame.cascades, pick->distanceView),
+                       .footprint = pick->distanceView * footprintSlope(frame.camera, frame.height())};
+}
+
+Span spanBetween(const PickedPoint& first, const PickedPoint& second) {
+    const glm::dvec3 vector = second.position - first.position;
+    return {.vector = vector,
+            .length = glm::length(vector),
+            .alongView = second.distanceView - first.distanceView,
+            .uncertainty = std::hypot(std::hypot(0.5 * first.footprint, 0.5 * second.footprint),
+                                      std::hypot(first.stepView, second.stepView))};
+}
+
+void Measuring::click(const PickedPoint& point) {
+    if (m_first && !m_second) {
+        m_second = point;
+    } else {
+        m_first = point;
+        m_second.reset();
+    }
+}
+
+std::optional<Span> Measuring::span() const {
+    return m_first && m_second ? std::optional(spanBetween(*m_first, *m_second)) : std::nullopt;
+}
+
+std::string describe(const PickedPoint& point) {
+    return fmt::format("{}, {} away, a step of {}", point.name,
+                       lengthText(point.distanceView, point.stepView), stepText(point.stepView));
+}
+
+std::string describe(const Span& span) {
+    return fmt::format("{}, {} of it along the view, to within {}", lengthText(span.length, span.uncertainty),
+                       lengthText(span.alongView, span.uncertainty), stepText(span.uncertainty));
+}
+
+} // namespace cdr::viewer

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cdr/depth/technique.h>
+#include <cdr/render/frame.h>
+#include <cdr/scene/scene.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace cdr::viewer {
+
+/// What is under a pixel, in float64.
+struct PickedPoint {
+    std::uint32_t object = 0;  ///< index
+    std::string name;          ///< the scene's, or "object 12"
+    glm::dvec3 position{0.0};  ///< world space
+    glm::dvec3 normal{0.0};    ///< world space, unit
+    double distanceView = 0.0; ///< along the view axis
+    double stepView = 0.0;     ///< what the technique tells apart there (techniqueStepView())
+    double footprint = 0.0;    ///< what a pixel covers there, across the picture
+};
+
+/// Empty for background and outside the picture.
+std::optional<PickedPoint> pickAt(const render::Frame& frame, const scene::Scene& scene,
+                                  const depth::Technique& technique, std::uint32_t x, std::uint32_t y);
+
+/// View distance under a pixel; of the nearest surface in the picture, looked for at some hundred pixels,
+/// where that is background or outside; infinity where all is background. What a flight's speed follows from.
+double surfaceView(const render::Frame& frame, const glm::dvec2& pixel);
+
+/// Object index's name in the scene, or "object INDEX".
+std::string objectName(const scene::Scene& scene, std::uint32_t object);
+
+/// The way from one picked point to another.
+struct Span {
+    glm::dvec3 vector{0.0};   ///< world space, from the first to the second
+    double length = 0.0;      ///< straight
+    double alongView = 0.0;   ///< difference of the view distances, the second farther positive
+    double uncertainty = 0.0; ///< half a pixel and a step at both ends, taken together
+};
+Span spanBetween(const PickedPoint& first, const PickedPoint& second);
+
+/// Measuring by clicks: the first sets one end, the second the other, the third begins anew.
+class Measuring {
+  public:
+    void click(const PickedPoint& point);
+    void clear() { m_first.reset(), m_second.reset(); }
+
+    const std::optional<PickedPoint>& first() const { return m_first; }
+    const std::optional<PickedPoint>& second() const { return m_second; }
+    std::optional<Span> span() const;
+
+  private:
+    std::optional<PickedPoint> m_first;
+    std::optional<PickedPoint> m_second;
+};
+
+/// "cube 12, 420.0013 km away, a step of 2.4 µm", one line.
+std::string describe(const PickedPoint& point);
+/// "5.00 mm, 4.98 mm of it along the view, to within 0.020 mm", one line.
+std::string describe(const Span& span);
+
+} // namespace cdr::viewer

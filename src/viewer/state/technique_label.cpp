@@ -1,0 +1,60 @@
+#include "technique_label.h"
+
+#include "length_text.h"
+
+#include <cdr/depth/forecast.h>
+#include <cdr/depth/separation.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cdr::viewer {
+
+std::string techniqueName(const depth::Technique& technique) {
+    return fmt::format("{}, {}", technique.name, depth::nameOf(technique.format));
+}
+
+double techniqueStepView(const depth::Technique& technique, const depth::Cascades& cascades,
+                         double distanceView) {
+    const auto holds = [&](double overlap) {
+        return std::find_if(cascades.begin(), cascades.end(), [&](const depth::Cascade& cascade) {
+            return distanceView >= cascade.nearView * (1.0 - overlap) &&
+                   distanceView <= cascade.farView * (1.0 + overlap);
+        });
+    };
+    // What is drawn may lie beyond its cascade by an overlap.
+    constexpr double kOverlap = 1e-4;
+    const auto exact = holds(0.0);
+    const auto holder = exact != cascades.end() ? exact : holds(kOverlap);
+    if (holder == cascades.end()) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const bool isClosed = std::holds_alternative<depth::SplitFitted>(technique.split);
+    const depth::DepthRange range =
+        depth::depthRange(technique.mapping, cascades, static_cast<std::size_t>(holder - cascades.begin()),
+                          isClosed ? depth::FarEnd::closed : depth::FarEnd::open);
+    const double w = std::clamp(distanceView, holder->nearView, holder->farView);
+    const depth::Forecast forecast{.cascades = cascades.size(),
+                                   .bufferStepView = depth::separationView(range, technique.format, w),
+                                   .rounding = depth::depthRounding(range, w)};
+    return forecast.resolvedView();
+}
+
+std::string sideLabel(const depth::Technique& technique, const depth::Cascades& cascades,
+                      double distanceView) {
+    const double step = techniqueStepView(technique, cascades, distanceView);
+    if (!std::isfinite(distanceView)) {
+        return techniqueName(technique);
+    }
+    if (!std::isfinite(step)) {
+        return fmt::format("{}: tells nothing apart at {}", techniqueName(technique),
+                           lengthText(distanceView));
+    }
+    return fmt::format("{}: tells {} apart at {}", techniqueName(technique), stepText(step),
+                       lengthText(distanceView, step));
+}
+
+} // namespace cdr::viewer

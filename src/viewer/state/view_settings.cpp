@@ -1,0 +1,86 @@
+#include "view_settings.h"
+
+#include <algorithm>
+
+namespace cdr::viewer {
+
+namespace {
+
+bool isSame(const std::optional<depth::Technique>& a, const std::optional<depth::Technique>& b) {
+    return a.has_value() == b.has_value() && (!a || isSameTechnique(*a, *b));
+}
+
+} // namespace
+
+std::string_view nameOf(ViewKind view) {
+    constexpr std::array<std::string_view, kViewKinds.size()> kNames{"shaded", "cascades", "distance",
+                                                                     "ids",    "wrong",    "flips"};
+    return kNames[static_cast<std::size_t>(view)];
+}
+
+bool needsReference(ViewKind view) {
+    return view == ViewKind::wrong || view == ViewKind::flips;
+}
+
+depth::Technique referenceTechnique() {
+    // A hundred times finer than the preset's, which a crowded scene may relax again.
+    return depth::makeTechnique(depth::Mapping::anchored,
+                                depth::SplitFitted{.target = 1e-5, .unit = depth::SplitFitted::Unit::pixels},
+                                depth::DepthFormat::d32f);
+}
+
+bool isSameTechnique(const depth::Technique& a, const depth::Technique& b) {
+    return a.mapping == b.mapping && a.split == b.split && a.format == b.format;
+}
+
+bool ViewSettings::operator==(const ViewSettings& other) const {
+    return scene == other.scene && seed == other.seed && isSameTechnique(technique, other.technique) &&
+           isSame(second, other.second) && divider == other.divider && targets == other.targets &&
+           submission == other.submission && batching == other.batching && threads == other.threads &&
+           view == other.view && finish == other.finish;
+}
+
+Rework reworkOf(const ViewSettings& before, const ViewSettings& after) {
+    const auto needsLevels = [](const ViewSettings& settings) {
+        return settings.finish.detail != scene::DetailMode::none;
+    };
+    if (before.scene != after.scene || before.seed != after.seed ||
+        (needsLevels(after) && !needsLevels(before))) {
+        return Rework::scene;
+    }
+    if (!isSameTechnique(before.technique, after.technique) || !isSame(before.second, after.second) ||
+        !(before.targets == after.targets) || before.submission != after.submission ||
+        before.batching != after.batching || before.threads != after.threads ||
+        !(before.finish == after.finish) || needsReference(before.view) != needsReference(after.view)) {
+        return Rework::renderer;
+    }
+    return before.view == after.view ? Rework::nothing : Rework::picture;
+}
+
+render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t side,
+                                    const PictureExtent& extent) {
+    render::RenderOptions options{.width = extent.width,
+                                  .height = extent.height,
+                                  .technique =
+                                      side == 1 && settings.second ? *settings.second : settings.technique,
+                                  .targets = settings.targets,
+                                  .threads = settings.threads,
+                                  .submission = settings.submission,
+                                  .batching = settings.batching};
+    apply(settings.finish, options);
+    return options;
+}
+
+depth::Technique presetOfKey(std::size_t key) {
+    return depth::presets()[std::clamp<std::size_t>(key, 1, kPresetKeys) - 1];
+}
+
+ViewSettings withPreset(ViewSettings settings, std::size_t side, std::size_t key) {
+    depth::Technique& changed = side == 1 && settings.second ? *settings.second : settings.technique;
+    const depth::DepthFormat format = changed.format;
+    changed = presetOfKey(key);
+    changed.format = format;
+    return settings;
+}
+
+} // namespace cdr::viewer

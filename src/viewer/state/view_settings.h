@@ -1,0 +1,70 @@
+#pragma once
+
+#include "camera_input.h"
+#include "finish.h"
+
+#include <cdr/render/renderer.h>
+#include <cdr/scene/open_scene.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cdr::viewer {
+
+/// What of a frame is shown.
+enum class ViewKind : std::uint8_t { shaded, cascades, distance, ids, wrong, flips };
+inline constexpr std::array kViewKinds{ViewKind::shaded, ViewKind::cascades, ViewKind::distance,
+                                       ViewKind::ids,    ViewKind::wrong,    ViewKind::flips};
+
+/// "shaded", "cascades", "distance", "ids", "wrong" or "flips".
+std::string_view nameOf(ViewKind view);
+
+/// Whether a view compares with the anchored answer, which must then be rendered too.
+bool needsReference(ViewKind view);
+/// That answer's technique: anchored with the finest target there is sense in.
+depth::Technique referenceTechnique();
+
+/// Everything that a person chooses but the camera.
+struct ViewSettings {
+    std::string scene = "rotation"; ///< a name or file for scene::openScene()
+    std::uint64_t seed = scene::kDefaultSeed;
+    depth::Technique technique = depth::parseTechnique("anchored"); ///< the left one of a split screen
+    std::optional<depth::Technique> second{}; ///< right of the divider; empty for one picture
+    double divider = 0.5;                     ///< share of the width that the left picture has, 0 to 1
+    render::TargetsChoice targets = render::TargetsKind::single;
+    render::Submission submission = render::Submission::secondaries;
+    render::Batching batching = render::Batching::instanced;
+    std::size_t threads = 1;
+    ViewKind view = ViewKind::shaded;
+    Finish finish;
+
+    bool operator==(const ViewSettings&) const;
+};
+
+/// Whether two techniques draw alike; their names do not count.
+bool isSameTechnique(const depth::Technique& a, const depth::Technique& b);
+
+/// The least that has to be made anew.
+enum class Rework : std::uint8_t {
+    nothing,  ///< the divider moved, or nothing did
+    picture,  ///< another picture of the same frames
+    renderer, ///< at least one side's
+    scene,    ///< everything
+};
+Rework reworkOf(const ViewSettings& before, const ViewSettings& after);
+
+/// How one side, 0 left or 1 right, is rendered.
+render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t side,
+                                    const PictureExtent& extent);
+
+/// Keys 1 to 6: the presets of depth::presets(), worst first.
+inline constexpr std::size_t kPresetKeys = 6;
+/// @param key 1 to kPresetKeys.
+depth::Technique presetOfKey(std::size_t key);
+/// The settings with a preset on one side (0 left, 1 right), its depth format kept.
+ViewSettings withPreset(ViewSettings settings, std::size_t side, std::size_t key);
+
+} // namespace cdr::viewer

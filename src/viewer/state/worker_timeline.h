@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cdr/base/trace.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::viewer {
+
+/// What one worker did, and when, milliseconds since the frame began.
+struct TimelineJob {
+    std::size_t worker = 0;
+    std::optional<std::size_t> cascade; ///< that it recorded; empty for culling and binning
+    std::size_t draws = 0;
+    double beginMs = 0.0;
+    double endMs = 0.0;
+};
+
+/// A stage of the frame, milliseconds since it began.
+struct TimelineStage {
+    std::string name; ///< "cull", "split", "bin", "record" or "execute"
+    double beginMs = 0.0;
+    double endMs = 0.0;
+};
+
+/// Who worked on what during one frame.
+struct WorkerTimeline {
+    std::size_t workers = 0;
+    double lengthMs = 0.0;             ///< end of the last stage or job
+    std::vector<TimelineStage> stages; ///< in order
+    std::vector<TimelineJob> jobs;     ///< by worker, each worker's in order
+};
+
+/// The last frame that a trace holds; empty when it holds none. On the thread that drives the frame, between
+/// frames. base::Trace::forget() before each frame keeps a trace that is read this way small.
+WorkerTimeline timelineOf(const base::Trace& trace);
+
+} // namespace cdr::viewer

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cdr/image/image.h>
+#include <cdr/measure/wrong_pixels.h>
+#include <cdr/render/frame.h>
+
+#include <cstdint>
+
+namespace cdr::viewer {
+
+/// How many pixels of a frame show another object than the anchored answer.
+struct WrongCount {
+    std::uint64_t inner = 0;     ///< pixels whose answer is shared by all eight neighbours
+    std::uint64_t wrong = 0;     ///< of those
+    std::uint64_t edgeWrong = 0; ///< elsewhere, where rasterisation decides
+
+    double share() const { return inner ? static_cast<double>(wrong) / static_cast<double>(inner) : 0.0; }
+};
+
+/// measure::heatMap() with the anchored answer in place of the truth: red where wrong off edges, orange on
+/// edges, else the picture in dim grey. base::InputError when the sizes differ.
+/// @param reference the same camera's frame by referenceTechnique().
+WrongCount paintWrong(const render::Frame& frame, const render::Frame& reference, image::ImageRgba8& picture);
+
+} // namespace cdr::viewer

@@ -1,0 +1,76 @@
+#include "ui_device.h"
+
+#include <cdr/base/error.h>
+#include <cdr/gpu/device_query.h>
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+
+namespace cdr::viewer {
+
+namespace {
+
+bool hasSwapchain(vk::PhysicalDevice physical) {
+    const auto extensions = physical.enumerateDeviceExtensionProperties();
+    return std::any_of(extensions.begin(), extensions.end(), [](const auto& extension) {
+        return std::strcmp(extension.extensionName, VK_KHR_SWAPCHAIN_EXTENSION_NAME) == 0;
+    });
+}
+
+/// The queue family that draws and presents, if the device has such a one.
+std::optional<std::uint32_t> presentingFamily(vk::PhysicalDevice physical, vk::SurfaceKHR surface) {
+    const auto family = gpu::findQueueFamily(physical);
+    const bool presents = family && hasSwapchain(physical) &&
+                          physical.getSurfaceSupportKHR(*family, surface) &&
+                          !physical.getSurfaceFormatsKHR(surface).empty();
+    return presents ? family : std::nullopt;
+}
+
+vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t family) {
+    constexpr float kPriority = 1.0f;
+    const vk::DeviceQueueCreateInfo queue{
+        .queueFamilyIndex = family, .queueCount = 1, .pQueuePriorities = &kPriority};
+    const vk::PhysicalDeviceVulkan13Features features{.synchronization2 = true, .dynamicRendering = true};
+    const char* extension = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    return physical.createDeviceUnique({.pNext = &features,
+                                        .queueCreateInfoCount = 1,
+                                        .pQueueCreateInfos = &queue,
+                                        .enabledExtensionCount = 1,
+                                        .ppEnabledExtensionNames = &extension});
+}
+
+} // namespace
+
+UiDevice::UiDevice(const WindowSystem& system, const Window& window, const std::string& choice, bool validate)
+    : m_instance({.validate = validate, .extensions = system.instanceExtensions()}),
+      m_surface(window.makeSurface(m_instance.handle())) {
+    const auto devices = m_instance.handle().enumeratePhysicalDevices();
+    // The one that renders first; the choice itself is checked by whoever makes that device.
+    std::vector<std::uint32_t> order;
+    try {
+        order.push_back(gpu::Device(m_instance, choice).info().index);
+    } catch (const base::InputError&) {
+    }
+    for (std::uint32_t index = 0; index < devices.size(); ++index) {
+        order.push_back(index);
+    }
+    for (const std::uint32_t index : order) {
+        const auto family = presentingFamily(devices[index], *m_surface);
+        if (!family || devices[index].getProperties().apiVersion < VK_API_VERSION_1_3) {
+            continue;
+        }
+        m_owned = makeDevice(devices[index], *family);
+        m_device =
+            std::make_unique<gpu::Device>(gpu::BorrowedDevice{.instance = m_instance.handle(),
+                                                              .physical = devices[index],
+                                                              .device = *m_owned,
+                                                              .queue = m_owned->getQueue(*family, 0),
+                                                              .queueFamily = *family,
+                                                              .hasDebugNames = m_instance.hasDebugNames()});
+        return;
+    }
+    throw base::RunError("no Vulkan 1.3 device can present to this window system");
+}
+
+} // namespace cdr::viewer

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "render_request.h"
+#include "state/frame_statistics.h"
+#include "state/orbit_controller.h"
+#include "state/picking.h"
+#include "state/view_settings.h"
+
+#include <cdr/scene/camera_recording.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::viewer {
+
+/// What a key, a button or a script asks the program to do once.
+enum class Action : std::uint8_t {
+    quit,
+    screenshotPicture, ///< the picture as shown, divider included
+    screenshotWindow,
+    copyCommandLine,
+    sceneCamera, ///< back to the scene's own
+    record,      ///< begins or ends recording the camera
+    playRecording,
+    forgetMeasuring,
+};
+
+/// Where the camera comes from.
+enum class Motion : std::uint8_t { free, scenePath, recording };
+
+/// A line for the person at the window, and until when it shows.
+struct Notice {
+    std::string text;
+    bool isProblem = false;
+    std::chrono::steady_clock::time_point until{};
+};
+
+/// All that the interface knows: one thread's.
+struct ViewerModel {
+    ViewSettings settings;
+    std::string device;   ///< that renders, with its driver
+    std::string uiDevice; ///< that shows
+
+    // Camera
+    scene::Camera camera;
+    scene::Camera sceneCamera; ///< the scene's own at frame 0
+    bool hasCamera = false;    ///< false until a scene is open
+    bool orbits = false;
+    glm::dvec3 pivot{0.0};
+    double surfaceView = 0.0; ///< view distance of what is looked at: speeds follow from it
+    Motion motion = Motion::free;
+    std::uint32_t pathFrame = 0;
+    bool isRecording = false;
+    scene::CameraRecording recording;
+    double recordingSeconds = 0.0; ///< recorded or played so far
+
+    // What is shown
+    std::shared_ptr<const RenderResult> shown; ///< the last that did not fail
+    /// By side: the newest frame that picking can read.
+    std::array<std::shared_ptr<const render::Frame>, 2> readable;
+    std::array<std::optional<PickedPoint>, 2> underCursor;
+    Measuring measuring;
+    FrameStatistics statistics;
+    double framesPerSecond = 0.0;
+    double uiFrameMs = 0.0;     ///< the interface, drawn and handed to the display
+    double presentMs = 0.0;     ///< of it, waiting for and handing to the display
+    bool rendersAlways = false; ///< though nothing changes: to see times settle
+
+    // Interface
+    bool showsPanel = true;
+    bool showsHelp = false;
+    Notice notice;
+    std::vector<Action> actions; ///< to be done before the next frame
+
+    void say(std::string text, bool isProblem = false) {
+        constexpr std::chrono::seconds kShown{6};
+        notice = {std::move(text), isProblem, std::chrono::steady_clock::now() + kShown};
+    }
+};
+
+} // namespace cdr::viewer

@@ -1,0 +1,112 @@
+#include "widgets.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr float kLabelShare = 0.30f; ///< of a panel's width
+
+void text(std::string_view words) {
+    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+}
+
+void quietText(std::string_view words) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    text(words);
+    ImGui::PopStyleColor();
+}
+
+} // namespace
+
+void Widgets::heading(std::string_view words) const {
+    ImGui::Dummy({0.0f, ImGui::GetStyle().ItemSpacing.y * 0.5f});
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    text(words);
+    ImGui::PopStyleColor();
+}
+
+void Widgets::sentence(std::string_view words) const {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::PushTextWrapPos(0.0f);
+    text(words);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void Widgets::value(std::string_view name, const std::string& words) const {
+    quietText(name);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x * kLabelShare);
+    ImGui::PushTextWrapPos(0.0f);
+    text(words);
+    ImGui::PopTextWrapPos();
+}
+
+void Widgets::label(std::string_view name) const {
+    ImGui::AlignTextToFramePadding();
+    // What stands before a slash tells apart, and need not be read.
+    quietText(name.substr(name.find('/') + 1));
+    ImGui::SameLine(ImGui::GetContentRegionMax().x * kLabelShare);
+    ImGui::SetNextItemWidth(-1.0f);
+}
+
+std::size_t Widgets::combo(std::string_view name, std::string_view shown, std::size_t count,
+                           const std::function<std::string_view(std::size_t)>& nameOf) const {
+    label(name);
+    std::size_t chosen = count;
+    const bool isOpen = ImGui::BeginCombo(fmt::format("##{}", name).c_str(), std::string(shown).c_str(),
+                                          ImGuiComboFlags_HeightLarge);
+    if (isOpen) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::string entry(nameOf(i));
+            if (ImGui::Selectable(entry.c_str(), entry == shown)) {
+                chosen = i;
+            }
+            m_places.note(fmt::format("{}={}", name, entry));
+        }
+        ImGui::EndCombo();
+    } else {
+        m_places.note(name);
+    }
+    return chosen;
+}
+
+bool Widgets::button(std::string_view name, bool isOn) const {
+    if (isOn) {
+        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    }
+    const std::string shown = fmt::format("{}##{}", name.substr(name.find('/') + 1), name);
+    const bool isPressed = ImGui::Button(shown.c_str());
+    m_places.note(name);
+    if (isOn) {
+        ImGui::PopStyleColor(2);
+    }
+    return isPressed;
+}
+
+bool Widgets::checkbox(std::string_view name, bool& isOn) const {
+    const bool isChanged = ImGui::Checkbox(std::string(name).c_str(), &isOn);
+    m_places.note(name);
+    return isChanged;
+}
+
+bool Widgets::count(std::string_view name, int& value, int low, int high) const {
+    label(name);
+    const bool isChanged = ImGui::SliderInt(fmt::format("##{}", name).c_str(), &value, low, high, "%d",
+                                            ImGuiSliderFlags_AlwaysClamp);
+    m_places.note(name);
+    return isChanged;
+}
+
+void Widgets::beside() const {
+    ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+}
+
+std::uint32_t packed(const image::Rgba8& color, std::uint8_t alpha) {
+    return IM_COL32(color[0], color[1], color[2], alpha);
+}
+
+} // namespace cdr::viewer

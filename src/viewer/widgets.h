@@ -1,0 +1,45 @@
+#pragma once
+
+#include "item_places.h"
+
+#include <cdr/image/image.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace cdr::viewer {
+
+/// The interface's building blocks: Dear ImGui's, in one look, and each known to scripts by its name.
+class Widgets {
+  public:
+    explicit Widgets(ItemPlaces& places) : m_places(places) {}
+
+    /// A caption above a group.
+    void heading(std::string_view text) const;
+    /// A sentence in quiet letters, wrapped.
+    void sentence(std::string_view text) const;
+    /// A name in quiet letters and its value beside it.
+    void value(std::string_view name, const std::string& text) const;
+
+    /// A choice among names, labelled to the left. @return the index chosen now, or `count`.
+    std::size_t combo(std::string_view name, std::string_view shown, std::size_t count,
+                      const std::function<std::string_view(std::size_t)>& nameOf) const;
+    bool button(std::string_view name, bool isOn = false) const;
+    bool checkbox(std::string_view name, bool& isOn) const;
+    bool count(std::string_view name, int& value, int low, int high) const;
+    /// The next item goes beside the last.
+    void beside() const;
+
+  private:
+    void label(std::string_view name) const;
+
+    ItemPlaces& m_places;
+};
+
+/// A picture's colour as Dear ImGui packs it.
+std::uint32_t packed(const image::Rgba8& color, std::uint8_t alpha = 255);
+
+} // namespace cdr::viewer

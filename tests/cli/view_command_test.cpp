@@ -1,0 +1,139 @@
+#include "program.h"
+
+#include <cdr/base/file.h>
+#include <cdr/render/renderer.h>
+#include <cdr/scene/camera_recording.h>
+#include <cdr/scene/extreme_scenes.h>
+#include <cdr/scene/open_scene.h>
+
+#include <experiments/aov.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <viewer/state/command_line.h>
+#include <viewer/state/fly_controller.h>
+#include <viewer/state/heading.h>
+#include <viewer/state/lens_zoom.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace cdr::cli_test {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr viewer::PictureExtent kExtent{320, 180};
+
+/// A scene on a device of this program's own, and what the viewer would show of it.
+class ViewCommand : public testing::Test {
+  protected:
+    render::Frame show(const scene::Scene& scene, const viewer::ReproducedView& view) {
+        const render::GpuScene onDevice(m_device, scene);
+        render::Renderer renderer(m_device, scene, onDevice,
+                                  viewer::renderOptions(view.settings, view.side, view.extent));
+        return renderer.render(view.camera);
+    }
+
+    /// Runs the command line that the viewer copies, as a shell reads it.
+    static json run(const viewer::ReproducedView& view, const TemporaryFolder& folder) {
+        const std::string line = viewer::renderCommand(view);
+        EXPECT_EQ(line.find("cdr "), 0u);
+        const ProgramResult result = runProgram(line.substr(4) + " --json r.json", folder.path());
+        EXPECT_EQ(result.status, 0) << line << "\n" << result.err;
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "view.png"));
+        return result.status == 0 ? json::parse(readText(folder.path() / "r.json"))["results"][0] : json();
+    }
+
+  private:
+    gpu::Instance m_instance{{.validate = false, .extensions = {}}};
+    gpu::Device m_device{m_instance, ""};
+};
+
+scene::Camera flown(scene::Camera camera, double surfaceView) {
+    const viewer::CameraInput input{.keys = {viewer::CameraKey::right, viewer::CameraKey::backward},
+                                    .drag = {-7.0, 5.0},
+                                    .cursor = {200.0, 60.0},
+                                    .scroll = -2.0,
+                                    .seconds = 0.1,
+                                    .extent = kExtent};
+    return viewer::zoomLens(viewer::fly(camera, input, surfaceView), input);
+}
+
+/// To the bit, with a lens of a fifty-thousandth of a degree per pixel, a million units away.
+TEST_F(ViewCommand, DrawsTheViewersPictureToTheBit) {
+    for (const char* technique : {"anchored", "reversed", "logcdr"}) {
+        const scene::StagedScene staged = scene::makeAfc(scene::kDefaultSeed);
+        viewer::ReproducedView view{.settings = {.scene = "afc"},
+                                    .side = 0,
+                                    .camera = flown(staged.path.at(0), 1e6),
+                                    .sceneCamera = staged.path.at(0),
+                                    .extent = kExtent};
+        view.settings.technique = depth::parseTechnique(technique);
+        const render::Frame frame = show(staged.scene, view);
+        const auto lit = std::count_if(frame.color.pixels.begin(), frame.color.pixels.end(),
+                                       [](const image::Rgba8& p) { return p[0] > 60; });
+        EXPECT_GT(lit, 1000) << technique;
+        const TemporaryFolder folder;
+        EXPECT_EQ(run(view, folder)["hash"], experiments::hashOf(frame, experiments::Aov::color, nullptr))
+            << technique;
+        // Moved by a ten-millionth of a degree, it is another picture: the bits do matter.
+        view.camera =
+            viewer::lookingAlong(view.camera, viewer::turned(viewer::headingOf(view.camera), 2e-9, 0.0));
+        EXPECT_NE(run(view, folder)["hash"], experiments::hashOf(frame, experiments::Aov::color, nullptr));
+    }
+}
+
+TEST_F(ViewCommand, DrawsARolledViewOfTheRightSideOfASplitScreen) {
+    const scene::StagedScene staged = scene::makeMixed();
+    const scene::Camera own = staged.path.at(0);
+    viewer::ReproducedView view{
+        .settings = {.scene = "mixed"},
+        .side = 1,
+        .camera = scene::canonical(scene::lookAlong(own, own.position, -own.back, glm::dvec3(0.3, 1.0, 0.1))),
+        .sceneCamera = own,
+        .extent = kExtent};
+    view.settings.second = depth::parseTechnique("cdr");
+    view.settings.second->format = depth::DepthFormat::d16;
+    view.settings.targets = render::TargetsKind::layers;
+    view.settings.threads = 2;
+    view.settings.view = viewer::ViewKind::ids;
+    const render::Frame frame = show(staged.scene, view);
+    const TemporaryFolder folder;
+    const json result = run(view, folder);
+    EXPECT_EQ(result["hash"], experiments::hashOf(frame, experiments::Aov::id, nullptr));
+    EXPECT_EQ(result["targets"], "layers");
+}
+
+TEST_F(ViewCommand, RendersARecordedPath) {
+    const scene::StagedScene staged = scene::makeAfc(scene::kDefaultSeed);
+    scene::CameraRecording recording{.scene = "afc", .cameras = {}};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        scene::record(recording, 0.5 * i, staged.path.at(20 * i));
+    }
+    const TemporaryFolder folder;
+    scene::writeRecording(folder.path() / "p.json", recording);
+    const std::string render = "render afc --technique reversed --size 320x180 ";
+    // As recorded, each camera is a frame of the scene's own path.
+    ASSERT_EQ(runProgram(render + "--path p.json --json a.json", folder.path()).status, 0);
+    const json frames = json::parse(readText(folder.path() / "a.json"))["results"];
+    ASSERT_EQ(frames.size(), 3u);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        ASSERT_EQ(
+            runProgram(render + "--json b.json --frame " + std::to_string(20 * i), folder.path()).status, 0);
+        EXPECT_EQ(frames[i]["hash"], json::parse(readText(folder.path() / "b.json"))["results"][0]["hash"]);
+    }
+    // And spread over more frames, the ends stay.
+    ASSERT_EQ(
+        runProgram(render + "--path p.json --frames 5 -o f%02d.png --json c.json", folder.path()).status, 0);
+    const json spread = json::parse(readText(folder.path() / "c.json"))["results"];
+    ASSERT_EQ(spread.size(), 5u);
+    EXPECT_EQ(spread[0]["hash"], frames[0]["hash"]);
+    EXPECT_EQ(spread[4]["hash"], frames[2]["hash"]);
+    EXPECT_NE(spread[1]["hash"], frames[0]["hash"]);
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "f04.png"));
+}
+
+} // namespace
+
+} // namespace cdr::cli_test

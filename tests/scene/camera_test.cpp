@@ -1,0 +1,132 @@
+#include <cdr/base/error.h>
+#include <cdr/scene/camera.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace cdr::scene {
+
+namespace {
+
+void expectSame(const Camera& a, const Camera& b) {
+    EXPECT_EQ(a.position, b.position);
+    EXPECT_EQ(a.right, b.right);
+    EXPECT_EQ(a.up, b.up);
+    EXPECT_EQ(a.back, b.back);
+    EXPECT_EQ(a.fovY, b.fovY);
+}
+
+/// Cameras here and there and 10^12 away, looking anywhere.
+class Cameras {
+  public:
+    glm::dvec3 point(double scale) {
+        const double x = uniform();
+        const double y = uniform();
+        const double z = uniform();
+        return scale * glm::dvec3(x, y, z);
+    }
+    double uniform() { return 2.0 * (static_cast<double>(m_random() >> 11) * 0x1p-53) - 1.0; }
+    double scale() { return std::pow(10.0, 6.0 + 6.0 * uniform()); }
+
+  private:
+    std::mt19937_64 m_random{7};
+};
+
+TEST(LookAlong, GivesLookAtCamerasBackToTheBit) {
+    Cameras cameras;
+    for (int i = 0; i < 20'000; ++i) {
+        const double scale = cameras.scale();
+        const glm::dvec3 eye = cameras.point(scale);
+        const Camera camera = lookAt({}, eye, eye + cameras.point(scale));
+        expectSame(lookAlong(camera, camera.position, -camera.back), camera);
+        ASSERT_TRUE(isLevel(camera));
+    }
+}
+
+TEST(LookAlong, KeepsTheDirectionWhereATargetLosesIt) {
+    const Camera camera = lookAt({}, glm::dvec3(0.0), glm::dvec3(0.3, -0.2, -1.0));
+    const glm::dvec3 eye(1e8, 2e8, -3e8);
+    const Camera along = lookAlong(camera, eye, -camera.back);
+    EXPECT_EQ(along.back, camera.back);
+    const Camera at = lookAt(camera, eye, eye - camera.back); // what --target would do
+    EXPECT_GT(glm::distance(at.back, camera.back), 1e-9);
+}
+
+TEST(LookAlong, TakesVectorsOfAnyLength) {
+    const Camera unit = lookAlong({}, {1.0, 2.0, 3.0}, glm::normalize(glm::dvec3(1.0, -2.0, 0.5)));
+    for (const double length : {1e-300, 1e-9, 3.0, 1e9, 1e300}) {
+        const Camera camera = lookAlong({}, {1.0, 2.0, 3.0}, length * glm::dvec3(1.0, -2.0, 0.5));
+        EXPECT_NEAR(glm::distance(camera.back, unit.back), 0.0, 1e-15) << length;
+        EXPECT_NEAR(glm::length(camera.back), 1.0, 1e-15) << length;
+    }
+}
+
+TEST(LookAlong, RollsToWhatIsUp) {
+    const Camera camera = lookAlong({}, glm::dvec3(0.0), {0.0, 0.0, -1.0}, {1.0, 0.0, 0.4});
+    EXPECT_NEAR(glm::distance(camera.up, glm::dvec3(1.0, 0.0, 0.0)), 0.0, 1e-15);
+    EXPECT_NEAR(glm::distance(camera.right, glm::dvec3(0.0, -1.0, 0.0)), 0.0, 1e-15);
+    EXPECT_FALSE(isLevel(camera));
+}
+
+TEST(LookAlong, StaysOrthonormalWhereUpIsAllButTheView) {
+    for (double sine = 1.0; sine > 3e-9; sine *= 0.7) {
+        const Camera camera =
+            lookAlong({}, glm::dvec3(0.0), {0.48, 0.6, 0.64}, glm::dvec3(0.48, 0.6, 0.64 + sine));
+        EXPECT_NEAR(glm::dot(camera.up, camera.back), 0.0, 1e-15) << sine;
+        EXPECT_NEAR(glm::dot(camera.right, camera.back), 0.0, 1e-15) << sine;
+        EXPECT_NEAR(glm::length(camera.right), 1.0, 1e-15) << sine;
+        expectSame(canonical(camera), camera);
+    }
+}
+
+TEST(LookAlong, RefusesWhatHasNoDirection) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_THROW(lookAlong({}, glm::dvec3(0.0), glm::dvec3(0.0)), base::InputError);
+    EXPECT_THROW(lookAlong({}, glm::dvec3(0.0), {0.0, infinity, 0.0}), base::InputError);
+    EXPECT_THROW(lookAlong({}, {std::nan(""), 0.0, 0.0}, {0.0, 1.0, 0.0}), base::InputError);
+    EXPECT_THROW(lookAlong({}, glm::dvec3(0.0), {0.0, 0.0, -1.0}, {0.0, 0.0, 2.0}), base::InputError);
+    EXPECT_THROW(lookAlong({}, glm::dvec3(0.0), {0.0, 0.0, -1.0}, glm::dvec3(0.0)), base::InputError);
+}
+
+TEST(Canonical, IsIdempotentOrthonormalAndNear) {
+    Cameras cameras;
+    for (int i = 0; i < 20'000; ++i) {
+        const Camera level = lookAt({}, glm::dvec3(0.0), cameras.point(1.0));
+        Camera rolled = level;
+        const double roll = 3.0 * cameras.uniform();
+        rolled.right = std::cos(roll) * level.right + std::sin(roll) * level.up;
+        rolled.up = std::cos(roll) * level.up - std::sin(roll) * level.right;
+        rolled.fovY = std::pow(10.0, -2.5 + 2.5 * cameras.uniform());
+        const Camera once = canonical(rolled);
+        expectSame(canonical(once), once);
+        EXPECT_EQ(radiansOf(degreesOf(once.fovY)), once.fovY);
+        EXPECT_NEAR(glm::distance(once.up, rolled.up), 0.0, 1e-15);
+        EXPECT_NEAR(glm::distance(once.right, rolled.right), 0.0, 1e-15);
+        EXPECT_NEAR(glm::dot(once.up, once.right), 0.0, 1e-15);
+        EXPECT_NEAR(once.fovY / rolled.fovY, 1.0, 1e-15);
+        ASSERT_FALSE(testing::Test::HasFailure()) << i;
+    }
+}
+
+TEST(Canonical, LeavesLevelCamerasAlone) {
+    Camera camera = lookAt({}, {1e7, 3.0, -2.0}, {0.0, 1.0, 5.0});
+    camera.fovY = radiansOf(0.002);
+    expectSame(canonical(camera), camera);
+}
+
+TEST(Degrees, ComeBack) {
+    Cameras cameras;
+    for (int i = 0; i < 100'000; ++i) {
+        const double degrees = std::pow(10.0, -0.5 + 2.5 * cameras.uniform());
+        const double radians = radiansOf(degrees);
+        ASSERT_EQ(radiansOf(degreesOf(radians)), radians) << degrees;
+    }
+    EXPECT_EQ(degreesOf(radiansOf(60.0)), 60.0);
+}
+
+} // namespace
+
+} // namespace cdr::scene

@@ -1,0 +1,155 @@
+#include "cameras.h"
+
+#include <cdr/base/suggest.h>
+
+#include <viewer/state/command_line.h>
+#include <viewer/state/fly_controller.h>
+#include <viewer/state/lens_zoom.h>
+
+#include <random>
+#include <sstream>
+
+namespace cdr::viewer {
+
+namespace {
+
+using namespace viewer_test;
+
+const scene::Camera kOwn = cameraWith(60.0, {0.0, 0.0, 10.0}, glm::dvec3(0.0));
+
+ReproducedView viewWith(const scene::Camera& camera) {
+    return {.settings = {}, .side = 0, .camera = camera, .sceneCamera = kOwn, .extent = {640, 360}};
+}
+
+/// The value of an option in a line without quotes; empty without the option.
+std::string valueOf(const std::string& line, const std::string& option) {
+    std::istringstream words(line);
+    for (std::string word; words >> word;) {
+        if (word.starts_with(option + "=")) {
+            return word.substr(option.size() + 1);
+        }
+    }
+    return "";
+}
+
+glm::dvec3 pointIn(const std::string& text) {
+    glm::dvec3 point;
+    std::istringstream parts(text);
+    for (int i = 0; i < 3; ++i) {
+        std::string part;
+        std::getline(parts, part, ',');
+        point[i] = base::parseNumber("point", part);
+    }
+    return point;
+}
+
+/// The camera that `cdr render` makes of a line.
+scene::Camera cameraIn(const std::string& line) {
+    scene::Camera camera = kOwn;
+    if (const std::string fov = valueOf(line, "--fov"); !fov.empty()) {
+        camera.fovY = scene::radiansOf(base::parseNumber("fov", fov));
+    }
+    if (const std::string eye = valueOf(line, "--eye"); !eye.empty()) {
+        const glm::dvec3 forward = pointIn(valueOf(line, "--direction"));
+        const std::string up = valueOf(line, "--up");
+        camera = up.empty() ? scene::lookAlong(camera, pointIn(eye), forward)
+                            : scene::lookAlong(camera, pointIn(eye), forward, pointIn(up));
+    }
+    return camera;
+}
+
+TEST(RenderCommand, LeavesOutWhatIsTheScenesOwn) {
+    EXPECT_EQ(renderCommand(viewWith(kOwn)),
+              "cdr render rotation --technique=anchored --size=640x360 --output=view.png");
+}
+
+TEST(RenderCommand, SaysEverythingThatIsChosen) {
+    ReproducedView view = viewWith(kOwn);
+    view.settings.scene = "my scene.glb";
+    view.settings.technique = depth::makeTechnique(
+        depth::Mapping::anchoredReversed, depth::parseSplit("fitted:0.5px,max=3"), depth::DepthFormat::d24);
+    view.settings.targets = render::TargetsChoice::pool(4);
+    view.settings.submission = render::Submission::primaries;
+    view.settings.batching = render::Batching::perObject;
+    view.settings.threads = 2;
+    view.settings.seed = 5;
+    view.settings.view = ViewKind::ids;
+    EXPECT_EQ(renderCommand(view, "a b.png"),
+              "cdr render 'my scene.glb' --depth=anchored-reversed --split=fitted:0.5px,max=3 --format=d24 "
+              "--targets=pool:4 --submission=primaries --batching=per-object --threads=2 --seed=5 "
+              "--size=640x360 --aov=id '--output=a b.png'");
+    view.settings.second = depth::parseTechnique("logcdr");
+    view.side = 1;
+    EXPECT_EQ(valueOf(renderCommand(view), "--technique"), "logcdr");
+}
+
+TEST(RenderCommand, MapsViewsToOutputs) {
+    ReproducedView view = viewWith(kOwn);
+    const std::pair<ViewKind, const char*> kinds[] = {
+        {ViewKind::shaded, ""}, {ViewKind::cascades, "cascade"}, {ViewKind::distance, "distance"},
+        {ViewKind::ids, "id"},  {ViewKind::wrong, "wrong"},      {ViewKind::flips, ""}};
+    for (const auto& [kind, aov] : kinds) {
+        view.settings.view = kind;
+        EXPECT_EQ(valueOf(renderCommand(view), "--aov"), aov);
+    }
+}
+
+TEST(RenderCommand, BringsFlownCamerasBackToTheBit) {
+    std::mt19937 random(3);
+    const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-31 - 1.0; };
+    scene::Camera camera = kOwn;
+    double surface = 1e4;
+    for (int i = 0; i < 3000; ++i) {
+        CameraInput input{.keys = {CameraKey::backward, CameraKey::right}, .seconds = 0.05};
+        input.drag = {200.0 * uniform(), 90.0 * uniform()};
+        input.scroll = 2.0 * uniform();
+        input.cursor = {640.0 + 600.0 * uniform(), 360.0 + 300.0 * uniform()};
+        camera = zoomLens(fly(camera, input, surface), input);
+        surface = std::min(surface * 1.01, 1e9);
+        expectSame(cameraIn(renderCommand(viewWith(camera))), camera);
+        ASSERT_FALSE(testing::Test::HasFailure()) << i << renderCommand(viewWith(camera));
+    }
+    EXPECT_GT(glm::length(camera.position), 1e6); // far out, where a target would not do
+}
+
+TEST(RenderCommand, BringsRolledCamerasBackToTheBit) {
+    for (int i = 1; i < 500; ++i) {
+        scene::Camera camera = scene::lookAlong(kOwn, {1e8 / i, -3.0, 1e-7 * i}, {std::sin(i), 0.4, -1.0},
+                                                {std::cos(3.0 * i), std::sin(3.0 * i), 0.1});
+        camera.fovY = scene::radiansOf(0.1 * i);
+        camera = scene::canonical(camera);
+        const std::string line = renderCommand(viewWith(camera));
+        EXPECT_NE(line.find("--up="), std::string::npos);
+        expectSame(cameraIn(line), camera);
+        ASSERT_FALSE(testing::Test::HasFailure()) << i << line;
+    }
+}
+
+TEST(ShellQuoted, GivesTheWordBackInAShell) {
+    EXPECT_EQ(shellQuoted("plain-1.5e-7,x"), "plain-1.5e-7,x");
+    EXPECT_EQ(shellQuoted(""), "''");
+    EXPECT_EQ(shellQuoted("a b"), "'a b'");
+    EXPECT_EQ(shellQuoted("it's"), "'it'\\''s'");
+    EXPECT_EQ(shellQuoted("$(rm -rf ~)\n;`x`"), "'$(rm -rf ~)\n;`x`'");
+    EXPECT_EQ(shellQuoted("~/a"), "'~/a'");
+    // What a shell makes of them, by a shell.
+    for (const std::string word : {"it's a $HOME \\ \"x\" `y`", "*", "a&b|c>d<e;f", "!x #y", "--", "ö"}) {
+        const std::string command = "printf %s " + shellQuoted(word);
+        FILE* pipe = popen(command.c_str(), "r");
+        ASSERT_NE(pipe, nullptr);
+        char read[256] = {};
+        const std::size_t size = fread(read, 1, sizeof(read) - 1, pipe);
+        pclose(pipe);
+        EXPECT_EQ(std::string(read, size), word);
+    }
+}
+
+TEST(RenderCommand, AFileThatBeginsWithAMinusIsNoOption) {
+    ReproducedView view = viewWith(kOwn);
+    view.settings.scene = "-o.glb";
+    EXPECT_EQ(renderCommand(view).substr(0, 19), "cdr render ./-o.glb");
+}
+
+} // namespace
+
+} // namespace cdr::viewer

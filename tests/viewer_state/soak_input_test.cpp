@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+#include <viewer/state/fly_controller.h>
+#include <viewer/state/lens_zoom.h>
+#include <viewer/state/orbit_controller.h>
+#include <viewer/state/soak_input.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr int kSteps = 30 * 60 * 20; // 20 minutes
+
+/// Everything in a step that a soak acts on, as text.
+std::string textOf(const SoakStep& step) {
+    const CameraInput& input = step.input;
+    std::string text;
+    for (const double value : {input.drag.x, input.drag.y, input.pan.x, input.cursor.x, input.cursor.y,
+                               input.scroll, input.seconds, static_cast<double>(input.extent.width)}) {
+        text += std::to_string(value) + " ";
+    }
+    for (std::size_t key = 0; key < kCameraKeys; ++key) {
+        text += input.keys.has(static_cast<CameraKey>(key)) ? '1' : '0';
+    }
+    for (const bool flag : {step.orbits, step.zooms, step.minimises, step.screenshot, step.returnsHome,
+                            step.click.has_value(), step.resize.has_value()}) {
+        text += flag ? '1' : '0';
+    }
+    return text + (step.settings ? step.settings->technique.name + step.settings->scene : "");
+}
+
+TEST(SoakInput, IsTheSameForTheSameSeed) {
+    SoakInput a({.seed = 4});
+    SoakInput b({.seed = 4});
+    SoakInput c({.seed = 5});
+    bool differs = false;
+    for (int i = 0; i < 3000; ++i) {
+        const std::string step = textOf(a.next());
+        ASSERT_EQ(step, textOf(b.next()));
+        differs = differs || step != textOf(c.next());
+    }
+    EXPECT_TRUE(differs);
+}
+
+TEST(SoakInput, IsBoundedAndReachesEverything) {
+    SoakInput soak;
+    std::set<std::string> seen;
+    PictureExtent extent;
+    for (int i = 0; i < kSteps; ++i) {
+        const SoakStep step = soak.next();
+        const CameraInput& input = step.input;
+        if (step.resize) {
+            extent = *step.resize;
+            seen.insert(extent.width < 10 ? "narrow" : extent.width > 1000 ? "wide" : "");
+        }
+        ASSERT_EQ(input.extent, extent);
+        ASSERT_GE(extent.width, 1u);
+        ASSERT_LE(extent.width, kSoakLargest.width);
+        ASSERT_GE(extent.height, 1u);
+        ASSERT_LE(extent.height, kSoakLargest.height);
+        ASSERT_LE(glm::length(input.drag), 2300.0);
+        ASSERT_LE(std::abs(input.scroll), 3.0);
+        ASSERT_TRUE(input.cursor.x >= 0.0 && input.cursor.x <= extent.width);
+        ASSERT_TRUE(input.cursor.y >= 0.0 && input.cursor.y <= extent.height);
+        if (step.click) {
+            ASSERT_LT(step.click->x, extent.width);
+            ASSERT_LT(step.click->y, extent.height);
+            seen.insert("click");
+        }
+        for (const auto& [happens, what] :
+             {std::pair(step.orbits, "orbit"), std::pair(step.zooms, "zoom"),
+              std::pair(step.minimises, "minimise"), std::pair(step.screenshot, "screenshot"),
+              std::pair(step.returnsHome, "home"), std::pair(input.pan != glm::dvec2(0.0), "pan")}) {
+            seen.insert(happens ? what : "");
+        }
+        if (step.settings) {
+            const ViewSettings& s = *step.settings;
+            ASSERT_GE(s.threads, 1u);
+            ASSERT_LE(s.threads, 4u);
+            ASSERT_TRUE(s.divider >= 0.0 && s.divider <= 1.0);
+            depth::parseSplit(depth::nameOf(s.technique.split));
+            seen.insert("scene " + s.scene);
+            seen.insert("view " + std::string(nameOf(s.view)));
+            seen.insert("targets " + render::nameOf(s.targets));
+            seen.insert("mapping " + std::string(depth::nameOf(s.technique.mapping)));
+            seen.insert("format " + std::string(depth::nameOf(s.technique.format)));
+            seen.insert("submission " + std::string(render::nameOf(s.submission)));
+            seen.insert("batching " + std::string(render::nameOf(s.batching)));
+            seen.insert(s.second ? "split screen" : "one picture");
+        }
+    }
+    seen.erase("");
+    // 9 events, 2 screens, and the scenes, views, targets, mappings, formats, submissions and batchings.
+    EXPECT_EQ(seen.size(), 9u + 2u + 4u + 6u + 5u + 6u + 3u + 3u + 3u) << [&] {
+        std::string all;
+        for (const std::string& what : seen) {
+            all += what + "; ";
+        }
+        return all;
+    }();
+}
+
+/// What the soak is for: no input whatever leads a camera that goes home now and then into nonsense.
+TEST(SoakInput, LeavesEveryCameraUsable) {
+    const scene::Camera home =
+        scene::lookAt({.fovY = 1.0, .nearView = 0.1, .farView = 1e5}, {0.0, 2.0, 50.0}, glm::dvec3(0.0));
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+        SoakInput soak({.seed = seed});
+        Orbit state{.camera = home, .pivot = glm::dvec3(0.0)};
+        for (int i = 0; i < kSteps / 4; ++i) {
+            const SoakStep step = soak.next();
+            CameraInput input = step.input;
+            if (step.returnsHome) {
+                state = {.camera = home, .pivot = glm::dvec3(0.0)};
+            }
+            if (step.zooms) {
+                state.camera = zoomLens(state.camera, input);
+                input.scroll = 0.0;
+            }
+            if (step.orbits) {
+                state = orbit(state, input);
+            } else {
+                const double surface = glm::distance(state.camera.position, state.pivot);
+                state.camera = fly(state.camera, input, flightDistance(state.camera, surface, 1.0));
+            }
+            ASSERT_NO_THROW(scene::requireUsable(state.camera)) << seed << " " << i;
+            ASSERT_NEAR(glm::length(state.camera.back), 1.0, 1e-12);
+            ASSERT_NEAR(glm::dot(state.camera.right, state.camera.back), 0.0, 1e-12);
+            ASSERT_GE(state.camera.fovY, scene::radiansOf(kNarrowestDegrees));
+            ASSERT_LE(state.camera.fovY, scene::radiansOf(kWidestDegrees));
+        }
+    }
+}
+
+} // namespace
+
+} // namespace cdr::viewer

@@ -1,0 +1,102 @@
+#include <cdr/depth/forecast.h>
+
+#include <gtest/gtest.h>
+#include <viewer/state/length_text.h>
+#include <viewer/state/technique_label.h>
+
+#include <cmath>
+#include <limits>
+
+namespace cdr::viewer {
+
+namespace {
+
+TEST(LengthText, PicksTheUnitAndTheDigits) {
+    EXPECT_EQ(lengthText(420e3 + 1.3, 0.1), "420.0013 km");
+    EXPECT_EQ(lengthText(0.005, 2e-5), "5.00 mm");
+    EXPECT_EQ(lengthText(420e3, 2.4e-6), "420.000000000 km");
+    EXPECT_EQ(lengthText(3.844e8, 1e3), "384400 km");
+    EXPECT_EQ(lengthText(1.496e11, 1e6), "149.600 million km");
+    EXPECT_EQ(lengthText(2.5e-6, 1e-7), "2.5 µm");
+    EXPECT_EQ(lengthText(0.3, 0.01), "300 mm");
+    EXPECT_EQ(lengthText(12.0), "12.0000 m");
+    EXPECT_EQ(lengthText(-12.25, 0.01), "-12.25 m");
+    EXPECT_EQ(lengthText(7.0, 300.0), "0 m");
+    EXPECT_EQ(lengthText(0.0, 2e-6), "0 µm");
+    EXPECT_EQ(lengthText(0.0), "0 m");
+    EXPECT_EQ(lengthText(950.0, 600.0), "950 m");
+    EXPECT_EQ(lengthText(std::numeric_limits<double>::infinity(), 1.0), "infinite");
+    EXPECT_EQ(lengthText(std::nan("")), "infinite");
+    EXPECT_EQ(lengthText(1.0, std::nan("")), "1.00000 m");
+}
+
+TEST(LengthText, ReadsBackToWithinAStepAndNotFiner) {
+    for (double metres = 3.7e-6; metres < 1e13; metres *= 7.3) {
+        for (const double relative : {1e-2, 1e-6, 1e-11}) {
+            const std::string text = lengthText(metres, metres * relative);
+            const double unit = text.ends_with("million km") ? 1e9
+                                : text.ends_with("km")       ? 1e3
+                                : text.ends_with("mm")       ? 1e-3
+                                : text.ends_with("µm")       ? 1e-6
+                                                             : 1.0;
+            EXPECT_NEAR(std::stod(text) * unit, metres, 0.51 * metres * relative) << text;
+            const auto digits =
+                std::count_if(text.begin(), text.end(), [](char c) { return std::isdigit(c); });
+            EXPECT_LE(static_cast<double>(digits), 3.0 - std::log10(relative)) << text;
+        }
+    }
+}
+
+TEST(LengthText, NeverShowsMoreThanAFloat64Holds) {
+    EXPECT_EQ(lengthText(123456.789, 1e-300).find("123.4567890000000"), 0u);
+    EXPECT_LE(lengthText(123456.789, 1e-300).size(), 21u);
+}
+
+TEST(StepText, TwoDigits) {
+    EXPECT_EQ(stepText(2.44e-6), "2.4 µm");
+    EXPECT_EQ(stepText(0.0123), "12 mm");
+    EXPECT_EQ(stepText(420.0), "420 m");
+    EXPECT_EQ(stepText(0.99999e-3), "1000 µm");
+    EXPECT_EQ(stepText(3.4e-9), "0.0034 µm");
+    EXPECT_EQ(stepText(1e-20), "1.0e-20 m");
+    EXPECT_EQ(stepText(0.0), "0 µm");
+    EXPECT_EQ(stepText(std::numeric_limits<double>::infinity()), "infinite");
+}
+
+TEST(TechniqueStep, IsTheForecastsWhereCascadesAgree) {
+    const depth::ForecastScene scene{.nearView = 0.001, .farView = 2e6, .atView = 1e6};
+    for (const char* name : {"standard", "cdr", "log", "logcdr", "reversed"}) {
+        const depth::Technique technique = depth::parseTechnique(name);
+        const depth::Cascades cascades = depth::forecastCascades(technique, scene);
+        // The boundary of cdr lies exactly there; the forecast takes the cascade before it, as this does.
+        EXPECT_DOUBLE_EQ(techniqueStepView(technique, cascades, scene.atView),
+                         depth::forecast(technique, scene).resolvedView())
+            << name;
+    }
+}
+
+TEST(TechniqueStep, AnchoredTellsMicrometresApartWhereOthersTellNothing) {
+    const depth::Technique anchored = depth::parseTechnique("anchored");
+    const depth::Cascades thin{{999'984.0, 1'000'016.0}};
+    EXPECT_LT(techniqueStepView(anchored, thin, 1e6), 1e-5);
+    EXPECT_GT(techniqueStepView(depth::parseTechnique("reversed"), {{0.001, 2e6}}, 1e6), 0.05);
+    EXPECT_TRUE(std::isinf(techniqueStepView(anchored, thin, 5.0)));
+    EXPECT_TRUE(std::isinf(techniqueStepView(anchored, thin, 2e6)));
+    EXPECT_TRUE(std::isinf(techniqueStepView(anchored, {}, 1.0)));
+    // A hair beyond its cascade, as overlaps draw.
+    EXPECT_LT(techniqueStepView(anchored, thin, 1'000'016.001), 1e-4);
+}
+
+TEST(SideLabel, SaysTheTechniqueAndItsStep) {
+    const depth::Technique anchored = depth::parseTechnique("anchored");
+    const depth::Cascades thin{{999'984.0, 1'000'016.0}};
+    const std::string label = sideLabel(anchored, thin, 1e6);
+    EXPECT_EQ(label.find("anchored, d32f: tells "), 0u) << label;
+    EXPECT_NE(label.find(" µm apart at 1000.0000000"), std::string::npos) << label;
+    EXPECT_EQ(sideLabel(anchored, thin, std::numeric_limits<double>::infinity()), "anchored, d32f");
+    EXPECT_EQ(sideLabel(anchored, thin, 3.0), "anchored, d32f: tells nothing apart at 3.00000 m");
+}
+
+} // namespace
+
+} // namespace cdr::viewer

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+#include <viewer/state/explanations.h>
+#include <viewer/state/help_text.h>
+#include <viewer/state/view_settings.h>
+
+#include <set>
+#include <string>
+
+namespace cdr::viewer {
+
+namespace {
+
+TEST(ViewSettings, WhatAChangeTakes) {
+    const ViewSettings before;
+    const auto rework = [&](auto change) {
+        ViewSettings after = before;
+        change(after);
+        EXPECT_EQ(before == after,
+                  reworkOf(before, after) == Rework::nothing && before.divider == after.divider);
+        return reworkOf(before, after);
+    };
+    EXPECT_EQ(rework([](ViewSettings&) {}), Rework::nothing);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.divider = 0.7; }), Rework::nothing);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.technique.name = "mine"; }), Rework::nothing);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.view = ViewKind::ids; }), Rework::picture);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.view = ViewKind::wrong; }), Rework::renderer);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.technique.mapping = depth::Mapping::log; }), Rework::renderer);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.technique.split = depth::SplitCount{3}; }), Rework::renderer);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.technique.format = depth::DepthFormat::d16; }),
+              Rework::renderer);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.second = presetOfKey(1); }), Rework::renderer);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.targets = render::TargetsChoice::pool(4); }), Rework::renderer);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.threads = 2; }), Rework::renderer);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.submission = render::Submission::primaries; }),
+              Rework::renderer);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.batching = render::Batching::perObject; }), Rework::renderer);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.seed = 1; }), Rework::scene);
+    EXPECT_EQ(rework([](ViewSettings& s) { s.scene = "afc", s.threads = 2; }), Rework::scene);
+}
+
+TEST(ViewSettings, PresetKeysKeepTheFormatAndTheOtherSide) {
+    ViewSettings settings;
+    settings.technique.format = depth::DepthFormat::d24;
+    settings.second = presetOfKey(2);
+    const ViewSettings left = withPreset(settings, 0, 1);
+    EXPECT_EQ(left.technique.name, "standard");
+    EXPECT_EQ(left.technique.format, depth::DepthFormat::d24);
+    EXPECT_TRUE(isSameTechnique(*left.second, *settings.second));
+    const ViewSettings right = withPreset(settings, 1, kPresetKeys);
+    EXPECT_EQ(right.second->name, "anchored");
+    EXPECT_TRUE(isSameTechnique(right.technique, settings.technique));
+    settings.second.reset(); // without a right side, keys change the only one
+    EXPECT_EQ(withPreset(settings, 1, 4).technique.name, "logcdr");
+    for (std::size_t key = 1; key <= kPresetKeys; ++key) {
+        EXPECT_EQ(presetOfKey(key).name, depth::presets()[key - 1].name);
+    }
+}
+
+TEST(ViewSettings, SidesBecomeRenderOptions) {
+    ViewSettings settings;
+    settings.second = presetOfKey(3);
+    settings.threads = 3;
+    settings.targets = render::TargetsKind::layers;
+    const render::RenderOptions left = renderOptions(settings, 0, {640, 360});
+    const render::RenderOptions right = renderOptions(settings, 1, {640, 360});
+    EXPECT_EQ(left.technique.name, "anchored");
+    EXPECT_EQ(right.technique.name, "log");
+    EXPECT_EQ(right.width, 640u);
+    EXPECT_EQ(right.threads, 3u);
+    EXPECT_EQ(right.targets, render::TargetsChoice(render::TargetsKind::layers));
+}
+
+TEST(Explanations, EachChoiceHasASentenceOfItsOwn) {
+    std::set<std::string> seen;
+    const auto expectSentence = [&](std::string_view text) {
+        EXPECT_GE(text.size(), 50u) << text;
+        EXPECT_LE(text.size(), 300u) << text;
+        EXPECT_TRUE(text.ends_with('.')) << text;
+        EXPECT_TRUE(seen.insert(std::string(text)).second) << text;
+    };
+    for (const depth::Mapping mapping : depth::kMappings) {
+        expectSentence(explain(mapping));
+    }
+    for (const char* split : {"none", "ratio:10", "count:3", "at:1,2", "fitted", "minimax:2"}) {
+        expectSentence(explain(depth::parseSplit(split)));
+    }
+    for (const depth::DepthFormat format : depth::kDepthFormats) {
+        expectSentence(explain(format));
+    }
+    for (const render::TargetsKind targets : render::kTargetsKinds) {
+        expectSentence(explain(targets));
+    }
+    for (const render::Submission submission : render::kSubmissions) {
+        expectSentence(explain(submission));
+    }
+    for (const render::Batching batching : render::kBatchings) {
+        expectSentence(explain(batching));
+    }
+    for (const ViewKind view : kViewKinds) {
+        expectSentence(explain(view));
+    }
+    expectSentence(explainThreads());
+}
+
+TEST(HelpText, NamesEachKeyOnce) {
+    std::set<std::string_view> keys;
+    for (const HelpSection& section : helpText()) {
+        EXPECT_FALSE(section.title.empty());
+        for (const HelpLine& line : section.lines) {
+            EXPECT_TRUE(keys.insert(line.keys).second) << line.keys;
+            EXPECT_GT(line.meaning.size(), 8u) << line.keys;
+            EXPECT_FALSE(line.meaning.ends_with('.')) << line.keys;
+        }
+    }
+    EXPECT_TRUE(keys.contains("F1"));
+    EXPECT_TRUE(keys.contains("1 to 6"));
+}
+
+} // namespace
+
+} // namespace cdr::viewer
