@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <vulkan/vulkan_format_traits.hpp>
 
+#include <array>
+
 namespace cdr::render {
 
 namespace {
@@ -77,39 +79,42 @@ std::uint64_t FocusLayers::predictLayerBytes(vk::Extent2D extent, vk::Format dep
            std::uint64_t{extent.width} * extent.height * vk::blockSize(kLitFormat);
 }
 
-std::unique_ptr<FocusLayers::Layer> FocusLayers::makeLayer(vk::Extent2D extent,
-                                                           const std::string& name) const {
-    auto layer = std::make_unique<Layer>(
-        Layer{.gbuffer = makeGBuffer(m_device, extent, name),
-              .depth = makeDepthBuffer(m_device, extent, m_options.depthFormat, name + " depth"),
-              .lit = {m_device,
-                      {.extent = extent,
-                       .format = kLitFormat,
-                       .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled},
-                      name + " lit"},
-              .merged = m_merge.makeInputs(),
-              .laid = m_compose.makeInputs()});
-    layer->merged.setImage(0, layer->gbuffer);
-    layer->laid.setImage(0, layer->lit);
+FocusLayers::Layer FocusLayers::makeLayer(vk::Extent2D extent, const std::string& name) const {
+    Layer layer{
+        .gbuffer = makeGBuffer(m_device, extent, name),
+        .depth = makeDepthBuffer(m_device, extent, m_options.depthFormat, name + " depth"),
+        .lit = {m_device,
+                {.extent = extent,
+                 .format = kLitFormat,
+                 .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled},
+                name + " lit"},
+        .merged = m_merge.makeInputs(),
+        .laid = m_compose.makeInputs()};
+    layer.merged.setImage(0, layer.gbuffer);
+    layer.laid.setImage(0, layer.lit);
     return layer;
 }
 
+FocusLayers::LayerKey FocusLayers::keyOf(std::span<const CascadeDraws> cascades, std::size_t index) {
+    const vk::Extent2D extent = cascades[index].extent;
+    return {static_cast<std::uint32_t>(index), extent.width, extent.height};
+}
+
 void FocusLayers::provideLayers(std::span<const CascadeDraws> cascades) {
-    m_layers.resize(std::max(m_layers.size(), cascades.size()));
-    const auto keyOf = [&](std::size_t i) {
-        return std::pair(cascades[i].extent.width, cascades[i].extent.height);
-    };
+    std::vector<std::size_t> missing;
     std::uint64_t bytes = 0;
     for (std::size_t i = 0; i < cascades.size(); ++i) {
-        bytes +=
-            m_layers[i].contains(keyOf(i)) ? 0 : predictLayerBytes(cascades[i].extent, m_options.depthFormat);
-    }
-    gpu::requireDeviceBytes(m_device, bytes, fmt::format("the layers of {} cascades", cascades.size()));
-    for (std::size_t i = 0; i < cascades.size(); ++i) {
-        std::unique_ptr<Layer>& layer = m_layers[i][keyOf(i)];
-        if (!layer) {
-            layer = makeLayer(cascades[i].extent, fmt::format("layer {}", i));
+        if (!m_layers.contains(keyOf(cascades, i))) {
+            missing.push_back(i);
+            bytes += predictLayerBytes(cascades[i].extent, m_options.depthFormat);
         }
+    }
+    if (missing.empty()) {
+        return;
+    }
+    gpu::requireDeviceBytes(m_device, bytes, fmt::format("the layers of {} cascades", missing.size()));
+    for (const std::size_t i : missing) {
+        m_layers.try_emplace(keyOf(cascades, i), makeLayer(cascades[i].extent, fmt::format("layer {}", i)));
     }
 }
 
@@ -118,10 +123,10 @@ void FocusLayers::record(CascadeCommands& commands, std::span<const CascadeDraws
     const std::vector<std::size_t> drawn = commands.drawnCascades(cascades.size());
     m_drawn.clear();
     for (auto cascade = drawn.rbegin(); cascade != drawn.rend(); ++cascade) {
-        const CascadeDraws& draws = cascades[*cascade];
         const bool fades = m_fades && *cascade + 1 < cascades.size();
-        m_drawn.push_back({.layer = m_layers[*cascade].at({draws.extent.width, draws.extent.height}).get(),
-                           .fade = fades ? fadeInto(draws, cascades[*cascade + 1]) : shaders::LayerFade{}});
+        m_drawn.push_back(
+            {.layer = &m_layers.at(keyOf(cascades, *cascade)),
+             .fade = fades ? fadeInto(cascades[*cascade], cascades[*cascade + 1]) : shaders::LayerFade{}});
     }
     drawLayers(commands, drawn);
     mergeSurfaces(commands.primary());

@@ -6,8 +6,8 @@
 #include <cdr/render/shading_pass.h>
 #include <cdr/render/targets.h>
 
+#include <array>
 #include <map>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -54,8 +54,11 @@ class FocusLayers final : public Targets {
         const Layer* layer;
         shaders::LayerFade fade;
     };
+    /// Cascade, width and height.
+    using LayerKey = std::array<std::uint32_t, 3>;
+    static LayerKey keyOf(std::span<const CascadeDraws> cascades, std::size_t index);
     void provideLayers(std::span<const CascadeDraws> cascades);
-    std::unique_ptr<Layer> makeLayer(vk::Extent2D extent, const std::string& name) const;
+    Layer makeLayer(vk::Extent2D extent, const std::string& name) const;
     /// @param drawn the cascades of m_drawn, nearest first.
     void drawLayers(CascadeCommands& commands, std::span<const std::size_t> drawn) const;
     void mergeSurfaces(vk::CommandBuffer primary) const;
@@ -70,9 +73,9 @@ class FocusLayers final : public Targets {
     FullscreenPass m_light;
     FullscreenPass m_compose;
     gpu::Image m_merged;
-    /// Of each cascade by width and height: made when first needed and kept, since frames in flight may use
-    /// them. Sides halve, so all of a cascade's take a third more than its largest.
-    std::vector<std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<Layer>>> m_layers;
+    /// Made when first needed and kept, since frames in flight may use them. Sides halve, so all of a
+    /// cascade's take a third more than its largest.
+    std::map<LayerKey, Layer> m_layers;
     std::vector<Drawn> m_drawn; ///< by the last record(), farthest first
 };
 
