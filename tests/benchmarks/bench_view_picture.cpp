@@ -27,7 +27,7 @@ render::Frame makeFrame(unsigned wrongEvery) {
     std::mt19937 random(wrongEvery);
     for (std::uint32_t y = 0; y < kHeight; ++y) {
         for (std::uint32_t x = 0; x < kWidth; ++x) {
-            const std::uint32_t bits = random();
+            const auto bits = static_cast<std::uint32_t>(random());
             const std::uint32_t id = 1 + (x / 40) + 32 * (y / 40) + (bits % wrongEvery == 0 ? 1000u : 0u);
             frame.surfaces.at(x, y) = {.albedo = bits,
                                        .normal = bits,

@@ -152,7 +152,7 @@ TEST_F(OrbitScene, float64StepsAreFineAtBothEnds) {
     for (const double coordinate : {eye.x, eye.y, eye.z}) {
         EXPECT_LE(std::nextafter(std::abs(coordinate), 1e30) - std::abs(coordinate), 1e-9);
     }
-    EXPECT_NEAR(eye.y, 420e3, 1000.0);
+    EXPECT_NEAR(eye.y, 420e3, 2000.0); // the ground falls away below the line of sight
     EXPECT_NEAR(glm::length(eye), 430e3, 5e3);
 }
 

@@ -39,7 +39,7 @@ struct ViewSettings {
     render::Batching batching = render::Batching::instanced;
     std::size_t threads = 1;
     ViewKind view = ViewKind::shaded;
-    Finish finish;
+    Finish finish{};
 
     bool operator==(const ViewSettings&) const;
 };
