@@ -119,6 +119,7 @@ class Comparison {
                                   .frameMs = m_referenceMs,
                                   .executeMs = m_referenceExecuteMs,
                                   .speedup = report.results[kBase].executeMs / m_referenceExecuteMs,
+                                  .speedup95 = {},
                                   .pixels = m_options.cameras * reference.pixels.size(),
                                   .picture = reference});
         return report;
@@ -172,7 +173,8 @@ class Comparison {
                 .frameMs = measure::median(samples.frameMs),
                 .executeMs = measure::median(samples.executeMs),
                 .speedup = measure::median(ratios),
-                .speedup95 = measure::bootstrapMedian(ratios, m_options.seed + mode)};
+                .speedup95 = measure::bootstrapMedian(ratios, m_options.seed + mode),
+                .picture = {}};
     }
 
     const FocusOptions& m_options;
