@@ -10,7 +10,11 @@ layout(push_constant) uniform Push { PictureSize picture; };
 layout(location = 0) out vec4 outColor;
 
 void main() {
-    outColor = textureLod(layerImage, gl_FragCoord.xy / picture.pixels, 0.0);
+    if (vec2(textureSize(layerImage, 0)) == picture.pixels) {
+        outColor = texelFetch(layerImage, ivec2(gl_FragCoord.xy), 0); // nothing to filter
+    } else {
+        outColor = textureLod(layerImage, gl_FragCoord.xy / picture.pixels, 0.0);
+    }
     if (outColor.a == 1.0) {
         discard; // nothing
     }

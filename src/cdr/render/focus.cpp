@@ -63,12 +63,16 @@ depth::Cascades FocusLens::overlapping(const depth::Cascades& cascades) const {
 }
 
 std::vector<double> FocusLens::boundaries() const {
+    // A little wider, so that no rounding takes the cascade behind a boundary for a sharper one.
+    constexpr double kWider = 1.0 + 1e-9;
     std::vector<double> distances;
-    for (double circle = kMostFocusScale; circle >= 2.0; circle /= 2.0) {
-        distances.push_back(m_distance / (1.0 + circle / m_circleAtInfinity));
+    for (std::uint32_t scale = kMostFocusScale; scale >= 2; scale /= 2) {
+        distances.push_back(m_distance / (1.0 + kWider * scale / m_circleAtInfinity));
     }
-    for (double circle = 2.0; circle <= kMostFocusScale && circle < m_circleAtInfinity; circle *= 2.0) {
-        distances.push_back(m_distance / (1.0 - circle / m_circleAtInfinity));
+    for (std::uint32_t scale = 2; scale <= kMostFocusScale; scale *= 2) {
+        if (kWider * scale < m_circleAtInfinity) {
+            distances.push_back(m_distance / (1.0 - kWider * scale / m_circleAtInfinity));
+        }
     }
     return distances;
 }
