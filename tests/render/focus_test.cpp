@@ -240,6 +240,32 @@ TEST_F(FocusTest, BlendingHidesTheSeamsWhereCascadesMeet) {
     }
 }
 
+/// How far two pictures are apart over the surfaces that a third shows within a range of distances.
+int apart(const Frame& a, const Frame& b, const Frame& surfaces, const depth::Cascade& range) {
+    int sum = 0;
+    for (std::uint32_t y = 0; y < a.height(); ++y) {
+        for (std::uint32_t x = 0; x < a.width(); ++x) {
+            sum += range.contains(surfaces.distanceView(x, y))
+                       ? std::abs(int{a.color.at(x, y)[0]} - int{b.color.at(x, y)[0]})
+                       : 0;
+        }
+    }
+    return sum;
+}
+
+TEST_F(FocusTest, ACascadeFadesIntoTheNext) {
+    const scene::Scene scene = alleyScene();
+    const Frame sharp = draw(scene, kCamera, focused(kFocus, "none"));
+    const Frame blurred = draw(scene, kCamera, focused(kFocus, "at:13.2")); // 2 pixels from there on
+    const Frame blended =
+        draw(scene, kCamera, focused(kBlended, "at:15")); // both draw from 12, fading from 13.5
+    const depth::Cascade before{12.2, 13.4};
+    const depth::Cascade end{14.7, 14.99};
+    EXPECT_GT(apart(sharp, blurred, sharp, end), 500);
+    EXPECT_LT(4 * apart(blended, blurred, sharp, end), apart(blended, sharp, sharp, end));
+    EXPECT_LT(apart(blended, sharp, sharp, before), 100);
+}
+
 TEST_F(FocusTest, IsOneImageHoweverSubmitted) {
     const scene::Scene scene = alleyScene();
     const render::GpuScene gpuScene(device(), scene);
