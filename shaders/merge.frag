@@ -17,8 +17,18 @@ float aheadBetween(uvec4 from, uvec4 to) { return aheadOf(to) - aheadOf(from); }
 #include "occlusion.glsl"
 #endif
 
+#ifdef SCALED
+// The layer covers as much of the view in another number of pixels.
+#include "shared.h"
+layout(push_constant) uniform Push { PictureSize picture; };
+#endif
+
 void main() {
+#ifdef SCALED
+    ivec2 pixel = ivec2(gl_FragCoord.xy / picture.pixels * vec2(textureSize(layerBuffer, 0)));
+#else
     ivec2 pixel = ivec2(gl_FragCoord.xy);
+#endif
     outSurface = texelFetch(layerBuffer, pixel, 0);
     if (outSurface.w == 0u) {
         discard; // background: what lies farther stays

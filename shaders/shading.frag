@@ -18,6 +18,19 @@ float occlusionIn(ivec2 pixel, uvec4 surface) { return texelFetch(occlusionImage
 float occlusionIn(ivec2 pixel, uvec4 surface) { return occlusionOf(surface); }
 #endif
 
+#ifdef LAYER
+// One layer of several: colour times coverage, and transmittance, as gpu::Blend::over takes them.
+layout(push_constant) uniform Push { LayerFade fade; };
+vec4 background() { return vec4(0.0, 0.0, 0.0, 1.0); }
+vec4 covering(vec3 color, float ahead) {
+    float coverage = 1.0 - clamp((ahead - fade.beginAhead) * fade.perUnit, 0.0, 1.0);
+    return vec4(coverage * color, 1.0 - coverage);
+}
+#else
+vec4 background() { return vec4(kFoggy != 0u ? header.fog.rgb : header.background.rgb, 1.0); }
+vec4 covering(vec3 color, float ahead) { return vec4(color, 1.0); }
+#endif
+
 layout(location = 0) out vec4 outColor;
 
 vec2 anchorOf(uvec4 surface) { return header.anchors[(surface.w >> kIdBits) & kCascadeMask]; }
@@ -45,7 +58,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uvec4 surface = texelFetch(surfaceBuffer, pixel, 0);
     if (surface.w == 0u) {
-        outColor = vec4(kFoggy != 0u ? header.fog.rgb : header.background.rgb, 1.0);
+        outColor = background();
         return;
     }
     vec3 color = albedoOf(surface);
@@ -59,5 +72,5 @@ void main() {
     if (kFoggy != 0u) {
         color = throughFog(color, ray, anchor.x + ahead);
     }
-    outColor = vec4(color, 1.0);
+    outColor = covering(color, ahead);
 }

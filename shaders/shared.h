@@ -74,6 +74,17 @@ struct LayerPush {
     float radius;
 };
 
+// How many pixels the picture has that layers of other sizes are scaled to; push constants.
+struct PictureSize {
+    vec2 pixels;
+};
+
+// How a layer's surfaces fade out with their distance; push constants. All zero: not at all.
+struct LayerFade {
+    float beginAhead; // beyond the cascade's anchor plane
+    float perUnit;    // of distance
+};
+
 // What the shading pass needs, followed by the lights.
 struct ShadingHeader {
     vec4 ambient;

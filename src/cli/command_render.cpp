@@ -143,6 +143,7 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                                   .batching = render::parseBatching(arguments.batching),
                                   .detail = scene::parseDetail(arguments.detail),
                                   .effects = effectsOf(arguments.effects),
+                                  .focus = focusOf(arguments.effects),
                                   .translucency = translucencyOf(arguments.effects)};
     options.translucency.countsCoverage = aov == experiments::Aov::coverage;
     const FrameCameras cameras(arguments.camera);

@@ -56,6 +56,11 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments) {
     command.add_option("--fog", arguments.fog,
                        "Fog with a VISIBILITY in scene units, in which 2 % of a colour is left; "
                        "VISIBILITY,r,g,b gives its linear colour");
+    command.add_option(
+        "--focus", arguments.focus,
+        "A lens sharp at view distance DISTANCE, as DISTANCE:APERTURE in scene units: cascades "
+        "out of focus are drawn in fewer pixels, for --targets layers; with :blend they fade "
+        "into each other");
     command
         .add_option("--translucency", arguments.translucency,
                     "How blended surfaces are laid over each other: weighted, or sorted, which is exact")
@@ -77,6 +82,23 @@ render::Effects effectsOf(const EffectArguments& arguments) {
     }
     requireUsable(effects);
     return effects;
+}
+
+render::Focus focusOf(const EffectArguments& arguments) {
+    if (arguments.focus.empty()) {
+        return {};
+    }
+    const std::vector<std::string> parts = partsOf(arguments.focus, ':');
+    if (parts.size() < 2 || parts.size() > 3 || (parts.size() == 3 && parts[2] != "blend")) {
+        throw base::InputError(
+            fmt::format("--focus takes DISTANCE:APERTURE or DISTANCE:APERTURE:blend, not '{}'",
+                        arguments.focus.substr(0, 60)));
+    }
+    const render::Focus focus{.distance = base::parseNumber("--focus", parts[0]),
+                              .aperture = base::parseNumber("--focus", parts[1]),
+                              .blend = parts.size() == 3};
+    requireUsable(focus);
+    return focus;
 }
 
 render::TranslucencyOptions translucencyOf(const EffectArguments& arguments) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/render/effects.h>
+#include <cdr/render/focus.h>
 #include <cdr/render/translucency.h>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +16,7 @@ struct EffectArguments {
     std::string antialias = "none";
     std::string occlusion; ///< RADIUS or RADIUS:layers
     std::string fog;       ///< VISIBILITY or VISIBILITY,r,g,b
+    std::string focus;     ///< DISTANCE:APERTURE or DISTANCE:APERTURE:blend
     std::string translucency = "weighted";
     std::uint64_t translucencyMiB = render::TranslucencyOptions{}.mostBytes >> 20u;
 };
@@ -23,6 +25,7 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments);
 
 /// base::InputError that names the option for text that does not parse, and for values out of range.
 render::Effects effectsOf(const EffectArguments& arguments);
+render::Focus focusOf(const EffectArguments& arguments);
 
 /// base::InputError with a suggestion for an unknown method.
 render::TranslucencyOptions translucencyOf(const EffectArguments& arguments);

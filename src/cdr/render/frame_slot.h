@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/render/focus_layers.h>
 #include <cdr/render/renderer.h>
 
 namespace cdr::render {
@@ -9,6 +10,7 @@ struct Renderer::Slot {
     std::unique_ptr<DrawPath> path;
     ShadingInputs shading;
     std::optional<TranslucentPass::Slot> translucent; ///< where the scene has blended instances
+    FocusInputs focus;                                ///< where the lens has one
     vk::UniqueFence done;
     bool isPending = false;
     base::Trace::Clock::time_point submitted;

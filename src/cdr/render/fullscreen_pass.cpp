@@ -27,7 +27,10 @@ void PassInputs::setBuffer(std::uint32_t binding, const gpu::Buffer& buffer) {
 FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOptions& options)
     : m_device(device),
       m_bindings(options.bindings),
-      m_sampler(device.handle().createSamplerUnique({})),
+      m_sampler(device.handle().createSamplerUnique({.magFilter = options.filter,
+                                                     .minFilter = options.filter,
+                                                     .addressModeU = vk::SamplerAddressMode::eClampToEdge,
+                                                     .addressModeV = vk::SamplerAddressMode::eClampToEdge})),
       m_setLayout(gpu::makeSetLayout(device, options.bindings, kStage, options.name + " set")),
       m_layout(gpu::makePipelineLayout(device, {*m_setLayout}, pushRanges(options.pushBytes),
                                        options.name + " layout")),
@@ -51,11 +54,12 @@ PassInputs FullscreenPass::makeInputs() const {
 }
 
 void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> draws, const gpu::Image& into,
-                            vk::AttachmentLoadOp load) const {
+                            vk::AttachmentLoadOp load, const vk::ClearValue& clear) const {
     const vk::RenderingAttachmentInfo color{.imageView = into.view(),
                                             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
                                             .loadOp = load,
-                                            .storeOp = vk::AttachmentStoreOp::eStore};
+                                            .storeOp = vk::AttachmentStoreOp::eStore,
+                                            .clearValue = clear};
     const vk::Extent2D extent = into.options().extent;
     primary.beginRendering({.renderArea = {{0, 0}, extent},
                             .layerCount = 1,

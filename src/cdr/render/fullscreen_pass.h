@@ -22,6 +22,7 @@ struct FullscreenPassOptions {
     std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, ...
     std::uint32_t pushBytes = 0;          ///< of push constants that the fragment shader reads
     gpu::Blend blend = gpu::Blend::none;
+    vk::Filter filter = vk::Filter::eNearest; ///< of images that are not fetched texel by texel
 };
 
 /// The descriptors a FullscreenPass reads in one draw.
@@ -58,8 +59,9 @@ class FullscreenPass {
         std::span<const std::byte> push{}; ///< as many bytes as the options say
     };
     /// One rendering scope over `into`, in the colour attachment layout, that draws in order.
+    /// @param clear what vk::AttachmentLoadOp::eClear clears to.
     void record(vk::CommandBuffer primary, std::span<const Draw> draws, const gpu::Image& into,
-                vk::AttachmentLoadOp load) const;
+                vk::AttachmentLoadOp load, const vk::ClearValue& clear = {}) const;
     /// The same with one draw that overwrites every pixel.
     void record(vk::CommandBuffer primary, const PassInputs& inputs, const gpu::Image& into) const;
 

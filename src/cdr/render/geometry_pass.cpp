@@ -25,12 +25,12 @@ GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene,
       m_drawIndexed(deviceFunction<PFN_vkCmdDrawIndexed>(device, "vkCmdDrawIndexed")),
       m_pushConstants(deviceFunction<PFN_vkCmdPushConstants>(device, "vkCmdPushConstants")) {}
 
-void GeometryPass::beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade, vk::Buffer records,
-                            vk::Extent2D extent) const {
-    commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(extent.width),
-                                         static_cast<float>(extent.height), cascade.push.minDepth,
+void GeometryPass::beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade,
+                            vk::Buffer records) const {
+    commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(cascade.extent.width),
+                                         static_cast<float>(cascade.extent.height), cascade.push.minDepth,
                                          cascade.push.maxDepth});
-    commands.setScissor(0, vk::Rect2D{{0, 0}, extent});
+    commands.setScissor(0, vk::Rect2D{{0, 0}, cascade.extent});
     commands.bindVertexBuffers(0, {m_scene.vertices(), records}, {0, 0});
     commands.bindIndexBuffer(m_scene.indices(), 0, vk::IndexType::eUint32);
     commands.pushConstants<shaders::CascadePush>(m_pipelines.layout(), GeometryPipelines::kStages, 0,
@@ -86,7 +86,7 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
     const std::uint8_t* levels = recording.lists.level.empty() ? nullptr : recording.lists.level.data();
     const DrawSource* sources = m_scene.sources().data();
     const MaterialWords* materials = m_scene.materials().data();
-    beginJob(commands, cascade, recording.recordBuffer, recording.extent);
+    beginJob(commands, cascade, recording.recordBuffer);
     StateBinder state(m_pipelines, commands);
     DrawRecordMaker records(recording.camera, cascade.anchorView);
     for (std::size_t first = job.draws.begin; first < job.draws.end;) {
@@ -124,7 +124,7 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
 void GeometryPass::recordIndirect(vk::CommandBuffer commands, std::size_t cascade, const CascadeDraws& shared,
                                   const IndirectDraws& draws) const {
     constexpr std::size_t kCommandBytes = sizeof(vk::DrawIndexedIndirectCommand);
-    beginJob(commands, shared, draws.records, draws.extent);
+    beginJob(commands, shared, draws.records);
     StateBinder state(m_pipelines, commands);
     for (const bool wide : {false, true}) {
         const std::size_t bucket = 2 * cascade + (wide ? 1 : 0);

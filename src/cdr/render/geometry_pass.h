@@ -34,7 +34,6 @@ class GeometryPass {
         std::span<const CascadeDraws> cascades;
         std::span<shaders::DrawRecord> records; ///< mapped, one per draw of `lists`
         vk::Buffer recordBuffer;                ///< they are in
-        vk::Extent2D extent;
         base::Trace* trace = nullptr;
     };
 
@@ -56,7 +55,6 @@ class GeometryPass {
         std::size_t runs = 0;
         std::span<const RunGroup> groups;
         vk::Buffer records;
-        vk::Extent2D extent;
     };
 
     /// Draws one cascade from lists on the device.
@@ -67,8 +65,7 @@ class GeometryPass {
 
   private:
     class StateBinder;
-    void beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade, vk::Buffer records,
-                  vk::Extent2D extent) const;
+    void beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade, vk::Buffer records) const;
 
     const GpuScene& m_scene;
     Batching m_batching;

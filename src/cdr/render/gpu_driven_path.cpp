@@ -54,7 +54,7 @@ shaders::BinningView viewOf(const CutView& view, double wideSpan) {
 } // namespace
 
 GpuDrivenPath::GpuDrivenPath(const gpu::Device& device, const BinningPass& binning, const GeometryPass& pass,
-                             vk::Extent2D extent, const std::string& name)
+                             const std::string& name)
     : m_device(device),
       m_binning(binning),
       m_pass(pass),
@@ -65,12 +65,8 @@ GpuDrivenPath::GpuDrivenPath(const gpu::Device& device, const BinningPass& binni
                gpu::MemoryUse::hostReads, "binning result"),
       m_descriptors(gpu::makeDescriptorPool(device, 1, BinningPass::kBindings, {kStorage})),
       m_binningSet(gpu::allocateSet(device, *m_descriptors, binning.layout())),
-      m_draws{.commands = {},
-              .counts = {},
-              .runs = binning.runs(),
-              .groups = binning.groups(),
-              .records = {},
-              .extent = extent} {
+      m_draws{
+          .commands = {}, .counts = {}, .runs = binning.runs(), .groups = binning.groups(), .records = {}} {
     m_binning.bindScene(m_binningSet);
     gpu::writeBufferBinding(device, m_binningSet, 0, kStorage, m_view.handle());
     gpu::writeBufferBinding(device, m_binningSet, kResult, kStorage, m_result.handle());

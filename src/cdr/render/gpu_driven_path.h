@@ -14,7 +14,7 @@ namespace cdr::render {
 class GpuDrivenPath final : public DrawPath {
   public:
     GpuDrivenPath(const gpu::Device& device, const BinningPass& binning, const GeometryPass& pass,
-                  vk::Extent2D extent, const std::string& name);
+                  const std::string& name);
 
     bool needsVisible() const override { return false; }
     void bin(const CutView& view, FrameStats& stats) override;

@@ -34,7 +34,6 @@ GeometryPass::Recording HostDraws::recording(const CutView& view) const {
             .cascades = view.cascades,
             .records = m_records.as<shaders::DrawRecord>(m_lists.draws()),
             .recordBuffer = m_records.handle(),
-            .extent = m_extent,
             .trace = m_trace};
 }
 

@@ -9,12 +9,11 @@ namespace cdr::render {
 class HostDraws {
   public:
     HostDraws(const gpu::Device& device, const scene::Scene& scene, const GeometryPass& pass,
-              base::WorkerPool& workers, vk::Extent2D extent, base::Trace* trace)
+              base::WorkerPool& workers, base::Trace* trace)
         : m_device(device),
           m_scene(scene),
           m_pass(pass),
           m_workers(workers),
-          m_extent(extent),
           m_trace(trace) {}
 
     /// Bins, chooses levels of detail and makes room for the records. base::RunError when the device has no
@@ -36,7 +35,6 @@ class HostDraws {
     const scene::Scene& m_scene;
     const GeometryPass& m_pass;
     base::WorkerPool& m_workers;
-    vk::Extent2D m_extent;
     base::Trace* m_trace;
     scene::DrawLists m_lists; ///< kept from frame to frame so that a warm one allocates nothing
     gpu::Buffer m_records;

@@ -1,10 +1,11 @@
 #include "frame_slot.h"
 
-#include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/render/binning_pass.h>
+#include <cdr/render/focus_layers.h>
 #include <cdr/render/gpu_driven_path.h>
 #include <cdr/render/primary_path.h>
+#include <cdr/render/renderer_setup.h>
 #include <cdr/render/secondary_path.h>
 #include <cdr/render/view_transform.h>
 
@@ -40,42 +41,8 @@ class Stopwatch {
     base::Trace::Clock::time_point m_last = base::Trace::Clock::now();
 };
 
-PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended) {
-    return {.extent = extent, .hasSteps = hasBlended, .antialias = options.effects.antialias};
-}
-
 std::optional<scene::Instances> opaqueWhereBlended(const scene::Scene& scene) {
     return scene::hasBlended(scene) ? std::optional(scene::withoutBlended(scene)) : std::nullopt;
-}
-
-vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
-    if (options.framesInFlight < 1 || options.framesInFlight > kMaxFramesInFlight) {
-        throw base::InputError(fmt::format("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,
-                                           options.framesInFlight));
-    }
-    requireUsable(options.effects);
-    if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {
-        throw base::InputError(fmt::format("ambient occlusion per layer needs targets with layers "
-                                           "(accumulate, pool or layers), not {}",
-                                           nameOf(options.targets.kind)));
-    }
-    scene::requireUsable(options.detail);
-    const std::uint32_t most = device.info().maxImageSide;
-    for (const std::uint32_t side : {options.width, options.height}) {
-        if (side < 1 || side > most) {
-            throw base::InputError(fmt::format("size {}x{}: each side must be 1 to {} pixels on {}",
-                                               options.width, options.height, most, device.info().name));
-        }
-    }
-    const vk::Extent2D extent{options.width, options.height};
-    constexpr std::uint64_t kDepthBytes = 4;
-    gpu::requireDeviceBytes(device,
-                            predictGBufferBytes(extent) +
-                                Picture::predictBytes(pictureOptions(extent, options, hasBlended)) +
-                                ShadingPass::predictBytes(extent, options.effects) +
-                                std::uint64_t{extent.width} * extent.height * kDepthBytes,
-                            fmt::format("a {}x{} picture", extent.width, extent.height));
-    return extent;
 }
 
 } // namespace
@@ -94,18 +61,16 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_binning(options.submission == Submission::gpuDriven
                     ? std::make_unique<BinningPass>(device, opaque(), gpuScene, options.detail.mode)
                     : nullptr),
-      m_targets(makeTargets(
-          device, options.targets,
-          {.extent = m_extent,
-           .depthFormat = m_geometry.pipelines().depthFormat(),
-           .reversedDepth = depth::isReversed(options.technique.mapping),
-           .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0})),
       m_picture(device, pictureOptions(m_extent, options, m_opaque.has_value())),
-      m_shading(device, m_targets->gbuffer(), m_picture.lit(), options.effects),
-      m_translucent(m_opaque
-                        ? std::make_unique<TranslucentPass>(device, scene, gpuScene, m_targets->gbuffer(),
-                                                            m_picture.lit(), options.translucency)
-                        : nullptr),
+      m_focus(options.focus.isOn() ? makeFocusLayers() : nullptr),
+      m_plain(m_focus ? nullptr
+                      : makeTargets(device, options.targets,
+                                    targetsOptions(m_extent, m_geometry.pipelines().depthFormat(), options))),
+      m_targets(m_focus ? *m_focus : *m_plain),
+      m_shading(device, m_targets.gbuffer(), m_picture.lit(), options.effects),
+      m_translucent(m_opaque ? std::make_unique<TranslucentPass>(device, scene, gpuScene, m_targets.gbuffer(),
+                                                                 m_picture.lit(), options.translucency)
+                             : nullptr),
       m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
       m_surfaceCopy(device, m_extent, sizeof(Surface), "surface copy") {
     m_workers.setTrace(options.trace);
@@ -128,11 +93,17 @@ Renderer::~Renderer() {
     }
 }
 
+std::unique_ptr<FocusLayers> Renderer::makeFocusLayers() const {
+    return std::make_unique<FocusLayers>(
+        m_device, targetsOptions(m_extent, m_geometry.pipelines().depthFormat(), m_options), m_picture.lit(),
+        m_options.effects, m_scene.background, m_options.focus.blend);
+}
+
 std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {
     if (m_binning != nullptr) {
-        return std::make_unique<GpuDrivenPath>(m_device, *m_binning, m_geometry, m_extent, name);
+        return std::make_unique<GpuDrivenPath>(m_device, *m_binning, m_geometry, name);
     }
-    HostDraws draws(m_device, m_scene, m_geometry, m_workers, m_extent, m_options.trace);
+    HostDraws draws(m_device, m_scene, m_geometry, m_workers, m_options.trace);
     if (m_options.submission == Submission::primaries) {
         return std::make_unique<PrimaryPath>(m_device, std::move(draws), name);
     }
@@ -147,16 +118,24 @@ void Renderer::cut(const scene::Camera& camera, Slot& slot) {
     slot.camera = camera;
     slot.lens = lensOf(camera, m_aspect);
     slot.cascades = m_split.cut(camera, m_visible);
+    std::optional<FocusLens> focus;
+    if (m_focus) {
+        focus.emplace(m_options.focus, slot.lens.tanY, m_extent.height);
+    }
+    const depth::Mapping mapping = m_options.technique.mapping;
+    const depth::Cascades ranges =
+        focus && m_options.focus.blend ? focus->overlapping(slot.cascades) : slot.cascades;
     slot.clipRanges.clear();
     slot.draws.clear();
-    for (std::size_t i = 0; i < slot.cascades.size(); ++i) {
-        slot.clipRanges.push_back(depth::clipRange(m_options.technique.mapping, slot.cascades, i));
-        const depth::ClipTerms terms =
-            clipTerms(depthRange(m_options.technique.mapping, slot.cascades, i, m_split.farEnd()));
-        const DepthSlice slice = m_targets->depthSlice(i, slot.cascades.size());
-        slot.draws.push_back({.anchorView = terms.anchorView,
-                              .push = makeCascadePush(terms, slot.clipRanges[i], slot.lens, slice,
-                                                      static_cast<std::uint32_t>(i))});
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        slot.clipRanges.push_back(depth::clipRange(mapping, ranges, i));
+        const depth::ClipTerms terms = clipTerms(depthRange(mapping, ranges, i, m_split.farEnd()));
+        const DepthSlice slice = m_targets.depthSlice(i, ranges.size());
+        slot.draws.push_back(
+            {.anchorView = terms.anchorView,
+             .push =
+                 makeCascadePush(terms, slot.clipRanges[i], slot.lens, slice, static_cast<std::uint32_t>(i)),
+             .extent = focus ? shrunk(m_extent, focus->scaleOf(slot.cascades[i])) : m_extent});
     }
 }
 
@@ -178,8 +157,8 @@ void Renderer::launch(Slot& slot, Destination destination) {
     slot.path->bin(view, slot.stats);
     slot.stats.times.binMs = watch.lap("bin");
     slot.path->begin(view);
-    m_targets->record(*slot.path, slot.draws);
-    m_shading.record(slot.path->primary(), slot.shading);
+    m_targets.record(*slot.path, slot.draws);
+    shade(slot);
     if (slot.translucent) {
         m_translucent->record(slot.path->primary(), *slot.translucent);
     }
@@ -192,6 +171,14 @@ void Renderer::launch(Slot& slot, Destination destination) {
     slot.submitted = base::Trace::Clock::now();
     gpu::submit(m_device, commands, *slot.done);
     slot.isPending = true;
+}
+
+void Renderer::shade(Slot& slot) {
+    if (m_focus) {
+        m_focus->light(slot.path->primary(), slot.shading, slot.focus);
+    } else {
+        m_shading.record(slot.path->primary(), slot.shading);
+    }
 }
 
 void Renderer::settle(Slot& slot) {
@@ -266,7 +253,7 @@ void Renderer::waitFor(Slot& slot) {
 }
 
 void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination) const {
-    const gpu::Image& gbuffer = m_targets->gbuffer();
+    const gpu::Image& gbuffer = m_targets.gbuffer();
     m_device.beginLabel(primary, "read-back");
     m_colorCopy.record(primary, m_picture.encoded());
     if (destination == Destination::host) {

@@ -4,6 +4,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/render/draw_path.h>
 #include <cdr/render/effects.h>
+#include <cdr/render/focus.h>
 #include <cdr/render/frame.h>
 #include <cdr/render/frame_split.h>
 #include <cdr/render/gpu_scene.h>
@@ -22,6 +23,7 @@
 namespace cdr::render {
 
 class BinningPass;
+class FocusLayers;
 
 struct RenderOptions {
     std::uint32_t width = 1280;
@@ -34,6 +36,7 @@ struct RenderOptions {
     Batching batching = Batching::instanced;
     scene::Detail detail{}; ///< none unless told; meshes without levels are drawn in full whatever it says
     Effects effects{};
+    Focus focus{}; ///< on, it needs targets `layers`, and effects without occlusion
     TranslucencyOptions translucency{};
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
@@ -82,12 +85,14 @@ class Renderer {
   private:
     struct Slot;
     enum class Destination { device, hostColor, host };
+    std::unique_ptr<FocusLayers> makeFocusLayers() const;
     std::unique_ptr<DrawPath> makePath(const std::string& name);
     Slot& nextSlot();
     /// What is drawn into the G-buffer: all but blended instances.
     const scene::Instances& opaque() const { return m_opaque ? *m_opaque : m_scene.instances; }
     void cull(const scene::Camera& camera);
     void cut(const scene::Camera& camera, Slot& slot);
+    void shade(Slot& slot);
     bool hasRoomSufficed(Slot& slot);
     void launch(Slot& slot, Destination destination);
     void settle(Slot& slot);
@@ -106,8 +111,10 @@ class Renderer {
     base::WorkerPool m_workers;
     GeometryPass m_geometry;
     std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
-    std::unique_ptr<Targets> m_targets;
     Picture m_picture;
+    std::unique_ptr<FocusLayers> m_focus; ///< where the lens has a focus
+    std::unique_ptr<Targets> m_plain;     ///< where it has none
+    Targets& m_targets;                   ///< the one of both that is there
     ShadingPass m_shading;
     std::unique_ptr<TranslucentPass> m_translucent; ///< where the scene has blended instances
     Readback m_colorCopy;

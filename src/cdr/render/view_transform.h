@@ -6,6 +6,8 @@
 #include <cdr/scene/scene.h>
 #include <cdr/shaders/shared.h>
 
+#include <vulkan/vulkan.hpp>
+
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -49,6 +51,7 @@ struct DepthSlice {
 struct CascadeDraws {
     double anchorView = 0.0;
     shaders::CascadePush push{};
+    vk::Extent2D extent; ///< of what the cascade is drawn into
 };
 
 /// CascadeDraws::push.

@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
+#include <cdr/scene/alley_scene.h>
 #include <cdr/scene/boulders.h>
 #include <cdr/scene/extreme_scenes.h>
 #include <cdr/scene/gltf_stage.h>
@@ -28,6 +29,7 @@ constexpr std::array kGenerators{
     Generator{"mixed", [](std::uint64_t) { return makeMixed(); }},
     Generator{"boulders", [](std::uint64_t seed) { return makeBoulders(seed); }},
     Generator{"sheets", [](std::uint64_t seed) { return makeSheets(seed); }},
+    Generator{"alley", [](std::uint64_t seed) { return makeAlley(seed); }},
     Generator{"orbit", [](std::uint64_t) { return openOrbit(orbitFiles()); }},
 };
 

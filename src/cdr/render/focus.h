@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cdr/depth/cascade.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::render {
+
+/// Depth of field by per-cascade resolution (thesis chapter 3): what is out of focus is drawn in fewer
+/// pixels.
+struct Focus {
+    double distance = 0.0; ///< view distance that is sharp, scene units; 0 for everything
+    double aperture = 0.0; ///< diameter of the lens, scene units
+    /// Lets cascades overlap and fade into each other, which hides where they meet.
+    bool blend = false;
+
+    bool isOn() const { return distance > 0.0; }
+    bool operator==(const Focus&) const = default;
+};
+
+/// base::InputError, naming the value, unless both are finite and not negative.
+void requireUsable(const Focus& focus);
+
+/// Fewest pixels a layer has: a sixteenth of the picture's along each side.
+inline constexpr std::uint32_t kMostFocusScale = 16;
+
+/// A focused lens as a picture sees it: distances in scene units, circles of confusion in pixels across.
+class FocusLens {
+  public:
+    /// @param focus that is on.
+    /// @param tanY of half the vertical field of view; the picture is `height` pixels high.
+    FocusLens(const Focus& focus, double tanY, std::uint32_t height);
+
+    /// Diameter of the disc that a point at a view distance becomes: aperture |w - F| / w times the pixels
+    /// that a scene unit covers at F (thin lens, as in Potmesil and Chakravarty 1981).
+    double circleAt(double distanceView) const;
+
+    /// Pixels of the picture along the side of one pixel of a cascade's layer: the largest power of two up to
+    /// kMostFocusScale not above the smallest circle in the range, so that nothing is blurred more than the
+    /// lens would.
+    std::uint32_t scaleOf(const depth::Cascade& range) const;
+
+    /// The ranges to draw where cascades that touch are to fade into each other: each but the first begins a
+    /// fifth earlier, but no earlier than the cascade before it does and than where the lens blurs half as
+    /// much as the cascade's scale. Near planes still ascend.
+    depth::Cascades overlapping(const depth::Cascades& cascades) const;
+
+    /// Where to cut so that cascades waste no resolution: the distances whose circles are 2, 4, 8 and 16
+    /// pixels, ascending.
+    std::vector<double> boundaries() const;
+
+  private:
+    double m_distance;
+    double m_circleAtInfinity;
+};
+
+} // namespace cdr::render

@@ -1,0 +1,204 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/render/focus_layers.h>
+#include <cdr/render/gbuffer_rendering.h>
+#include <cdr/render/picture.h>
+#include <cdr/shaders/focus_compose_frag.h>
+#include <cdr/shaders/merge_scaled_frag.h>
+#include <cdr/shaders/shading_layer_frag.h>
+
+#include <fmt/format.h>
+#include <vulkan/vulkan_format_traits.hpp>
+
+#include <array>
+
+namespace cdr::render {
+
+namespace {
+
+constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
+constexpr auto kBuffer = vk::DescriptorType::eStorageBuffer;
+
+/// How the surfaces of a cascade fade where the next one has begun: whole through the first half of what both
+/// draw, so that the soft rim of the farther layer stays hidden, and gone at its end.
+shaders::LayerFade fadeInto(const CascadeDraws& cascade, const CascadeDraws& next) {
+    const double nextNearView = next.anchorView + static_cast<double>(next.push.nearAhead);
+    const double farAhead = static_cast<double>(cascade.push.farAhead);
+    const double shared = cascade.anchorView + farAhead - nextNearView;
+    if (!(shared > 0.0)) {
+        return {};
+    }
+    return {.beginAhead = static_cast<float>(farAhead - 0.5 * shared),
+            .perUnit = static_cast<float>(2.0 / shared)};
+}
+
+vk::ClearValue clearTo(const glm::vec3& color) {
+    return vk::ClearColorValue{std::array{color.r, color.g, color.b, 1.0f}};
+}
+
+/// The options, once the memory for the merged G-buffer is known to be there.
+const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& options) {
+    gpu::requireDeviceBytes(
+        device, predictGBufferBytes(options.extent),
+        fmt::format("a merged G-buffer of {}x{}", options.extent.width, options.extent.height));
+    return options;
+}
+
+} // namespace
+
+FocusLayers::FocusLayers(const gpu::Device& device, const TargetsOptions& options, const gpu::Image& into,
+                         const Effects& effects, const glm::vec3& background, bool fades)
+    : m_device(device),
+      m_options(checked(device, options)),
+      m_into(into),
+      m_background(effects.fog.visibility > 0.0 ? effects.fog.color : background),
+      m_fades(fades),
+      m_merge(device, {.name = "merge scaled",
+                       .fragmentSpirv = kMergeScaledFrag,
+                       .bindings = {kImage},
+                       .format = kGBufferFormat,
+                       .constants = {},
+                       .pushBytes = sizeof(shaders::PictureSize)}),
+      m_light(device, {.name = "shading of a layer",
+                       .fragmentSpirv = kShadingLayerFrag,
+                       .bindings = {kImage, kBuffer},
+                       .format = kLitFormat,
+                       .constants = {effects.fog.visibility > 0.0 ? 1u : 0u},
+                       .pushBytes = sizeof(shaders::LayerFade)}),
+      m_compose(device, {.name = "compose layers",
+                         .fragmentSpirv = kFocusComposeFrag,
+                         .bindings = {kImage},
+                         .format = into.options().format,
+                         .constants = {},
+                         .pushBytes = sizeof(shaders::PictureSize),
+                         .blend = gpu::Blend::over,
+                         .filter = vk::Filter::eLinear}),
+      m_merged(makeGBuffer(device, options.extent, "G-buffer")) {}
+
+std::uint64_t FocusLayers::predictLayerBytes(vk::Extent2D extent, vk::Format depthFormat) {
+    return predictGBufferBytes(extent) + predictDepthBytes(extent, depthFormat) +
+           std::uint64_t{extent.width} * extent.height * vk::blockSize(kLitFormat);
+}
+
+FocusLayers::Layer FocusLayers::makeLayer(vk::Extent2D extent, const std::string& name) const {
+    Layer layer{
+        .gbuffer = makeGBuffer(m_device, extent, name),
+        .depth = makeDepthBuffer(m_device, extent, m_options.depthFormat, name + " depth"),
+        .lit = {m_device,
+                {.extent = extent,
+                 .format = kLitFormat,
+                 .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled},
+                name + " lit"},
+        .merged = m_merge.makeInputs(),
+        .laid = m_compose.makeInputs()};
+    layer.merged.setImage(0, layer.gbuffer);
+    layer.laid.setImage(0, layer.lit);
+    return layer;
+}
+
+FocusLayers::LayerKey FocusLayers::keyOf(std::span<const CascadeDraws> cascades, std::size_t index) {
+    const vk::Extent2D extent = cascades[index].extent;
+    return {static_cast<std::uint32_t>(index), extent.width, extent.height};
+}
+
+void FocusLayers::provideLayers(std::span<const CascadeDraws> cascades) {
+    std::vector<std::size_t> missing;
+    std::uint64_t bytes = 0;
+    for (std::size_t i = 0; i < cascades.size(); ++i) {
+        if (!m_layers.contains(keyOf(cascades, i))) {
+            missing.push_back(i);
+            bytes += predictLayerBytes(cascades[i].extent, m_options.depthFormat);
+        }
+    }
+    if (missing.empty()) {
+        return;
+    }
+    gpu::requireDeviceBytes(m_device, bytes, fmt::format("the layers of {} cascades", missing.size()));
+    for (const std::size_t i : missing) {
+        m_layers.try_emplace(keyOf(cascades, i), makeLayer(cascades[i].extent, fmt::format("layer {}", i)));
+    }
+}
+
+void FocusLayers::record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) {
+    provideLayers(cascades);
+    const std::vector<std::size_t> drawn = commands.drawnCascades(cascades.size());
+    m_drawn.clear();
+    for (auto cascade = drawn.rbegin(); cascade != drawn.rend(); ++cascade) {
+        const bool fades = m_fades && *cascade + 1 < cascades.size();
+        m_drawn.push_back(
+            {.layer = &m_layers.at(keyOf(cascades, *cascade)),
+             .fade = fades ? fadeInto(cascades[*cascade], cascades[*cascade + 1]) : shaders::LayerFade{}});
+    }
+    drawLayers(commands, drawn);
+    mergeSurfaces(commands.primary());
+}
+
+void FocusLayers::drawLayers(CascadeCommands& commands, std::span<const std::size_t> drawn) const {
+    const auto scopeOf = [&](std::size_t i) {
+        const Layer& layer = *m_drawn[i].layer;
+        return GBufferScope{.gbuffer = layer.gbuffer,
+                            .depth = layer.depth,
+                            .clearColor = true,
+                            .reversedDepth = m_options.reversedDepth};
+    };
+    // All barriers first, so that the layers' draws may overlap.
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        beginGBuffer(commands.primary(), scopeOf(i));
+    }
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const std::size_t cascade = drawn[drawn.size() - 1 - i];
+        commands.drawScope(scopeOf(i), {cascade, cascade + 1});
+    }
+}
+
+void FocusLayers::mergeSurfaces(vk::CommandBuffer primary) const {
+    m_device.beginLabel(primary, "merge surfaces");
+    const shaders::PictureSize size{glm::vec2(m_options.extent.width, m_options.extent.height)};
+    std::vector<FullscreenPass::Draw> draws;
+    std::vector<vk::ImageMemoryBarrier2> barriers{attachBarrier(m_merged)};
+    for (const Drawn& drawn : m_drawn) {
+        barriers.push_back(readBarrier(drawn.layer->gbuffer));
+        draws.push_back({.set = drawn.layer->merged.set(), .push = std::as_bytes(std::span(&size, 1))});
+    }
+    gpu::pipelineBarrier(primary, barriers);
+    m_merge.record(primary, draws, m_merged, vk::AttachmentLoadOp::eClear);
+    m_device.endLabel(primary);
+}
+
+void FocusLayers::light(vk::CommandBuffer primary, const ShadingInputs& shading, FocusInputs& inputs) const {
+    lightLayers(primary, shading, inputs);
+    m_device.beginLabel(primary, "compose layers");
+    const shaders::PictureSize size{glm::vec2(m_options.extent.width, m_options.extent.height)};
+    std::vector<FullscreenPass::Draw> draws;
+    std::vector<vk::ImageMemoryBarrier2> barriers{readBarrier(m_merged), attachBarrier(m_into)};
+    for (const Drawn& drawn : m_drawn) {
+        barriers.push_back(readBarrier(drawn.layer->lit));
+        draws.push_back({.set = drawn.layer->laid.set(), .push = std::as_bytes(std::span(&size, 1))});
+    }
+    gpu::pipelineBarrier(primary, barriers);
+    m_compose.record(primary, draws, m_into, vk::AttachmentLoadOp::eClear, clearTo(m_background));
+    m_device.endLabel(primary);
+}
+
+void FocusLayers::lightLayers(vk::CommandBuffer primary, const ShadingInputs& shading,
+                              FocusInputs& inputs) const {
+    m_device.beginLabel(primary, "shading of layers");
+    std::vector<vk::ImageMemoryBarrier2> barriers;
+    for (const Drawn& drawn : m_drawn) {
+        barriers.push_back(attachBarrier(drawn.layer->lit));
+    }
+    gpu::pipelineBarrier(primary, barriers);
+    for (const Drawn& drawn : m_drawn) {
+        const auto [found, isNew] = inputs.m_ofLayer.try_emplace(&drawn.layer->gbuffer);
+        if (isNew) {
+            found->second = m_light.makeInputs();
+            found->second.setImage(0, drawn.layer->gbuffer);
+            found->second.setBuffer(1, shading.lights());
+        }
+        const FullscreenPass::Draw draw{.set = found->second.set(),
+                                        .push = std::as_bytes(std::span(&drawn.fade, 1))};
+        m_light.record(primary, {&draw, 1}, drawn.layer->lit, vk::AttachmentLoadOp::eDontCare);
+    }
+    m_device.endLabel(primary);
+}
+
+} // namespace cdr::render

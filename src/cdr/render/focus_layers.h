@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cdr/render/effects.h>
+#include <cdr/render/focus.h>
+#include <cdr/render/fullscreen_pass.h>
+#include <cdr/render/shading_pass.h>
+#include <cdr/render/targets.h>
+
+#include <array>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace cdr::render {
+
+/// What lighting each layer reads in one frame slot.
+class FocusInputs {
+  private:
+    friend class FocusLayers;
+    std::map<const gpu::Image*, PassInputs> m_ofLayer; ///< by G-buffer
+};
+
+/// Depth of field by per-cascade resolution (thesis chapter 3): each cascade has a layer of the size that
+/// CascadeDraws::extent says, drawn and lit by itself, and lit layers are laid over each other, the farthest
+/// first, each filtered up to the picture. Surfaces are merged as `layers` merges them, so that what reads
+/// the G-buffer later still finds every pixel's nearest.
+class FocusLayers final : public Targets {
+  public:
+    /// @param into the linear image that light() writes.
+    /// @param background linear, what is seen where nothing is.
+    FocusLayers(const gpu::Device& device, const TargetsOptions& options, const gpu::Image& into,
+                const Effects& effects, const glm::vec3& background, bool fades);
+
+    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) override;
+    const gpu::Image& gbuffer() const override { return m_merged; }
+
+    /// Lights what record() drew and composes the picture. Takes gbuffer() from colour attachment to shader
+    /// read layout and leaves the picture in colour attachment layout.
+    void light(vk::CommandBuffer primary, const ShadingInputs& shading, FocusInputs& inputs) const;
+
+    /// Device bytes of one layer.
+    static std::uint64_t predictLayerBytes(vk::Extent2D extent, vk::Format depthFormat);
+
+  private:
+    struct Layer {
+        gpu::Image gbuffer;
+        gpu::Image depth;
+        gpu::Image lit;    ///< colour times coverage, and transmittance
+        PassInputs merged; ///< what merging reads
+        PassInputs laid;   ///< what composing reads
+    };
+    /// A layer that record() drew.
+    struct Drawn {
+        const Layer* layer;
+        shaders::LayerFade fade;
+    };
+    /// Cascade, width and height.
+    using LayerKey = std::array<std::uint32_t, 3>;
+    static LayerKey keyOf(std::span<const CascadeDraws> cascades, std::size_t index);
+    void provideLayers(std::span<const CascadeDraws> cascades);
+    Layer makeLayer(vk::Extent2D extent, const std::string& name) const;
+    /// @param drawn the cascades of m_drawn, nearest first.
+    void drawLayers(CascadeCommands& commands, std::span<const std::size_t> drawn) const;
+    void mergeSurfaces(vk::CommandBuffer primary) const;
+    void lightLayers(vk::CommandBuffer primary, const ShadingInputs& shading, FocusInputs& inputs) const;
+
+    const gpu::Device& m_device;
+    TargetsOptions m_options;
+    const gpu::Image& m_into;
+    glm::vec3 m_background;
+    bool m_fades;
+    FullscreenPass m_merge;
+    FullscreenPass m_light;
+    FullscreenPass m_compose;
+    gpu::Image m_merged;
+    /// Made when first needed and kept, since frames in flight may use them. Sides halve, so all of a
+    /// cascade's take a third more than its largest.
+    std::map<LayerKey, Layer> m_layers;
+    std::vector<Drawn> m_drawn; ///< by the last record(), farthest first
+};
+
+} // namespace cdr::render

@@ -1,0 +1,74 @@
+#include <cdr/base/error.h>
+#include <cdr/render/renderer_setup.h>
+
+#include <fmt/format.h>
+
+namespace cdr::render {
+
+namespace {
+
+void requireFocusable(const RenderOptions& options) {
+    requireUsable(options.focus);
+    if (!options.focus.isOn()) {
+        return;
+    }
+    if (options.targets.kind != TargetsKind::layers) {
+        throw base::InputError(
+            fmt::format("a lens with a focus needs targets layers, not {}", nameOf(options.targets)));
+    }
+    if (options.effects.occlusion.radius > 0.0) {
+        throw base::InputError("a lens with a focus does without ambient occlusion");
+    }
+}
+
+} // namespace
+
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended) {
+    return {.extent = extent,
+            .hasSteps = hasBlended || options.focus.isOn(),
+            .antialias = options.effects.antialias};
+}
+
+TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format depthFormat, const RenderOptions& options) {
+    return {.extent = extent,
+            .depthFormat = depthFormat,
+            .reversedDepth = depth::isReversed(options.technique.mapping),
+            .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0};
+}
+
+vk::Extent2D shrunk(vk::Extent2D extent, std::uint32_t scale) {
+    return {(extent.width + scale - 1) / scale, (extent.height + scale - 1) / scale};
+}
+
+vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
+    if (options.framesInFlight < 1 || options.framesInFlight > kMaxFramesInFlight) {
+        throw base::InputError(fmt::format("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,
+                                           options.framesInFlight));
+    }
+    requireUsable(options.effects);
+    requireFocusable(options);
+    if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {
+        throw base::InputError(fmt::format("ambient occlusion per layer needs targets with layers "
+                                           "(accumulate, pool or layers), not {}",
+                                           nameOf(options.targets.kind)));
+    }
+    scene::requireUsable(options.detail);
+    const std::uint32_t most = device.info().maxImageSide;
+    for (const std::uint32_t side : {options.width, options.height}) {
+        if (side < 1 || side > most) {
+            throw base::InputError(fmt::format("size {}x{}: each side must be 1 to {} pixels on {}",
+                                               options.width, options.height, most, device.info().name));
+        }
+    }
+    const vk::Extent2D extent{options.width, options.height};
+    constexpr std::uint64_t kDepthBytes = 4;
+    gpu::requireDeviceBytes(device,
+                            predictGBufferBytes(extent) +
+                                Picture::predictBytes(pictureOptions(extent, options, hasBlended)) +
+                                ShadingPass::predictBytes(extent, options.effects) +
+                                std::uint64_t{extent.width} * extent.height * kDepthBytes,
+                            fmt::format("a {}x{} picture", extent.width, extent.height));
+    return extent;
+}
+
+} // namespace cdr::render

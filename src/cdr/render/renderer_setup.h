@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cdr/render/renderer.h>
+
+namespace cdr::render {
+
+/// What RenderOptions come to, for the renderer's own use.
+
+/// The picture's size. base::InputError for options that cannot be, base::RunError, with both figures, when
+/// the picture's memory does not suffice.
+/// @param hasBlended whether the scene has blended instances.
+vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended);
+
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended);
+TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format depthFormat, const RenderOptions& options);
+
+/// As few pixels as cover a picture when none is wider or higher than `scale` of the picture's.
+vk::Extent2D shrunk(vk::Extent2D extent, std::uint32_t scale);
+
+} // namespace cdr::render

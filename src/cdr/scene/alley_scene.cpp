@@ -1,0 +1,106 @@
+#include "random.h"
+
+#include <cdr/scene/alley_scene.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace cdr::scene {
+
+namespace {
+
+constexpr double kLength = 240.0;
+constexpr double kTile = 2.0;
+constexpr int kTilesAcross = 12;
+constexpr double kEyeHeight = 1.7;
+enum MaterialIndex : std::uint32_t { lightTile, darkTile, post, firstBlock };
+
+/// Adds boxes, each an object of its own.
+class Builder {
+  public:
+    explicit Builder(Scene& scene) : m_scene(scene) {}
+
+    /// @param turn about the y axis.
+    void box(std::uint32_t material, const glm::dvec3& centre, const glm::dvec3& size, double turn = 0.0) {
+        const glm::dmat3 basis(glm::dvec3(std::cos(turn), 0.0, -std::sin(turn)) * size.x,
+                               glm::dvec3(0.0, size.y, 0.0),
+                               glm::dvec3(std::sin(turn), 0.0, std::cos(turn)) * size.z);
+        addInstance(m_scene, 0, material, m_objects++, centre, glm::mat3(basis));
+    }
+
+  private:
+    Scene& m_scene;
+    std::uint32_t m_objects = 0;
+};
+
+void addMaterials(Scene& scene) {
+    constexpr std::array kColors{glm::vec3(0.55f, 0.5f, 0.42f), glm::vec3(0.16f, 0.15f, 0.15f),
+                                 glm::vec3(0.9f, 0.88f, 0.8f),  glm::vec3(0.7f, 0.2f, 0.12f),
+                                 glm::vec3(0.15f, 0.4f, 0.55f), glm::vec3(0.75f, 0.6f, 0.2f),
+                                 glm::vec3(0.25f, 0.5f, 0.25f)};
+    for (const glm::vec3& color : kColors) {
+        scene.materials.push_back({.name = "paint", .baseColorFactor = glm::vec4(color, 1.0f)});
+    }
+}
+
+void addFloor(Builder& builder) {
+    const int rows = static_cast<int>(kLength / kTile) + 3;
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < kTilesAcross; ++column) {
+            const glm::dvec3 centre((column - 0.5 * (kTilesAcross - 1)) * kTile, -0.1, (2.5 - row) * kTile);
+            builder.box((row + column) % 2 == 0 ? lightTile : darkTile, centre, {kTile, 0.2, kTile});
+        }
+    }
+}
+
+void addSides(Builder& builder, Random& random) {
+    constexpr std::uint32_t kColors = 4;
+    std::uint32_t number = 0;
+    for (double z = -3.0; z > -kLength; z -= 6.0) {
+        for (const double side : {-1.0, 1.0}) {
+            const glm::dvec3 size(random.uniform(1.5, 3.0), random.uniform(1.5, 6.0),
+                                  random.uniform(1.5, 3.5));
+            builder.box(firstBlock + number++ % kColors,
+                        {side * random.uniform(6.5, 8.5), 0.5 * size.y, z - random.uniform(0.0, 2.0)}, size,
+                        random.uniform(-0.4, 0.4));
+            builder.box(post, {side * 4.5, 1.5, z}, {0.12, 3.0, 0.12});
+        }
+    }
+}
+
+void addCubesInTheWay(Builder& builder) {
+    constexpr std::array kPlaces{glm::dvec2(-0.9, -3.2), glm::dvec2(0.5, -12.0), glm::dvec2(-1.8, -19.0),
+                                 glm::dvec2(2.0, -34.0), glm::dvec2(-1.0, -70.0)};
+    std::uint32_t number = 0;
+    for (const glm::dvec2& place : kPlaces) {
+        const double side = number == 0 ? 0.8 : 1.6;
+        builder.box(firstBlock + number % 4, {place.x, 0.5 * side, place.y}, glm::dvec3(side), 0.5 + number);
+        ++number;
+    }
+}
+
+} // namespace
+
+StagedScene makeAlley(std::uint64_t seed) {
+    Random random(seed);
+    StagedScene staged;
+    Scene& scene = staged.scene;
+    scene.name = "alley";
+    scene.meshes = {makeBox(glm::vec3(0.5f))};
+    scene.ambient = glm::vec3(0.35f);
+    scene.background = glm::vec3(0.02f, 0.04f, 0.09f);
+    scene.lights.push_back(
+        {.position = glm::dvec3(300.0, 600.0, 400.0), .color = glm::vec3(0.9f), .halfDistance = 1e4});
+    addMaterials(scene);
+    Builder builder(scene);
+    addFloor(builder);
+    addSides(builder, random);
+    addCubesInTheWay(builder);
+    constexpr double kFovY = 50.0 * std::numbers::pi / 180.0;
+    staged.path = stillPath(lookAt({.fovY = kFovY, .nearView = 0.5, .farView = 500.0},
+                                   glm::dvec3(0.0, kEyeHeight, 0.0), glm::dvec3(0.0, 1.1, -12.0)));
+    return staged;
+}
+
+} // namespace cdr::scene

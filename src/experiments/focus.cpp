@@ -1,0 +1,224 @@
+#include "focus.h"
+
+#include "lens_reference.h"
+#include "shuffled_order.h"
+
+#include <cdr/base/error.h>
+#include <cdr/image/srgb.h>
+#include <cdr/measure/flip_difference.h>
+#include <cdr/render/renderer.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+namespace cdr::experiments {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Mode {
+    const char* name;
+    render::TargetsKind targets;
+    bool isFocused;
+    bool blends;
+};
+constexpr std::array kModes{Mode{"single", render::TargetsKind::single, false, false},
+                            Mode{"layers", render::TargetsKind::layers, false, false},
+                            Mode{"focus", render::TargetsKind::layers, true, false},
+                            Mode{"focus-blend", render::TargetsKind::layers, true, true}};
+/// All others are compared with it.
+constexpr std::size_t kBase = 1;
+
+/// Frames drawn and dropped first: pipelines compile, memory is touched, caches fill.
+constexpr std::uint32_t kWarmUpFrames = 2;
+
+double millisecondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+/// What one mode took, one entry per frame.
+struct Samples {
+    std::vector<double> frameMs;
+    std::vector<double> executeMs;
+};
+
+/// Of linear light, over all channels.
+double rmseOf(const image::ImageRgba8& a, const image::ImageRgba8& b) {
+    const std::array<double, 256>& linear = image::linearOfSrgb();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        for (int channel = 0; channel < 3; ++channel) {
+            const double apart = linear[a.pixels[i][channel]] - linear[b.pixels[i][channel]];
+            sum += apart * apart;
+        }
+    }
+    return std::sqrt(sum / (3.0 * static_cast<double>(a.pixels.size())));
+}
+
+/// A renderer per mode over one scene, and what each showed and took so far.
+class Comparison {
+  public:
+    Comparison(const gpu::Device& device, const FocusOptions& options)
+        : m_options(options),
+          m_workers(options.threads),
+          m_staged(scene::openScene(options.scene, options.seed).staged),
+          m_camera(m_staged.path.at(0)),
+          m_lens(options.lens, std::tan(0.5 * m_camera.fovY), options.height),
+          m_gpuScene(device, m_staged.scene),
+          m_order(kModes.size(), options.seed),
+          m_samples(kModes.size()) {
+        for (const Mode& mode : kModes) {
+            m_renderers.push_back(
+                std::make_unique<render::Renderer>(device, m_staged.scene, m_gpuScene, renderOptions(mode)));
+        }
+    }
+
+    void time() {
+        for (const std::size_t mode : m_order.next()) {
+            const auto begin = Clock::now();
+            const render::FrameStats stats = m_renderers[mode]->draw(m_camera);
+            m_samples[mode].frameMs.push_back(millisecondsSince(begin));
+            m_samples[mode].executeMs.push_back(stats.times.executeMs);
+        }
+    }
+
+    void forgetSamples() { std::fill(m_samples.begin(), m_samples.end(), Samples{}); }
+
+    /// The reference is of pictures by "single".
+    void addToReference(std::uint32_t camera) {
+        const auto begin = Clock::now();
+        const render::Frame frame =
+            m_renderers.front()->render(cameraOnLens(m_camera, m_options.lens, camera, m_options.cameras));
+        m_referenceMs += millisecondsSince(begin);
+        m_referenceExecuteMs += frame.stats.times.executeMs;
+        m_reference.add(frame.color);
+    }
+
+    FocusReport report() {
+        FocusReport report;
+        const image::ImageRgba8 reference = m_reference.mean();
+        for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+            const render::Frame frame = m_renderers[mode]->render(m_camera);
+            if (mode == kBase) {
+                report.cascades = cascadesOf(frame);
+            }
+            FocusResult result = summarise(mode);
+            result.flip = m_flip.mean(reference, frame.color, m_workers);
+            result.rmse = rmseOf(reference, frame.color);
+            result.picture = frame.color;
+            report.results.push_back(std::move(result));
+        }
+        for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+            report.results[mode].pixels = pixelsOf(kModes[mode], report.cascades);
+        }
+        report.results.push_back({.mode = "cameras",
+                                  .frameMs = m_referenceMs,
+                                  .executeMs = m_referenceExecuteMs,
+                                  .speedup = report.results[kBase].executeMs / m_referenceExecuteMs,
+                                  .speedup95 = {},
+                                  .pixels = m_options.cameras * reference.pixels.size(),
+                                  .picture = reference});
+        return report;
+    }
+
+  private:
+    render::RenderOptions renderOptions(const Mode& mode) const {
+        const bool isGiven = !std::holds_alternative<depth::SplitNone>(m_options.split);
+        const depth::Split split =
+            isGiven ? m_options.split : depth::Split(depth::SplitAt{m_lens.boundaries()});
+        render::RenderOptions options{
+            .width = m_options.width,
+            .height = m_options.height,
+            .technique = depth::makeTechnique(m_options.mapping, split, depth::DepthFormat::d32f),
+            .targets = mode.targets,
+            .threads = m_options.threads};
+        if (mode.isFocused) {
+            options.focus = m_options.lens;
+            options.focus.blend = mode.blends;
+        }
+        return options;
+    }
+
+    std::vector<FocusCascade> cascadesOf(const render::Frame& frame) const {
+        std::vector<FocusCascade> cascades;
+        for (const depth::Cascade& cascade : frame.cascades) {
+            cascades.push_back(
+                {.nearView = cascade.nearView, .farView = cascade.farView, .scale = m_lens.scaleOf(cascade)});
+        }
+        return cascades;
+    }
+
+    std::uint64_t pixelsOf(const Mode& mode, const std::vector<FocusCascade>& cascades) const {
+        std::uint64_t pixels = 0;
+        for (const FocusCascade& cascade : cascades) {
+            const std::uint32_t scale = mode.isFocused ? cascade.scale : 1;
+            const std::uint64_t columns = (m_options.width + scale - 1) / scale;
+            pixels += columns * ((m_options.height + scale - 1) / scale);
+        }
+        return mode.targets == render::TargetsKind::single ? std::uint64_t{m_options.width} * m_options.height
+                                                           : pixels;
+    }
+
+    FocusResult summarise(std::size_t mode) const {
+        const Samples& samples = m_samples[mode];
+        const std::vector<double>& base = m_samples[kBase].executeMs;
+        std::vector<double> ratios(base.size());
+        std::transform(base.begin(), base.end(), samples.executeMs.begin(), ratios.begin(),
+                       [](double baseMs, double ms) { return baseMs / ms; });
+        return {.mode = kModes[mode].name,
+                .frameMs = measure::median(samples.frameMs),
+                .executeMs = measure::median(samples.executeMs),
+                .speedup = measure::median(ratios),
+                .speedup95 = measure::bootstrapMedian(ratios, m_options.seed + mode),
+                .picture = {}};
+    }
+
+    const FocusOptions& m_options;
+    base::WorkerPool m_workers;
+    scene::StagedScene m_staged;
+    scene::Camera m_camera;
+    render::FocusLens m_lens;
+    render::GpuScene m_gpuScene;
+    std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
+    ShuffledOrder m_order;
+    std::vector<Samples> m_samples; ///< by mode
+    LensReference m_reference;
+    double m_referenceMs = 0.0;
+    double m_referenceExecuteMs = 0.0;
+    measure::FlipDifference m_flip;
+};
+
+} // namespace
+
+FocusReport runFocus(const gpu::Device& device, const FocusOptions& options, const FocusProgress& progress) {
+    if (options.frames < 1 || options.cameras < 1) {
+        throw base::InputError("focus needs a frame and a camera");
+    }
+    requireUsable(options.lens);
+    if (!options.lens.isOn() || !(options.lens.aperture > 0.0)) {
+        throw base::InputError("focus needs a distance and an aperture above 0");
+    }
+    const std::size_t all = std::size_t{kWarmUpFrames} + options.frames + options.cameras;
+    std::size_t done = 0;
+    Comparison comparison(device, options);
+    for (std::uint32_t i = 0; i < kWarmUpFrames; ++i) {
+        progress(done++, all);
+        comparison.time();
+    }
+    comparison.forgetSamples();
+    for (std::uint32_t i = 0; i < options.frames; ++i) {
+        progress(done++, all);
+        comparison.time();
+    }
+    for (std::uint32_t i = 0; i < options.cameras; ++i) {
+        progress(done++, all);
+        comparison.addToReference(i);
+    }
+    return comparison.report();
+}
+
+} // namespace cdr::experiments

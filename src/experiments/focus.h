@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cdr/depth/technique.h>
+#include <cdr/gpu/device.h>
+#include <cdr/image/image.h>
+#include <cdr/measure/statistics.h>
+#include <cdr/render/focus.h>
+#include <cdr/scene/open_scene.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// What depth of field by per-cascade resolution saves and what it looks like (thesis chapter 3, where it is
+/// untested), against a lens of many cameras.
+struct FocusOptions {
+    std::string scene = "alley"; ///< as scene::openScene() takes it
+    std::uint64_t seed = scene::kDefaultSeed;
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    std::uint32_t frames = 20;  ///< timed, of every mode, all of the scene's first camera
+    std::uint32_t cameras = 64; ///< on the lens of the reference
+    std::size_t threads = 1;
+    depth::Mapping mapping = depth::Mapping::reversed;
+    /// How cascades are cut; none: where circles of confusion are 2, 4, 8 and 16 pixels.
+    depth::Split split = depth::SplitNone{};
+    render::Focus lens{.distance = 12.0, .aperture = 0.15};
+};
+
+/// One mode over all frames. Times are medians, milliseconds.
+struct FocusResult {
+    /// "single" and "layers": in full, all of it sharp; "focus" and "focus-blend"; "cameras": the reference,
+    /// one after the other.
+    std::string mode;
+    double frameMs = 0.0;
+    double executeMs = 0.0;
+    double speedup = 1.0;        ///< of execute over "layers": the median of the ratios frame by frame
+    measure::Interval speedup95; ///< bootstrapped
+    std::uint64_t pixels = 0;    ///< of all layers; of "cameras" all pictures
+    double flip = 0.0;           ///< mean LDR-FLIP to the reference
+    double rmse = 0.0;           ///< of linear light to the reference, over all channels
+    image::ImageRgba8 picture;
+};
+
+/// One cascade of the modes with a focus.
+struct FocusCascade {
+    double nearView = 0.0;
+    double farView = 0.0;
+    std::uint32_t scale = 1;
+};
+
+struct FocusReport {
+    std::vector<FocusCascade> cascades;
+    std::vector<FocusResult> results;
+};
+
+/// Called before each step with how many of all are done.
+using FocusProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Every mode draws a frame, in an order shuffled anew, before the next; then each is compared once with the
+/// mean, in linear light, of cameras spread over the lens, each turned to the point in focus.
+/// base::InputError for no frames or cameras, or an unusable or no focus.
+FocusReport runFocus(const gpu::Device& device, const FocusOptions& options, const FocusProgress& progress);
+
+} // namespace cdr::experiments

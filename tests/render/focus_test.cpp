@@ -1,0 +1,346 @@
+#include "fixture.h"
+
+#include <cdr/base/error.h>
+#include <cdr/image/compare.h>
+#include <cdr/render/focus.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace cdr::render_test {
+
+namespace {
+
+using render::Focus;
+using render::FocusLens;
+using render::Frame;
+using render::RenderOptions;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Circles of 20 pixels at infinity, sharp at 10.
+FocusLens lensOf20() {
+    constexpr double kTanY = 0.5;
+    constexpr std::uint32_t kHeight = 100;
+    return {{.distance = 10.0, .aperture = 2.0}, kTanY, kHeight};
+}
+
+TEST(FocusLensTest, CirclesAreThoseOfAThinLens) {
+    const FocusLens lens = lensOf20();
+    EXPECT_DOUBLE_EQ(lens.circleAt(10.0), 0.0);
+    EXPECT_DOUBLE_EQ(lens.circleAt(5.0), 20.0); // 2 * (10 - 5) / 5 units across at 10, of 10 pixels each
+    EXPECT_DOUBLE_EQ(lens.circleAt(20.0), 10.0);
+    EXPECT_DOUBLE_EQ(lens.circleAt(1e300), 20.0);
+}
+
+TEST(FocusLensTest, NothingIsBlurredMoreThanTheLensWould) {
+    const FocusLens lens = lensOf20();
+    EXPECT_EQ(lens.scaleOf({9.0, 11.0}), 1u);
+    EXPECT_EQ(lens.scaleOf({1.0, 10.0}), 1u);  // sharp at its very end
+    EXPECT_EQ(lens.scaleOf({10.5, 99.0}), 1u); // 0.95 pixels at its near end
+    EXPECT_EQ(lens.scaleOf({15.0, 99.0}), 4u); // 6.7 pixels
+    EXPECT_EQ(lens.scaleOf({20.0, 99.0}), 8u); // 10 pixels
+    EXPECT_EQ(lens.scaleOf({0.1, 5.0}), 16u);  // 20 pixels at its far end
+    EXPECT_EQ(lens.scaleOf({0.01, 0.1}), 16u); // 1980 pixels: no layer is smaller
+}
+
+TEST(FocusLensTest, BoundariesHaveTheCirclesOfTheScales) {
+    const FocusLens lens = lensOf20();
+    const std::vector<double> boundaries = lens.boundaries();
+    const std::vector<double> circles{16, 8, 4, 2, 2, 4, 8, 16};
+    ASSERT_EQ(boundaries.size(), circles.size());
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+        EXPECT_NEAR(lens.circleAt(boundaries[i]), circles[i], 1e-6);
+        // The cascade on the blurred side has that scale.
+        const double beyond = i < 4 ? 0.9 * boundaries[i] : 1.1 * boundaries[i];
+        EXPECT_EQ(lens.scaleOf({std::min(beyond, boundaries[i]), std::max(beyond, boundaries[i])}),
+                  circles[i]);
+    }
+    EXPECT_TRUE(std::is_sorted(boundaries.begin(), boundaries.end()));
+    EXPECT_EQ(FocusLens({.distance = 10.0, .aperture = 0.5}, 0.5, 100).boundaries().size(), 6u);
+}
+
+TEST(FocusLensTest, OverlapsStayBehindWhatIsSharp) {
+    const FocusLens lens = lensOf20();
+    const depth::Cascades cut{{1.0, 5.0},   {5.0, 10.6},  {10.6, 30.0},
+                              {30.0, 31.0}, {31.0, 50.0}, {60.0, 99.0}};
+    const depth::Cascades ranges = lens.overlapping(cut);
+    ASSERT_EQ(ranges.size(), cut.size());
+    EXPECT_EQ(ranges[0], cut[0]);
+    EXPECT_DOUBLE_EQ(ranges[1].nearView, 4.0);
+    EXPECT_DOUBLE_EQ(ranges[2].nearView, 8.48); // drawn in full, so it may reach into what is sharp
+    EXPECT_DOUBLE_EQ(ranges[3].nearView, 24.0);
+    EXPECT_DOUBLE_EQ(ranges[4].nearView, 30.0); // no earlier than the cascade before
+    EXPECT_EQ(ranges[5], cut[5]);               // a gap hides nothing
+    for (std::size_t i = 0; i < cut.size(); ++i) {
+        EXPECT_EQ(ranges[i].farView, cut[i].farView);
+    }
+    // Two pixels of blur at 11.2; a fifth earlier would reach before the sharp distance.
+    const depth::Cascades late = lens.overlapping({{1.0, 11.2}, {11.2, 50.0}});
+    EXPECT_NEAR(lens.circleAt(late[1].nearView), 1.0, 1e-9);
+    EXPECT_GT(late[1].nearView, 10.0);
+}
+
+/// A grey floor from before the camera to 80 units away and boxes along it, over black. Lit by ambient light
+/// alone, so that all of the floor is of one brightness.
+scene::Scene floorScene() {
+    scene::Scene scene = boxScene();
+    scene.lights.clear();
+    scene.ambient = glm::vec3(0.5f);
+    addBox(scene, glm::dvec3(0.0, -2.0, -39.0),
+           glm::mat3(200.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 82.0f));
+    return scene;
+}
+
+/// The same with rows of dark boxes.
+scene::Scene alleyScene() {
+    scene::Scene scene = floorScene();
+    scene.materials.push_back({.name = "dark", .baseColorFactor = glm::vec4(0.1f, 0.2f, 0.3f, 1.0f)});
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        const double side = i % 2 == 0 ? -1.5 : 1.5;
+        scene::addInstance(scene, 0, 1, 1 + i, glm::dvec3(side, -0.9, -3.0 - 1.7 * i), glm::mat3(1.0f));
+    }
+    return scene;
+}
+
+const scene::Camera kCamera = scene::lookAt({.fovY = 0.9, .nearView = 0.5, .farView = 1000.0},
+                                            glm::dvec3(0.0, 1.0, 2.0), glm::dvec3(0.0, -1.2, -10.0));
+
+/// Sharp at 10, up to some 9 pixels at infinity in small pictures.
+constexpr Focus kFocus{.distance = 10.0, .aperture = 0.3};
+constexpr Focus kBlended{.distance = 10.0, .aperture = 0.3, .blend = true};
+
+RenderOptions focused(const Focus& focus, const char* split = "at:5,7.5,15,30",
+                      depth::Mapping mapping = depth::Mapping::reversed) {
+    RenderOptions options =
+        smallOptions(depth::makeTechnique(mapping, depth::parseSplit(split), depth::DepthFormat::d32f));
+    options.targets = render::TargetsKind::layers;
+    options.focus = focus;
+    return options;
+}
+
+FocusLens lensOfPicture(const Frame& frame, const Focus& focus) {
+    return {focus, std::tan(0.5 * frame.camera.fovY), frame.height()};
+}
+
+/// Sum of squared second differences along rows, over pixels that a predicate picks.
+template <typename Predicate>
+double roughness(const Frame& frame, const Predicate& counts) {
+    double sum = 0.0;
+    for (std::uint32_t y = 0; y < frame.height(); ++y) {
+        for (std::uint32_t x = 1; x + 1 < frame.width(); ++x) {
+            if (counts(x, y)) {
+                const int bend = 2 * int{frame.color.at(x, y)[0]} - int{frame.color.at(x - 1, y)[0]} -
+                                 int{frame.color.at(x + 1, y)[0]};
+                sum += static_cast<double>(bend) * bend;
+            }
+        }
+    }
+    return sum;
+}
+
+bool isFrom(const Frame& frame, std::uint32_t cascade, std::uint32_t x, std::uint32_t y) {
+    return frame.id(x, y) != 0 && frame.cascade(x, y) == cascade;
+}
+
+float aheadAt(const Frame& frame, std::uint32_t x, std::uint32_t y) {
+    return frame.surfaces.at(x, y).ahead;
+}
+
+class FocusTest : public RenderTest {};
+
+TEST_F(FocusTest, ALensWithNextToNoApertureShowsTheOrdinaryPicture) {
+    const scene::Scene scene = alleyScene();
+    for (const depth::Mapping mapping : {depth::Mapping::standard, depth::Mapping::reversed,
+                                         depth::Mapping::log, depth::Mapping::anchored}) {
+        RenderOptions options = focused({.distance = 10.0, .aperture = 1e-9}, "at:5,7.5,15,30", mapping);
+        const Frame sharp = draw(scene, kCamera, options);
+        options.focus.blend = true;
+        const Frame blended = draw(scene, kCamera, options);
+        options.focus = {};
+        const Frame ordinary = draw(scene, kCamera, options);
+        EXPECT_EQ(base::sha256Of(sharp.surfaces.pixels), base::sha256Of(ordinary.surfaces.pixels))
+            << nameOf(mapping);
+        for (const Frame* frame : {&sharp, &blended}) {
+            const image::Comparison difference =
+                image::compare(ordinary.color, frame->color, {.channel = 1, .pixelShare = 0.0});
+            EXPECT_TRUE(difference.passes) << nameOf(mapping) << ": " << describe(difference);
+        }
+        EXPECT_EQ(blended.ids().pixels, ordinary.ids().pixels) << nameOf(mapping);
+    }
+}
+
+TEST_F(FocusTest, WhatIsOutOfFocusIsDrawnSmallerAndLooksSmoother) {
+    const scene::Scene scene = alleyScene();
+    const Frame blurred = draw(scene, kCamera, focused(kFocus));
+    const Frame sharp = draw(scene, kCamera, focused({}));
+    const FocusLens lens = lensOfPicture(blurred, kFocus);
+    std::set<std::uint32_t> scales;
+    for (std::uint32_t cascade = 0; cascade < blurred.cascades.size(); ++cascade) {
+        const std::uint32_t scale = lens.scaleOf(blurred.cascades[cascade]);
+        scales.insert(scale);
+        // Pixels above each other that lie in one pixel of the layer.
+        const std::uint32_t rows = (blurred.height() + scale - 1) / scale;
+        const auto rowOf = [&](std::uint32_t y) { return (2 * y + 1) * rows / (2 * blurred.height()); };
+        std::size_t pairs = 0;
+        std::size_t alike = 0;
+        std::size_t alikeInFull = 0;
+        for (std::uint32_t y = 0; y + 1 < blurred.height(); ++y) {
+            for (std::uint32_t x = 0; rowOf(y) == rowOf(y + 1) && x < blurred.width(); ++x) {
+                if (isFrom(blurred, cascade, x, y) && isFrom(blurred, cascade, x, y + 1)) {
+                    ++pairs;
+                    alike += aheadAt(blurred, x, y) == aheadAt(blurred, x, y + 1) ? 1 : 0;
+                    alikeInFull += aheadAt(sharp, x, y) == aheadAt(sharp, x, y + 1) ? 1 : 0;
+                }
+            }
+        }
+        EXPECT_EQ(alike, pairs) << cascade;
+        EXPECT_LE(10 * alikeInFull, pairs) << cascade;
+        EXPECT_EQ(pairs > 500, scale > 1) << cascade;
+        const auto isOfCascade = [&](std::uint32_t x, std::uint32_t y) {
+            return isFrom(sharp, cascade, x, y);
+        };
+        const double rough = roughness(sharp, isOfCascade);
+        if (scale >= 2) {
+            EXPECT_LT(roughness(blurred, isOfCascade), 0.5 * rough) << cascade;
+        } else {
+            EXPECT_GT(roughness(blurred, isOfCascade), 0.6 * rough) << cascade;
+        }
+    }
+    EXPECT_EQ(scales, (std::set<std::uint32_t>{1, 2, 4, 8}));
+}
+
+/// Floor pixels, off its far edge, that are darker than the floor is.
+std::size_t darkened(const Frame& frame) {
+    constexpr int kFloor = 188; // sRGB of 0.5
+    constexpr double kFarEdge = 35.0;
+    std::size_t count = 0;
+    for (std::uint32_t y = 0; y < frame.height(); ++y) {
+        for (std::uint32_t x = 0; x < frame.width(); ++x) {
+            const bool isFloor = frame.id(x, y) != 0 && frame.distanceView(x, y) < kFarEdge;
+            count += isFloor && frame.color.at(x, y)[0] < kFloor - 2 ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+TEST_F(FocusTest, BlendingHidesTheSeamsWhereCascadesMeet) {
+    const scene::Scene scene = floorScene();
+    EXPECT_EQ(darkened(draw(scene, kCamera, focused({}))), 0u);
+    for (const depth::Mapping mapping : {depth::Mapping::standard, depth::Mapping::reversed,
+                                         depth::Mapping::log, depth::Mapping::anchored}) {
+        const Frame cut = draw(scene, kCamera, focused(kFocus, "at:5,7.5,15,30", mapping));
+        const Frame blended = draw(scene, kCamera, focused(kBlended, "at:5,7.5,15,30", mapping));
+        EXPECT_GT(darkened(cut), cut.width()) << nameOf(mapping); // a line or more across the picture
+        EXPECT_EQ(darkened(blended), 0u) << nameOf(mapping);
+    }
+}
+
+/// How far two pictures are apart over the surfaces that a third shows within a range of distances.
+int apart(const Frame& a, const Frame& b, const Frame& surfaces, const depth::Cascade& range) {
+    int sum = 0;
+    for (std::uint32_t y = 0; y < a.height(); ++y) {
+        for (std::uint32_t x = 0; x < a.width(); ++x) {
+            sum += range.contains(surfaces.distanceView(x, y))
+                       ? std::abs(int{a.color.at(x, y)[0]} - int{b.color.at(x, y)[0]})
+                       : 0;
+        }
+    }
+    return sum;
+}
+
+TEST_F(FocusTest, ACascadeFadesIntoTheNext) {
+    const scene::Scene scene = alleyScene();
+    const Frame sharp = draw(scene, kCamera, focused(kFocus, "none"));
+    const Frame blurred = draw(scene, kCamera, focused(kFocus, "at:13.2")); // 2 pixels from there on
+    const Frame blended =
+        draw(scene, kCamera, focused(kBlended, "at:15")); // both draw from 12, fading from 13.5
+    const depth::Cascade before{12.2, 13.4};
+    const depth::Cascade end{14.7, 14.99};
+    EXPECT_GT(apart(sharp, blurred, sharp, end), 500);
+    EXPECT_LT(4 * apart(blended, blurred, sharp, end), apart(blended, sharp, sharp, end));
+    EXPECT_LT(apart(blended, sharp, sharp, before), 100);
+}
+
+TEST_F(FocusTest, IsOneImageHoweverSubmitted) {
+    const scene::Scene scene = alleyScene();
+    const render::GpuScene gpuScene(device(), scene);
+    std::set<std::string> images;
+    for (const Focus& focus : {kFocus, kBlended}) {
+        std::set<std::string> ofFocus;
+        for (const render::Submission submission : render::kSubmissions) {
+            for (const std::size_t threads : {1u, 3u}) {
+                // The last cascade is empty, which only the CPU knows.
+                RenderOptions options = focused(focus, "at:5,7.5,15,30,300");
+                options.submission = submission;
+                options.threads = threads;
+                render::Renderer renderer(device(), scene, gpuScene, options);
+                ofFocus.insert(hashOf(renderer.render(kCamera)));
+            }
+        }
+        EXPECT_EQ(ofFocus.size(), 1u);
+        images.merge(ofFocus);
+    }
+    EXPECT_EQ(images.size(), 2u);
+}
+
+TEST_F(FocusTest, LayersMayChangeTheirSizeWhileFramesAreInFlight) {
+    const scene::Scene scene = alleyScene();
+    const render::GpuScene gpuScene(device(), scene);
+    RenderOptions options = focused(kBlended, "count:4");
+    options.framesInFlight = 3;
+    render::Renderer renderer(device(), scene, gpuScene, options);
+    scene::Camera camera = kCamera;
+    for (const double nearView : {0.5, 2.0, 4.0, 9.0, 0.2, 0.5}) {
+        camera.nearView = nearView;
+        renderer.submit(camera);
+    }
+    EXPECT_EQ(hashOf(renderer.render(camera)), hashOf(draw(scene, camera, focused(kBlended, "count:4"))));
+}
+
+TEST_F(FocusTest, TranslucentSurfacesAreLaidOverIt) {
+    scene::Scene scene = alleyScene();
+    const Frame before = draw(scene, kCamera, focused(kFocus));
+    scene.materials.push_back({.name = "glass",
+                               .baseColorFactor = glm::vec4(1.0f, 0.0f, 0.0f, 0.5f),
+                               .unlit = true,
+                               .alphaMode = scene::AlphaMode::blend});
+    const auto glass = static_cast<std::uint32_t>(scene.materials.size() - 1);
+    scene::addInstance(scene, 0, glass, 100, glm::dvec3(0.0, -1.0, -8.0), glm::mat3(1.0f));
+    const Frame after = draw(scene, kCamera, focused(kFocus));
+    EXPECT_EQ(before.ids().pixels, after.ids().pixels);
+    std::size_t reddened = 0;
+    for (std::size_t i = 0; i < after.color.pixels.size(); ++i) {
+        reddened += after.color.pixels[i][0] > before.color.pixels[i][0] + 10 &&
+                            after.color.pixels[i][1] + 10 < before.color.pixels[i][1]
+                        ? 1
+                        : 0;
+    }
+    EXPECT_GT(reddened, 200u);
+}
+
+TEST_F(FocusTest, RefusesWhatCannotBe) {
+    const scene::Scene scene = boxScene();
+    for (const render::TargetsKind targets : render::kTargetsKinds) {
+        RenderOptions options = focused(kFocus);
+        options.targets = targets;
+        if (targets != render::TargetsKind::layers) {
+            EXPECT_THROW(draw(scene, kCamera, options), base::InputError) << nameOf(targets);
+        }
+    }
+    RenderOptions occluded = focused(kFocus);
+    occluded.effects.occlusion.radius = 1.0;
+    EXPECT_THROW(draw(scene, kCamera, occluded), base::InputError);
+    for (const double wrong : {-1.0, kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_THROW(draw(scene, kCamera, focused({.distance = wrong, .aperture = 1.0})), base::InputError);
+        EXPECT_THROW(draw(scene, kCamera, focused({.distance = 1.0, .aperture = wrong})), base::InputError);
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test
