@@ -32,6 +32,9 @@ struct Amounts {
     const char* translucencyCascades;
     const char* orbitFrames;
     const char* orbitSize;
+    const char* focusFrames;
+    const char* focusSize;
+    const char* focusCameras;
 };
 
 constexpr Amounts kSmallest{.pictureFrames = "1",
@@ -55,7 +58,10 @@ constexpr Amounts kSmallest{.pictureFrames = "1",
                             .translucencySize = "96x54",
                             .translucencyCascades = "1,4",
                             .orbitFrames = "2",
-                            .orbitSize = "160x90"};
+                            .orbitSize = "160x90",
+                            .focusFrames = "2",
+                            .focusSize = "160x90",
+                            .focusCameras = "4"};
 constexpr Amounts kQuick{.pictureFrames = "2",
                          .pictureSize = "1280x720",
                          .probeDistances = "1,100,10000,1000000,100000000",
@@ -77,7 +83,10 @@ constexpr Amounts kQuick{.pictureFrames = "2",
                          .translucencySize = "640x360",
                          .translucencyCascades = "1,2,4,8",
                          .orbitFrames = "7",
-                         .orbitSize = "1280x720"};
+                         .orbitSize = "1280x720",
+                         .focusFrames = "10",
+                         .focusSize = "1280x720",
+                         .focusCameras = "64"};
 constexpr Amounts kFull{.pictureFrames = "12",
                         .pictureSize = "1280x720",
                         .probeDistances = "1,10,100,1000,10000,100000,1000000,10000000,100000000",
@@ -99,7 +108,10 @@ constexpr Amounts kFull{.pictureFrames = "12",
                         .translucencySize = "1280x720",
                         .translucencyCascades = "1,2,3,4,5,6,7,8",
                         .orbitFrames = "49",
-                        .orbitSize = "1280x720"};
+                        .orbitSize = "1280x720",
+                        .focusFrames = "120",
+                        .focusSize = "1280x720",
+                        .focusCameras = "256"};
 
 const Amounts& amountsOf(Effort effort) {
     switch (effort) {
@@ -216,6 +228,12 @@ std::vector<Section> makePlan(const PlanOptions& options) {
                                 amounts.translucencyCascades}),
          .folderOption = "--out",
          .folder = "translucency",
+         .expectedSeconds = seconds(10.0, 60.0)},
+        {.name = "focus",
+         .arguments = rendered({"focus", "--frames", amounts.focusFrames, "--size", amounts.focusSize,
+                                "--cameras", amounts.focusCameras}),
+         .folderOption = "--out",
+         .folder = "focus",
          .expectedSeconds = seconds(10.0, 60.0)},
         {.name = "orbit",
          .arguments = {"orbit", "--frames", amounts.orbitFrames, "--size", amounts.orbitSize, "--threads",

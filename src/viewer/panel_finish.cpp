@@ -66,6 +66,12 @@ void drawFinishPanel(const Widgets& widgets, ViewerModel& model) {
     widgets.sentence(explain(finish.effects.occlusion));
     chooseLength(widgets, "fog", finish.effects.fog.visibility);
     widgets.sentence(explain(finish.effects.fog));
+    if (model.settings.targets.kind == render::TargetsKind::layers) {
+        chooseLength(widgets, "focus", finish.focus.distance);
+        chooseLength(widgets, "aperture", finish.focus.aperture);
+        widgets.checkbox("fade between cascades", finish.focus.blend);
+    }
+    widgets.sentence(explain(finish.focus));
 }
 
 } // namespace cdr::viewer

@@ -11,7 +11,8 @@ bool fits(const render::RenderOptions& made, const render::RenderOptions& wanted
            isSameTechnique(made.technique, wanted.technique) && made.targets == wanted.targets &&
            made.threads == wanted.threads && made.submission == wanted.submission &&
            made.batching == wanted.batching && made.detail.mode == wanted.detail.mode &&
-           made.translucency.method == wanted.translucency.method && made.effects == wanted.effects;
+           made.translucency.method == wanted.translucency.method && made.effects == wanted.effects &&
+           made.focus == wanted.focus;
 }
 
 } // namespace

@@ -6,7 +6,7 @@ let count = 0; // names of radio groups are page-wide
 
 /**
  * @param {{scene: string, width: number, height: number, alt: (item: object, kind: string) => string,
- *          items: {technique: string, title: string, note: string, picture: string, heatMap: string}[]}} options
+ *          items: {technique: string, title: string, note: string, picture: string, heatMap: (string|undefined)}[]}} options
  */
 export function makeWipe({ scene, width, height, items, alt }) {
     const left = picker("Left", items, 0);
@@ -41,7 +41,8 @@ export function makeWipe({ scene, width, height, items, alt }) {
     }
     show();
     move();
-    return h("figure", { class: "wipe" }, h("div", { class: "choices" }, left.label, right.label, kinds.element), stage, caption);
+    const hasHeatMaps = items.every((item) => item.heatMap);
+    return h("figure", { class: "wipe" }, h("div", { class: "choices" }, left.label, right.label, hasHeatMaps && kinds.element), stage, caption);
 }
 
 function picker(label, items, chosen) {

@@ -65,6 +65,9 @@ void addFinish(Words& words, const ViewSettings& settings) {
     words.addUnless(
         effects.occlusion.radius == 0.0, "--occlusion",
         fmt::format("{}{}", effects.occlusion.radius, effects.occlusion.perLayer ? ":layers" : ""));
+    words.addUnless(!options.focus.isOn(), "--focus",
+                    fmt::format("{}:{}{}", options.focus.distance, options.focus.aperture,
+                                options.focus.blend ? ":blend" : ""));
     words.addUnless(effects.fog.visibility == 0.0, "--fog", fmt::format("{}", effects.fog.visibility));
 }
 

@@ -10,6 +10,9 @@ void apply(const Finish& finish, render::RenderOptions& options) {
     options.translucency.method = finish.translucency;
     options.effects = finish.effects;
     options.effects.occlusion.perLayer = finish.effects.occlusion.perLayer && hasLayers(options.targets.kind);
+    if (options.targets.kind == render::TargetsKind::layers) {
+        options.focus = finish.focus;
+    }
 }
 
 std::string_view explain(scene::DetailMode detail) {
@@ -48,6 +51,16 @@ std::string_view explain(const render::Occlusion& occlusion) {
 
 std::string_view explain(const render::Fog& fog) {
     return fog.visibility <= 0.0 ? "Clear air." : "At this distance 2 % of a colour is left.";
+}
+
+std::string_view explain(const render::Focus& focus) {
+    if (!focus.isOn()) {
+        return "Everything is sharp. With targets in layers a lens can be focused on a distance.";
+    }
+    return focus.blend ? "What is out of focus is drawn in fewer pixels, cascade by cascade; where cascades "
+                         "meet they fade into each other."
+                       : "What is out of focus is drawn in fewer pixels, cascade by cascade, as the thesis "
+                         "proposes; where cascades meet it shows.";
 }
 
 } // namespace cdr::viewer

@@ -11,12 +11,14 @@ struct Finish {
     scene::DetailMode detail = scene::DetailMode::none;
     render::Translucency translucency = render::Translucency::weighted;
     render::Effects effects{};
+    render::Focus focus{};
 
     bool operator==(const Finish&) const = default;
 };
 
 /// Puts it into the options of a renderer. Occlusion per layer is for targets that have layers, so with
-/// others it is worked out over the whole picture.
+/// others it is worked out over the whole picture; a focus is for `layers` alone, so with others there is
+/// none.
 void apply(const Finish& finish, render::RenderOptions& options);
 
 std::string_view explain(scene::DetailMode detail);
@@ -24,5 +26,6 @@ std::string_view explain(render::Translucency translucency);
 std::string_view explain(render::Antialias antialias);
 std::string_view explain(const render::Occlusion& occlusion);
 std::string_view explain(const render::Fog& fog);
+std::string_view explain(const render::Focus& focus);
 
 } // namespace cdr::viewer

@@ -1,0 +1,32 @@
+import { fixed, number } from "../logic/format.js";
+import { h, slot, table } from "./elements.js";
+import { makeWipe } from "./wipe.js";
+
+const titles = { single: "Sharp, one target", layers: "Sharp, layers", focus: "By cascade", "focus-blend": "By cascade, fading", cameras: "Many cameras" };
+const titleOf = (row) => titles[row.mode] ?? row.mode;
+
+export function fillFocus(document, folder) {
+    const shown = document.results.filter((row) => row.picture && row.mode !== "single");
+    if (shown.length > 0) {
+        slot("focus", "wipe").append(makeWipe({
+            scene: document.options.scene, width: document.options.width, height: document.options.height,
+            items: shown.map((row) => itemOf(row, folder)), alt: altOf }));
+    }
+    slot("focus", "table").append(makeTable(document));
+}
+
+function itemOf(row, folder) {
+    return { technique: row.mode, title: titleOf(row), note: `mean FLIP ${fixed(row.flip, 4)} to the cameras`, picture: `${folder}/${row.picture}` };
+}
+
+function altOf(item) {
+    return `The scene through a lens, ${item.title}: ${item.note}.`;
+}
+
+function makeTable(document) {
+    return table("Execute over drawing the same layers sharp, the median of the ratios frame by frame; FLIP and RMSE compare with the mean of the cameras.",
+        ["Lens", "megapixels", "execute, ms", "times faster", "95 % interval", "FLIP", "RMSE"],
+        document.results.map((row) => [
+            h("span", {}, titleOf(row)), fixed(row.pixels / 1e6, 2), number(row.execute_ms), fixed(row.execute_speedup, 2),
+            row.ci95.map((end) => fixed(end, 2)).join(" to "), fixed(row.flip, 4), fixed(row.rmse, 4)]));
+}
