@@ -42,7 +42,7 @@ export function makeWipe({ scene, width, height, items, alt }) {
     show();
     move();
     const hasHeatMaps = items.every((item) => item.heatMap);
-    return h("figure", { class: "wipe" }, h("div", { class: "choices" }, left.label, right.label, hasHeatMaps && kinds.element), stage, caption);
+    return h("figure", { class: "wipe" }, h("div", { class: "choices" }, left.label, right.label, hasHeatMaps ? kinds.element : null), stage, caption);
 }
 
 function picker(label, items, chosen) {
