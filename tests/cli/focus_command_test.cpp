@@ -1,0 +1,64 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace cdr::cli_test {
+
+namespace {
+
+using nlohmann::json;
+
+TEST(FocusCommand, ComparesEveryLensWithManyCameras) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "--validate focus --frames 2 --cameras 16 --size 320x180 --aperture 0.5 --out pictures --json f.json",
+        folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "f.json"));
+    EXPECT_EQ(document.at("command"), "focus");
+    EXPECT_EQ(document.at("options").at("split"), "circles");
+    std::map<std::string, json> rows;
+    for (const json& row : document.at("results")) {
+        const std::string mode = row.at("mode");
+        rows[mode] = row;
+        EXPECT_GT(row.at("execute_ms").get<double>(), 0.0);
+        EXPECT_EQ(row.at("rmse").get<double>() == 0.0, mode == "cameras");
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / (mode + ".png")));
+    }
+    ASSERT_EQ(rows.size(), 5u);
+    EXPECT_EQ(rows["single"].at("rmse"), rows["layers"].at("rmse"));
+    EXPECT_LT(rows["focus-blend"].at("rmse"), rows["focus"].at("rmse"));
+    EXPECT_LT(rows["focus-blend"].at("rmse"), rows["layers"].at("rmse"));
+    EXPECT_LT(2 * rows["focus"].at("pixels").get<int>(), rows["layers"].at("pixels").get<int>());
+    std::set<int> scales;
+    for (const json& cascade : document.at("cascades")) {
+        scales.insert(cascade.at("scale").get<int>());
+    }
+    EXPECT_TRUE(scales.contains(1));
+    EXPECT_TRUE(scales.contains(8));
+}
+
+TEST(FocusCommand, RenderTakesALens) {
+    const TemporaryFolder folder;
+    std::set<std::string> hashes;
+    for (const char* lens : {"12:0.3", "12:0.3:blend", "6:0.3"}) {
+        const ProgramResult result =
+            runProgram(std::string("--validate render alley --size 96x54 --split count:4 --targets layers "
+                                   "--json r.json --focus ") +
+                           lens,
+                       folder.path());
+        ASSERT_EQ(result.status, 0) << lens << ": " << result.err;
+        const json row = json::parse(readText(folder.path() / "r.json")).at("results").at(0);
+        hashes.insert(row.at("hash").get<std::string>());
+    }
+    EXPECT_EQ(hashes.size(), 3u);
+}
+
+} // namespace
+
+} // namespace cdr::cli_test
