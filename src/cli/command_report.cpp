@@ -30,6 +30,7 @@ void addExperiments(CLI::App& program, const GlobalOptions& global) {
     addScaling(program, global);
     addDetail(program, global);
     addTranslucency(program, global);
+    addEffects(program, global);
     addFocus(program, global);
     addOrbit(program, global);
 }

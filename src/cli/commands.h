@@ -19,6 +19,7 @@ void addScaling(CLI::App& program, const GlobalOptions& global);
 void addDetail(CLI::App& program, const GlobalOptions& global);
 void addOrbit(CLI::App& program, const GlobalOptions& global);
 void addTranslucency(CLI::App& program, const GlobalOptions& global);
+void addEffects(CLI::App& program, const GlobalOptions& global);
 void addFocus(CLI::App& program, const GlobalOptions& global);
 void addReport(CLI::App& program, const GlobalOptions& global);
 

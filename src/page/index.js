@@ -4,6 +4,7 @@ import { summary, verdicts } from "./logic/verdicts.js";
 import { h } from "./view/elements.js";
 import { fillAdvise } from "./view/section_advise.js";
 import { fillDetail } from "./view/section_detail.js";
+import { fillEffects } from "./view/section_effects.js";
 import { fillFocus } from "./view/section_focus.js";
 import { fillOrbit } from "./view/section_orbit.js";
 import { fillTranslucency } from "./view/section_translucency.js";
@@ -27,6 +28,7 @@ const fillers = {
     scaling: fillScaling,
     detail: fillDetail,
     translucency: fillTranslucency,
+    effects: fillEffects,
     focus: fillFocus,
     orbit: fillOrbit,
     advise: fillAdvise,

@@ -32,8 +32,8 @@ struct Amounts {
     const char* translucencyCascades;
     const char* orbitFrames;
     const char* orbitSize;
-    const char* focusFrames;
-    const char* focusSize;
+    const char* lensFrames;
+    const char* lensSize;
     const char* focusCameras;
 };
 
@@ -59,8 +59,8 @@ constexpr Amounts kSmallest{.pictureFrames = "1",
                             .translucencyCascades = "1,4",
                             .orbitFrames = "2",
                             .orbitSize = "160x90",
-                            .focusFrames = "2",
-                            .focusSize = "160x90",
+                            .lensFrames = "2",
+                            .lensSize = "160x90",
                             .focusCameras = "4"};
 constexpr Amounts kQuick{.pictureFrames = "2",
                          .pictureSize = "1280x720",
@@ -84,8 +84,8 @@ constexpr Amounts kQuick{.pictureFrames = "2",
                          .translucencyCascades = "1,2,4,8",
                          .orbitFrames = "7",
                          .orbitSize = "1280x720",
-                         .focusFrames = "10",
-                         .focusSize = "1280x720",
+                         .lensFrames = "10",
+                         .lensSize = "1280x720",
                          .focusCameras = "64"};
 constexpr Amounts kFull{.pictureFrames = "12",
                         .pictureSize = "1280x720",
@@ -109,8 +109,8 @@ constexpr Amounts kFull{.pictureFrames = "12",
                         .translucencyCascades = "1,2,3,4,5,6,7,8",
                         .orbitFrames = "49",
                         .orbitSize = "1280x720",
-                        .focusFrames = "120",
-                        .focusSize = "1280x720",
+                        .lensFrames = "120",
+                        .lensSize = "1280x720",
                         .focusCameras = "256"};
 
 const Amounts& amountsOf(Effort effort) {
@@ -229,8 +229,13 @@ std::vector<Section> makePlan(const PlanOptions& options) {
          .folderOption = "--out",
          .folder = "translucency",
          .expectedSeconds = seconds(10.0, 60.0)},
+        {.name = "effects",
+         .arguments = rendered({"effects", "--frames", amounts.lensFrames, "--size", amounts.lensSize}),
+         .folderOption = "--out",
+         .folder = "effects",
+         .expectedSeconds = seconds(15.0, 100.0)},
         {.name = "focus",
-         .arguments = rendered({"focus", "--frames", amounts.focusFrames, "--size", amounts.focusSize,
+         .arguments = rendered({"focus", "--frames", amounts.lensFrames, "--size", amounts.lensSize,
                                 "--cameras", amounts.focusCameras}),
          .folderOption = "--out",
          .folder = "focus",

@@ -63,9 +63,9 @@ TEST_F(ReportCommand, WritesOneFolderThatHoldsAllOfItsFiles) {
         EXPECT_TRUE(fs::is_regular_file(path("made") / row.at("json").get<std::string>())) << row;
         EXPECT_EQ(row.at("command").get<std::string>().find("/tmp"), std::string::npos) << row;
     }
-    EXPECT_EQ(sections,
-              (std::set<std::string>{"precision", "advise", "pictures", "flicker", "flicker-near", "probe",
-                                     "timing", "scaling", "detail", "translucency", "focus", "orbit"}));
+    EXPECT_EQ(sections, (std::set<std::string>{"precision", "advise", "pictures", "flicker", "flicker-near",
+                                               "probe", "timing", "scaling", "detail", "translucency",
+                                               "effects", "focus", "orbit"}));
     for (const char* file : {"index.html", "compare.html", "data.js", "LICENSES.txt"}) {
         const json& files = manifest.at("files");
         EXPECT_NE(std::find(files.begin(), files.end(), file), files.end()) << file;

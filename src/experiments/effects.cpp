@@ -1,0 +1,155 @@
+#include "effects.h"
+
+#include "shuffled_order.h"
+
+#include <cdr/base/error.h>
+#include <cdr/render/renderer.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <memory>
+
+namespace cdr::experiments {
+
+namespace {
+
+constexpr std::array kModes{"plain", "edges", "occlusion", "occlusion-layers", "fog"};
+constexpr std::size_t kWhole = 2;
+constexpr std::size_t kPerLayer = 3;
+
+/// Frames drawn and dropped first: pipelines compile, memory is touched, caches fill.
+constexpr std::uint32_t kWarmUpFrames = 2;
+
+/// Twelve cascades, so that boundaries run through what is near.
+depth::Technique shownTechnique() {
+    return depth::makeTechnique(depth::Mapping::anchored, depth::SplitCount{12}, depth::DepthFormat::d32f);
+}
+
+render::Effects effectsOf(std::size_t mode, const EffectsOptions& options) {
+    const std::string name = kModes[mode];
+    render::Effects effects;
+    if (name == "edges") {
+        effects.antialias = render::Antialias::edges;
+    } else if (mode == kWhole || mode == kPerLayer) {
+        effects.occlusion = {.radius = options.occlusionRadius, .perLayer = mode == kPerLayer};
+    } else if (name == "fog") {
+        effects.fog.visibility = options.visibility;
+    }
+    return effects;
+}
+
+/// By how much one pixel's channels differ at most; `signedly` only where `a` is brighter.
+int apart(const image::Rgba8& a, const image::Rgba8& b, bool signedly) {
+    int most = 0;
+    for (int channel = 0; channel < 3; ++channel) {
+        const int difference = int{a[channel]} - int{b[channel]};
+        most = std::max(most, signedly ? difference : std::abs(difference));
+    }
+    return most;
+}
+
+double shareApart(const image::ImageRgba8& a, const image::ImageRgba8& b, bool signedly) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        count += apart(a.pixels[i], b.pixels[i], signedly) > kEffectTolerance ? 1 : 0;
+    }
+    return static_cast<double>(count) / static_cast<double>(a.pixels.size());
+}
+
+/// A renderer per mode over one scene, and what each took so far.
+class Comparison {
+  public:
+    Comparison(const gpu::Device& device, const EffectsOptions& options)
+        : m_device(device),
+          m_options(options),
+          m_staged(scene::openScene(options.scene, options.seed).staged),
+          m_camera(m_staged.path.at(0)),
+          m_gpuScene(device, m_staged.scene),
+          m_order(kModes.size(), options.seed),
+          m_executeMs(kModes.size()) {
+        for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+            m_renderers.push_back(makeRenderer(mode, shownTechnique()));
+        }
+    }
+
+    void time() {
+        for (const std::size_t mode : m_order.next()) {
+            m_executeMs[mode].push_back(m_renderers[mode]->draw(m_camera).times.executeMs);
+        }
+    }
+
+    void forgetTimes() { std::fill(m_executeMs.begin(), m_executeMs.end(), std::vector<double>{}); }
+
+    EffectsResult summarise(std::size_t mode) {
+        const std::vector<double>& ms = m_executeMs[mode];
+        std::vector<double> ratios(ms.size());
+        std::transform(ms.begin(), ms.end(), m_executeMs.front().begin(), ratios.begin(),
+                       [](double own, double plain) { return own / plain; });
+        EffectsResult result{.mode = kModes[mode],
+                             .executeMs = measure::median(ms),
+                             .ratio = measure::median(ratios),
+                             .ratio95 = measure::bootstrapMedian(ratios, m_options.seed + mode),
+                             .leastAlike = {},
+                             .picture = m_renderers[mode]->render(m_camera).color};
+        for (const depth::Technique& preset : depth::presets()) {
+            const double share =
+                shareApart(makeRenderer(mode, preset)->render(m_camera).color, result.picture, false);
+            if (result.leastAlike.empty() || share > result.differing) {
+                result.leastAlike = preset.name;
+                result.differing = share;
+            }
+        }
+        return result;
+    }
+
+  private:
+    std::unique_ptr<render::Renderer> makeRenderer(std::size_t mode,
+                                                   const depth::Technique& technique) const {
+        const render::RenderOptions options{.width = m_options.width,
+                                            .height = m_options.height,
+                                            .technique = technique,
+                                            .targets = mode == kPerLayer ? render::TargetsKind::accumulate
+                                                                         : render::TargetsKind::single,
+                                            .threads = m_options.threads,
+                                            .effects = effectsOf(mode, m_options)};
+        return std::make_unique<render::Renderer>(m_device, m_staged.scene, m_gpuScene, options);
+    }
+
+    const gpu::Device& m_device;
+    const EffectsOptions& m_options;
+    scene::StagedScene m_staged;
+    scene::Camera m_camera;
+    render::GpuScene m_gpuScene;
+    std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
+    ShuffledOrder m_order;
+    std::vector<std::vector<double>> m_executeMs; ///< by mode, then frame
+};
+
+} // namespace
+
+EffectsReport runEffects(const gpu::Device& device, const EffectsOptions& options,
+                         const EffectsProgress& progress) {
+    if (options.frames < 1) {
+        throw base::InputError("effects needs a frame");
+    }
+    const std::size_t all = std::size_t{kWarmUpFrames} + options.frames + kModes.size();
+    std::size_t done = 0;
+    Comparison comparison(device, options);
+    for (std::uint32_t i = 0; i < kWarmUpFrames + options.frames; ++i) {
+        if (i == kWarmUpFrames) {
+            comparison.forgetTimes();
+        }
+        progress(done++, all);
+        comparison.time();
+    }
+    EffectsReport report;
+    for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+        progress(done++, all);
+        report.results.push_back(comparison.summarise(mode));
+    }
+    report.lostPerLayer = shareApart(report.results[kPerLayer].picture, report.results[kWhole].picture, true);
+    return report;
+}
+
+} // namespace cdr::experiments

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cdr/gpu/device.h>
+#include <cdr/image/image.h>
+#include <cdr/measure/statistics.h>
+#include <cdr/scene/open_scene.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// What screen-space effects cost, whether they look the same under every technique, and what working one out
+/// per layer loses (thesis chapter 3, method 2).
+struct EffectsOptions {
+    std::string scene = "alley"; ///< as scene::openScene() takes it
+    std::uint64_t seed = scene::kDefaultSeed;
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    std::uint32_t frames = 20; ///< timed, of every mode, all of the scene's first camera
+    std::size_t threads = 1;
+    double occlusionRadius = 1.0; ///< scene units
+    double visibility = 100.0;    ///< in fog, scene units
+};
+
+/// One mode: "plain", "edges", "occlusion", "occlusion-layers" or "fog". Times are medians, milliseconds.
+struct EffectsResult {
+    std::string mode;
+    double executeMs = 0.0;
+    double ratio = 1.0;        ///< of execute to "plain": the median of the ratios frame by frame
+    measure::Interval ratio95; ///< bootstrapped
+    /// Of the presets, the one whose picture differs most from anchored's with the same effect.
+    std::string leastAlike;
+    double differing = 0.0;    ///< share of its pixels that differ by more than kEffectTolerance
+    image::ImageRgba8 picture; ///< under anchored, in twelve cascades of one ratio
+};
+
+/// Of 255, in any channel: what rounding of distances and normals may do to a lit pixel.
+inline constexpr int kEffectTolerance = 3;
+
+struct EffectsReport {
+    std::vector<EffectsResult> results;
+    double lostPerLayer = 0.0; ///< share of pixels that occlusion per layer leaves brighter by more than that
+};
+
+/// Called before each step with how many of all are done.
+using EffectsProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Every mode draws a frame, in an order shuffled anew, before the next; then each is drawn by every preset.
+/// base::InputError for no frames.
+EffectsReport runEffects(const gpu::Device& device, const EffectsOptions& options,
+                         const EffectsProgress& progress);
+
+} // namespace cdr::experiments

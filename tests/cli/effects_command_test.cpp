@@ -1,0 +1,46 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <string>
+
+namespace cdr::cli_test {
+
+namespace {
+
+using nlohmann::json;
+
+TEST(EffectsCommand, LooksAlikeUnderEveryTechniqueAndLosesPerLayer) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "--validate effects --frames 2 --size 320x180 --out pictures --json e.json", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "e.json"));
+    EXPECT_EQ(document.at("command"), "effects");
+    std::map<std::string, json> rows;
+    for (const json& row : document.at("results")) {
+        const std::string mode = row.at("mode");
+        rows[mode] = row;
+        EXPECT_GT(row.at("execute_ms").get<double>(), 0.0);
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / (mode + ".png")));
+    }
+    ASSERT_EQ(rows.size(), 5u);
+    const double plain = rows["plain"].at("differing");
+    for (const char* mode : {"edges", "occlusion", "fog"}) {
+        EXPECT_LT(rows[mode].at("differing").get<double>(), plain + 0.005) << mode;
+    }
+    EXPECT_GT(document.at("lost_per_layer").get<double>(), 0.0);
+}
+
+TEST(EffectsCommand, RefusesWhatCannotBe) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("effects --occlusion=-1", folder.path());
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("not negative"), std::string::npos) << result.err;
+}
+
+} // namespace
+
+} // namespace cdr::cli_test
