@@ -59,9 +59,13 @@ test("every picture of every technique loads when it is chosen, and its heat map
     const page = await openReport();
     for (const wipe of await page.$$(".wipe")) {
         const techniques = await (await wipe.$("select")).$$eval("option", (options) => options.map((o) => o.textContent));
-        assert.deepEqual(techniques, ["Standard", "CDR", "Logarithmic", "LogCDR", "Reversed", "Anchored"]);
-        for (const kind of await wipe.$$("input[type=radio]")) {
-            await kind.check();
+        if (await wipe.evaluate((figure) => ["pictures", "orbit"].includes(figure.closest("section").id))) {
+            assert.deepEqual(techniques, ["Standard", "CDR", "Logarithmic", "LogCDR", "Reversed", "Anchored"]);
+        }
+        assert.ok(techniques.length > 1);
+        const kinds = await wipe.$$("input[type=radio]"); // none where there are no heat maps
+        for (const kind of kinds.length > 0 ? kinds : [null]) {
+            await kind?.check();
             for (let i = 0; i < techniques.length; ++i) {
                 await (await wipe.$("select")).selectOption(String(i));
                 const upper = await wipe.$("img.upper");
@@ -208,7 +212,7 @@ test("each section names its command, device and commit, and links its JSON", as
     const page = await openReport();
     const manifest = JSON.parse(readFileSync(join(report, "report.json")));
     const sources = await page.$$eval(".source pre code", (codes) => codes.map((code) => code.textContent));
-    assert.equal(manifest.results.length, 8);
+    assert.equal(manifest.results.length, 13);
     for (const row of manifest.results) {
         assert.equal(row.failure, null);
         assert.ok(sources.includes(row.command), row.command);
