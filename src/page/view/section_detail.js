@@ -25,7 +25,7 @@ function itemOf(row, folder) {
 }
 
 function altOf(item, kind) {
-    return kind === "picture" ? `The scene drawn ${item.title}: ${item.note}.` : `The same with a red square about each crack: ${item.note}.`;
+    return kind === "picture" ? `The scene drawn ${item.title}: ${item.note}.` : `The scene drawn ${item.title}, a red square about each crack: ${item.note}.`;
 }
 
 function makeTable(document) {
