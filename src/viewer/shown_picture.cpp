@@ -21,15 +21,31 @@ image::ImageRgba8 shownPicture(const ViewerModel& model) {
     return picture;
 }
 
+namespace {
+
+std::string_view nameOf(Motion motion) {
+    switch (motion) {
+    case Motion::scenePath:
+        return "scene-path";
+    case Motion::recording:
+        return "recording";
+    case Motion::free:
+        break;
+    }
+    return "free";
+}
+
+} // namespace
+
 std::string stateLine(const ViewerModel& model) {
     const ViewSettings& settings = model.settings;
     std::string line = fmt::format(
         "scene={} technique={} second={} view={} targets={} threads={} divider={:.4f} fov={:.6g} orbits={} "
-        "eye={}",
+        "motion={} eye={}",
         settings.scene, techniqueName(settings.technique),
         settings.second ? techniqueName(*settings.second) : "none", nameOf(settings.view),
         nameOf(settings.targets), settings.threads, settings.divider, scene::degreesOf(model.camera.fovY),
-        model.orbits ? 1 : 0, exactText(model.camera.position));
+        model.orbits ? 1 : 0, nameOf(model.motion), exactText(model.camera.position));
     if (model.shown != nullptr && !model.shown->sides.empty()) {
         const SideResult& side = model.shown->sides.front();
         line += fmt::format(" shown={} size={}x{} cascades={} draws={}", model.shown->sceneName,

@@ -127,7 +127,8 @@ TEST_F(ViewerTest, PicksAndMeasures) {
 TEST_F(ViewerTest, RecordsAPathAndPlaysIt) {
     const RunResult run = play("--size 800x480 cubes",
                                "wait-frame\nkey R\nhold D\nwait-ui 20\nlet D\nwait-frame\nkey R\nstate\n"
-                               "key home\nwait-frame\nstate\nkey P\nwait-frame\nstate\nquit\n");
+                               "key home\nwait-frame\nstate\nkey P\nwait-state motion=recording\n"
+                               "wait-state motion=free\nwait-frame\nstate\nquit\n");
     ASSERT_TRUE(fs::exists(folder() / "camera-path-0001.json"));
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 3u);
