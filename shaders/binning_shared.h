@@ -35,7 +35,7 @@ struct InstanceLook {
 };
 
 struct MaterialRecord {
-    float alphaCutoff;
+    uint cutoffAndShine; // the words of a DrawRecord
     uint baseColorRg;
     uint baseColorBa;
     uint pad0;

@@ -8,6 +8,7 @@ layout(constant_id = 0) const uint kDepthForm = kDepthFormLinear;
 layout(constant_id = 1) const uint kTextured = 0u;
 layout(constant_id = 2) const uint kMasked = 0u;
 layout(constant_id = 3) const uint kWide = 0u;
+layout(constant_id = 4) const uint kShiny = 0u;
 
 layout(set = 0, binding = 0) uniform sampler2D baseColorTexture;
 layout(push_constant) uniform Push { CascadePush cascade; };
@@ -21,7 +22,7 @@ layout(location = 0) in vec4 inNormalAhead;
 layout(location = 1) in vec4 inColor;
 layout(location = 2) in vec2 inUv;
 layout(location = 3) flat in uint inId;
-layout(location = 4) flat in float inAlphaCutoff;
+layout(location = 4) flat in uint inCutoffAndShine;
 #endif
 
 layout(location = 0) out uvec4 outSurface;
@@ -47,12 +48,15 @@ void main() {
     if (kTextured != 0u) {
         baseColor *= texture(baseColorTexture, inUv);
     }
-    if (kMasked != 0u && baseColor.a < inAlphaCutoff) {
+    if (kMasked != 0u && baseColor.a < uintBitsToFloat(inCutoffAndShine & ~kShineMask)) {
         discard;
     }
     // Of a double-sided surface the side that faces the camera is lit.
     vec3 normal = gl_FrontFacing ? inNormalAhead.xyz : -inNormalAhead.xyz;
     outSurface = encodeSurface(baseColor.rgb, normal, ahead, inId);
+    if (kShiny != 0u) {
+        outSurface.x = withShine(outSurface.x, inCutoffAndShine);
+    }
 #endif
 #ifdef WRITES_DEPTH
     // The viewport moves interpolated depths into the slice, but not those set here.

@@ -6,6 +6,7 @@
 
 layout(constant_id = 0) const uint kDepthForm = kDepthFormLinear;
 layout(constant_id = 3) const uint kWide = 0u;
+layout(constant_id = 4) const uint kShiny = 0u;
 
 #ifdef PUSHED_RECORD
 layout(push_constant) uniform Push {
@@ -34,13 +35,12 @@ layout(location = 0) out vec4 outNormalAhead;
 layout(location = 1) out vec4 outColor;
 layout(location = 2) out vec2 outUv;
 layout(location = 3) flat out uint outId;
-layout(location = 4) flat out float outAlphaCutoff;
+layout(location = 4) flat out uint outCutoffAndShine;
 #endif
 
 void main() {
 #ifndef PUSHED_RECORD
-    DrawRecord record =
-        DrawRecord(inRight, inUp, inAhead, inLook.x, uintBitsToFloat(inLook.y), inLook.z, inLook.w);
+    DrawRecord record = DrawRecord(inRight, inUp, inAhead, inLook.x, inLook.y, inLook.z, inLook.w);
 #endif
     float x = dot(record.right.xyz, inPosition) + record.right.w;
     float y = dot(record.up.xyz, inPosition) + record.up.w;
@@ -65,12 +65,14 @@ void main() {
     uint id = record.id | (cascade.cascade << kIdBits);
 #ifdef FACETED
     outAhead = ahead;
-    outFacet = uvec3(encodeAlbedo(baseColor.rgb), encodeNormal(turned), id);
+    uint albedo = encodeAlbedo(baseColor.rgb);
+    albedo = kShiny != 0u ? withShine(albedo, record.cutoffAndShine) : albedo;
+    outFacet = uvec3(albedo, encodeNormal(turned), id);
 #else
     outNormalAhead = vec4(turned, ahead);
     outColor = baseColor;
     outUv = inUv;
     outId = id;
-    outAlphaCutoff = record.alphaCutoff;
+    outCutoffAndShine = record.cutoffAndShine;
 #endif
 }

@@ -3,6 +3,8 @@
 #ifndef CDR_SHADERS_LIGHTING_GLSL
 #define CDR_SHADERS_LIGHTING_GLSL
 
+#include "shine.glsl"
+
 layout(set = LIGHTING_SET, binding = LIGHTING_BINDING, std430) readonly buffer Lighting {
     ShadingHeader header;
     LightRecord lights[];
@@ -24,22 +26,58 @@ vec3 throughFog(vec3 color, vec2 ray, float distanceView) {
     return mix(header.fog.rgb, color, exp(-header.fog.a * distance));
 }
 
-// Light that falls on a point `ahead` of an anchor plane (a float and its rest), view-space x and y `across`.
-// openness: the share of ambient light that reaches it.
-vec3 lightOn(vec3 normal, vec2 across, vec2 anchor, float ahead, float openness) {
-    vec3 light = openness * header.ambient.rgb;
+// A point that is lit, in view space.
+struct LitPoint {
+    vec3 normal;
+    vec2 ray;    // x and y per unit of view distance
+    vec2 anchor; // view distance: that of a plane, a float and its rest,
+    float ahead; // and what lies beyond
+    float openness; // the share of ambient light that reaches it
+};
+
+// From a point to a light. Subtracting float from float and rest from rest keeps the small difference of two large
+// distances.
+vec3 wayTo(LightRecord light, LitPoint point) {
+    vec2 across = point.ray * (point.anchor.x + point.ahead);
+    float lightAhead = (light.position.z - point.anchor.x) + (light.positionRest.z - point.anchor.y);
+    vec2 lightAcross = (light.position.xy - across) + light.positionRest.xy;
+    return vec3(lightAcross, point.ahead - lightAhead);
+}
+
+// Light that falls on a matt surface: what its albedo is multiplied by.
+vec3 lightOn(LitPoint point) {
+    vec3 light = point.openness * header.ambient.rgb;
     for (uint i = 0u; i < header.lightCount; ++i) {
         LightRecord record = lights[i];
-        // Subtracting float from float and rest from rest keeps the small difference of two large distances.
-        float lightAhead = (record.position.z - anchor.x) + (record.positionRest.z - anchor.y);
-        vec2 lightAcross = (record.position.xy - across) + record.positionRest.xy;
-        vec3 toLight = vec3(lightAcross, ahead - lightAhead);
-        float distanceSquared = dot(toLight, toLight);
-        float lambert = max(dot(normal, toLight) * inversesqrt(max(distanceSquared, 1e-30)), 0.0);
+        vec3 way = wayTo(record, point);
+        float distanceSquared = dot(way, way);
+        float lambert = max(dot(point.normal, way) * inversesqrt(max(distanceSquared, 1e-30)), 0.0);
         float half2 = record.position.w * record.position.w;
         light += record.color.rgb * (lambert * half2 / (half2 + distanceSquared));
     }
     return light;
+}
+
+// Light that a shiny surface sends to the camera.
+vec3 shinyLight(Shine shine, LitPoint point) {
+    vec3 toCamera = normalize(vec3(-point.ray, 1.0));
+    float facing = facingOf(point.normal, toCamera);
+    vec3 light = point.openness * header.ambient.rgb * ambientReflectance(shine, facing);
+    for (uint i = 0u; i < header.lightCount; ++i) {
+        LightRecord record = lights[i];
+        vec3 way = wayTo(record, point);
+        float distanceSquared = dot(way, way);
+        vec3 direction = way * inversesqrt(max(distanceSquared, 1e-30));
+        float half2 = record.position.w * record.position.w;
+        light += record.color.rgb * (half2 / (half2 + distanceSquared)) *
+                 pointReflectance(shine, point.normal, toCamera, facing, direction);
+    }
+    return min(light, kBrightest);
+}
+
+// What a surface of a base colour and a shine, as the G-buffer has it, sends to the camera.
+vec3 litColor(vec3 baseColor, uint shine, LitPoint point) {
+    return shine == 0u ? baseColor * lightOn(point) : shinyLight(decodeShine(shine, baseColor), point);
 }
 
 #endif

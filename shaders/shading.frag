@@ -8,6 +8,7 @@
 
 // Deferred shading of the final G-buffer.
 layout(constant_id = 0) const uint kFoggy = 0u;
+layout(constant_id = 1) const uint kShiny = 0u;
 
 layout(set = 0, binding = 0) uniform usampler2D surfaceBuffer;
 // OCCLUDED: by an image of the whole picture, or else OCCLUDED_PER_LAYER by what the layers left in the surfaces.
@@ -67,7 +68,8 @@ void main() {
     vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(surfaceBuffer, 0)));
     if ((surface.w & kIdUnlit) == 0u) {
         vec3 normal = normalOf(surface);
-        color *= lightOn(normal, ray * (anchor.x + ahead), anchor, ahead, opennessAt(pixel, surface, normal));
+        uint shine = kShiny != 0u ? shineOf(surface) : 0u;
+        color = litColor(color, shine, LitPoint(normal, ray, anchor, ahead, opennessAt(pixel, surface, normal)));
     }
     if (kFoggy != 0u) {
         color = throughFog(color, ray, anchor.x + ahead);

@@ -29,6 +29,13 @@ CDR_CONST kIdMask = 0xffffffu;
 CDR_CONST kCascadeMask = 0x3fu; // after a shift by kIdBits
 CDR_CONST kIdUnlit = 0x80000000u;
 
+// How a surface shines, in one byte: 0 is matt, else 1 + metallic * kRoughnessSteps + roughness, both as
+// steps of their range [0, 1]. Roughness is kept in fiftieths, since highlights show it; metallic in
+// quarters, since most materials are all metal or none.
+CDR_CONST kMetallicSteps = 5u;
+CDR_CONST kRoughnessSteps = 51u;
+CDR_CONST kShineMask = 0xffu;
+
 // Most cascades, depth::kMaxCascades.
 CDR_CONST kCascadeSlots = 64u;
 
@@ -38,8 +45,8 @@ struct DrawRecord {
     vec4 up;    // the same for view-space y
     vec4 ahead; // the same for the view distance beyond the anchor: w - anchorView, formed in float64
     uint id;    // object index + 1, and kIdUnlit
-    float alphaCutoff;
-    uint baseColorRg; // linear base colour factor as four halves
+    uint cutoffAndShine; // the bits of a float, its lowest byte replaced by the shine (kShineMask)
+    uint baseColorRg;    // linear base colour factor as four halves
     uint baseColorBa;
 };
 
@@ -97,6 +104,7 @@ struct ShadingHeader {
 };
 
 #ifdef __cplusplus
+static_assert(kMetallicSteps * kRoughnessSteps <= kShineMask);
 static_assert(sizeof(DrawRecord) == 64);
 static_assert(sizeof(CascadePush) == 40);
 static_assert(kPushedRecordOffset % 16 == 0 && kPushedRecordOffset >= sizeof(CascadePush));

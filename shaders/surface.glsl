@@ -1,7 +1,7 @@
 // The G-buffer: 16 bytes a pixel in one image of four uints, because one wide store and one wide load cost a software
 // rasteriser far less than four narrow ones.
-//   x: albedo, square root of linear, three unorm8 (a square root stands in for the sRGB curve); above it ambient occlusion
-//      where layers work it out, unorm8, 0 is open
+//   x: albedo, square root of linear, three unorm8 (a square root stands in for the sRGB curve); above it one byte:
+//      how the surface shines (shine.glsl), 0 is matt; where layers work out ambient occlusion that, unorm8, 0 is open
 //   y: normal, view space, octahedral, two snorm16
 //   z: view distance beyond the cascade's anchor plane, float bits
 //   w: id word, kIdBits; 0 is background
@@ -26,6 +26,9 @@ vec3 normalOf(uvec4 surface) { return normalize(decodeOctahedral(unpackSnorm2x16
 
 float occlusionOf(uvec4 surface) { return unpackUnorm4x8(surface.x).a; }
 uint withOcclusion(uint albedo, float occlusion) { return (albedo & 0xffffffu) | (packUnorm4x8(vec4(occlusion, 0.0, 0.0, 0.0)) << 24); }
+
+uint shineOf(uvec4 surface) { return surface.x >> 24; }
+uint withShine(uint albedo, uint cutoffAndShine) { return albedo | (cutoffAndShine << 24); }
 
 float aheadOf(uvec4 surface) { return uintBitsToFloat(surface.z); }
 

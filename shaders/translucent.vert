@@ -21,6 +21,7 @@ layout(location = 1) out vec4 outColor;
 layout(location = 2) out vec2 outUv;
 layout(location = 3) flat out vec4 outCentreRange;
 layout(location = 4) flat out uint outId;
+layout(location = 5) flat out uint outShine;
 
 void main() {
     float x = dot(inRight.xyz, inPosition) + inRight.w;
@@ -42,4 +43,5 @@ void main() {
     outUv = inUv;
     outCentreRange = inCentreRange;
     outId = inLook.x;
+    outShine = inLook.w;
 }

@@ -24,7 +24,7 @@ struct TranslucentRecord {
     uint id;          // object index + 1, and kIdUnlit
     uint baseColorRg; // linear base colour factor as four halves
     uint baseColorBa;
-    uint pad0;
+    uint shine; // DrawRecord's
 };
 
 // What the draws of one cascade share; push constants.

@@ -11,6 +11,7 @@
 #include "lighting.glsl"
 
 layout(constant_id = 0) const uint kTextured = 0u;
+layout(constant_id = 1) const uint kShiny = 0u;
 
 layout(set = 0, binding = 0) uniform sampler2D baseColorTexture;
 layout(set = 1, binding = 0) uniform usampler2D surfaceBuffer; // the final opaque G-buffer
@@ -21,6 +22,7 @@ layout(location = 1) in vec4 inColor;
 layout(location = 2) in vec2 inUv;
 layout(location = 3) flat in vec4 inCentreRange;
 layout(location = 4) flat in uint inId;
+layout(location = 5) flat in uint inShine;
 
 struct TranslucentFragment {
     vec4 color;        // lit, linear, straight alpha
@@ -35,13 +37,14 @@ bool isOccluded(vec2 distanceView) {
     return surface.w != 0u && isLess(pairSum(anchor, aheadOf(surface)), distanceView);
 }
 
-vec4 litColor(vec4 baseColor, float ahead) {
+vec4 seenColor(vec4 baseColor, float ahead) {
     float distanceView = inCentreRange.x + ahead;
     vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(surfaceBuffer, 0)));
     vec3 color = baseColor.rgb;
     if ((inId & kIdUnlit) == 0u) {
         vec3 normal = normalize(gl_FrontFacing ? inNormalAhead.xyz : -inNormalAhead.xyz);
-        color *= lightOn(normal, ray * distanceView, inCentreRange.xy, ahead, 1.0);
+        uint shine = kShiny != 0u ? inShine : 0u;
+        color = litColor(color, shine, LitPoint(normal, ray, inCentreRange.xy, ahead, 1.0));
     }
     return vec4(throughFog(color, ray, distanceView), baseColor.a);
 }
@@ -62,7 +65,7 @@ TranslucentFragment translucentFragment() {
         baseColor *= textureLod(baseColorTexture, inUv, 0.0); // textures have one level; no derivatives needed
     }
     baseColor.a = clamp(baseColor.a, 0.0, 1.0);
-    return TranslucentFragment(litColor(baseColor, ahead), distanceView);
+    return TranslucentFragment(seenColor(baseColor, ahead), distanceView);
 }
 
 #endif

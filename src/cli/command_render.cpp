@@ -190,6 +190,9 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
         if (const std::string& note = frame.stats.translucency.note; !note.empty()) {
             console.line(fmt::format("frame {} drawn with --translucency weighted: {}", number, note));
         }
+        if (number == cameras.first && !frame.stats.note.empty()) {
+            console.line("drawn otherwise than asked: " + frame.stats.note);
+        }
         if (!arguments.file.empty()) {
             writeOutput(name.at(number), frame, aov, truthOrNull);
         }

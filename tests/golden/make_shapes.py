@@ -74,8 +74,8 @@ document = {
     ],
     "meshes": meshes,
     "materials": [
-        {"name": "painted", "pbrMetallicRoughness": {"baseColorFactor": [0.9, 0.9, 0.9, 1]}},
-        {"name": "copper", "pbrMetallicRoughness": {"baseColorFactor": [0.75, 0.35, 0.15, 1]}},
+        {"name": "painted", "pbrMetallicRoughness": {"baseColorFactor": [0.9, 0.9, 0.9, 1], "metallicFactor": 0, "roughnessFactor": 0.6}},
+        {"name": "copper", "pbrMetallicRoughness": {"baseColorFactor": [0.75, 0.35, 0.15, 1], "metallicFactor": 1, "roughnessFactor": 0.4}},
     ],
     "accessors": accessors,
     "bufferViews": views,

@@ -25,15 +25,20 @@ std::vector<depth::Technique> techniques() {
     return all;
 }
 
-/// Two meshes in turn, one of them mirrored now and then, so that runs are short and states change.
+/// Two meshes in turn, one of them mirrored now and then, so that runs are short and states change; shiny and
+/// matt.
 scene::StagedScene patchwork(std::uint32_t objects) {
     scene::StagedScene staged = scene::makeRotation(5, objects);
     scene::Scene& scene = staged.scene;
     scene.meshes.push_back(scene::makeBox(glm::vec3(0.9f, 0.2f, 0.5f)));
-    scene.materials.push_back({.name = "both sides", .doubleSided = true});
+    scene.materials[0].shine = scene::Shine{.metallic = 1.0f, .roughness = 0.3f};
+    scene.materials.push_back({.name = "both sides",
+                               .shine = scene::Shine{.metallic = 0.0f, .roughness = 0.5f},
+                               .doubleSided = true});
+    scene.materials.push_back({.name = "matt"});
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         scene.instances.mesh[i] = i % 3 == 0 ? 1 : 0;
-        scene.instances.material[i] = i % 70 < 20 ? 1 : 0;
+        scene.instances.material[i] = i % 70 < 20 ? 1 : i % 70 < 30 ? 2 : 0;
         if (i % 11 == 0) {
             scene.instances.basis[i][0] = -scene.instances.basis[i][0];
         }

@@ -57,6 +57,45 @@ TEST_F(TruthShadingTest, ColorsLightsAndStretchedBoxesToo) {
     expectAlike(draw(scene, camera, smallOptions(depth::parseTechnique("standard"))), scene, camera);
 }
 
+/// Metals and dielectrics, smooth and rough, lit from so near that highlights lie on flat faces.
+scene::Scene shinyScene(const glm::dvec3& centre) {
+    scene::Scene scene = boxScene();
+    scene.materials.clear();
+    scene.ambient = glm::vec3(0.1f, 0.15f, 0.2f);
+    scene.lights = {
+        {.position = centre + glm::dvec3(0.4, 0.3, 2.6), .color = {0.9f, 0.8f, 0.7f}, .halfDistance = 4.0},
+        {.position = centre + glm::dvec3(-2.0, -1.0, 1.2), .halfDistance = 2.0}};
+    for (const float metallic : {0.0f, 0.25f, 1.0f}) {
+        for (const float roughness : {0.0f, 0.3f, 0.5f, 1.0f}) {
+            const auto i = static_cast<std::uint32_t>(scene.materials.size());
+            // What the G-buffer keeps as it is; every other box is not shaded by facets.
+            scene.materials.push_back({.name = "shiny",
+                                       .baseColorFactor = glm::vec4(0.64f, 0.36f, 0.16f, 1.0f),
+                                       .shine = scene::Shine{.metallic = metallic, .roughness = roughness},
+                                       .doubleSided = i % 2 == 1});
+            scene::addInstance(scene, 0, i, i, centre + glm::dvec3((i % 4) - 1.5, (i / 4) - 1.0, 0.1 * i),
+                               glm::mat3(0.95f));
+        }
+    }
+    return scene;
+}
+
+TEST_F(TruthShadingTest, ShinyBoxesToo) {
+    const scene::Scene scene = shinyScene(glm::dvec3(0.0));
+    for (const glm::dvec3 eye : {glm::dvec3(0.5, 0.2, 6.0), glm::dvec3(-3.0, 2.0, 4.0)}) {
+        const scene::Camera camera = scene::lookAt({.fovY = 0.7}, eye, glm::dvec3(0.0));
+        expectAlike(draw(scene, camera, smallOptions(depth::parseTechnique("standard"))), scene, camera);
+    }
+}
+
+TEST_F(TruthShadingTest, HighlightsAMillionUnitsAwayToo) {
+    const glm::dvec3 centre(123'456.75, -7'654.5, 9'876.25);
+    const scene::Scene scene = shinyScene(centre);
+    const scene::Camera camera{
+        .position = centre + glm::dvec3(0.0, 0.0, 1e6), .fovY = 3.2e-6, .nearView = 0.001, .farView = 2e6};
+    expectAlike(draw(scene, camera, smallOptions(depth::parseTechnique("anchored"))), scene, camera);
+}
+
 TEST_F(TruthShadingTest, RefusesWhatHasNoFlatFaces) {
     scene::Scene scene = boxScene();
     scene.meshes[0].boxHalfSides.reset();

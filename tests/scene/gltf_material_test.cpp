@@ -186,7 +186,6 @@ TEST_F(Gltf, partsThatAreNotDrawnAreSaid) {
     document.root["materials"][0]["normalTexture"] = {{"index", 0}};
     document.root["materials"][0]["emissiveTexture"] = {{"index", 0}};
     document.root["materials"][0]["emissiveFactor"] = {0.0, 1.0, 0.0};
-    document.root["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 0.5;
     document.root["extensionsUsed"] = {"KHR_materials_unlit", "KHR_lights_punctual"};
     document.root["extensions"] = {{"KHR_lights_punctual", {{"lights", {{{"type", "point"}}}}}}};
     document.root["cameras"] = {{{"type", "orthographic"}, {"name", "eye"}}};
@@ -196,13 +195,12 @@ TEST_F(Gltf, partsThatAreNotDrawnAreSaid) {
     EXPECT_TRUE(anySays(ignored, "normal textures are not used"));
     EXPECT_TRUE(anySays(ignored, "emissive textures are not used"));
     EXPECT_TRUE(anySays(ignored, "emissive factors are not drawn"));
-    EXPECT_TRUE(anySays(ignored, "metallic and roughness factors are not drawn"));
     EXPECT_TRUE(anySays(ignored, "KHR_lights_punctual: extension not used"));
     EXPECT_TRUE(anySays(ignored, "camera 0 'eye': orthographic cameras are not used"));
     EXPECT_TRUE(anySays(ignored, "animations are not played"));
     EXPECT_TRUE(anySays(ignored, "skins are drawn in bind pose"));
     EXPECT_FALSE(anySays(ignored, "KHR_materials_unlit"));
-    EXPECT_EQ(ignored.size(), 8u);
+    EXPECT_EQ(ignored.size(), 7u);
 }
 
 TEST_F(Gltf, pictureThatOnlyAnExtensionSuppliesIsSaid) {

@@ -65,7 +65,11 @@ glm::dvec3 colorOf(const View& view, const SurfaceHit& hit, std::uint32_t x, std
     }
     const scene::Camera& camera = view.camera;
     const glm::dvec3 ray = -camera.back + view.slopes.x[x] * camera.right + view.slopes.y[y] * camera.up;
-    return albedo * lightAt(view.scene, camera, hit.distanceView * ray, hit.normal);
+    return lightFrom(view.scene, camera,
+                     {.baseColor = albedo,
+                      .shine = hit.shine,
+                      .fromCamera = hit.distanceView * ray,
+                      .normal = hit.normal});
 }
 
 void castPixel(const View& view, std::uint32_t x, std::uint32_t y, LayeredTruth& truth,

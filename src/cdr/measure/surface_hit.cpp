@@ -101,7 +101,8 @@ void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const
                                .isOnEdge = weights.x == 0.0 || weights.y == 0.0 || weights.z == 0.0,
                                .facet = side * glm::normalize(toWorldNormal * facet),
                                .normal = side * glm::normalize(toWorldNormal * normal),
-                               .baseColor = baseColor};
+                               .baseColor = baseColor,
+                               .shine = material.shine};
         if (!isMetAgain(found, std::span(hits).subspan(first))) {
             hits.push_back(found);
         }

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace cdr::measure {
@@ -21,6 +22,7 @@ struct SurfaceHit {
     glm::dvec3 facet{0.0};     ///< the triangle's own normal, world axes, unit, towards the camera
     glm::dvec3 normal{0.0};    ///< the one that is lit, world axes, unit, of the side that is seen
     glm::dvec4 baseColor{1.0}; ///< linear, straight alpha, texture and vertex colour included
+    std::optional<scene::Shine> shine;
 };
 
 /// Appends every visible hit of a ray on one instance within `range`, in no order: backs of single-sided

@@ -5,13 +5,20 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
+
 namespace cdr::measure {
 
-/// Ambient and point light that falls on a surface, linear, in float64, as the shading pass has it: what its
-/// albedo is multiplied by.
-/// @param fromCamera the point less the camera's position, world axes.
-/// @param normal unit, world axes.
-glm::dvec3 lightAt(const scene::Scene& scene, const scene::Camera& camera, const glm::dvec3& fromCamera,
-                   const glm::dvec3& normal);
+/// What is lit.
+struct LitSurface {
+    glm::dvec3 baseColor;              ///< linear
+    std::optional<scene::Shine> shine; ///< empty for matt
+    glm::dvec3 fromCamera;             ///< the point less the camera's position, world axes
+    glm::dvec3 normal;                 ///< unit, world axes
+};
+
+/// Ambient and point light that a surface sends to the camera, linear, in float64, as the shading pass has
+/// it.
+glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface);
 
 } // namespace cdr::measure

@@ -20,7 +20,8 @@ struct Box {
     glm::dmat3 objectToWorld;
     glm::dmat3 worldToObject;
     glm::dvec3 halfSides;
-    glm::dvec3 albedo; ///< linear
+    glm::dvec3 baseColor; ///< linear
+    std::optional<scene::Shine> shine;
 };
 
 Box boxOf(const scene::Scene& scene, const scene::Camera& camera, std::size_t i) {
@@ -43,7 +44,8 @@ Box boxOf(const scene::Scene& scene, const scene::Camera& camera, std::size_t i)
             .objectToWorld = glm::dmat3(scene.instances.basis[i]),
             .worldToObject = inverse->worldToObject,
             .halfSides = glm::dvec3(*halfSides),
-            .albedo = glm::dvec3(material.baseColorFactor)};
+            .baseColor = glm::dvec3(material.baseColorFactor),
+            .shine = material.shine};
 }
 
 /// By object index; empty where the scene has no such object.
@@ -80,9 +82,11 @@ image::Rgba8 encode(const glm::dvec3& linear) {
 image::Rgba8 shade(const scene::Scene& scene, const scene::Camera& camera, const Box& box,
                    const ObjectRay& ray, double distanceView) {
     const glm::dvec3 point = ray.origin + ray.direction * distanceView;
-    const glm::dvec3 normal = normalAt(box, point);
-    const glm::dvec3 fromCamera = box.objectToWorld * (ray.direction * distanceView);
-    return encode(box.albedo * lightAt(scene, camera, fromCamera, normal));
+    return encode(lightFrom(scene, camera,
+                            {.baseColor = box.baseColor,
+                             .shine = box.shine,
+                             .fromCamera = box.objectToWorld * (ray.direction * distanceView),
+                             .normal = normalAt(box, point)}));
 }
 
 template <typename A, typename B>

@@ -121,7 +121,7 @@ void BinningPass::uploadInstances(const scene::Instances& instances, const GpuSc
         looks.push_back(lookOf(source));
     }
     for (const MaterialWords& words : gpuScene.materials()) {
-        materials.push_back({words.alphaCutoff, words.baseColorRg, words.baseColorBa, 0});
+        materials.push_back({words.cutoffAndShine, words.baseColorRg, words.baseColorBa, 0});
     }
     for (const LevelRange& level : gpuScene.levels()) {
         levels.push_back({level.firstIndex, level.indexCount, level.error});

@@ -46,7 +46,7 @@ const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& o
 } // namespace
 
 FocusLayers::FocusLayers(const gpu::Device& device, const TargetsOptions& options, const gpu::Image& into,
-                         const Effects& effects, const glm::vec3& background, bool fades)
+                         const Effects& effects, const glm::vec3& background, bool fades, bool shiny)
     : m_device(device),
       m_options(checked(device, options)),
       m_into(into),
@@ -62,7 +62,7 @@ FocusLayers::FocusLayers(const gpu::Device& device, const TargetsOptions& option
                        .fragmentSpirv = kShadingLayerFrag,
                        .bindings = {kImage, kBuffer},
                        .format = kLitFormat,
-                       .constants = {effects.fog.visibility > 0.0 ? 1u : 0u},
+                       .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shiny ? 1u : 0u},
                        .pushBytes = sizeof(shaders::LayerFade)}),
       m_compose(device, {.name = "compose layers",
                          .fragmentSpirv = kFocusComposeFrag,

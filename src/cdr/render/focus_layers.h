@@ -28,8 +28,9 @@ class FocusLayers final : public Targets {
   public:
     /// @param into the linear image that light() writes.
     /// @param background linear, what is seen where nothing is.
+    /// @param shiny whether the surfaces hold how they shine.
     FocusLayers(const gpu::Device& device, const TargetsOptions& options, const gpu::Image& into,
-                const Effects& effects, const glm::vec3& background, bool fades);
+                const Effects& effects, const glm::vec3& background, bool fades, bool shiny);
 
     void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) override;
     const gpu::Image& gbuffer() const override { return m_merged; }

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace cdr::render {
@@ -30,6 +31,7 @@ struct FrameStats {
     double duplication = 1.0; ///< draws per visible instance
     FrameTimes times;
     TranslucencyStats translucency; ///< of the blended ones
+    std::string note;               ///< why opaque surfaces were not drawn as asked; else empty
 };
 
 /// What a pixel shows, in float64: as exact as the technique, so with anchored as the anchored step.

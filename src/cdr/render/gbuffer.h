@@ -15,7 +15,7 @@ inline constexpr vk::Format kGBufferFormat = vk::Format::eR32G32B32A32Uint;
 
 /// One pixel of it.
 struct Surface {
-    std::uint32_t albedo = 0; ///< square root of linear, three unorm8
+    std::uint32_t albedo = 0; ///< square root of linear, three unorm8; above them shineCode() or occlusion
     std::uint32_t normal = 0; ///< view space, octahedral, two snorm16
     float ahead = 0.0f; ///< view distance beyond the cascade's anchor plane: metric, whatever the mapping
     std::uint32_t idAndCascade = 0; ///< shaders::kIdBits; 0 is background

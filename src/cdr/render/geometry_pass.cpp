@@ -18,10 +18,10 @@ Function deviceFunction(const gpu::Device& device, const char* name) {
 } // namespace
 
 GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene,
-                           const depth::Technique& technique, Batching batching)
+                           const depth::Technique& technique, Batching batching, bool shiny)
     : m_scene(scene),
       m_batching(batching),
-      m_pipelines(device, scene, technique, batching),
+      m_pipelines(device, scene, technique, batching, shiny),
       m_drawIndexed(deviceFunction<PFN_vkCmdDrawIndexed>(device, "vkCmdDrawIndexed")),
       m_pushConstants(deviceFunction<PFN_vkCmdPushConstants>(device, "vkCmdPushConstants")) {}
 

@@ -24,8 +24,9 @@ struct DrawJob {
 /// How the draws of one technique over one scene are recorded.
 class GeometryPass {
   public:
+    /// @param shiny as GeometryPipelines takes it.
     GeometryPass(const gpu::Device& device, const GpuScene& scene, const depth::Technique& technique,
-                 Batching batching);
+                 Batching batching, bool shiny);
 
     /// Everything recording one job reads.
     struct Recording {

@@ -120,8 +120,9 @@ Batching parseBatching(std::string_view name) {
 }
 
 GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& scene,
-                                     const depth::Technique& technique, Batching batching)
+                                     const depth::Technique& technique, Batching batching, bool shiny)
     : m_mapping(technique.mapping),
+      m_shiny(shiny),
       m_depthFormat(device.depthFormat(bitsOf(technique.format))),
       m_layout(
           gpu::makePipelineLayout(device, {scene.textureLayout()}, {pushRange(batching)}, "geometry layout")),
@@ -148,18 +149,19 @@ GeometryPipelines::Pipelines GeometryPipelines::make(const gpu::Device& device, 
             continue;
         }
         pipeline = gpu::makeGraphicsPipeline(
-            device, {.name = wide ? "geometry, wide" : "geometry",
-                     .vertexSpirv = vertexShader(batching, (kind.variant & kFacetedVariant) != 0),
-                     .fragmentSpirv = fragmentShader(writesDepth, (kind.variant & kFacetedVariant) != 0),
-                     .constants = {form, kind.variant & kTexturedVariant ? 1u : 0u,
-                                   kind.variant & kMaskedVariant ? 1u : 0u, wide ? 1u : 0u},
-                     .layout = *m_layout,
-                     .bindings = bindingsFor(batching),
-                     .attributes = attributesFor(batching),
-                     .colorFormats = {kGBufferFormat},
-                     .depthFormat = m_depthFormat,
-                     .depthCompare = depth::isReversed(m_mapping) ? vk::CompareOp::eGreaterOrEqual
-                                                                  : vk::CompareOp::eLessOrEqual});
+            device,
+            {.name = wide ? "geometry, wide" : "geometry",
+             .vertexSpirv = vertexShader(batching, (kind.variant & kFacetedVariant) != 0),
+             .fragmentSpirv = fragmentShader(writesDepth, (kind.variant & kFacetedVariant) != 0),
+             .constants = {form, kind.variant & kTexturedVariant ? 1u : 0u,
+                           kind.variant & kMaskedVariant ? 1u : 0u, wide ? 1u : 0u, m_shiny ? 1u : 0u},
+             .layout = *m_layout,
+             .bindings = bindingsFor(batching),
+             .attributes = attributesFor(batching),
+             .colorFormats = {kGBufferFormat},
+             .depthFormat = m_depthFormat,
+             .depthCompare = depth::isReversed(m_mapping) ? vk::CompareOp::eGreaterOrEqual
+                                                          : vk::CompareOp::eLessOrEqual});
     }
     return pipelines;
 }

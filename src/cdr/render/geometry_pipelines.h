@@ -29,8 +29,9 @@ Batching parseBatching(std::string_view name);
 /// The pipelines of one technique over one scene.
 class GeometryPipelines {
   public:
+    /// @param shiny whether surfaces keep how they shine; else all are matt.
     GeometryPipelines(const gpu::Device& device, const GpuScene& scene, const depth::Technique& technique,
-                      Batching batching);
+                      Batching batching, bool shiny);
 
     vk::PipelineLayout layout() const { return *m_layout; }
     vk::Format depthFormat() const { return m_depthFormat; }
@@ -52,6 +53,7 @@ class GeometryPipelines {
     Pipelines make(const gpu::Device& device, const GpuScene& scene, Batching batching, bool wide) const;
 
     depth::Mapping m_mapping;
+    bool m_shiny;
     vk::Format m_depthFormat;
     vk::UniquePipelineLayout m_layout;
     Pipelines m_compact;

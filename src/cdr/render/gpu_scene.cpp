@@ -135,10 +135,8 @@ void GpuScene::uploadMaterials(const gpu::Device& device, const scene::Scene& sc
     m_textureLayout = gpu::makeSetLayout(device, {kType}, vk::ShaderStageFlagBits::eFragment, "texture set");
     m_pool = gpu::makeDescriptorPool(device, static_cast<std::uint32_t>(scene.materials.size()), 1, {kType});
     for (const scene::Material& material : scene.materials) {
-        m_materials.push_back({.alphaCutoff = material.alphaCutoff,
-                               .baseColorRg = glm::packHalf2x16(glm::vec2(material.baseColorFactor)),
-                               .baseColorBa = glm::packHalf2x16(
-                                   glm::vec2(material.baseColorFactor.b, material.baseColorFactor.a))});
+        m_materials.push_back(wordsOf(material));
+        m_isShiny = m_isShiny || (m_materials.back().cutoffAndShine & shaders::kShineMask) != 0;
         // Untextured materials read the white pixel, so that every pipeline has a valid set.
         const std::size_t texture =
             material.baseColorTexture.value_or(static_cast<std::uint32_t>(scene.textures.size()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/render/material_words.h>
 #include <cdr/scene/scene.h>
 
 #include <vulkan/vulkan.hpp>
@@ -46,13 +47,6 @@ struct DrawKind {
     vk::DescriptorSet textureSet; ///< set 0
 };
 
-/// shaders::DrawRecord's words of a material.
-struct MaterialWords {
-    float alphaCutoff = 0.0f;
-    std::uint32_t baseColorRg = 0;
-    std::uint32_t baseColorBa = 0;
-};
-
 /// One instance as recording reads it: all of it in two cache lines, where the scene's structure of arrays,
 /// made for culling, would take eight.
 struct DrawSource {
@@ -74,6 +68,8 @@ class GpuScene {
     vk::DescriptorSetLayout textureLayout() const { return *m_textureLayout; }
     /// The part of a draw record that the material decides, by material.
     const std::vector<MaterialWords>& materials() const { return m_materials; }
+    /// Whether any material shines; a scene without is drawn by pipelines that know matt surfaces alone.
+    bool isShiny() const { return m_isShiny; }
     /// By instance.
     const std::vector<DrawSource>& sources() const { return m_sources; }
     const std::vector<DrawKind>& kinds() const { return m_kinds; }
@@ -104,6 +100,7 @@ class GpuScene {
     vk::UniqueDescriptorSetLayout m_textureLayout;
     vk::UniqueDescriptorPool m_pool;
     std::vector<MaterialWords> m_materials;
+    bool m_isShiny = false;
     std::vector<vk::DescriptorSet> m_textureSets; ///< by material
     std::vector<DrawKind> m_kinds;
     std::vector<DrawSource> m_sources;

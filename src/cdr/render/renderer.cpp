@@ -57,7 +57,9 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_aspect(static_cast<double>(options.width) / static_cast<double>(options.height)),
       m_split(options.technique, options.height),
       m_workers(options.threads, options.placement),
-      m_geometry(device, gpuScene, options.technique, options.batching),
+      m_note(noteOnShine(gpuScene, options)),
+      m_shiny(gpuScene.isShiny() && m_note.empty()),
+      m_geometry(device, gpuScene, options.technique, options.batching, m_shiny),
       m_binning(options.submission == Submission::gpuDriven
                     ? std::make_unique<BinningPass>(device, opaque(), gpuScene, options.detail.mode)
                     : nullptr),
@@ -67,7 +69,7 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
                       : makeTargets(device, options.targets,
                                     targetsOptions(m_extent, m_geometry.pipelines().depthFormat(), options))),
       m_targets(m_focus ? *m_focus : *m_plain),
-      m_shading(device, m_targets.gbuffer(), m_picture.lit(), options.effects),
+      m_shading(device, m_targets.gbuffer(), m_picture.lit(), options.effects, m_shiny),
       m_translucent(m_opaque ? std::make_unique<TranslucentPass>(device, scene, gpuScene, m_targets.gbuffer(),
                                                                  m_picture.lit(), options.translucency)
                              : nullptr),
@@ -96,7 +98,7 @@ Renderer::~Renderer() {
 std::unique_ptr<FocusLayers> Renderer::makeFocusLayers() const {
     return std::make_unique<FocusLayers>(
         m_device, targetsOptions(m_extent, m_geometry.pipelines().depthFormat(), m_options), m_picture.lit(),
-        m_options.effects, m_scene.background, m_options.focus.blend);
+        m_options.effects, m_scene.background, m_options.focus.blend, m_shiny);
 }
 
 std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {
@@ -209,6 +211,7 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destinati
         cull(camera);
     }
     slot.stats = {};
+    slot.stats.note = m_note;
     slot.stats.times.cullMs = watch.lap("cull");
     cut(camera, slot);
     slot.shading.update(m_scene, camera, slot.lens, slot.anchorsView());

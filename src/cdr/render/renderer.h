@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace cdr::render {
@@ -109,6 +110,8 @@ class Renderer {
     double m_aspect;
     FrameSplit m_split;
     base::WorkerPool m_workers;
+    std::string m_note; ///< FrameStats::note of every frame
+    bool m_shiny;       ///< whether the G-buffer keeps how surfaces shine
     GeometryPass m_geometry;
     std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
     Picture m_picture;

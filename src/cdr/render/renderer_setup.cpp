@@ -36,6 +36,13 @@ TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format depthFormat, const
             .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0};
 }
 
+std::string noteOnShine(const GpuScene& scene, const RenderOptions& options) {
+    const Occlusion& occlusion = options.effects.occlusion;
+    return scene.isShiny() && occlusion.radius > 0.0 && occlusion.perLayer
+               ? "surfaces are matt, since ambient occlusion per layer takes the bits that say how they shine"
+               : "";
+}
+
 vk::Extent2D shrunk(vk::Extent2D extent, std::uint32_t scale) {
     return {(extent.width + scale - 1) / scale, (extent.height + scale - 1) / scale};
 }

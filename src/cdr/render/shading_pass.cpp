@@ -22,12 +22,12 @@ bool isOccludedPerLayer(const Effects& effects) {
     return isOccluded(effects) && effects.occlusion.perLayer;
 }
 
-FullscreenPassOptions passOptions(vk::Format format, const Effects& effects) {
+FullscreenPassOptions passOptions(vk::Format format, const Effects& effects, bool shiny) {
     FullscreenPassOptions options{.name = "shading",
                                   .fragmentSpirv = kShadingFrag,
                                   .bindings = {kImage, kBuffer},
                                   .format = format,
-                                  .constants = {effects.fog.visibility > 0.0 ? 1u : 0u}};
+                                  .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shiny ? 1u : 0u}};
     if (isOccludedPerLayer(effects)) {
         options.fragmentSpirv = kShadingLayersOccludedFrag;
     } else if (isOccluded(effects)) {
@@ -40,7 +40,7 @@ FullscreenPassOptions passOptions(vk::Format format, const Effects& effects) {
 } // namespace
 
 ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into,
-                         const Effects& effects)
+                         const Effects& effects, bool shiny)
     : m_device(device),
       m_gbuffer(gbuffer),
       m_into(into),
@@ -48,7 +48,7 @@ ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, c
       m_occlusion(isOccluded(effects) && !isOccludedPerLayer(effects)
                       ? std::make_unique<OcclusionPass>(device, gbuffer)
                       : nullptr),
-      m_pass(device, passOptions(into.options().format, effects)) {}
+      m_pass(device, passOptions(into.options().format, effects, shiny)) {}
 
 ShadingInputs ShadingPass::makeInputs(const scene::Scene& scene) const {
     ShadingInputs inputs;

@@ -36,8 +36,9 @@ class ShadingInputs {
 class ShadingPass {
   public:
     /// @param into what record() writes.
+    /// @param shiny whether the surfaces hold how they shine.
     ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into,
-                const Effects& effects);
+                const Effects& effects, bool shiny);
 
     /// Inputs for as many lights as the scene has.
     ShadingInputs makeInputs(const scene::Scene& scene) const;

@@ -97,7 +97,7 @@ void TranslucentDraws::writeRecords(const scene::Camera& camera) {
                           .id = record.id,
                           .baseColorRg = record.baseColorRg,
                           .baseColorBa = record.baseColorBa,
-                          .pad0 = 0};
+                          .shine = record.cutoffAndShine & shaders::kShineMask};
         }
     }
     m_records.flush();

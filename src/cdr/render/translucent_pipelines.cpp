@@ -40,7 +40,7 @@ TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const GpuS
             gpu::makeGraphicsPipeline(device, {.name = options.name,
                                                .vertexSpirv = kTranslucentVert,
                                                .fragmentSpirv = options.fragmentSpirv,
-                                               .constants = {textured},
+                                               .constants = {textured, scene.isShiny() ? 1u : 0u},
                                                .layout = *m_layout,
                                                .bindings = {GpuScene::vertexBinding(),
                                                             {.binding = kRecordBinding,

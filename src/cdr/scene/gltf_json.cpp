@@ -112,6 +112,13 @@ void requireNumbers(const json& node, const NumberArray& wanted) {
     }
 }
 
+void requireNumber(const json& material, const json& owner, const char* key) {
+    const json* value = member(owner, key);
+    if (value != nullptr && !value->is_number()) {
+        refuse("material '{}': '{}' is not a number", nameOf(material), key);
+    }
+}
+
 } // namespace
 
 json parseBoundedJson(std::string_view text) {
@@ -167,6 +174,13 @@ void requireSoundNumbers(const json& root) {
     for (const json& node : arrayMember(root, "nodes")) {
         for (const NumberArray& wanted : kNodeArrays) {
             requireNumbers(node, wanted);
+        }
+    }
+    for (const json& material : arrayMember(root, "materials")) {
+        requireNumber(material, material, "alphaCutoff");
+        if (const json* factors = member(material, "pbrMetallicRoughness")) {
+            requireNumber(material, *factors, "metallicFactor");
+            requireNumber(material, *factors, "roughnessFactor");
         }
     }
 }

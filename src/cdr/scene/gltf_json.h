@@ -25,9 +25,9 @@ std::string requireString(const nlohmann::json& value, const char* key);
 /// The name of a glTF object for messages, empty when it has none.
 std::string nameOf(const nlohmann::json& object);
 
-/// Refuses a document in which an index, a size or a transform is not what the format says. tinygltf ignores
-/// an optional value of the wrong type and cuts integers to 32 bits, which would show another scene than the
-/// file's.
+/// Refuses a document in which an index, a size, a transform or a factor is not what the format says.
+/// tinygltf ignores an optional value of the wrong type and cuts integers to 32 bits, which would show
+/// another scene than the file's.
 void requireSoundNumbers(const nlohmann::json& root);
 
 } // namespace cdr::scene::gltf

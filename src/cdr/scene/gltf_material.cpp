@@ -24,9 +24,6 @@ AlphaMode alphaMode(const tinygltf::Material& material) {
 
 void noteUnused(const tinygltf::Material& material, Notes& notes) {
     const std::string where = fmt::format("material '{}'", oneLine(material.name));
-    if (material.values.contains("metallicFactor") || material.values.contains("roughnessFactor")) {
-        notes.add("metallic and roughness factors are not drawn, everything is matt", where);
-    }
     if (material.emissiveFactor != std::vector<double>{0.0, 0.0, 0.0}) {
         notes.add("emissive factors are not drawn", where);
     }
@@ -35,7 +32,6 @@ void noteUnused(const tinygltf::Material& material, Notes& notes) {
             notes.add(fmt::format("{} textures are not used", what), where);
         }
     };
-    note(material.pbrMetallicRoughness.metallicRoughnessTexture.index, "metallic-roughness");
     note(material.normalTexture.index, "normal");
     note(material.occlusionTexture.index, "occlusion");
     note(material.emissiveTexture.index, "emissive");
@@ -58,6 +54,7 @@ MaterialUse MaterialImporter::import(int index) {
     MaterialUse use;
     Material material;
     material.name = "default";
+    material.shine = Shine{}; // glTF's defaults
     if (index >= 0) {
         const tinygltf::Material& source = itemAt(m_sources.document.model.materials, index, "material");
         material.name = source.name;
@@ -72,11 +69,26 @@ MaterialUse MaterialImporter::import(int index) {
         material.alphaMode = alphaMode(source);
         material.alphaCutoff = static_cast<float>(std::max(source.alphaCutoff, 0.0));
         setTexture(material, use.uv, source.pbrMetallicRoughness.baseColorTexture);
+        material.shine = material.unlit ? std::nullopt : std::optional(shineOf(source));
         noteUnused(source, m_sources.notes);
     }
     use.index = static_cast<std::uint32_t>(m_scene.materials.size());
     m_scene.materials.push_back(std::move(material));
     return use;
+}
+
+Shine MaterialImporter::shineOf(const tinygltf::Material& material) {
+    const tinygltf::PbrMetallicRoughness& source = material.pbrMetallicRoughness;
+    glm::dvec2 factors(source.metallicFactor, source.roughnessFactor);
+    factors = glm::clamp(factors, 0.0, 1.0);
+    if (source.metallicRoughnessTexture.index >= 0) {
+        if (const auto mean = m_textures.meanMetallicRoughness(source.metallicRoughnessTexture.index)) {
+            factors *= *mean;
+            m_sources.notes.add("metallic-roughness textures are drawn as their mean",
+                                fmt::format("material '{}'", oneLine(material.name)));
+        }
+    }
+    return {.metallic = static_cast<float>(factors.x), .roughness = static_cast<float>(factors.y)};
 }
 
 void MaterialImporter::setTexture(Material& material, UvSource& uv, const tinygltf::TextureInfo& info) {

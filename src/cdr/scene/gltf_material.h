@@ -30,12 +30,19 @@ class TextureImporter {
     /// Index into Scene::textures of a glTF texture; nothing when only an extension supplies its picture.
     std::optional<std::uint32_t> use(int texture);
 
+    /// What a glTF metallic-roughness texture holds on average over its texels, each in [0, 1]: metallic
+    /// (blue) and roughness (green). Nothing when only an extension supplies its picture.
+    std::optional<glm::dvec2> meanMetallicRoughness(int texture);
+
   private:
+    /// The texture's image; nothing, with a note, when only an extension supplies it.
+    std::optional<int> imageOf(int texture);
     image::ImageRgba8 decode(int imageIndex);
 
     Sources m_sources;
     Scene& m_scene;
     std::map<std::tuple<int, bool, bool>, std::uint32_t> m_imported; ///< by image and repeat flags
+    std::map<int, glm::dvec2> m_means;                               ///< by image
     std::uint64_t m_pixels = 0;
 };
 
@@ -55,6 +62,7 @@ class MaterialImporter {
 
   private:
     MaterialUse import(int material);
+    Shine shineOf(const tinygltf::Material& material);
     void setTexture(Material& material, UvSource& uv, const tinygltf::TextureInfo& info);
 
     Sources m_sources;

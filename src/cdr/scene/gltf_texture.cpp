@@ -25,18 +25,48 @@ bool repeats(int wrap, Notes& notes, int texture) {
     }
 }
 
+/// Linear: glTF does not encode these channels. Of at least one pixel, as decoded pictures have.
+glm::dvec2 meanOfBlueAndGreen(const image::ImageRgba8& picture) {
+    glm::u64vec2 sum(0);
+    for (const image::Rgba8& pixel : picture.pixels) {
+        sum += glm::u64vec2(pixel[2], pixel[1]);
+    }
+    return glm::dvec2(sum) / (255.0 * static_cast<double>(picture.pixels.size()));
+}
+
 } // namespace
 
 TextureImporter::TextureImporter(const Sources& sources, Scene& scene) : m_sources(sources), m_scene(scene) {}
 
-std::optional<std::uint32_t> TextureImporter::use(int index) {
-    const tinygltf::Model& model = m_sources.document.model;
-    const tinygltf::Texture& texture = itemAt(model.textures, index, "texture");
+std::optional<int> TextureImporter::imageOf(int index) {
+    const tinygltf::Texture& texture = itemAt(m_sources.document.model.textures, index, "texture");
     if (texture.source < 0) {
         m_sources.notes.add("a texture's picture is supplied by an extension that is not supported",
                             fmt::format("texture {}", index));
         return {};
     }
+    return texture.source;
+}
+
+std::optional<glm::dvec2> TextureImporter::meanMetallicRoughness(int index) {
+    const std::optional<int> image = imageOf(index);
+    if (!image) {
+        return {};
+    }
+    const auto [found, isNew] = m_means.try_emplace(*image, 0.0);
+    if (isNew) {
+        found->second = meanOfBlueAndGreen(decode(*image));
+    }
+    return found->second;
+}
+
+std::optional<std::uint32_t> TextureImporter::use(int index) {
+    const tinygltf::Model& model = m_sources.document.model;
+    const std::optional<int> image = imageOf(index);
+    if (!image) {
+        return {};
+    }
+    const tinygltf::Texture& texture = itemAt(model.textures, index, "texture");
     bool repeatU = true;
     bool repeatV = true;
     if (texture.sampler >= 0) {
@@ -44,11 +74,11 @@ std::optional<std::uint32_t> TextureImporter::use(int index) {
         repeatU = repeats(sampler.wrapS, m_sources.notes, index);
         repeatV = repeats(sampler.wrapT, m_sources.notes, index);
     }
-    const auto [found, isNew] = m_imported.try_emplace({texture.source, repeatU, repeatV},
+    const auto [found, isNew] = m_imported.try_emplace({*image, repeatU, repeatV},
                                                        static_cast<std::uint32_t>(m_scene.textures.size()));
     if (isNew) {
-        image::ImageRgba8 pixels = decode(texture.source);
-        const DataSource& source = itemAt(m_sources.document.images, texture.source, "image");
+        image::ImageRgba8 pixels = decode(*image);
+        const DataSource& source = itemAt(m_sources.document.images, *image, "image");
         m_scene.textures.push_back({source.name, std::move(pixels), repeatU, repeatV});
     }
     return found->second;

@@ -55,10 +55,19 @@ struct Texture {
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
+/// How a surface shines: glTF 2.0's metallic-roughness material, both in [0, 1].
+struct Shine {
+    float metallic = 1.0f;  ///< 0 is a dielectric, 1 a metal, whose base colour is what it mirrors
+    float roughness = 1.0f; ///< perceptual: the microfacets' alpha is its square
+
+    bool operator==(const Shine&) const = default;
+};
+
 struct Material {
     std::string name;
     glm::vec4 baseColorFactor{1.0f};                 ///< linear
     std::optional<std::uint32_t> baseColorTexture{}; ///< index into Scene::textures
+    std::optional<Shine> shine{}; ///< empty is matt: Lambert's law alone, without a highlight
     bool doubleSided = false;
     bool unlit = false;
     AlphaMode alphaMode = AlphaMode::opaque;

@@ -1,0 +1,66 @@
+// How shiny surfaces reflect light: the metallic-roughness material of glTF 2.0 (specification, appendix B), a mix of a
+// dielectric and a metal as B.2 has it (B.3.5 lets the metal's Fresnel term dim the dielectric's diffuse light too, which
+// takes the colour out of half metals), with the microfacets of Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces" (GGX), Smith's shadowing
+// between them in the height-correlated form of Heitz 2014, and Schlick 1994's Fresnel term. All reflectances are times pi,
+// as a light's colour is what a white matt surface that faces it sends back.
+#ifndef CDR_SHADERS_SHINE_GLSL
+#define CDR_SHADERS_SHINE_GLSL
+
+#include "shared.h"
+
+const float kDielectric = 0.04; // what a dielectric mirrors at normal incidence
+// Lights are points: what is smoother would show a highlight smaller than a pixel.
+const float kLeastRoughness = 0.08;
+// Half floats, and their sums where surfaces blend, must hold what a surface sends.
+const float kBrightest = 16.0;
+
+struct Shine {
+    vec3 diffuse; // albedo of what a dielectric does not mirror, times its share in the mix
+    vec3 mirror;  // what the mix mirrors at normal incidence
+    float roughness;
+};
+
+// code: as shared.h has it, not 0.
+Shine decodeShine(uint code, vec3 baseColor) {
+    uint steps = code - 1u;
+    float metallic = float(steps / kRoughnessSteps) / float(kMetallicSteps - 1u);
+    float roughness = float(steps % kRoughnessSteps) / float(kRoughnessSteps - 1u);
+    return Shine(baseColor * (1.0 - metallic), mix(vec3(kDielectric), baseColor, metallic),
+                 max(roughness, kLeastRoughness));
+}
+
+// Cosine between a normal and the way to the camera; above 0, since interpolated normals may face away a little.
+float facingOf(vec3 normal, vec3 toCamera) { return max(dot(normal, toCamera), 1e-3); }
+
+// Share of a point light's colour that reaches the camera.
+vec3 pointReflectance(Shine shine, vec3 normal, vec3 toCamera, float facing, vec3 toLight) {
+    float lambert = dot(normal, toLight);
+    if (lambert <= 0.0) {
+        return vec3(0.0);
+    }
+    vec3 halfway = normalize(toCamera + toLight);
+    float alpha = shine.roughness * shine.roughness;
+    float alpha2 = alpha * alpha;
+    // The sine of the halfway vector's angle, not 1 less the cosine, which would cancel where highlights are.
+    vec3 sine = cross(normal, halfway);
+    float spread = alpha2 + dot(sine, sine) * (1.0 - alpha2);
+    float facets = alpha2 / (spread * spread);
+    float visible = 0.5 / (lambert * sqrt(facing * facing * (1.0 - alpha2) + alpha2) +
+                           facing * sqrt(lambert * lambert * (1.0 - alpha2) + alpha2));
+    float grazing = 1.0 - clamp(dot(toCamera, halfway), 0.0, 1.0);
+    float grazing5 = grazing * grazing * grazing * grazing * grazing;
+    vec3 mirrored = mix(shine.mirror, vec3(1.0), grazing5) * (facets * visible);
+    return lambert * ((1.0 - mix(kDielectric, 1.0, grazing5)) * shine.diffuse + mirrored);
+}
+
+// Share of ambient light, the same from everywhere, that reaches the camera. What microfacets mirror of it is Karis
+// 2014's fit, "Physically Based Shading on Mobile"; the rest is diffuse.
+vec3 ambientReflectance(Shine shine, float facing) {
+    vec4 r = shine.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+    float grazing = min(r.x * r.x, exp2(-9.28 * facing)) * r.x + r.y;
+    vec2 scaleAndBias = vec2(-1.04, 1.04) * grazing + r.zw;
+    vec3 mirrored = max(shine.mirror * scaleAndBias.x + scaleAndBias.y, 0.0);
+    return (1.0 - (kDielectric * scaleAndBias.x + scaleAndBias.y)) * shine.diffuse + mirrored;
+}
+
+#endif

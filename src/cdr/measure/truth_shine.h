@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cdr/scene/mesh.h>
+
+#include <glm/glm.hpp>
+
+namespace cdr::measure {
+
+/// A shiny surface at a point, in float64: the metallic-roughness material of glTF 2.0 (appendix B), written
+/// apart from the renderer's shaders. Directions are unit vectors of one space.
+struct ShinyPoint {
+    glm::dvec3 baseColor; ///< linear
+    scene::Shine shine;
+    glm::dvec3 normal;
+    glm::dvec3 toCamera;
+};
+
+/// Share of a point light's colour that reaches the camera, where a white matt surface that faces the light
+/// sends back all of it: pi times the reflectance, times the cosine.
+glm::dvec3 pointShare(const ShinyPoint& point, const glm::dvec3& toLight);
+
+/// Share of ambient light that reaches the camera, by Karis' fit.
+glm::dvec3 ambientShare(const ShinyPoint& point);
+
+/// What a surface sends is cut off here.
+inline constexpr double kBrightest = 16.0;
+
+} // namespace cdr::measure

@@ -1,0 +1,46 @@
+#include <cdr/render/material_words.h>
+#include <cdr/shaders/shared.h>
+
+#include <glm/gtc/packing.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace cdr::render {
+
+namespace {
+
+/// The step of [0, 1] that is nearest to a value.
+std::uint32_t stepOf(float value, std::uint32_t steps) {
+    return static_cast<std::uint32_t>(
+        std::lround(std::clamp(value, 0.0f, 1.0f) * static_cast<float>(steps - 1)));
+}
+
+} // namespace
+
+MaterialWords wordsOf(const scene::Material& material) {
+    const glm::vec4& color = material.baseColorFactor;
+    const std::uint32_t shine = material.unlit ? 0 : shineCode(material.shine);
+    return {.cutoffAndShine =
+                (std::bit_cast<std::uint32_t>(material.alphaCutoff) & ~shaders::kShineMask) | shine,
+            .baseColorRg = glm::packHalf2x16(glm::vec2(color.r, color.g)),
+            .baseColorBa = glm::packHalf2x16(glm::vec2(color.b, color.a))};
+}
+
+std::uint32_t shineCode(const std::optional<scene::Shine>& shine) {
+    if (!shine) {
+        return 0;
+    }
+    return 1 + stepOf(shine->metallic, shaders::kMetallicSteps) * shaders::kRoughnessSteps +
+           stepOf(shine->roughness, shaders::kRoughnessSteps);
+}
+
+scene::Shine shineOfCode(std::uint32_t code) {
+    const std::uint32_t steps = code - 1;
+    return {.metallic = static_cast<float>(steps / shaders::kRoughnessSteps) / (shaders::kMetallicSteps - 1),
+            .roughness =
+                static_cast<float>(steps % shaders::kRoughnessSteps) / (shaders::kRoughnessSteps - 1)};
+}
+
+} // namespace cdr::render

@@ -1,0 +1,189 @@
+#include "fixture.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace cdr::render_test {
+
+namespace {
+
+using render::Frame;
+using scene::Shine;
+
+/// The byte of the G-buffer that says how a pixel shines.
+std::uint32_t codeAt(const Frame& frame, std::uint32_t x, std::uint32_t y) {
+    return frame.surfaces.at(x, y).albedo >> 24;
+}
+
+/// Square roots are of 8 bits, so that the G-buffer keeps it as it is.
+const glm::vec4 kCopper(0.64f, 0.36f, 0.16f, 1.0f);
+
+const scene::Camera kCamera =
+    scene::lookAt({.fovY = 0.6, .nearView = 0.1, .farView = 1000.0}, {0.0, 0.0, 8.0}, glm::dvec3(0.0));
+
+/// A slab that fills the picture, its face towards the camera, lit from beside the camera.
+scene::Scene slabScene(const std::optional<Shine>& shine) {
+    scene::Scene scene = boxScene();
+    scene.materials[0].baseColorFactor = kCopper;
+    scene.materials[0].shine = shine;
+    scene.ambient = glm::vec3(0.1f);
+    scene.lights = {{.position = {0.5, 0.25, 4.0}, .halfDistance = 5.0}};
+    addBox(scene, glm::dvec3(0.0), glm::mat3(6.0f));
+    return scene;
+}
+
+class ShineTest : public RenderTest {
+  protected:
+    Frame drawSlab(const std::optional<Shine>& shine) {
+        return draw(slabScene(shine), kCamera, smallOptions(depth::parseTechnique("reversed")));
+    }
+};
+
+/// The brightest pixel: the highlight.
+image::Rgba8 brightest(const Frame& frame) {
+    return *std::max_element(frame.color.pixels.begin(), frame.color.pixels.end(),
+                             [](const image::Rgba8& a, const image::Rgba8& b) {
+                                 return int{a[0]} + a[1] + a[2] < int{b[0]} + b[1] + b[2];
+                             });
+}
+
+TEST_F(ShineTest, MetalsMirrorInTheirColorAndDielectricsInTheLights) {
+    const image::Rgba8 matt = brightest(drawSlab({}));
+    const image::Rgba8 metal = brightest(drawSlab(Shine{.metallic = 1.0f, .roughness = 0.5f}));
+    const image::Rgba8 dielectric = brightest(drawSlab(Shine{.metallic = 0.0f, .roughness = 0.3f}));
+    // Blue is a quarter of red, 0.52 of it in sRGB.
+    EXPECT_NEAR(metal[2], 0.52 * metal[0], 0.04 * metal[0]);
+    EXPECT_GT(dielectric[2], matt[2] + 60);
+    EXPECT_GT(dielectric[0], matt[0] + 20);
+}
+
+TEST_F(ShineTest, RoughnessSpreadsTheHighlight) {
+    const auto bright = [&](float roughness) {
+        const Frame frame = drawSlab(Shine{.metallic = 1.0f, .roughness = roughness});
+        return std::count_if(frame.color.pixels.begin(), frame.color.pixels.end(),
+                             [](const image::Rgba8& pixel) { return pixel[0] > 200; });
+    };
+    const std::ptrdiff_t sharp = bright(0.1f);
+    const std::ptrdiff_t soft = bright(0.3f);
+    EXPECT_GT(sharp, 4);
+    EXPECT_GT(soft, 4 * sharp);
+}
+
+/// Metals mirror their surroundings too, of which ambient light is all there is.
+TEST_F(ShineTest, MetalsInAmbientLightAreNotBlack) {
+    for (const float roughness : {0.0f, 0.5f, 1.0f}) {
+        scene::Scene scene = slabScene(Shine{.metallic = 1.0f, .roughness = roughness});
+        scene.lights.clear();
+        const Frame frame = draw(scene, kCamera, smallOptions(depth::parseTechnique("reversed")));
+        EXPECT_GT(frame.color.at(240, 135)[0], 40) << roughness;
+    }
+}
+
+/// Whatever brings a material to the G-buffer, facets shaded per vertex among it, brings its shine.
+TEST_F(ShineTest, EverySurfaceHoldsItsCode) {
+    scene::Scene scene = slabScene(Shine{.metallic = 1.0f, .roughness = 0.3f});
+    scene.instances = {};
+    scene.textures.push_back({.name = "white", .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})});
+    scene.materials.push_back(
+        {.name = "both sides", .shine = Shine{.metallic = 0.25f, .roughness = 0.5f}, .doubleSided = true});
+    scene.materials.push_back({.name = "textured", .baseColorTexture = 0, .shine = Shine{}});
+    scene.materials.push_back({.name = "masked",
+                               .baseColorTexture = 0,
+                               .shine = Shine{.metallic = 0.0f, .roughness = 0.7f},
+                               .alphaMode = scene::AlphaMode::mask});
+    scene.materials.push_back({.name = "matt"});
+    scene.materials.push_back({.name = "unlit", .shine = Shine{}, .unlit = true});
+    const auto materials = static_cast<std::uint32_t>(scene.materials.size());
+    for (std::uint32_t i = 0; i < materials; ++i) {
+        scene::addInstance(scene, 0, i, i, {0.8 * (i - 2.5), 0.0, 0.0}, glm::mat3(0.7f));
+    }
+    const render::GpuScene gpuScene(device(), scene);
+    for (const render::Submission submission : render::kSubmissions) {
+        for (const render::Batching batching : render::kBatchings) {
+            if (submission == render::Submission::gpuDriven && batching != render::Batching::instanced) {
+                continue;
+            }
+            for (const char* technique : {"standard", "log-fragment/none", "anchored"}) {
+                render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
+                options.submission = submission;
+                options.batching = batching;
+                render::Renderer renderer(device(), scene, gpuScene, options);
+                const Frame frame = renderer.render(kCamera);
+                std::vector<std::size_t> pixels(materials);
+                for (std::uint32_t y = 0; y < frame.height(); ++y) {
+                    for (std::uint32_t x = 0; x < frame.width(); ++x) {
+                        if (const std::uint32_t id = frame.id(x, y); id != 0) {
+                            const scene::Material& material = scene.materials[id - 1];
+                            ASSERT_EQ(codeAt(frame, x, y),
+                                      material.unlit ? 0 : render::shineCode(material.shine))
+                                << material.name << " " << nameOf(submission) << " " << nameOf(batching);
+                            ++pixels[id - 1];
+                        }
+                    }
+                }
+                EXPECT_GT(*std::min_element(pixels.begin(), pixels.end()), 200u);
+            }
+        }
+    }
+}
+
+/// The byte is one, and occlusion per layer was asked for: so all is matt, and the frame says so.
+TEST_F(ShineTest, OcclusionPerLayerLeavesAllMattAndSaysSo) {
+    scene::Scene shiny = slabScene(Shine{.metallic = 1.0f, .roughness = 0.3f});
+    addBox(shiny, {1.0, 0.0, 3.1});
+    scene::Scene matt = shiny;
+    matt.materials[0].shine.reset();
+    render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+    options.targets = render::TargetsKind::accumulate;
+    options.effects.occlusion = {.radius = 0.5, .perLayer = true};
+    const Frame frame = draw(shiny, kCamera, options);
+    EXPECT_NE(frame.stats.note.find("matt"), std::string::npos);
+    const Frame wanted = draw(matt, kCamera, options);
+    EXPECT_EQ(hashOf(frame), hashOf(wanted));
+    EXPECT_TRUE(wanted.stats.note.empty());
+    // Over the whole picture both go together.
+    options.effects.occlusion.perLayer = false;
+    const Frame whole = draw(shiny, kCamera, options);
+    EXPECT_TRUE(whole.stats.note.empty());
+    EXPECT_NE(hashOf(whole), hashOf(draw(matt, kCamera, options)));
+    EXPECT_NE(codeAt(whole, 240, 135), 0u);
+}
+
+/// Layers lit one by one shine as a whole picture does.
+TEST_F(ShineTest, LayersOfALensShineToo) {
+    const scene::Scene scene = slabScene(Shine{.metallic = 1.0f, .roughness = 0.4f});
+    render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+    options.targets = render::TargetsKind::layers;
+    const Frame plain = draw(scene, kCamera, options);
+    options.focus = {.distance = 5.0, .aperture = 1e-6};
+    const Frame layered = draw(scene, kCamera, options);
+    int largest = 0;
+    for (std::size_t i = 0; i < plain.color.pixels.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            largest =
+                std::max(largest, std::abs(int{plain.color.pixels[i][c]} - int{layered.color.pixels[i][c]}));
+        }
+    }
+    EXPECT_LE(largest, 1); // half floats
+    EXPECT_NE(hashOf(plain), hashOf(drawSlab({})));
+}
+
+/// Nothing that a surface sends overflows half floats, nor is any of it no number.
+TEST_F(ShineTest, TheSmoothestMirrorIsFinite) {
+    scene::Scene scene = slabScene(Shine{.metallic = 1.0f, .roughness = 0.0f});
+    scene.materials[0].baseColorFactor = glm::vec4(1.0f);
+    scene.background = glm::vec3(0.0f);
+    for (const double height : {0.0, 1e-3, 4.0, 1e6}) {
+        scene.lights = {
+            {.position = {0.0, 0.0, 3.0 + height}, .color = glm::vec3(10.0f), .halfDistance = 1e6}};
+        render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+        options.effects.antialias = render::Antialias::edges; // through half floats
+        const Frame frame = draw(scene, kCamera, options);
+        const image::Rgba8 darkest = *std::min_element(frame.color.pixels.begin(), frame.color.pixels.end());
+        EXPECT_GT(darkest[0], 80) << height; // what is no number would be written as 0
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test
