@@ -34,6 +34,21 @@ TEST(EffectsCommand, LooksAlikeUnderEveryTechniqueAndLosesPerLayer) {
     EXPECT_GT(document.at("lost_per_layer").get<double>(), 0.0);
 }
 
+/// One byte of a surface is either how it shines or its occlusion per layer.
+TEST(EffectsCommand, OcclusionPerLayerDrawsShinyScenesMattAndSaysSo) {
+    const TemporaryFolder folder;
+    const std::string render =
+        "--validate render '" CDR_SOURCE_DIR "/tests/golden/spheres.gltf' --size 64x36 ";
+    const std::string saying = "drawn otherwise than asked: surfaces are matt";
+    const ProgramResult perLayer =
+        runProgram(render + "--targets accumulate --occlusion 1:layers", folder.path());
+    ASSERT_EQ(perLayer.status, 0) << perLayer.err;
+    EXPECT_NE(perLayer.out.find(saying), std::string::npos) << perLayer.out;
+    const ProgramResult whole = runProgram(render + "--occlusion 1", folder.path());
+    ASSERT_EQ(whole.status, 0) << whole.err;
+    EXPECT_EQ(whole.out.find(saying), std::string::npos) << whole.out;
+}
+
 TEST(EffectsCommand, RefusesWhatCannotBe) {
     const TemporaryFolder folder;
     const ProgramResult result = runProgram("effects --occlusion=-1", folder.path());

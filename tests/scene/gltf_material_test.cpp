@@ -185,6 +185,7 @@ TEST_F(Gltf, partsThatAreNotDrawnAreSaid) {
     Document document = textured();
     document.root["materials"][0]["normalTexture"] = {{"index", 0}};
     document.root["materials"][0]["emissiveTexture"] = {{"index", 0}};
+    document.root["materials"][0]["occlusionTexture"] = {{"index", 0}};
     document.root["materials"][0]["emissiveFactor"] = {0.0, 1.0, 0.0};
     document.root["extensionsUsed"] = {"KHR_materials_unlit", "KHR_lights_punctual"};
     document.root["extensions"] = {{"KHR_lights_punctual", {{"lights", {{{"type", "point"}}}}}}};
@@ -194,13 +195,14 @@ TEST_F(Gltf, partsThatAreNotDrawnAreSaid) {
     const std::vector<std::string> ignored = load(document).ignored;
     EXPECT_TRUE(anySays(ignored, "normal textures are not used"));
     EXPECT_TRUE(anySays(ignored, "emissive textures are not used"));
+    EXPECT_TRUE(anySays(ignored, "occlusion textures are not used"));
     EXPECT_TRUE(anySays(ignored, "emissive factors are not drawn"));
     EXPECT_TRUE(anySays(ignored, "KHR_lights_punctual: extension not used"));
     EXPECT_TRUE(anySays(ignored, "camera 0 'eye': orthographic cameras are not used"));
     EXPECT_TRUE(anySays(ignored, "animations are not played"));
     EXPECT_TRUE(anySays(ignored, "skins are drawn in bind pose"));
     EXPECT_FALSE(anySays(ignored, "KHR_materials_unlit"));
-    EXPECT_EQ(ignored.size(), 7u);
+    EXPECT_EQ(ignored.size(), 8u);
 }
 
 TEST_F(Gltf, pictureThatOnlyAnExtensionSuppliesIsSaid) {

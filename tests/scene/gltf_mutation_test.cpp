@@ -33,13 +33,17 @@ Document everything() {
                               {{"mesh", 1}, {"rotation", {0, 0.6, 0, 0.8}}, {"scale", {-1, 2, 0.5}}},
                               {{"mesh", 0}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1}}}};
     const image::ImageRgba8 picture(4, 4, {10, 20, 30, 255});
-    document.root["images"] = {{{"bufferView", document.addView(image::encodePng(picture))}}};
+    document.root["images"] = {{{"bufferView", document.addView(image::encodePng(picture))}},
+                               {{"bufferView", document.addView(image::encodePng(picture))}}};
     document.root["samplers"] = {{{"wrapS", 33071}, {"wrapT", 10497}}};
-    document.root["textures"] = {{{"source", 0}, {"sampler", 0}}};
+    document.root["textures"] = {{{"source", 0}, {"sampler", 0}}, {{"source", 1}}};
     document.root["materials"] = {
         {{"alphaMode", "BLEND"},
          {"pbrMetallicRoughness",
           {{"baseColorFactor", {1, 1, 1, 0.5}},
+           {"metallicFactor", 0.5},
+           {"roughnessFactor", 0.25},
+           {"metallicRoughnessTexture", {{"index", 1}}},
            {"baseColorTexture",
             {{"index", 0},
              {"extensions", {{"KHR_texture_transform", {{"offset", {0, 1}}, {"scale", {1, -1}}}}}}}}}}}};
@@ -116,7 +120,11 @@ bool loads(const Bytes& file) {
     limits.maxTriangles = 10'000;
     limits.maxFileBytes = 1u << 20;
     try {
-        gltf::importGltf(file, "/nowhere/a.glb", limits);
+        for (const Material& material : gltf::importGltf(file, "/nowhere/a.glb", limits).scene.materials) {
+            const Shine shine = material.shine.value_or(Shine{});
+            EXPECT_TRUE(shine.metallic >= 0.0f && shine.metallic <= 1.0f) << shine.metallic;
+            EXPECT_TRUE(shine.roughness >= 0.0f && shine.roughness <= 1.0f) << shine.roughness;
+        }
         return true;
     } catch (const base::InputError& error) {
         const std::string message = error.what();

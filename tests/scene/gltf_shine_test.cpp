@@ -27,12 +27,12 @@ Document withTexture(json factors, const image::ImageRgba8& picture) {
 
 image::ImageRgba8 twoTexels() {
     image::ImageRgba8 picture(2, 1, {255, 51, 0, 255});
-    picture.at(1, 0) = {0, 153, 204, 0};
+    picture.at(1, 0) = {0, 102, 204, 0};
     return picture;
 }
 
 constexpr float kMeanMetallic = 0.4f;  // 0 and 204 of 255
-constexpr float kMeanRoughness = 0.4f; // 51 and 153
+constexpr float kMeanRoughness = 0.3f; // 51 and 102
 
 TEST_F(GltfShine, FactorsAreKept) {
     const GltfImport result = load(withFactors({{"metallicFactor", 0.25}, {"roughnessFactor", 0.75}}));
