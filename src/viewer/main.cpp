@@ -1,4 +1,5 @@
 #include "application.h"
+#include "resident_memory.h"
 
 #include <cdr/base/error.h>
 
@@ -27,6 +28,7 @@ int fail(int status, std::string message) {
 
 int main(int argc, char** argv) {
     try {
+        cdr::viewer::returnLargeBlocksAtOnce();
         const cdr::viewer::ParsedArguments parsed = cdr::viewer::parseArguments(argc, argv);
         if (parsed.exitStatus) {
             return *parsed.exitStatus;

@@ -87,6 +87,9 @@ bool Presenter::draw(const PictureLayout& layout, ImDrawData* interface, image::
     if (capture != nullptr) {
         reader.emplace(m_device, *m_swapchain);
     }
+    if (layout.pictures < m_pictures.size()) {
+        m_pictures.back()->forget();
+    }
     const vk::CommandBuffer commands = slot.pool->next();
     commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     record(commands, index, target, layout, interface);
