@@ -182,8 +182,8 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
         if (const std::string& note = made.frame().stats.translucency.note; !note.empty()) {
             console.line(fmt::format("frame {} drawn with --translucency weighted: {}", number, note));
         }
-        if (number == cameras.first && !frame.stats.note.empty()) {
-            console.line("drawn otherwise than asked: " + frame.stats.note);
+        if (const std::string& note = made.frame().stats.note; number == cameras.first && !note.empty()) {
+            console.line("drawn otherwise than asked: " + note);
         }
         if (!arguments.file.empty()) {
             made.write(name.at(number), aov);
