@@ -3,6 +3,7 @@
 #include <cdr/measure/layered_truth.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace cdr::render_test {
@@ -14,7 +15,10 @@ const scene::Camera kCamera =
 
 /// A square across the z axis, corners in colours of their own, its texture tiled twice.
 scene::Mesh paintedSquare() {
-    scene::Mesh mesh{.name = "square", .indices = {0, 1, 2, 0, 2, 3}, .boundingRadius = 1.5f};
+    scene::Mesh mesh;
+    mesh.name = "square";
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    mesh.boundingRadius = 1.5f;
     const std::array colors{glm::u8vec4(255), glm::u8vec4(255, 128, 0, 255), glm::u8vec4(0, 255, 128, 255),
                             glm::u8vec4(128, 0, 255, 255)};
     for (std::size_t i = 0; i < colors.size(); ++i) {
