@@ -1,5 +1,8 @@
 #include "fixture.h"
 
+#include <cdr/measure/layered_truth.h>
+#include <cdr/scene/sheets_scene.h>
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -170,6 +173,31 @@ TEST_F(ShineTest, LayersOfALensShineToo) {
     }
     EXPECT_LE(largest, 1); // half floats
     EXPECT_NE(hashOf(plain), hashOf(drawSlab({})));
+}
+
+/// Translucent sheets that shine, metals and dielectrics, are lit as a float64 ray cast lights them.
+TEST_F(ShineTest, SheetsShineAsInTheTruth) {
+    const scene::StagedScene staged = scene::makeSheets(2013);
+    scene::Scene scene = staged.scene;
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        if (scene.materials[i].alphaMode == scene::AlphaMode::blend && !scene.materials[i].unlit) {
+            scene.materials[i].shine = Shine{.metallic = i % 2 == 0 ? 1.0f : 0.0f, .roughness = 0.4f};
+        }
+    }
+    const scene::Camera camera = staged.path.at(0);
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/count:5"));
+    options.width = 192;
+    options.height = 108;
+    options.translucency = {.method = render::Translucency::sorted, .countsCoverage = true};
+    const Frame frame = draw(scene, camera, options);
+    base::WorkerPool workers(2);
+    const measure::LayerDifference difference =
+        measure::compareLayers(frame.color, frame.coverage,
+                               measure::castLayers(scene, camera, frame.width(), frame.height(), workers));
+    EXPECT_GT(difference.translucent, 4000u);
+    EXPECT_EQ(difference.miscounted, 0u);
+    EXPECT_GE(difference.withinFraction(), 0.999);
+    EXPECT_NE(hashOf(frame), hashOf(draw(staged.scene, camera, options)));
 }
 
 /// What a surface sends is cut at 16, which half floats hold, and their sums where surfaces blend: a film

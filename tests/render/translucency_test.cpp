@@ -105,30 +105,6 @@ TEST_F(TranslucencyTest, SortedIsTheTruthToOneStep) {
     }
 }
 
-/// Sheets that shine, metals and dielectrics, are lit as the opaque ones are; a highlight lies on some of
-/// them.
-TEST_F(TranslucencyTest, SortedIsTheTruthWhereSheetsShine) {
-    scene::Scene scene = m_sheets.scene;
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        if (scene.materials[i].alphaMode == scene::AlphaMode::blend && !scene.materials[i].unlit) {
-            scene.materials[i].shine = scene::Shine{.metallic = i % 2 == 0 ? 1.0f : 0.0f, .roughness = 0.4f};
-        }
-    }
-    const measure::LayeredTruth truth = truthOf(scene, m_camera);
-    for (const Translucency method : render::kTranslucencies) {
-        const render::RenderOptions options = optionsFor(countOf(depth::Mapping::anchored, 5), method);
-        const render::Frame frame = draw(scene, m_camera, options);
-        const measure::LayerDifference difference =
-            measure::compareLayers(frame.color, frame.coverage, truth);
-        EXPECT_GT(difference.translucent, kWidth * kHeight / 5);
-        EXPECT_EQ(difference.miscounted, 0u);
-        if (method == Translucency::sorted) {
-            EXPECT_GE(difference.withinFraction(), 0.999);
-        }
-        EXPECT_NE(hashOf(frame), hashOf(draw(m_sheets.scene, m_camera, options)));
-    }
-}
-
 /// Some sheets must lie in several cascades, else the tests above would pass without a boundary.
 TEST_F(TranslucencyTest, SheetsLieInSeveralCascades) {
     const render::Frame one =
