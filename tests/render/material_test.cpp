@@ -99,7 +99,7 @@ TEST_F(MaterialTest, LooksAsTheTruthDoes) {
         }
         EXPECT_GT(pixels[1], 5000u);
         EXPECT_GT(pixels[2], 2000u);
-        EXPECT_LT(pixels[2], pixels[1] * 9 / 10);
+        EXPECT_LT(pixels[2], pixels[4] * 19 / 20);
         EXPECT_GT(pixels[3], 5000u);
         EXPECT_GT(pixels[4], 5000u);
     }
