@@ -72,7 +72,7 @@ void Application::wait() const {
         m_window.wait(isDriven && m_session.isSettled() ? 0.0 : kBusySeconds);
     } else {
         const bool moves = !isMinimised && (m_model.motion != Motion::free || m_model.rendersAlways ||
-                                            !m_session.isSettled());
+                                            m_isMissed || !m_session.isSettled());
         m_window.wait(moves ? std::chrono::duration<double>(kRedrawEvery).count() : kIdleSeconds);
     }
 }
@@ -133,7 +133,8 @@ PictureArea Application::pictureArea() const {
 }
 
 bool Application::isRedrawDue() const {
-    const bool moves = m_model.motion != Motion::free || m_model.rendersAlways || !m_session.isSettled();
+    const bool moves =
+        m_model.motion != Motion::free || m_model.rendersAlways || m_isMissed || !m_session.isSettled();
     return m_redraws > 0 || m_soak || (moves && Clock::now() - m_lastFrame >= kRedrawEvery);
 }
 
@@ -153,7 +154,7 @@ void Application::present(image::ImageRgba8* capture, ImDrawData* drawn) {
                                .divider = m_model.settings.divider,
                                .pictures = m_model.shown != nullptr ? m_model.shown->sides.size() : 1};
     const auto begin = Clock::now();
-    m_presenter.draw(layout, drawn, capture);
+    m_isMissed = !m_presenter.draw(layout, drawn, capture);
     m_model.presentMs = 1000.0 * secondsSince(begin);
 }
 
@@ -227,13 +228,6 @@ void Application::finish() {
         constexpr int kTries = 3; // the window may just have changed its size
         for (int attempt = 0; attempt < kTries && m_capture; ++attempt) {
             drawFrame();
-        }
-    }
-    for (const gpu::Instance* instance : {&std::as_const(m_renderInstance), &m_ui.instance()}) {
-        const auto messages = instance->validation().messages();
-        if (!messages.empty()) {
-            throw base::RunError(
-                fmt::format("{} validation messages, the first: {}", messages.size(), messages.front()));
         }
     }
 }

@@ -50,6 +50,7 @@ struct RenderResult {
     double frameMs = 0.0;              ///< from the request taken to the pictures made
     std::uint64_t freeDeviceBytes = 0; ///< of the device that renders
     std::string message{};             ///< why it failed, one line; else empty
+    std::exception_ptr failure{};      ///< what the message says
     std::exception_ptr fatal{};        ///< nothing more will come
 };
 

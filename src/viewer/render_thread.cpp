@@ -17,10 +17,13 @@ RenderResult answerOrExplain(SceneStage& stage, const RenderRequest& request) {
         return stage.answer(request);
     } catch (const base::InputError& error) {
         result.message = error.what();
+        result.failure = std::current_exception();
     } catch (const base::RunError& error) {
         result.message = error.what();
+        result.failure = std::current_exception();
     } catch (const vk::OutOfDeviceMemoryError&) {
         result.message = "the device has too little memory for that";
+        result.failure = std::current_exception();
     }
     return result;
 }

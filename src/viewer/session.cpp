@@ -105,7 +105,7 @@ bool Session::takeResult() {
         return true;
     }
     if (m_model.shown == nullptr) {
-        throw base::InputError(result->message);
+        std::rethrow_exception(result->failure);
     }
     m_model.say(result->message, true);
     m_good.divider = m_model.settings.divider;

@@ -20,8 +20,8 @@ class Session {
     /// Moves the camera along its path, if it follows one, and asks for what is wanted and not yet asked for.
     /// @param isSteered whether somebody moves the camera by hand.
     void update(const PictureArea& area, const glm::dvec2& cursor, double seconds, bool isSteered);
-    /// Takes the newest result into the model. True when there are new pictures. base::InputError when the
-    /// first scene cannot be opened; rethrows what ended the render thread.
+    /// Takes the newest result into the model. True when there are new pictures. Rethrows what the first
+    /// scene failed for, and what ended the render thread.
     bool takeResult();
     /// Picks what is at a pixel of the picture, once a frame that can be read has come.
     void click(const glm::dvec2& pixel);
