@@ -1,16 +1,9 @@
-#include "commands.h"
-#include "console.h"
+#include "comparison.h"
 
-#include <cdr/base/file.h>
-#include <cdr/base/worker_pool.h>
-#include <cdr/image/codec.h>
 #include <cdr/render/effects.h>
 
 #include <experiments/effects.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
-#include <filesystem>
 
 namespace cdr::cli {
 
@@ -18,26 +11,16 @@ namespace {
 
 struct EffectsArguments {
     experiments::EffectsOptions options;
-    std::string size = "1280x720";
-    std::filesystem::path folder; ///< no pictures when empty
-    OutputOptions output;
+    ComparisonArguments common;
 };
 
-std::string pictureOf(const experiments::EffectsResult& result) {
-    return result.mode + ".png";
-}
-
-nlohmann::ordered_json toJson(const experiments::EffectsResult& result, bool hasPictures) {
-    nlohmann::ordered_json row{{"mode", result.mode},
-                               {"execute_ms", result.executeMs},
-                               {"execute_ratio", result.ratio},
-                               {"ci95", {result.ratio95.low, result.ratio95.high}},
-                               {"least_alike", result.leastAlike},
-                               {"differing", result.differing}};
-    if (hasPictures) {
-        row["picture"] = pictureOf(result);
-    }
-    return row;
+nlohmann::ordered_json toJson(const experiments::EffectsResult& result) {
+    return {{"mode", result.mode},
+            {"execute_ms", result.executeMs},
+            {"execute_ratio", result.ratio},
+            {"ci95", {result.ratio95.low, result.ratio95.high}},
+            {"least_alike", result.leastAlike},
+            {"differing", result.differing}};
 }
 
 void printTable(const Console& console, const experiments::EffectsReport& report) {
@@ -55,17 +38,11 @@ void printTable(const Console& console, const experiments::EffectsReport& report
 
 void run(const GlobalOptions& global, EffectsArguments& arguments) {
     experiments::EffectsOptions& options = arguments.options;
-    const PictureSize size = parseSize(arguments.size);
-    options.width = size.width;
-    options.height = size.height;
     requireUsable(render::Effects{.occlusion = {.radius = options.occlusionRadius},
                                   .fog = {.visibility = options.visibility}});
-    requireJsonWritable(arguments.output);
-    if (!arguments.folder.empty()) {
-        base::makeFolder(arguments.folder);
-    }
+    begin(arguments.common, options);
     const Session session(global);
-    const Console console(global, arguments.output);
+    const Console console(global, arguments.common.output);
     const experiments::EffectsReport report =
         experiments::runEffects(session.device(), options, [&](std::size_t done, std::size_t all) {
             console.progress(done, all, "frames with effects");
@@ -79,23 +56,15 @@ void run(const GlobalOptions& global, EffectsArguments& arguments) {
                              describe(session.device()), options.scene, options.frames, options.width,
                              options.height, options.occlusionRadius, options.visibility, options.threads,
                              experiments::kEffectTolerance));
-    auto document = base::makeDocument("effects", session.documentDevice(),
-                                       {{"scene", options.scene},
-                                        {"width", options.width},
-                                        {"height", options.height},
-                                        {"frames", options.frames},
-                                        {"threads", options.threads},
-                                        {"seed", options.seed},
-                                        {"occlusion_radius", options.occlusionRadius},
-                                        {"visibility", options.visibility}});
+    nlohmann::ordered_json settings = settingsOf(options);
+    settings.update({{"occlusion_radius", options.occlusionRadius}, {"visibility", options.visibility}});
+    auto document = base::makeDocument("effects", session.documentDevice(), std::move(settings));
     for (const auto& result : report.results) {
-        document["results"].push_back(toJson(result, !arguments.folder.empty()));
-        if (!arguments.folder.empty()) {
-            image::writeImage(arguments.folder / pictureOf(result), result.picture);
-        }
+        auto& row = document["results"].emplace_back(toJson(result));
+        keepPicture(arguments.common, "picture", result.mode + ".png", result.picture, row);
     }
     document["lost_per_layer"] = report.lostPerLayer;
-    writeJson(arguments.output, document);
+    writeJson(arguments.common.output, document);
 }
 
 } // namespace
@@ -105,22 +74,10 @@ void addEffects(CLI::App& program, const GlobalOptions& global) {
         "effects", "What screen-space effects cost, and whether they look alike under every technique");
     auto arguments = std::make_shared<EffectsArguments>();
     experiments::EffectsOptions& options = arguments->options;
-    command->add_option("scene", options.scene, "alley, or any scene that render takes")
-        ->capture_default_str();
-    command->add_option("--frames", options.frames, "Measured frames of every mode")
-        ->check(CLI::Range(1u, kMaxFrames))
-        ->capture_default_str();
-    command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    addComparison(*command, options, arguments->common);
     command->add_option("--occlusion", options.occlusionRadius, "Radius of ambient occlusion, scene units")
         ->capture_default_str();
     command->add_option("--fog", options.visibility, "Visibility in fog, scene units")->capture_default_str();
-    command->add_option("--threads", options.threads, "Threads that cull, bin and record")
-        ->check(CLI::Range(std::size_t{1}, base::WorkerPool::kMaxThreads))
-        ->capture_default_str();
-    command->add_option("--seed", options.seed, "Seed of the scene, the orders and the bootstrap")
-        ->capture_default_str();
-    command->add_option("--out", arguments->folder, "Folder for a picture of each effect");
-    addJson(*command, arguments->output);
     command->callback([&global, arguments] { run(global, *arguments); });
 }
 

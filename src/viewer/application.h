@@ -44,6 +44,7 @@ class Application {
     void perform(Action action);
     void dropFiles(const DropInput& drop);
     void toggleRecording();
+    void copyCommandLines();
     PictureArea pictureArea() const;
     float sidebarWidth() const;
     bool isRedrawDue() const;

@@ -37,6 +37,16 @@ void Application::savePicture(const std::filesystem::path& file) {
     }
 }
 
+void Application::copyCommandLines() {
+    const std::string lines = commandLinesOf(m_model);
+    if (lines.empty()) {
+        m_model.say("nothing is shown yet", true);
+        return;
+    }
+    m_window.copyToClipboard(lines);
+    m_model.say(fmt::format("copied: {}", lines));
+}
+
 void Application::perform(Action action) {
     switch (action) {
     case Action::quit:
@@ -49,8 +59,7 @@ void Application::perform(Action action) {
         m_capture = freeName("cdr-window", ".png");
         break;
     case Action::copyCommandLine:
-        m_window.copyToClipboard(commandLineOf(m_model));
-        m_model.say(fmt::format("copied: {}", commandLineOf(m_model)));
+        copyCommandLines();
         break;
     case Action::sceneCamera:
         if (m_model.hasCamera) {

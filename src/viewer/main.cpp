@@ -1,4 +1,5 @@
 #include "application.h"
+#include "resident_memory.h"
 
 #include <cdr/base/error.h>
 
@@ -45,6 +46,7 @@ void run(const cdr::viewer::Arguments& arguments) {
 
 int main(int argc, char** argv) {
     try {
+        cdr::viewer::returnLargeBlocksAtOnce();
         const cdr::viewer::ParsedArguments parsed = cdr::viewer::parseArguments(argc, argv);
         if (parsed.exitStatus) {
             return *parsed.exitStatus;

@@ -22,6 +22,18 @@ vk::ImageMemoryBarrier2 barrierBetween(const gpu::Image& image, vk::ImageLayout 
 
 } // namespace
 
+void PictureTexture::forget() {
+    m_pending.reset();
+    if (isEmpty()) {
+        return;
+    }
+    m_device.handle().waitIdle(); // a frame in flight may still read it
+    m_image = {};
+    for (gpu::Buffer& staging : m_staging) {
+        staging = {};
+    }
+}
+
 void PictureTexture::recordUpload(vk::CommandBuffer commands, std::size_t slot) {
     const std::shared_ptr<const image::ImageRgba8> picture = std::exchange(m_pending, nullptr);
     if (picture == nullptr || picture->pixels.empty()) {
@@ -29,7 +41,7 @@ void PictureTexture::recordUpload(vk::CommandBuffer commands, std::size_t slot) 
     }
     const vk::Extent2D extent{picture->width, picture->height};
     if (isEmpty() || m_image.options().extent != extent) {
-        m_device.handle().waitIdle(); // a frame in flight may still read the old one
+        forget();
         m_image =
             gpu::Image(m_device,
                        {.extent = extent,

@@ -24,6 +24,9 @@ class PictureTexture {
     /// Shown from the next frame on.
     void set(std::shared_ptr<const image::ImageRgba8> picture) { m_pending = std::move(picture); }
 
+    /// Gives its memory back, once the device is idle.
+    void forget();
+
     /// Copies what was set, if anything; the slot's last frame must have finished.
     void recordUpload(vk::CommandBuffer commands, std::size_t slot);
     /// Blits columns [left, right) of the picture, as shares of its width, into an area of a transfer

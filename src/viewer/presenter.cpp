@@ -115,6 +115,9 @@ bool Presenter::draw(const PictureLayout& layout, ImDrawData* interface, image::
     const vk::Result waited =
         m_device.handle().waitForFences(*slot.done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
     vk::resultCheck(waited, "vkWaitForFences");
+    if (layout.pictures < m_pictures.size()) {
+        m_pictures.back()->forget();
+    }
     const std::optional<std::uint32_t> image = m_swapchain->acquire(*slot.imageReady);
     if (image) {
         ++m_frames;

@@ -21,6 +21,13 @@ std::optional<std::uint64_t> residentBytes() {
     return resident * static_cast<std::uint64_t>(page);
 }
 
+void returnLargeBlocksAtOnce() {
+#ifdef __GLIBC__
+    constexpr int kLargeBytes = 256 << 10;
+    ::mallopt(M_MMAP_THRESHOLD, kLargeBytes);
+#endif
+}
+
 void returnFreeMemory() {
 #ifdef __GLIBC__
     ::malloc_trim(0);

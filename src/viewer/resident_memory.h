@@ -8,6 +8,10 @@ namespace cdr::viewer {
 /// Bytes of this process that are in memory; empty where the system does not say.
 std::optional<std::uint64_t> residentBytes();
 
+/// Has the allocator give pictures and the like back to the system when they are freed, where it can be told
+/// to. Left alone it keeps more and more of them as windows change size.
+void returnLargeBlocksAtOnce();
+
 /// Gives back to the system what the allocator keeps for later, where it can be told to, so that
 /// residentBytes() is what the program uses.
 void returnFreeMemory();

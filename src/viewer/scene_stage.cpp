@@ -44,7 +44,8 @@ SideResult SceneStage::renderSide(const RenderRequest& request, std::size_t side
     result.options = renderOptions(request.settings, side, request.extent);
     result.frame = std::make_shared<const render::Frame>(
         m_sides.at(side).render(set(), result.options, camera,
-                                readsSurfaces ? render::FrameCopy::everything : render::FrameCopy::color));
+                                readsSurfaces ? render::FrameCopy::everything : render::FrameCopy::color,
+                                request.isAtRest));
     result.timeline = timelineOf(m_sides.at(side).trace());
     return result;
 }
@@ -52,7 +53,7 @@ SideResult SceneStage::renderSide(const RenderRequest& request, std::size_t side
 render::Frame SceneStage::renderReference(const RenderRequest& request, const scene::Camera& camera) {
     render::RenderOptions options = renderOptions(request.settings, 0, request.extent);
     options.technique = referenceTechnique();
-    return m_reference.render(set(), options, camera, render::FrameCopy::everything);
+    return m_reference.render(set(), options, camera, render::FrameCopy::everything, request.isAtRest);
 }
 
 void SceneStage::paint(ViewKind view, std::size_t side, const render::Frame* reference, SideResult& result) {

@@ -74,12 +74,15 @@ void Session::update(const PictureArea& area, const glm::dvec2& cursor, double s
     }
     RenderRequest request = wanted(area);
     const bool isChanged = !m_asked || !asksTheSame(*m_asked, request);
-    const bool isMoving = isSteered || m_model.motion != Motion::free || m_model.rendersAlways;
+    const bool isFlying = isSteered || m_model.motion != Motion::free;
+    const bool isMoving = isFlying || m_model.rendersAlways;
     const auto now = Clock::now();
     const bool isDue = m_click || (area.contains(cursor) && now - m_surfacesAsked >= kSurfacesEvery);
     request.wantsSurfaces = !isMoving || isDue;
     const bool lacksSurfaces = m_asked && !m_asked->wantsSurfaces && request.wantsSurfaces;
-    if (!isChanged && !((m_model.rendersAlways || lacksSurfaces) && m_thread.isReady())) {
+    request.isAtRest = !isChanged && !isFlying && remembersFrames(request.settings);
+    const bool lacksRest = request.isAtRest && !m_asked->isAtRest;
+    if (!isChanged && !((m_model.rendersAlways || lacksSurfaces || lacksRest) && m_thread.isReady())) {
         return;
     }
     if (request.wantsSurfaces) {

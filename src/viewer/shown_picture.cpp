@@ -67,16 +67,24 @@ std::string stateLine(const ViewerModel& model) {
     return line + fmt::format(" notice=\"{}\"", model.notice.text);
 }
 
-std::string commandLineOf(const ViewerModel& model) {
-    ReproducedView view{.settings = model.settings,
-                        .side = 0,
-                        .camera = model.camera,
-                        .sceneCamera = model.sceneCamera,
-                        .extent = {}};
-    if (model.shown != nullptr && !model.shown->sides.empty()) {
-        view.extent = {model.shown->sides.front().options.width, model.shown->sides.front().options.height};
+std::string commandLinesOf(const ViewerModel& model) {
+    if (model.shown == nullptr || model.shown->sides.empty()) {
+        return {};
     }
-    return renderCommand(view);
+    const RenderResult& shown = *model.shown;
+    const bool isSplit = shown.sides.size() > 1;
+    std::string lines;
+    for (std::size_t side = 0; side < shown.sides.size(); ++side) {
+        const ReproducedView view{
+            .settings = shown.settings,
+            .side = side,
+            .camera = shown.camera,
+            .sceneCamera = model.sceneCamera,
+            .extent = {shown.sides[side].options.width, shown.sides[side].options.height}};
+        const char* name = side == 0 ? "left.png" : "right.png";
+        lines += fmt::format("{}{}", side == 0 ? "" : "\n", renderCommand(view, isSplit ? name : "view.png"));
+    }
+    return lines;
 }
 
 } // namespace cdr::viewer

@@ -80,16 +80,14 @@ void Soak::measure(Window& window, const Session& session) {
         return;
     }
     returnFreeMemory();
-    const std::uint64_t bytes = residentBytes().value_or(0);
-    m_phase = Phase::playing;
-    if (!m_isWarm) {
-        m_isWarm = true;
-        m_warmBytes = bytes;
-        return;
-    }
-    m_endBytes = bytes;
+    m_resident.push_back(residentBytes().value_or(0));
     m_results = session.results();
-    m_isDone = true;
+    m_phase = Phase::playing;
+}
+
+std::uint64_t Soak::stepsBeforeRest() const {
+    const double share = static_cast<double>(m_resident.size()) / static_cast<double>(kMeasurements);
+    return static_cast<std::uint64_t>(static_cast<double>(m_steps) * (kWarmUp + (1.0 - kWarmUp) * share));
 }
 
 void Soak::step(Window& window, CameraControl& control, const PictureArea& area, Session& session,
@@ -104,8 +102,7 @@ void Soak::step(Window& window, CameraControl& control, const PictureArea& area,
     if (!session.isReady() || model.shown == nullptr) {
         return;
     }
-    const auto warmSteps = static_cast<std::uint64_t>(static_cast<double>(m_steps) * kWarmUp);
-    if ((!m_isWarm && m_done >= warmSteps) || m_done >= m_steps) {
+    if (m_done >= stepsBeforeRest()) {
         rest(window, model);
         return;
     }
@@ -115,12 +112,16 @@ void Soak::step(Window& window, CameraControl& control, const PictureArea& area,
 
 std::string Soak::report() const {
     constexpr double kMegabyte = 1e6;
-    const double warm = static_cast<double>(m_warmBytes);
-    const double growth = warm > 0.0 ? (static_cast<double>(m_endBytes) / warm - 1.0) * 100.0 : 0.0;
-    return fmt::format(
-        "soak: {} steps, {} frames rendered, resident {:.1f} MB after warm-up, {:.1f} MB at the "
-        "end ({:+.2f} %)",
-        m_done, m_results, warm / kMegabyte, static_cast<double>(m_endBytes) / kMegabyte, growth);
+    const auto megabytes = [&](std::size_t i) { return static_cast<double>(m_resident.at(i)) / kMegabyte; };
+    const double growth = 100.0 * (megabytes(m_resident.size() - 1) / megabytes(0) - 1.0);
+    std::string text =
+        fmt::format("soak: {} steps, {} frames rendered, resident {:.1f} MB after warm-up, {:.1f} MB at the "
+                    "end ({:+.2f} %)\nresident, MB:",
+                    m_done, m_results, megabytes(0), megabytes(m_resident.size() - 1), growth);
+    for (std::size_t i = 0; i < m_resident.size(); ++i) {
+        text += fmt::format(" {:.1f}", megabytes(i));
+    }
+    return text;
 }
 
 } // namespace cdr::viewer

@@ -8,16 +8,19 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cdr::viewer {
 
 /// Plays seeded random input, a step per frame of the interface and as fast as frames come, and watches the
-/// memory. It is measured in one and the same view, first after a warm-up and again at the end.
+/// memory: always in one and the same view, first after a warm-up, then at each tenth of what is left.
 class Soak {
   public:
     static constexpr double kStepsPerSecond = 60.0;
     /// The share of the steps that warms up.
     static constexpr double kWarmUp = 0.25;
+    /// Times the memory is measured after that, evenly apart, the last at the end.
+    static constexpr std::uint64_t kMeasurements = 10;
 
     /// @param seconds' worth of input.
     Soak(double seconds, std::uint64_t seed, const ViewerModel& model);
@@ -25,8 +28,8 @@ class Soak {
     /// Plays a step, if the renderer has taken the last one.
     void step(Window& window, CameraControl& control, const PictureArea& area, Session& session,
               ViewerModel& model);
-    bool isDone() const { return m_isDone; }
-    /// "soak: 1800 steps, ...", one line.
+    bool isDone() const { return m_resident.size() > kMeasurements; }
+    /// "soak: 1800 steps, ...", one line, and one of every measurement.
     std::string report() const;
 
   private:
@@ -35,6 +38,7 @@ class Soak {
               ViewerModel& model);
     void rest(Window& window, ViewerModel& model);
     void measure(Window& window, const Session& session);
+    std::uint64_t stepsBeforeRest() const; ///< played before the next measurement
 
     std::uint64_t m_steps;
     std::uint64_t m_done = 0;
@@ -44,10 +48,7 @@ class Soak {
     ResizeInput m_homeSize;
     std::uint64_t m_minimisedFor = 0;
     Phase m_phase = Phase::playing;
-    bool m_isWarm = false;
-    bool m_isDone = false;
-    std::uint64_t m_warmBytes = 0;
-    std::uint64_t m_endBytes = 0;
+    std::vector<std::uint64_t> m_resident; ///< bytes, of each measurement
     std::uint64_t m_results = 0;
 };
 

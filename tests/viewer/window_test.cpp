@@ -158,7 +158,7 @@ TEST_F(ViewerTest, EveryTabDraws) {
 }
 
 TEST_F(ViewerTest, SurvivesRandomInput) {
-    // A 36th of the half hour that the issue asks for; the same options with more seconds are the long one.
+    // A 360th of half an hour; the same options with --soak 1800 are the long one.
     const RunResult run = runShell("'" CDR_VIEWER "' --validate --size 400x300 --soak 5 --seed 7 cubes",
                                    folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;

@@ -89,12 +89,21 @@ TEST(SoakInput, IsBoundedAndReachesEverything) {
             seen.insert("format " + std::string(depth::nameOf(s.technique.format)));
             seen.insert("submission " + std::string(render::nameOf(s.submission)));
             seen.insert("batching " + std::string(render::nameOf(s.batching)));
+            const render::Effects& effects = s.finish.effects;
+            seen.insert(effects.antialias == render::Antialias::edges ? "smooth edges" : "");
+            seen.insert(effects.occlusion.radius > 0.0 ? "occlusion" : "");
+            seen.insert(effects.fog.visibility > 0.0 ? "fog" : "");
+            seen.insert(s.finish.focus.isOn() ? "focus" : "");
+            seen.insert(s.finish.translucency == render::Translucency::sorted ? "sorted" : "");
+            render::requireUsable(effects);
+            render::requireUsable(s.finish.focus);
             seen.insert(s.second ? "split screen" : "one picture");
         }
     }
     seen.erase("");
-    // 9 events, 2 screens, and the scenes, views, targets, mappings, formats, submissions and batchings.
-    EXPECT_EQ(seen.size(), 9u + 2u + 4u + 6u + 5u + 6u + 3u + 3u + 3u) << [&] {
+    // 9 events, 2 screens, 5 ways to finish, and the scenes, views, targets, mappings, formats, submissions
+    // and batchings.
+    EXPECT_EQ(seen.size(), 9u + 2u + 5u + 4u + 6u + 5u + 6u + 3u + 3u + 3u) << [&] {
         std::string all;
         for (const std::string& what : seen) {
             all += what + "; ";

@@ -15,6 +15,10 @@ namespace cdr::gpu {
 
 namespace {
 
+/// Blocks of memory that small resources share, the first an eighth of it; large ones have their own
+/// (memory.cpp).
+constexpr vk::DeviceSize kBlockBytes = vk::DeviceSize{32} << 20;
+
 std::string lower(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -126,7 +130,7 @@ void Device::finish(vk::Instance instance, bool hasDebugNames) {
     const VmaAllocatorCreateInfo info{.flags = 0,
                                       .physicalDevice = m_physical,
                                       .device = m_device,
-                                      .preferredLargeHeapBlockSize = 0,
+                                      .preferredLargeHeapBlockSize = kBlockBytes,
                                       .pAllocationCallbacks = nullptr,
                                       .pDeviceMemoryCallbacks = nullptr,
                                       .pHeapSizeLimit = nullptr,

@@ -19,14 +19,29 @@ void check(VkResult result, const char* call, const std::string& name, std::uint
     vk::resultCheck(static_cast<vk::Result>(result), call);
 }
 
-VmaAllocationCreateInfo allocationInfo(MemoryUse use) {
+/// From this size on a buffer has memory of its own, as has every image but a scene's textures: what is made
+/// anew with a picture's size then goes back whole, where a shared block would stay.
+constexpr std::size_t kOwnMemoryBytes = std::size_t{256} << 10;
+constexpr vk::ImageUsageFlags kTexture =
+    vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst;
+
+VmaAllocationCreateFlags hostAccess(MemoryUse use) {
+    switch (use) {
+    case MemoryUse::hostWrites:
+        return VMA_ALLOCATION_CREATE_MAPPED_BIT | VMA_ALLOCATION_CREATE_HOST_ACCESS_SEQUENTIAL_WRITE_BIT;
+    case MemoryUse::hostReads:
+        return VMA_ALLOCATION_CREATE_MAPPED_BIT | VMA_ALLOCATION_CREATE_HOST_ACCESS_RANDOM_BIT;
+    default:
+        return 0;
+    }
+}
+
+VmaAllocationCreateInfo allocationInfo(MemoryUse use, bool isAlone) {
     VmaAllocationCreateInfo info{};
     info.usage = VMA_MEMORY_USAGE_AUTO;
-    if (use == MemoryUse::hostWrites) {
-        info.flags =
-            VMA_ALLOCATION_CREATE_MAPPED_BIT | VMA_ALLOCATION_CREATE_HOST_ACCESS_SEQUENTIAL_WRITE_BIT;
-    } else if (use == MemoryUse::hostReads) {
-        info.flags = VMA_ALLOCATION_CREATE_MAPPED_BIT | VMA_ALLOCATION_CREATE_HOST_ACCESS_RANDOM_BIT;
+    info.flags = hostAccess(use);
+    if (isAlone) {
+        info.flags |= VMA_ALLOCATION_CREATE_DEDICATED_MEMORY_BIT;
     }
     return info;
 }
@@ -46,7 +61,7 @@ Buffer::Buffer(const Device& device, std::size_t bytes, vk::BufferUsageFlags usa
     : m_bytes(bytes) {
     // Vulkan has no buffers of no bytes; an empty scene still gets its buffers.
     const vk::BufferCreateInfo bufferInfo{.size = std::max<std::size_t>(bytes, 4), .usage = usage};
-    const VmaAllocationCreateInfo memory = allocationInfo(use);
+    const VmaAllocationCreateInfo memory = allocationInfo(use, bytes >= kOwnMemoryBytes);
     VkBuffer buffer = VK_NULL_HANDLE;
     VmaAllocation allocation = nullptr;
     VmaAllocationInfo info{};
@@ -78,11 +93,12 @@ Image::Image(const Device& device, const ImageOptions& options, const std::strin
                                         .mipLevels = 1,
                                         .arrayLayers = 1,
                                         .usage = options.usage};
-    const VmaAllocationCreateInfo memory = allocationInfo(MemoryUse::deviceOnly);
-    VkImage image = VK_NULL_HANDLE;
-    VmaAllocation allocation = nullptr;
     const std::uint64_t bytes =
         std::uint64_t{options.extent.width} * options.extent.height * vk::blockSize(options.format);
+    const bool isAlone = static_cast<bool>(options.usage & ~kTexture);
+    const VmaAllocationCreateInfo memory = allocationInfo(MemoryUse::deviceOnly, isAlone);
+    VkImage image = VK_NULL_HANDLE;
+    VmaAllocation allocation = nullptr;
     check(vmaCreateImage(device.allocator(), &static_cast<const VkImageCreateInfo&>(imageInfo), &memory,
                          &image, &allocation, nullptr),
           "vmaCreateImage", name, bytes);

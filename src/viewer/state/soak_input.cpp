@@ -45,6 +45,30 @@ void SoakInput::moveMouse(CameraInput& input) {
     input.scroll = chance(0.1) ? std::round(uniform(-3.0, 3.0)) : 0.0;
 }
 
+void SoakInput::changeFinish() {
+    constexpr double kOff = 0.5;
+    const auto lengthOrOff = [&](double longest) { return chance(kOff) ? 0.0 : uniform(0.1, longest); };
+    Finish& finish = m_settings.finish;
+    switch (pick(5)) {
+    case 0:
+        finish.effects.antialias = render::kAntialiases.at(pick(render::kAntialiases.size()));
+        break;
+    case 1:
+        finish.effects.occlusion = {.radius = lengthOrOff(10.0), .perLayer = chance(0.5)};
+        break;
+    case 2:
+        finish.effects.fog.visibility = lengthOrOff(1e6);
+        break;
+    case 3:
+        finish.focus = {.distance = lengthOrOff(1e3), .aperture = uniform(0.1, 10.0), .blend = chance(0.5)};
+        break;
+    default:
+        finish.translucency = finish.translucency == render::Translucency::weighted
+                                  ? render::Translucency::sorted
+                                  : render::Translucency::weighted;
+    }
+}
+
 /// One choice at a time, as a person would.
 void SoakInput::changeSettings() {
     static constexpr std::array<std::string_view, 6> kSplits{"none",   "ratio:1000", "count:4",
@@ -54,7 +78,7 @@ void SoakInput::changeSettings() {
     const auto remake = [&](depth::Mapping mapping, const depth::Split& split, depth::DepthFormat format) {
         technique = depth::makeTechnique(mapping, split, format);
     };
-    switch (pick(11)) {
+    switch (pick(12)) {
     case 0:
     case 1:
         technique = presetOfKey(1 + pick(kPresetKeys));
@@ -84,6 +108,9 @@ void SoakInput::changeSettings() {
         s.divider = uniform(0.0, 1.0);
         break;
     case 9:
+        changeFinish();
+        break;
+    case 10:
         s.view = kViewKinds.at(pick(kViewKinds.size()));
         break;
     default:

@@ -33,8 +33,8 @@ struct SoakOptions {
 };
 
 /// Random input, the same for the same options on every platform: keys are held for a while, the mouse drags
-/// and jumps, the wheel turns, windows change size, techniques, views, targets and threads change. Bounded in
-/// every value; each step follows from those before.
+/// and jumps, the wheel turns, windows change size, techniques, views, targets, threads and effects change.
+/// Bounded in every value; each step follows from those before.
 class SoakInput {
   public:
     explicit SoakInput(SoakOptions options = {});
@@ -47,6 +47,7 @@ class SoakInput {
     bool chance(double share);
     void moveMouse(CameraInput& input);
     void changeSettings();
+    void changeFinish();
 
     SoakOptions m_options;
     std::mt19937_64 m_random;
