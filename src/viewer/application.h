@@ -41,7 +41,9 @@ class Application {
     void wait() const;
     void playScript();
     void handleInput();
+    /// What cannot be done, such as writing into a folder, is said and no more.
     void perform(Action action);
+    void tryPerform(Action action);
     void dropFiles(const DropInput& drop);
     void toggleRecording();
     void copyCommandLines();

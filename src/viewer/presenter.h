@@ -39,6 +39,8 @@ class Presenter {
     /// @param capture receives the window's pixels when not null; base::RunError where they cannot be read.
     bool draw(const PictureLayout& layout, ImDrawData* interface, image::ImageRgba8* capture);
 
+    /// Whether the window's pixels can be read.
+    bool isReadable() const { return m_swapchain == nullptr || m_swapchain->isReadable(); }
     /// What the interface is drawn in.
     vk::RenderPass renderPass() const { return *m_renderPass; }
 

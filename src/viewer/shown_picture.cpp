@@ -58,8 +58,13 @@ std::string stateLine(const ViewerModel& model) {
             line += fmt::format(" flips={} flipped={}", *side.flipsNow, side.flippedPixels);
         }
     }
+    if (const auto& clicked = model.clickedCamera) {
+        line += fmt::format(" clicked-from={} clicked-along={}", exactText(clicked->position),
+                            exactText(-clicked->back));
+    }
+    line += fmt::format(" pivot={}", exactText(model.pivot));
     if (const auto& picked = model.measuring.first()) {
-        line += fmt::format(" picked=\"{}\"", describe(*picked));
+        line += fmt::format(" picked=\"{}\" picked-at={}", describe(*picked), exactText(picked->position));
     }
     if (model.measuring.second()) {
         line += fmt::format(" measured=\"{}\"", describe(*model.measuring.span()));

@@ -42,7 +42,7 @@ constexpr std::array kKeeping{
     HelpLine{"R", "record the camera's path, or end the recording"},
     HelpLine{"P", "play what was recorded"},
     HelpLine{"F12", "write the picture to a file; with shift, the whole window"},
-    HelpLine{"ctrl + C", "copy the command line that renders this picture without a window"},
+    HelpLine{"ctrl + C", "copy the command line that renders this picture without a window, or one for each side"},
     HelpLine{"drop a file", "open a .gltf or .glb scene"},
     HelpLine{"tab", "show or hide the panels"},
     HelpLine{"F1", "show or hide this help"},
