@@ -47,6 +47,7 @@ class Application {
     void dropFiles(const DropInput& drop);
     void toggleRecording();
     void copyCommandLines();
+    void captureWindow();
     PictureArea pictureArea() const;
     float sidebarWidth() const;
     bool isRedrawDue() const;

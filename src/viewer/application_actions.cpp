@@ -60,6 +60,15 @@ void Application::savePicture(const std::filesystem::path& file) {
     }
 }
 
+void Application::captureWindow() {
+    if (!m_presenter.isReadable()) {
+        throw base::RunError("this window system does not let a window's pixels be read");
+    }
+    const std::filesystem::path file = freeName("cdr-window", ".png");
+    base::requireWritable(file); // later there is nobody to tell but the shell
+    m_capture = file;
+}
+
 void Application::copyCommandLines() {
     const std::string lines = commandLinesOf(m_model);
     if (lines.empty()) {
@@ -89,11 +98,7 @@ void Application::tryPerform(Action action) {
         savePicture(freeName("cdr-picture", ".png"));
         break;
     case Action::screenshotWindow:
-        if (!m_presenter.isReadable()) {
-            throw base::RunError("this window system does not let a window's pixels be read");
-        }
-        m_capture = freeName("cdr-window", ".png");
-        base::requireWritable(*m_capture);
+        captureWindow();
         break;
     case Action::copyCommandLine:
         copyCommandLines();
