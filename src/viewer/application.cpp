@@ -230,6 +230,7 @@ void Application::finish() {
             drawFrame();
         }
     }
+    m_window.hide(); // a picture that is being rendered is waited for, but nobody has to watch
 }
 
 } // namespace cdr::viewer

@@ -11,10 +11,10 @@ namespace cdr::viewer {
 namespace {
 
 /// The stage's answer, or why there is none. What the next request cannot mend passes through.
-RenderResult answerOrExplain(SceneStage& stage, const RenderRequest& request) {
+RenderResult answerOrExplain(SceneStage& stage, const RenderRequest& request, const std::stop_token& stop) {
     RenderResult result{.serial = request.serial, .sceneName = stage.sceneName()};
     try {
-        return stage.answer(request);
+        return stage.answer(request, stop);
     } catch (const base::InputError& error) {
         result.message = error.what();
         result.failure = std::current_exception();
@@ -39,7 +39,7 @@ void RenderThread::serve(const std::stop_token& stop, const gpu::Device& device)
         SceneStage stage(device);
         while (const auto request = m_requests.wait(stop)) {
             m_notify();
-            m_results.put(answerOrExplain(stage, *request));
+            m_results.put(answerOrExplain(stage, *request, stop));
             m_notify();
         }
     } catch (...) {

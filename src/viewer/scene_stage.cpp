@@ -77,7 +77,7 @@ void SceneStage::paint(ViewKind view, std::size_t side, const render::Frame* ref
     result.picture = std::move(picture);
 }
 
-RenderResult SceneStage::answer(const RenderRequest& request) {
+RenderResult SceneStage::answer(const RenderRequest& request, const std::stop_token& stop) {
     open(request.settings);
     const auto begin = Clock::now();
     const auto millisecondsSince = [](Clock::time_point from) {
@@ -90,6 +90,9 @@ RenderResult SceneStage::answer(const RenderRequest& request) {
     result.camera = request.camera ? *request.camera : m_scene->opened->staged.path.at(0);
     const std::size_t sides = request.settings.second ? 2 : 1;
     for (std::size_t side = 0; side < sides; ++side) {
+        if (stop.stop_requested()) {
+            return {.serial = request.serial, .message = "stopped"};
+        }
         result.sides.push_back(renderSide(request, side, result.camera));
     }
     if (sides < m_sides.size()) {
