@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "console.h"
+#include "wrong_pixels_json.h"
 
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
@@ -30,22 +31,19 @@ struct FlickerArguments {
 };
 
 nlohmann::ordered_json toJson(const experiments::FlickerResult& result) {
-    return {{"scene", result.scene},
-            {"technique", result.technique},
-            {"format", result.format},
-            {"frames", result.frames},
-            {"pixels", result.wrong.pixels},
-            {"wrong", result.wrong.wrong},
-            {"wrong_fraction", result.wrong.fraction()},
-            {"overlap_wrong_fraction", result.wrong.overlapFraction()},
-            {"edge_wrong", result.wrong.edgeWrong},
-            {"flips", result.flips.flips},
-            {"compared", result.flips.compared},
-            {"flips_per_thousand", result.flips.perThousand()},
-            {"mean_flip", result.meanFlip()},
-            {"flip_frames", result.flipFrames},
-            {"duplication", result.duplication()},
-            {"cascades", result.cascades}};
+    nlohmann::ordered_json row{{"scene", result.scene},
+                               {"technique", result.technique},
+                               {"format", result.format},
+                               {"frames", result.frames}};
+    addWrongPixels(row, result.wrong);
+    row.update({{"flips", result.flips.flips},
+                {"compared", result.flips.compared},
+                {"flips_per_thousand", result.flips.perThousand()},
+                {"mean_flip", result.meanFlip()},
+                {"flip_frames", result.flipFrames},
+                {"duplication", result.duplication()},
+                {"cascades", result.cascades}});
+    return row;
 }
 
 nlohmann::ordered_json toJson(const experiments::FlickerPair& pair) {

@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "console.h"
+#include "wrong_pixels_json.h"
 
 #include <cdr/base/file.h>
 #include <cdr/image/codec.h>
@@ -53,11 +54,8 @@ nlohmann::ordered_json toJson(const experiments::OrbitResult& result,
                                {"frame", result.frame},
                                {"fov_degrees", result.fovYDegrees},
                                {"technique", result.technique},
-                               {"cascades", result.cascades},
-                               {"pixels", result.wrong.pixels},
-                               {"wrong", result.wrong.wrong},
-                               {"wrong_fraction", result.wrong.fraction()},
-                               {"edge_wrong", result.wrong.edgeWrong}};
+                               {"cascades", result.cascades}};
+    addWrongPixels(row, result.wrong);
     for (const experiments::PictureResult& picture : pictures) {
         if (picture.technique == result.technique) {
             row["picture"] = fileName(picture) + ".png";

@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "console.h"
+#include "wrong_pixels_json.h"
 
 #include <cdr/base/file.h>
 #include <cdr/image/codec.h>
@@ -32,20 +33,15 @@ std::string stemOf(const experiments::PictureResult& result) {
 }
 
 nlohmann::ordered_json toJson(const experiments::PictureResult& result) {
-    return {{"scene", result.scene},
-            {"technique", result.technique},
-            {"fov_degrees", result.fovYDegrees},
-            {"frames", result.frames},
-            {"pixels", result.wrong.pixels},
-            {"wrong", result.wrong.wrong},
-            {"wrong_fraction", result.wrong.fraction()},
-            {"overlap_pixels", result.wrong.overlapPixels},
-            {"overlap_wrong", result.wrong.overlapWrong},
-            {"overlap_wrong_fraction", result.wrong.overlapFraction()},
-            {"edge_wrong", result.wrong.edgeWrong},
-            {"flips", result.flips},
-            {"picture", stemOf(result) + ".png"},
-            {"heat_map", stemOf(result) + "_wrong.png"}};
+    nlohmann::ordered_json row{{"scene", result.scene},
+                               {"technique", result.technique},
+                               {"fov_degrees", result.fovYDegrees},
+                               {"frames", result.frames}};
+    addWrongPixels(row, result.wrong);
+    row["flips"] = result.flips;
+    row["picture"] = stemOf(result) + ".png";
+    row["heat_map"] = stemOf(result) + "_wrong.png";
+    return row;
 }
 
 void printTable(const Console& console, const std::vector<experiments::PictureResult>& results) {

@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "console.h"
 #include "effect_options.h"
+#include "frame_output.h"
 #include "scene_choice.h"
 #include "sequence_name.h"
 
@@ -11,7 +12,6 @@
 #include <cdr/render/renderer.h>
 #include <cdr/scene/levels.h>
 
-#include <experiments/aov.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -84,15 +84,6 @@ void checkArguments(const RenderArguments& arguments, const FrameCameras& camera
     requireJsonWritable(arguments.output);
 }
 
-void writeOutput(const std::filesystem::path& path, const render::Frame& frame, experiments::Aov aov,
-                 const measure::TruthImage* truth) {
-    if (path.extension() == ".exr") {
-        image::writeExr(path, experiments::channelsOf(frame, aov, truth));
-    } else {
-        image::writeImage(path, experiments::pictureOf(frame, aov, truth));
-    }
-}
-
 nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth::Technique& technique,
                                    const PictureSize& size) {
     return {{"scene", arguments.scene},
@@ -105,35 +96,8 @@ nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth
             {"aov", arguments.aov}};
 }
 
-nlohmann::ordered_json frameJson(const render::RenderOptions& options, const render::Frame& frame,
-                                 std::uint32_t number, const std::string& hash) {
-    const render::FrameTimes& times = frame.stats.times;
-    return {{"technique", options.technique.name},
-            {"targets", nameOf(options.targets.kind)},
-            {"layers", options.targets.layers},
-            {"submission", nameOf(options.submission)},
-            {"batching", nameOf(options.batching)},
-            {"detail", nameOf(options.detail)},
-            {"threads", options.threads},
-            {"cascades", frame.cascades.size()},
-            {"draws", frame.stats.draws},
-            {"hash", hash},
-            {"frame", number},
-            {"visible", frame.stats.visible},
-            {"duplication", frame.stats.duplication},
-            {"cull_ms", times.cullMs},
-            {"bin_ms", times.binMs},
-            {"translucency", nameOf(frame.stats.translucency.method)},
-            {"translucent_draws", frame.stats.translucency.draws},
-            {"translucent_bytes", frame.stats.translucency.bytes},
-            {"record_ms", times.recordMs},
-            {"execute_ms", times.executeMs}};
-}
-
-void run(const GlobalOptions& global, const RenderArguments& arguments) {
-    const PictureSize size = parseSize(arguments.size);
-    const experiments::Aov aov = experiments::parseAov(arguments.aov);
-    const SequenceName name(arguments.file);
+render::RenderOptions optionsOf(const RenderArguments& arguments, const PictureSize& size,
+                                experiments::Aov aov) {
     render::RenderOptions options{.width = size.width,
                                   .height = size.height,
                                   .technique = techniqueOf(arguments),
@@ -146,6 +110,48 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
                                   .focus = focusOf(arguments.effects),
                                   .translucency = translucencyOf(arguments.effects)};
     options.translucency.countsCoverage = aov == experiments::Aov::coverage;
+    return options;
+}
+
+/// Draws frame after frame of a scene, and casts its truth where the output shows it.
+class FrameMaker {
+  public:
+    FrameMaker(const Session& session, const scene::OpenedScene& opened, const render::RenderOptions& options,
+               bool wantsTruth, base::WorkerPool& workers)
+        : m_options(options),
+          m_workers(workers),
+          m_onDevice(session.device(), opened.staged.scene),
+          m_renderer(session.device(), opened.staged.scene, m_onDevice, options) {
+        if (wantsTruth) {
+            m_caster.emplace(opened.staged.scene, workers);
+        }
+    }
+
+    FrameOutput make(std::uint32_t number, const scene::Camera& camera) {
+        if (m_options.trace != nullptr) {
+            m_options.trace->beginFrame(fmt::format("frame {}", number));
+        }
+        render::Frame frame = m_renderer.render(camera);
+        std::optional<measure::TruthImage> truth;
+        if (m_caster) {
+            truth = m_caster->cast(camera, m_options.width, m_options.height, m_workers);
+        }
+        return {number, std::move(frame), std::move(truth)};
+    }
+
+  private:
+    const render::RenderOptions& m_options;
+    base::WorkerPool& m_workers;
+    render::GpuScene m_onDevice;
+    render::Renderer m_renderer;
+    std::optional<measure::TruthCaster> m_caster;
+};
+
+void run(const GlobalOptions& global, const RenderArguments& arguments) {
+    const PictureSize size = parseSize(arguments.size);
+    const experiments::Aov aov = experiments::parseAov(arguments.aov);
+    const SequenceName name(arguments.file);
+    render::RenderOptions options = optionsOf(arguments, size, aov);
     const FrameCameras cameras(arguments.camera);
     checkArguments(arguments, cameras, name);
     base::WorkerPool workers(arguments.threads);
@@ -157,54 +163,37 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     if (options.detail.mode != scene::DetailMode::none) {
         scene::makeLevels(opened.staged.scene, workers);
     }
-    const scene::Scene& scene = opened.staged.scene;
-    cameras.at(opened.staged.path, cameras.first); // an unusable camera ends here, before the device is made
+    const scene::CameraPath& path = opened.staged.path;
+    cameras.at(path, cameras.first); // an unusable camera ends here, before the device is made
 
     const Session session(global);
     const Console console(global, arguments.output);
     for (const std::string& note : opened.notes) {
         console.line("ignored: " + note);
     }
-    const render::GpuScene gpuScene(session.device(), scene);
-    render::Renderer renderer(session.device(), scene, gpuScene, options);
+    FrameMaker maker(session, opened, options, aov == experiments::Aov::wrong, workers);
     auto document = base::makeDocument("render", session.documentDevice(),
                                        optionsJson(arguments, options.technique, size));
     std::vector<std::vector<std::string>> rows;
-    std::optional<measure::TruthCaster> caster;
-    if (aov == experiments::Aov::wrong) {
-        caster.emplace(scene, workers);
-    }
     for (std::uint32_t number = cameras.first; number < cameras.first + cameras.frames; ++number) {
         console.progress(number - cameras.first, cameras.frames, arguments.scene);
-        const scene::Camera camera = cameras.at(opened.staged.path, number);
-        if (trace) {
-            trace->beginFrame(fmt::format("frame {}", number));
-        }
-        const render::Frame frame = renderer.render(camera);
-        std::optional<measure::TruthImage> truth;
-        if (caster) {
-            truth = caster->cast(camera, size.width, size.height, workers);
-        }
-        const measure::TruthImage* truthOrNull = truth ? &*truth : nullptr;
+        const FrameOutput made = maker.make(number, cameras.at(path, number));
         session.requireSilentValidation();
-        if (const std::string& note = frame.stats.translucency.note; !note.empty()) {
+        if (const std::string& note = made.frame().stats.translucency.note; !note.empty()) {
             console.line(fmt::format("frame {} drawn with --translucency weighted: {}", number, note));
         }
         if (!arguments.file.empty()) {
-            writeOutput(name.at(number), frame, aov, truthOrNull);
+            made.write(name.at(number), aov);
         }
-        const std::string hash =
-            arguments.hash || arguments.output.json ? hashOf(frame, aov, truthOrNull) : "";
-        document["results"].push_back(frameJson(options, frame, number, hash));
-        rows.push_back({fmt::format("{} frame {}", arguments.scene, number), options.technique.name,
-                        std::to_string(frame.cascades.size()), std::to_string(frame.stats.draws),
-                        fmt::format("{:.2f}", frame.stats.times.recordMs),
-                        fmt::format("{:.2f}", frame.stats.times.executeMs), arguments.hash ? hash : ""});
+        const std::string hash = arguments.hash || arguments.output.json ? made.hash(aov) : "";
+        document["results"].push_back(made.toJson(options, hash));
+        rows.push_back(made.tableRow(arguments.scene, options.technique.name));
+        rows.back().push_back(arguments.hash ? hash : "");
     }
     console.endProgress();
-    console.table({"scene", "technique", "cascades", "draws", "record ms", "execute ms",
-                   arguments.hash ? "sha-256" : ""},
-                  rows);
+    std::vector<std::string> header = FrameOutput::tableHeader();
+    header.emplace_back(arguments.hash ? "sha-256" : "");
+    console.table(header, rows);
     console.line(describe(session.device()));
     if (trace) {
         trace->write(arguments.trace);

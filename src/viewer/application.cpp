@@ -34,6 +34,14 @@ std::string describe(const gpu::DeviceInfo& info) {
     return fmt::format("{}, {}", info.name, info.driver);
 }
 
+/// A line on standard output at once, for who drives the program; nothing for no text.
+void say(const std::string& line) {
+    if (!line.empty()) {
+        fmt::print("{}\n", line);
+        std::fflush(stdout);
+    }
+}
+
 double secondsSince(std::chrono::steady_clock::time_point then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
 }
@@ -79,10 +87,7 @@ void Application::wait() const {
 
 void Application::playScript() {
     const ScriptWish wish = m_script->step(m_window, m_places, m_session, m_model);
-    if (!wish.text.empty()) {
-        fmt::print("{}\n", wish.text);
-        std::fflush(stdout);
-    }
+    say(wish.text);
     if (wish.window) {
         m_capture = wish.window;
     }
@@ -192,6 +197,7 @@ void Application::run() {
         }
         if (m_soak) {
             m_soak->step(m_window, m_control, pictureArea(), m_session, m_model);
+            say(m_soak->news());
         }
         handleInput();
         for (const Action action : std::exchange(m_model.actions, {})) {
@@ -221,7 +227,7 @@ void Application::run() {
 
 void Application::finish() {
     if (m_soak) {
-        fmt::print("{}\n", m_soak->report());
+        say(m_soak->report());
     }
     if (!m_arguments.screenshot.empty()) {
         m_capture = m_arguments.screenshot;

@@ -24,13 +24,17 @@ void SceneStage::open(const ViewSettings& settings) {
         side.drop();
     }
     m_reference.drop();
-    for (FlipWindow& flips : m_flips) {
-        flips.clear();
-    }
+    clearFlips();
     m_scene = std::move(next);
     m_sceneName = settings.scene;
     m_seed = settings.seed;
     m_hasLevels = needsLevels;
+}
+
+void SceneStage::clearFlips() {
+    for (FlipWindow& flips : m_flips) {
+        flips.clear();
+    }
 }
 
 StageSet SceneStage::set() const {
@@ -97,6 +101,9 @@ RenderResult SceneStage::answer(const RenderRequest& request, const std::stop_to
     }
     if (sides < m_sides.size()) {
         m_sides.back().drop();
+    }
+    if (request.settings.view != ViewKind::flips) {
+        clearFlips();
     }
     std::optional<render::Frame> reference;
     if (needsReference(request.settings.view)) {

@@ -33,6 +33,7 @@ class SceneStage {
         render::GpuScene onDevice;
     };
     void open(const ViewSettings& settings);
+    void clearFlips();
     SideResult renderSide(const RenderRequest& request, std::size_t side, const scene::Camera& camera);
     render::Frame renderReference(const RenderRequest& request, const scene::Camera& camera);
     void paint(ViewKind view, std::size_t side, const render::Frame* reference, SideResult& result);

@@ -18,6 +18,10 @@ constexpr std::uint64_t kMinimisedSteps = 5;
 /// Frames of the interface in the view where memory is measured, before it is.
 constexpr std::uint64_t kRestFrames = 30;
 
+double megabytes(std::uint64_t bytes) {
+    return static_cast<double>(bytes) / 1e6;
+}
+
 } // namespace
 
 Soak::Soak(double seconds, std::uint64_t seed, const ViewerModel& model)
@@ -81,6 +85,8 @@ void Soak::measure(Window& window, const Session& session) {
     }
     returnFreeMemory();
     m_resident.push_back(residentBytes().value_or(0));
+    m_news =
+        fmt::format("resident {:.1f} MB after {} of {} steps", megabytes(m_resident.back()), m_done, m_steps);
     m_results = session.results();
     m_phase = Phase::playing;
 }
@@ -111,17 +117,15 @@ void Soak::step(Window& window, CameraControl& control, const PictureArea& area,
 }
 
 std::string Soak::report() const {
-    constexpr double kMegabyte = 1e6;
-    const auto megabytes = [&](std::size_t i) { return static_cast<double>(m_resident.at(i)) / kMegabyte; };
-    const double growth = 100.0 * (megabytes(m_resident.size() - 1) / megabytes(0) - 1.0);
-    std::string text =
-        fmt::format("soak: {} steps, {} frames rendered, resident {:.1f} MB after warm-up, {:.1f} MB at the "
-                    "end ({:+.2f} %)\nresident, MB:",
-                    m_done, m_results, megabytes(0), megabytes(m_resident.size() - 1), growth);
-    for (std::size_t i = 0; i < m_resident.size(); ++i) {
-        text += fmt::format(" {:.1f}", megabytes(i));
+    if (m_resident.empty()) {
+        return fmt::format("soak: ended after {} of {} steps, before it was warm", m_done, m_steps);
     }
-    return text;
+    const double warm = megabytes(m_resident.front());
+    const double end = megabytes(m_resident.back());
+    return fmt::format(
+        "soak: {} steps, {} frames rendered, resident {:.1f} MB after warm-up, {:.1f} MB at the end "
+        "({:+.2f} %)",
+        m_done, m_results, warm, end, 100.0 * (end / warm - 1.0));
 }
 
 } // namespace cdr::viewer

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cdr::viewer {
@@ -29,7 +30,9 @@ class Soak {
     void step(Window& window, CameraControl& control, const PictureArea& area, Session& session,
               ViewerModel& model);
     bool isDone() const { return m_resident.size() > kMeasurements; }
-    /// "soak: 1800 steps, ...", one line, and one of every measurement.
+    /// The last measurement since it was asked for, one line; else empty.
+    std::string news() { return std::exchange(m_news, {}); }
+    /// "soak: 1800 steps, ...", one line.
     std::string report() const;
 
   private:
@@ -49,6 +52,7 @@ class Soak {
     std::uint64_t m_minimisedFor = 0;
     Phase m_phase = Phase::playing;
     std::vector<std::uint64_t> m_resident; ///< bytes, of each measurement
+    std::string m_news;
     std::uint64_t m_results = 0;
 };
 

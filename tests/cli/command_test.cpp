@@ -3,6 +3,7 @@
 #include <cdr/base/file.h>
 #include <cdr/image/codec.h>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -176,6 +177,26 @@ TEST(Commands, RenderWritesEveryOutputInEveryFormat) {
             EXPECT_GT(fs::file_size(folder.path() / file), 100u) << file;
         }
     }
+}
+
+TEST(Commands, RenderCountsWrongPixelsAsPicturesDoes) {
+    const TemporaryFolder folder;
+    const ProgramResult rendered = runProgram(
+        "render cubes --size 320x180 --technique standard --aov wrong --json r.json", folder.path());
+    ASSERT_EQ(rendered.status, 0) << rendered.err;
+    ASSERT_EQ(
+        runProgram("pictures --scenes cubes --techniques standard --size 320x180 --frames 1 --json p.json",
+                   folder.path())
+            .status,
+        0);
+    const json row = json::parse(readText(folder.path() / "r.json"))["results"][0];
+    const json expected = json::parse(readText(folder.path() / "p.json"))["results"][0];
+    EXPECT_GT(expected["wrong"], 0);
+    for (const char* field : {"pixels", "wrong", "overlap_pixels", "overlap_wrong", "edge_wrong"}) {
+        EXPECT_EQ(row[field], expected[field]) << field;
+    }
+    const std::string share = fmt::format("{:.4f} %", 100.0 * expected["wrong_fraction"].get<double>());
+    EXPECT_NE(rendered.out.find(share), std::string::npos) << rendered.out;
 }
 
 TEST(Commands, RenderIdIsObjectIndexPlusOneInThreeBytes) {

@@ -109,6 +109,15 @@ TEST(CameraRecording, InterpolatesBetween) {
     EXPECT_NEAR(middle.farView / 1e6, 1.0, 1e-12);
 }
 
+TEST(CameraRecording, ArrivesWhereItEndsHoweverLongTheWay) {
+    CameraRecording recording;
+    const glm::dvec3 end(0.123456789, 0.0, 0.0);
+    record(recording, 0.0, lookAlong({}, {1e12, 0.0, 0.0}, {-1.0, 0.0, 0.0}));
+    record(recording, 1.0, lookAlong({}, end, {-1.0, 0.0, 0.0}));
+    const double share = 1.0 - 0x1p-43; // 0.11 units before the end
+    EXPECT_NEAR(cameraAt(recording, share).position.x - end.x, 0x1p-43 * 1e12, 1e-12);
+}
+
 TEST(CameraRecording, StaysExactFarOut) {
     // Two cameras a millimetre apart, 10^8 out: the steps of the way are those of float64 there, 1.5e-8.
     CameraRecording recording;

@@ -118,6 +118,8 @@ TEST(EarthQuadtree, knowsCoarserNeighboursRoundTheBackAndNoneBeyondPoles) {
     EXPECT_EQ(tree.coarserBeyond({2, 1, 0}, TileEdge::east), 1u);
     EXPECT_EQ(tree.coarserBeyond({2, 0, 0}, TileEdge::east), 0u);
     EXPECT_EQ(tree.coarserBeyond({1, 1, 0}, TileEdge::west), 0u); // finer
+    const EarthQuadtree east([](const EarthTile& tile) { return tile == EarthTile{0, 1, 0}; });
+    EXPECT_EQ(east.coarserBeyond({1, 3, 0}, TileEdge::east), 1u); // the west's only tile, over 180 degrees
 }
 
 } // namespace

@@ -56,6 +56,28 @@ TEST(RunwayMarking, facesUpAndFillsItsHeight) {
     EXPECT_THROW(paint.text("Q", 1.0), base::InputError);
 }
 
+double areaOf(const SourceMesh& mesh) {
+    double area = 0.0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::dvec3 a = mesh.positions[mesh.indices[i]];
+        area += 0.5 * glm::length(glm::cross(mesh.positions[mesh.indices[i + 1]] - a,
+                                             mesh.positions[mesh.indices[i + 2]] - a));
+    }
+    return area;
+}
+
+TEST(RunwayMarking, strokesAreAsWideAtTheirBendsAsBetweenThem) {
+    // Mitred, a closed stroke covers its width times its length, whatever its angles.
+    const std::array<glm::dvec2, 5> ring{{{0.0, 0.0}, {4.0, 0.0}, {5.0, 2.0}, {2.0, 5.0}, {0.0, 3.0}}};
+    double length = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        length += glm::distance(ring[i], ring[(i + 1) % ring.size()]);
+    }
+    MarkingPaint paint("ring");
+    paint.stroke(ring, 0.25, true);
+    EXPECT_NEAR(areaOf(paint.mesh()), 0.25 * length, 1e-12);
+}
+
 class OrbitScene : public testing::Test {
   protected:
     static const StagedScene& staged() {

@@ -25,9 +25,7 @@ void readIds(const render::Frame& frame, image::ImageU32& ids) {
 } // namespace
 
 void FlipWindow::clear() {
-    m_before = {};
-    m_flippedAt = {};
-    m_flipsNow = 0;
+    *this = {};
 }
 
 void FlipWindow::add(const render::Frame& frame, const render::Frame& reference, double seconds) {

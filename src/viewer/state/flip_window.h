@@ -18,7 +18,7 @@ class FlipWindow {
     /// @param seconds a clock that does not run back. Frames of another size, and clear(), begin anew.
     /// base::InputError when frame and reference differ in size.
     void add(const render::Frame& frame, const render::Frame& reference, double seconds);
-    void clear();
+    void clear(); ///< gives its memory back, too
 
     /// Red where a pixel flipped, fading to the dim grey picture over kSeconds. base::InputError unless
     /// `frame` has the size of the last one added.
