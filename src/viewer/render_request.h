@@ -25,8 +25,8 @@ struct RenderRequest {
     std::optional<scene::Camera> camera; ///< the scene's own first one without
     /// Frames that picking can read. Copying them costs several times what the picture costs.
     bool wantsSurfaces = true;
-    /// The camera stays where it was: fitted splits are fitted to it alone, so that what rests on the screen is
-    /// what the copied command line renders, whatever frames came before.
+    /// The camera stays where it was: fitted splits are fitted to it alone, so that what rests on the screen
+    /// is what the copied command line renders, whatever frames came before.
     bool isAtRest = false;
 };
 

@@ -46,10 +46,9 @@ SideResult SceneStage::renderSide(const RenderRequest& request, std::size_t side
     const bool readsSurfaces = request.wantsSurfaces || request.settings.view != ViewKind::shaded;
     SideResult result{};
     result.options = renderOptions(request.settings, side, request.extent);
-    result.frame = std::make_shared<const render::Frame>(
-        m_sides.at(side).render(set(), result.options, camera,
-                                readsSurfaces ? render::FrameCopy::everything : render::FrameCopy::color,
-                                request.isAtRest));
+    result.frame = std::make_shared<const render::Frame>(m_sides.at(side).render(
+        set(), result.options, camera,
+        readsSurfaces ? render::FrameCopy::everything : render::FrameCopy::color, request.isAtRest));
     result.timeline = timelineOf(m_sides.at(side).trace());
     return result;
 }

@@ -199,8 +199,8 @@ void Session::takeClicked(const RenderResult& result) {
 }
 
 void Session::pick(const Click& click, const RenderResult& result) {
-    const SideResult& side = result.sides.size() > 1 && click.share.x >= click.divider ? result.sides[1]
-                                                                                       : result.sides[0];
+    const SideResult& side =
+        result.sides.size() > 1 && click.share.x >= click.divider ? result.sides[1] : result.sides[0];
     const render::Frame& frame = *side.frame;
     const auto at = [](double share, std::uint32_t size) {
         return std::min(static_cast<std::uint32_t>(share * size), size - 1);

@@ -56,8 +56,9 @@ TEST_P(CopiedCommand, DrawsWhatTheWindowShows) {
     }
 }
 
-const std::string kMoved = "hold D\nwait-ui 2\nlet D\nmove 200 200\npress\nmove 215 190\nmove 230 180\nwait-ui 2\n"
-                           "release\nhold W\nwait-ui 2\nlet W\n";
+const std::string kMoved =
+    "hold D\nwait-ui 2\nlet D\nmove 200 200\npress\nmove 215 190\nmove 230 180\nwait-ui 2\n"
+    "release\nhold W\nwait-ui 2\nlet W\n";
 
 INSTANTIATE_TEST_SUITE_P(
     Views, CopiedCommand,
@@ -69,8 +70,9 @@ INSTANTIATE_TEST_SUITE_P(
               kMoved + "click Draw\nclick edges\nclick edges=edges\nclick occlusion\nclick occlusion=1\n"
                        "click fog\nclick fog=100\n",
               "800x1400"},
-        Shown{"gpuDriven", "afc --technique logcdr", kMoved + "click Draw\nclick submission\n"
-                                                              "click submission=gpu-driven\n",
+        Shown{"gpuDriven", "afc --technique logcdr",
+              kMoved + "click Draw\nclick submission\n"
+                       "click submission=gpu-driven\n",
               "800x720"},
         Shown{"split", "afc --compare standard,anchored", kMoved},
         Shown{"splitMoved", "mixed --compare cdr,reversed",

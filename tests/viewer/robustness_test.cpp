@@ -97,10 +97,10 @@ TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
            "wait-ui 1\nstate\nkey 6\nwait-frame\nstate\nquit\n";
     // Root may write into any folder but one that is gone.
     fs::create_directory(folder() / "gone");
-    const RunResult run = runShell("(cd gone && rmdir ../gone && '" CDR_VIEWER
-                                   "' --validate --size 800x480 --script " +
-                                       (folder() / "script").string() + " cubes)",
-                                   folder(), environment());
+    const RunResult run =
+        runShell("(cd gone && rmdir ../gone && '" CDR_VIEWER "' --validate --size 800x480 --script " +
+                     (folder() / "script").string() + " cubes)",
+                 folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     const auto states = run.lines("scene=");

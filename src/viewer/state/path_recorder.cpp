@@ -25,7 +25,8 @@ void PathRecorder::keep(const scene::RecordedCamera& camera) {
 }
 
 bool PathRecorder::add(double seconds, const scene::Camera& camera) {
-    const bool isFull = m_recording.cameras.size() + 3 > scene::kMaxRecordedCameras; // two here, one at the end
+    const bool isFull =
+        m_recording.cameras.size() + 3 > scene::kMaxRecordedCameras; // two here, one at the end
     if (!m_isRecording || isFull) {
         return false;
     }
