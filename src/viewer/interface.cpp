@@ -3,7 +3,6 @@
 #include "style.h"
 
 #include <cdr/gpu/commands.h>
-#include <cdr/gpu/pipeline.h>
 
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
@@ -36,6 +35,9 @@ ImGui_ImplVulkan_InitInfo initInfo(const UiDevice& ui, vk::DescriptorPool pool) 
     info.MinImageCount = 2;
     info.ImageCount = Presenter::kFramesInFlight + 1; // buffers it takes in turn
     info.CheckVkResultFn = checkResult;
+#if IMGUI_VERSION_NUM >= 19200
+    info.ApiVersion = VK_API_VERSION_1_3;
+#endif
     return info;
 }
 
@@ -64,8 +66,13 @@ Interface::Interface(const UiDevice& ui, Window& window, const Presenter& presen
     applyStyle(m_scale);
     loadFont();
     constexpr std::uint32_t kSets = 8;
-    m_descriptors =
-        gpu::makeDescriptorPool(ui.device(), kSets, 1, {vk::DescriptorType::eCombinedImageSampler});
+    const vk::DescriptorPoolSize size{vk::DescriptorType::eCombinedImageSampler, kSets};
+    // Back ends since 1.89 give their sets back one by one.
+    m_descriptors = m_device.handle().createDescriptorPoolUnique(
+        {.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
+         .maxSets = kSets,
+         .poolSizeCount = 1,
+         .pPoolSizes = &size});
     ImGui_ImplGlfw_InitForVulkan(window.handle(), false);
     initVulkan(initInfo(ui, *m_descriptors), presenter.renderPass());
     uploadFont();
