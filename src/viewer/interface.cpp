@@ -3,7 +3,6 @@
 #include "style.h"
 
 #include <cdr/gpu/commands.h>
-#include <cdr/gpu/pipeline.h>
 
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
@@ -25,7 +24,7 @@ void checkResult(VkResult result) {
     }
 }
 
-ImGui_ImplVulkan_InitInfo initInfo(const UiDevice& ui, vk::DescriptorPool pool, const Swapchain& swapchain) {
+ImGui_ImplVulkan_InitInfo initInfo(const UiDevice& ui, vk::DescriptorPool pool) {
     ImGui_ImplVulkan_InitInfo info{};
     info.Instance = ui.instance().handle();
     info.PhysicalDevice = ui.device().physical();
@@ -34,8 +33,11 @@ ImGui_ImplVulkan_InitInfo initInfo(const UiDevice& ui, vk::DescriptorPool pool, 
     info.Queue = ui.device().queue();
     info.DescriptorPool = pool;
     info.MinImageCount = 2;
-    info.ImageCount = std::max<std::uint32_t>(swapchain.imageCount(), Presenter::kFramesInFlight + 1);
+    info.ImageCount = Presenter::kFramesInFlight + 1; // buffers it takes in turn
     info.CheckVkResultFn = checkResult;
+#if IMGUI_VERSION_NUM >= 19200
+    info.ApiVersion = VK_API_VERSION_1_3;
+#endif
     return info;
 }
 
@@ -54,26 +56,48 @@ void initVulkan(ImGui_ImplVulkan_InitInfo info, vk::RenderPass renderPass) {
 } // namespace
 
 Interface::Interface(const UiDevice& ui, Window& window, const Presenter& presenter, double scale)
-    : m_window(window),
+    : m_device(ui.device()),
+      m_window(window),
       m_scale(static_cast<float>(scale > 0.0 ? scale : window.textScale())),
       m_pixelsPerUnit(static_cast<float>(window.pixelsPerUnit())) {
-    ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // layout is ours, nothing is left behind
     io.LogFilename = nullptr;
     applyStyle(m_scale);
     loadFont();
     constexpr std::uint32_t kSets = 8;
-    m_descriptors =
-        gpu::makeDescriptorPool(ui.device(), kSets, 1, {vk::DescriptorType::eCombinedImageSampler});
+    const vk::DescriptorPoolSize size{vk::DescriptorType::eCombinedImageSampler, kSets};
+    // Back ends since 1.89 give their sets back one by one.
+    m_descriptors = m_device.handle().createDescriptorPoolUnique(
+        {.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
+         .maxSets = kSets,
+         .poolSizeCount = 1,
+         .pPoolSizes = &size});
     ImGui_ImplGlfw_InitForVulkan(window.handle(), false);
-    initVulkan(initInfo(ui, *m_descriptors, presenter.swapchain()), presenter.swapchain().renderPass());
-    uploadFont(ui.device());
+    initVulkan(initInfo(ui, *m_descriptors), presenter.renderPass());
+    uploadFont();
 }
 
 Interface::~Interface() {
-    ImGui_ImplVulkan_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
+    try {
+        m_device.handle().waitIdle(); // frames in flight read what goes now
+    } catch (const vk::Error&) {
+        // Reported where somebody waits for a frame.
+    }
+}
+
+Interface::Context::Context() {
+    ImGui::CreateContext();
+}
+
+Interface::Context::~Context() {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.BackendRendererUserData != nullptr) {
+        ImGui_ImplVulkan_Shutdown();
+    }
+    if (io.BackendPlatformUserData != nullptr) {
+        ImGui_ImplGlfw_Shutdown();
+    }
     ImGui::DestroyContext();
 }
 
@@ -95,13 +119,11 @@ void Interface::loadFont() {
     io.Fonts->AddFontDefault(&config);
 }
 
-void Interface::uploadFont(const gpu::Device& device) const {
+void Interface::uploadFont() const {
 #if IMGUI_VERSION_NUM < 19000
-    gpu::runOnce(device, [](vk::CommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
+    gpu::runOnce(m_device, [](vk::CommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
     ImGui_ImplVulkan_DestroyFontUploadObjects();
-#else
-    static_cast<void>(device); // newer back ends upload when they first need it
-#endif
+#endif // newer back ends upload when they first need it
 }
 
 void Interface::begin(double seconds) {

@@ -29,13 +29,22 @@ class Interface {
     float scale() const { return m_scale; }
 
   private:
+    /// Dear ImGui itself; ends its back ends too, as far as they were begun.
+    struct Context {
+        Context();
+        ~Context();
+        Context(const Context&) = delete;
+        Context& operator=(const Context&) = delete;
+    };
     void loadFont();
-    void uploadFont(const gpu::Device& device) const;
+    void uploadFont() const;
 
+    const gpu::Device& m_device;
     Window& m_window;
     float m_scale;
     float m_pixelsPerUnit;
     vk::UniqueDescriptorPool m_descriptors;
+    Context m_context;
 };
 
 } // namespace cdr::viewer

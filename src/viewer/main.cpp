@@ -7,8 +7,10 @@
 #include <vulkan/vulkan.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 
@@ -24,6 +26,22 @@ int fail(int status, std::string message) {
     return status;
 }
 
+/// Runs the program, and says what validation had to say of it, its end included.
+void run(const cdr::viewer::Arguments& arguments) {
+    std::array<std::shared_ptr<const cdr::gpu::ValidationLog>, 2> logs;
+    {
+        cdr::viewer::Application application(arguments);
+        logs = application.validationLogs();
+        application.run();
+    }
+    for (const auto& log : logs) {
+        if (const auto messages = log->messages(); !messages.empty()) {
+            throw cdr::base::RunError(
+                fmt::format("{} validation messages, the first: {}", messages.size(), messages.front()));
+        }
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -33,12 +51,14 @@ int main(int argc, char** argv) {
         if (parsed.exitStatus) {
             return *parsed.exitStatus;
         }
-        cdr::viewer::Application(parsed.arguments).run();
+        run(parsed.arguments);
         return 0;
     } catch (const cdr::base::InputError& error) {
         return fail(kBadInput, error.what());
     } catch (const vk::DeviceLostError&) {
         return fail(kFailed, "the Vulkan device was lost; its driver crashed or was reset");
+    } catch (const vk::OutOfDeviceMemoryError& error) {
+        return fail(kFailed, fmt::format("the Vulkan device is out of memory ({})", error.what()));
     } catch (const vk::SystemError& error) {
         return fail(kFailed, fmt::format("Vulkan: {}", error.what()));
     } catch (const std::bad_alloc&) {

@@ -1,4 +1,5 @@
 #include "panels.h"
+#include "shortcuts.h"
 #include "state/command_line.h"
 #include "state/length_text.h"
 #include "state/lens_zoom.h"
@@ -17,10 +18,11 @@ void chooseMotion(const Widgets& widgets, ViewerModel& model) {
         model.motion = model.motion == Motion::scenePath ? Motion::free : Motion::scenePath;
     }
     widgets.beside();
-    if (widgets.button(model.isRecording ? "stop recording" : "record", model.isRecording)) {
+    const bool isRecording = model.recorder.isRecording();
+    if (widgets.button(isRecording ? "stop recording" : "record", isRecording)) {
         model.actions.push_back(Action::record);
     }
-    if (!model.recording.cameras.empty() && !model.isRecording) {
+    if (!model.recorder.recording().cameras.empty() && !isRecording) {
         widgets.beside();
         if (widgets.button("play", model.motion == Motion::recording)) {
             model.actions.push_back(Action::playRecording);
@@ -47,11 +49,11 @@ void chooseMotion(const Widgets& widgets, ViewerModel& model) {
 void drawCameraPanel(const Widgets& widgets, ViewerModel& model) {
     widgets.heading("Camera");
     if (widgets.button("fly", !model.orbits)) {
-        model.orbits = false;
+        setOrbiting(model, false);
     }
     widgets.beside();
     if (widgets.button("orbit", model.orbits)) {
-        model.orbits = true;
+        setOrbiting(model, true);
     }
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("lens");

@@ -1,6 +1,9 @@
 #include "presenter.h"
 
+#include "state/surface_choice.h"
 #include "window_capture.h"
+
+#include <cdr/base/error.h>
 
 #include <imgui.h>
 #include <imgui_impl_vulkan.h>
@@ -29,20 +32,21 @@ vk::Rect2D within(const vk::Rect2D& area, vk::Extent2D extent) {
 
 } // namespace
 
-Presenter::Presenter(const UiDevice& ui, const Window& window, bool waitsForDisplay)
+Presenter::Presenter(UiDevice& ui, const Window& window, bool waitsForDisplay)
     : m_ui(ui),
       m_device(ui.device()),
       m_window(window),
       m_waitsForDisplay(waitsForDisplay),
       m_pictures{std::make_unique<PictureTexture>(m_device, kFramesInFlight, "left picture"),
-                 std::make_unique<PictureTexture>(m_device, kFramesInFlight, "right picture")} {
+                 std::make_unique<PictureTexture>(m_device, kFramesInFlight, "right picture")},
+      m_format(chooseSurfaceFormat(m_device.physical().getSurfaceFormatsKHR(ui.surface()))),
+      m_renderPass(makeWindowPass(m_device.handle(), m_format.format)) {
     for (Slot& slot : m_slots) {
         slot.pool =
             std::make_unique<gpu::CommandPool>(m_device, vk::CommandBufferLevel::ePrimary, "interface");
         slot.done = m_device.handle().createFenceUnique({.flags = vk::FenceCreateFlagBits::eSignaled});
         slot.imageReady = m_device.handle().createSemaphoreUnique({});
     }
-    renew();
 }
 
 Presenter::~Presenter() {
@@ -53,52 +57,89 @@ Presenter::~Presenter() {
     }
 }
 
-void Presenter::renew() {
+bool Presenter::isStale() const {
+    if (m_swapchain == nullptr || m_wanted != m_window.extent()) {
+        return true;
+    }
+    // Some surfaces are suboptimal for ever; making the same swapchain each frame would help nobody.
+    return m_swapchain->state() > SurfaceState::suboptimal ||
+           (m_swapchain->state() == SurfaceState::suboptimal &&
+            m_swapchain->isOutgrown(m_device, m_ui.surface(), m_wanted));
+}
+
+bool Presenter::renew() {
     m_device.handle().waitIdle();
     m_wanted = m_window.extent();
-    m_swapchain =
-        std::make_unique<Swapchain>(m_device, m_ui.surface(), m_wanted, m_waitsForDisplay, m_swapchain.get());
-    m_isStale = false;
+    try {
+        if (m_isSurfaceLost) {
+            m_swapchain.reset();
+            m_ui.renewSurface(m_window);
+            m_isSurfaceLost = false;
+        }
+        m_swapchain = std::make_unique<Swapchain>(m_device,
+                                                  SwapchainOptions{.surface = m_ui.surface(),
+                                                                   .format = m_format,
+                                                                   .renderPass = *m_renderPass,
+                                                                   .wanted = m_wanted,
+                                                                   .waitsForDisplay = m_waitsForDisplay},
+                                                  m_swapchain.get());
+        return true;
+    } catch (const vk::OutOfDateKHRError&) {
+        m_swapchain.reset();
+    } catch (const vk::SurfaceLostKHRError&) {
+        m_swapchain.reset();
+        loseSurface();
+    }
+    return false;
+}
+
+void Presenter::loseSurface() {
+    constexpr int kMostInTurn = 3;
+    if (++m_surfacesLost > kMostInTurn) {
+        throw base::RunError("the window's surface was lost, and each new one too");
+    }
+    m_isSurfaceLost = true;
 }
 
 bool Presenter::draw(const PictureLayout& layout, ImDrawData* interface, image::ImageRgba8* capture) {
     const vk::Extent2D wanted = m_window.extent();
-    if (wanted.width == 0 || wanted.height == 0) {
+    if (wanted.width == 0 || wanted.height == 0 || (isStale() && !renew())) {
         return false;
     }
-    if (m_isStale || m_wanted != wanted) {
-        renew();
+    std::optional<WindowCapture> reader;
+    if (capture != nullptr) {
+        reader.emplace(m_device, *m_swapchain);
     }
     const std::size_t index = m_frames % kFramesInFlight;
     Slot& slot = m_slots[index];
     const vk::Result waited =
         m_device.handle().waitForFences(*slot.done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
     vk::resultCheck(waited, "vkWaitForFences");
-    const std::optional<std::uint32_t> image = m_swapchain->acquire(*slot.imageReady);
-    if (!image) {
-        m_isStale = true;
-        return false;
-    }
-    ++m_frames;
-    m_device.handle().resetFences(*slot.done);
-    slot.pool->reset();
-    const Swapchain::Image& target = m_swapchain->image(*image);
-    std::optional<WindowCapture> reader;
-    if (capture != nullptr) {
-        reader.emplace(m_device, *m_swapchain);
-    }
     if (layout.pictures < m_pictures.size()) {
         m_pictures.back()->forget();
     }
-    const vk::CommandBuffer commands = slot.pool->next();
-    commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    record(commands, index, target, layout, interface);
-    if (reader) {
-        reader->record(commands, target.image);
+    const std::optional<std::uint32_t> image = m_swapchain->acquire(*slot.imageReady);
+    if (image) {
+        ++m_frames;
+        m_device.handle().resetFences(*slot.done);
+        slot.pool->reset();
+        const vk::CommandBuffer commands = slot.pool->next();
+        commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+        record(commands, index, m_swapchain->image(*image), layout, interface);
+        if (reader) {
+            reader->record(commands, m_swapchain->image(*image).image);
+        }
+        commands.end();
+        submit(commands, slot, m_swapchain->image(*image));
+        m_swapchain->present(m_device.queue(), *image);
     }
-    commands.end();
-    submit(commands, slot, target);
-    m_isStale = !m_swapchain->present(m_device.queue(), *image);
+    if (m_swapchain->state() == SurfaceState::lost) {
+        loseSurface();
+    }
+    if (m_swapchain->state() > SurfaceState::suboptimal) {
+        return false;
+    }
+    m_surfacesLost = 0;
     if (reader) {
         m_device.handle().waitIdle();
         *capture = reader->fetch();
@@ -127,7 +168,7 @@ void Presenter::record(vk::CommandBuffer commands, std::size_t slot, const Swapc
     const double divider = layout.pictures > 1 ? layout.divider : 1.0;
     m_pictures[0]->recordBlit(commands, target.image, area, 0.0, divider);
     m_pictures[1]->recordBlit(commands, target.image, area, divider, 1.0);
-    commands.beginRenderPass({.renderPass = m_swapchain->renderPass(),
+    commands.beginRenderPass({.renderPass = *m_renderPass,
                               .framebuffer = *target.framebuffer,
                               .renderArea = {{0, 0}, m_swapchain->extent()}},
                              vk::SubpassContents::eInline);

@@ -27,7 +27,7 @@ class Presenter {
   public:
     static constexpr std::size_t kFramesInFlight = 2;
 
-    Presenter(const UiDevice& ui, const Window& window, bool waitsForDisplay);
+    Presenter(UiDevice& ui, const Window& window, bool waitsForDisplay);
     ~Presenter();
     Presenter(const Presenter&) = delete;
     Presenter& operator=(const Presenter&) = delete;
@@ -35,11 +35,14 @@ class Presenter {
     /// The left (0) or right (1) picture.
     PictureTexture& picture(std::size_t side) { return *m_pictures[side]; }
 
-    /// Draws a frame and shows it. False when it was not drawn: the window has no size, or had another.
+    /// Draws a frame and shows it. False when it does not show: the window has no pixels, or changed.
     /// @param capture receives the window's pixels when not null; base::RunError where they cannot be read.
     bool draw(const PictureLayout& layout, ImDrawData* interface, image::ImageRgba8* capture);
 
-    const Swapchain& swapchain() const { return *m_swapchain; }
+    /// Whether the window's pixels can be read.
+    bool isReadable() const { return m_swapchain == nullptr || m_swapchain->isReadable(); }
+    /// What the interface is drawn in.
+    vk::RenderPass renderPass() const { return *m_renderPass; }
 
   private:
     struct Slot {
@@ -47,21 +50,29 @@ class Presenter {
         vk::UniqueFence done;
         vk::UniqueSemaphore imageReady;
     };
-    void renew();
+    /// Whether the swapchain is no longer the window's.
+    bool isStale() const;
+    /// Makes a swapchain; false when the window cannot have one now.
+    bool renew();
+    /// base::RunError when it happens again and again.
+    void loseSurface();
     void record(vk::CommandBuffer commands, std::size_t slot, const Swapchain::Image& target,
                 const PictureLayout& layout, ImDrawData* interface);
     void submit(vk::CommandBuffer commands, const Slot& slot, const Swapchain::Image& target) const;
 
-    const UiDevice& m_ui;
+    UiDevice& m_ui;
     const gpu::Device& m_device;
     const Window& m_window;
     bool m_waitsForDisplay;
     std::array<std::unique_ptr<PictureTexture>, 2> m_pictures;
     std::array<Slot, kFramesInFlight> m_slots;
     std::size_t m_frames = 0;
-    std::unique_ptr<Swapchain> m_swapchain;
-    vk::Extent2D m_wanted; ///< that the swapchain was made for
-    bool m_isStale = false;
+    vk::SurfaceFormatKHR m_format;
+    vk::UniqueRenderPass m_renderPass;
+    std::unique_ptr<Swapchain> m_swapchain; ///< none while the window can have none
+    vk::Extent2D m_wanted;                  ///< that the swapchain was made for
+    bool m_isSurfaceLost = false;
+    int m_surfacesLost = 0; ///< since a frame was shown
 };
 
 } // namespace cdr::viewer

@@ -25,6 +25,9 @@ struct RenderRequest {
     std::optional<scene::Camera> camera; ///< the scene's own first one without
     /// Frames that picking can read. Copying them costs several times what the picture costs.
     bool wantsSurfaces = true;
+    /// The camera stays where it was: fitted splits are fitted to it alone, so that what rests on the screen
+    /// is what the copied command line renders, whatever frames came before.
+    bool isAtRest = false;
 };
 
 /// One technique's answer.
@@ -50,6 +53,7 @@ struct RenderResult {
     double frameMs = 0.0;              ///< from the request taken to the pictures made
     std::uint64_t freeDeviceBytes = 0; ///< of the device that renders
     std::string message{};             ///< why it failed, one line; else empty
+    std::exception_ptr failure{};      ///< what the message says
     std::exception_ptr fatal{};        ///< nothing more will come
 };
 

@@ -11,16 +11,19 @@ namespace cdr::viewer {
 namespace {
 
 /// The stage's answer, or why there is none. What the next request cannot mend passes through.
-RenderResult answerOrExplain(SceneStage& stage, const RenderRequest& request) {
+RenderResult answerOrExplain(SceneStage& stage, const RenderRequest& request, const std::stop_token& stop) {
     RenderResult result{.serial = request.serial, .sceneName = stage.sceneName()};
     try {
-        return stage.answer(request);
+        return stage.answer(request, stop);
     } catch (const base::InputError& error) {
         result.message = error.what();
+        result.failure = std::current_exception();
     } catch (const base::RunError& error) {
         result.message = error.what();
+        result.failure = std::current_exception();
     } catch (const vk::OutOfDeviceMemoryError&) {
         result.message = "the device has too little memory for that";
+        result.failure = std::current_exception();
     }
     return result;
 }
@@ -36,7 +39,7 @@ void RenderThread::serve(const std::stop_token& stop, const gpu::Device& device)
         SceneStage stage(device);
         while (const auto request = m_requests.wait(stop)) {
             m_notify();
-            m_results.put(answerOrExplain(stage, *request));
+            m_results.put(answerOrExplain(stage, *request, stop));
             m_notify();
         }
     } catch (...) {

@@ -46,9 +46,9 @@ SideResult SceneStage::renderSide(const RenderRequest& request, std::size_t side
     const bool readsSurfaces = request.wantsSurfaces || request.settings.view != ViewKind::shaded;
     SideResult result{};
     result.options = renderOptions(request.settings, side, request.extent);
-    result.frame = std::make_shared<const render::Frame>(
-        m_sides.at(side).render(set(), result.options, camera,
-                                readsSurfaces ? render::FrameCopy::everything : render::FrameCopy::color));
+    result.frame = std::make_shared<const render::Frame>(m_sides.at(side).render(
+        set(), result.options, camera,
+        readsSurfaces ? render::FrameCopy::everything : render::FrameCopy::color, request.isAtRest));
     result.timeline = timelineOf(m_sides.at(side).trace());
     return result;
 }
@@ -56,7 +56,7 @@ SideResult SceneStage::renderSide(const RenderRequest& request, std::size_t side
 render::Frame SceneStage::renderReference(const RenderRequest& request, const scene::Camera& camera) {
     render::RenderOptions options = renderOptions(request.settings, 0, request.extent);
     options.technique = referenceTechnique();
-    return m_reference.render(set(), options, camera, render::FrameCopy::everything);
+    return m_reference.render(set(), options, camera, render::FrameCopy::everything, request.isAtRest);
 }
 
 void SceneStage::paint(ViewKind view, std::size_t side, const render::Frame* reference, SideResult& result) {
@@ -80,7 +80,7 @@ void SceneStage::paint(ViewKind view, std::size_t side, const render::Frame* ref
     result.picture = std::move(picture);
 }
 
-RenderResult SceneStage::answer(const RenderRequest& request) {
+RenderResult SceneStage::answer(const RenderRequest& request, const std::stop_token& stop) {
     open(request.settings);
     const auto begin = Clock::now();
     const auto millisecondsSince = [](Clock::time_point from) {
@@ -93,6 +93,9 @@ RenderResult SceneStage::answer(const RenderRequest& request) {
     result.camera = request.camera ? *request.camera : m_scene->opened->staged.path.at(0);
     const std::size_t sides = request.settings.second ? 2 : 1;
     for (std::size_t side = 0; side < sides; ++side) {
+        if (stop.stop_requested()) {
+            return {.serial = request.serial, .message = "stopped"};
+        }
         result.sides.push_back(renderSide(request, side, result.camera));
     }
     if (sides < m_sides.size()) {

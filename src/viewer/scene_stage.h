@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 namespace cdr::viewer {
@@ -20,7 +21,8 @@ class SceneStage {
 
     /// Opens what the request names unless it is open, and renders it. base::InputError or base::RunError say
     /// what cannot be; the scene that was open then stays.
-    RenderResult answer(const RenderRequest& request);
+    /// @param stop ends it between two pictures, with none: a picture of a slow scene takes seconds.
+    RenderResult answer(const RenderRequest& request, const std::stop_token& stop);
 
     const std::string& sceneName() const { return m_sceneName; }
 

@@ -122,6 +122,14 @@ const std::map<std::string, Reader, std::less<>>& readers() {
          }},
         {"click", [](Words& w, Steps& s) { s.emplace_back(ClickItem{w.rest("item")}); }},
         {"drop", [](Words& w, Steps& s) { s.emplace_back(InputEvent(DropInput{{w.rest("file")}})); }},
+        {"drop-all",
+         [](Words& w, Steps& s) {
+             DropInput drop;
+             for (std::string file = w.next("file"); !file.empty(); file = w.nextOr("")) {
+                 drop.paths.emplace_back(file);
+             }
+             s.emplace_back(InputEvent(std::move(drop)));
+         }},
         {"resize",
          [](Words& w, Steps& s) {
              const int width = w.whole("width", 1, kMaxWindowSide);

@@ -92,7 +92,7 @@ ScriptWish ScriptPlayer::step(Window& window, const ItemPlaces& places, const Se
                               wish.text = fmt::format("{} {:.0f} {:.0f}", print.name, place.x, place.y);
                           },
                           [&](const PrintState&) { wish.text = stateLine(model); },
-                          [&](const PrintCommand&) { wish.text = commandLineOf(model); },
+                          [&](const PrintCommand&) { wish.text = commandLinesOf(model); },
                           [&](const Minimise&) {
                               window.minimise();
                               window.inject(ResizeInput{0, 0}); // what other systems say of it

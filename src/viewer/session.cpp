@@ -5,6 +5,8 @@
 
 #include <cdr/base/error.h>
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -35,7 +37,7 @@ Session::Session(const gpu::Device& device, ViewerModel& model)
 
 void Session::followPath(double seconds) {
     if (m_model.motion == Motion::recording) {
-        m_model.recordingSeconds += seconds;
+        m_model.playedSeconds += seconds;
     }
     if (m_model.motion == Motion::free || m_model.shown == nullptr || !m_thread.isReady()) {
         return;
@@ -45,10 +47,11 @@ void Session::followPath(double seconds) {
         m_model.camera = scene::canonical(m_model.shown->scene->staged.path.at(++m_model.pathFrame));
         return;
     }
-    if (m_model.recordingSeconds > m_model.recording.seconds()) {
+    const scene::CameraRecording& recording = m_model.recorder.recording();
+    if (m_model.playedSeconds > recording.seconds()) {
         m_model.motion = Motion::free;
     }
-    m_model.camera = cameraAt(m_model.recording, m_model.recordingSeconds);
+    m_model.camera = cameraAt(recording, m_model.playedSeconds);
 }
 
 RenderRequest Session::wanted(const PictureArea& area) const {
@@ -63,28 +66,37 @@ RenderRequest Session::wanted(const PictureArea& area) const {
 }
 
 void Session::update(const PictureArea& area, const glm::dvec2& cursor, double seconds, bool isSteered) {
+    if (m_click && !m_click->serial) {
+        pickOrAsk();
+    }
+    if (m_click) {
+        return; // the picture that was clicked on comes first
+    }
     followPath(seconds);
-    if (m_model.isRecording) {
-        m_model.recordingSeconds += seconds;
-        record(m_model.recording, m_model.recordingSeconds, m_model.camera);
+    if (m_model.recorder.isRecording() && !m_model.recorder.add(seconds, m_model.camera)) {
+        m_model.actions.push_back(Action::record); // it is full
     }
     readCursor(area, cursor);
-    if (m_click && canPick()) {
-        pickClicked();
-    }
     RenderRequest request = wanted(area);
     const bool isChanged = !m_asked || !asksTheSame(*m_asked, request);
-    const bool isMoving = isSteered || m_model.motion != Motion::free || m_model.rendersAlways;
+    const bool isFlying = isSteered || m_model.motion != Motion::free;
+    const bool isMoving = isFlying || m_model.rendersAlways;
     const auto now = Clock::now();
-    const bool isDue = m_click || (area.contains(cursor) && now - m_surfacesAsked >= kSurfacesEvery);
+    const bool isDue = area.contains(cursor) && now - m_surfacesAsked >= kSurfacesEvery;
     request.wantsSurfaces = !isMoving || isDue;
     const bool lacksSurfaces = m_asked && !m_asked->wantsSurfaces && request.wantsSurfaces;
-    if (!isChanged && !((m_model.rendersAlways || lacksSurfaces) && m_thread.isReady())) {
+    request.isAtRest = !isChanged && !isFlying && remembersFrames(request.settings);
+    const bool lacksRest = request.isAtRest && !m_asked->isAtRest;
+    if (!isChanged && !((m_model.rendersAlways || lacksSurfaces || lacksRest) && m_thread.isReady())) {
         return;
     }
     if (request.wantsSurfaces) {
         m_surfacesAsked = now;
     }
+    ask(std::move(request));
+}
+
+void Session::ask(RenderRequest request) {
     m_serial = request.serial;
     m_asked = request;
     m_thread.request(std::move(request));
@@ -98,6 +110,10 @@ bool Session::takeResult() {
     if (result->fatal) {
         std::rethrow_exception(result->fatal);
     }
+    if (m_click && m_click->serial == result->serial) {
+        takeClicked(*result);
+        return false;
+    }
     m_shownSerial = result->serial;
     ++m_results;
     if (result->message.empty()) {
@@ -105,7 +121,7 @@ bool Session::takeResult() {
         return true;
     }
     if (m_model.shown == nullptr) {
-        throw base::InputError(result->message);
+        std::rethrow_exception(result->failure);
     }
     m_model.say(result->message, true);
     m_good.divider = m_model.settings.divider;
@@ -114,7 +130,8 @@ bool Session::takeResult() {
 }
 
 void Session::adopt(RenderResult result) {
-    if (m_model.shown == nullptr || m_model.shown->scene != result.scene) {
+    const bool isEntered = m_model.shown == nullptr || m_model.shown->scene != result.scene;
+    if (isEntered) {
         enterScene(result);
     }
     count(result);
@@ -131,28 +148,65 @@ void Session::adopt(RenderResult result) {
         const render::Frame& frame = *result.sides.front().frame;
         const double ahead = surfaceView(frame, glm::dvec2(frame.width(), frame.height()) / 2.0);
         m_model.surfaceView = flightDistance(m_model.camera, ahead, m_model.surfaceView);
+        if (isEntered) {
+            const double pivotView = std::isfinite(ahead) ? ahead : m_model.surfaceView;
+            m_model.pivot = m_model.camera.position - m_model.camera.back * pivotView;
+        }
     }
     m_good = result.settings;
     m_model.shown = std::make_shared<const RenderResult>(std::move(result));
 }
 
 void Session::click(const glm::dvec2& pixel) {
-    m_click = pixel;
-    m_clickSerial = m_asked ? m_asked->serial : 0;
+    if (m_model.shown == nullptr || !m_asked) {
+        return;
+    }
+    const glm::dvec2 size(m_asked->extent.width, m_asked->extent.height);
+    m_click = Click{.share = glm::clamp(pixel / size, glm::dvec2(0.0), glm::dvec2(1.0)),
+                    .divider = m_model.settings.divider,
+                    .shown = m_model.shown,
+                    .serial = {}};
+    m_model.clickedCamera = m_model.shown->camera;
 }
 
-bool Session::canPick() const {
-    return m_model.shown != nullptr && m_model.shown->serial >= m_clickSerial &&
-           !m_model.shown->sides.front().frame->surfaces.pixels.empty();
+void Session::pickOrAsk() {
+    const RenderResult& shown = *m_click->shown;
+    if (!shown.sides.front().frame->surfaces.pixels.empty()) {
+        pick(*m_click, shown);
+        m_click.reset();
+        return;
+    }
+    if (m_model.settings.scene != shown.sceneName || m_asked->settings.scene != shown.sceneName) {
+        m_click.reset(); // another scene is being opened
+        return;
+    }
+    const render::RenderOptions& options = shown.sides.front().options;
+    ask({.serial = m_serial + 1,
+         .settings = shown.settings,
+         .extent = {options.width, options.height},
+         .camera = shown.camera});
+    m_click->serial = m_serial;
 }
 
-void Session::pickClicked() {
-    const glm::dvec2 pixel = *std::exchange(m_click, std::nullopt);
-    const auto& sides = m_model.shown->sides;
-    const double divider = m_model.settings.divider * sides.front().options.width;
-    const SideResult& side = sides.size() > 1 && pixel.x >= divider ? sides[1] : sides[0];
-    const auto point = pickAt(*side.frame, m_model.shown->scene->staged.scene, side.options.technique,
-                              static_cast<std::uint32_t>(pixel.x), static_cast<std::uint32_t>(pixel.y));
+void Session::takeClicked(const RenderResult& result) {
+    if (result.message.empty()) {
+        pick(*m_click, result);
+    } else {
+        m_model.say(result.message, true);
+    }
+    m_click.reset();
+    m_asked.reset(); // this picture was not for showing, so what is wanted is asked for again
+}
+
+void Session::pick(const Click& click, const RenderResult& result) {
+    const SideResult& side =
+        result.sides.size() > 1 && click.share.x >= click.divider ? result.sides[1] : result.sides[0];
+    const render::Frame& frame = *side.frame;
+    const auto at = [](double share, std::uint32_t size) {
+        return std::min(static_cast<std::uint32_t>(share * size), size - 1);
+    };
+    const auto point = pickAt(frame, result.scene->staged.scene, side.options.technique,
+                              at(click.share.x, frame.width()), at(click.share.y, frame.height()));
     if (point) {
         m_model.measuring.click(*point);
         m_model.pivot = point->position;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 
 namespace cdr::viewer {
@@ -20,10 +21,11 @@ class Session {
     /// Moves the camera along its path, if it follows one, and asks for what is wanted and not yet asked for.
     /// @param isSteered whether somebody moves the camera by hand.
     void update(const PictureArea& area, const glm::dvec2& cursor, double seconds, bool isSteered);
-    /// Takes the newest result into the model. True when there are new pictures. base::InputError when the
-    /// first scene cannot be opened; rethrows what ended the render thread.
+    /// Takes the newest result into the model. True when there are new pictures. Rethrows what the first
+    /// scene failed for, and what ended the render thread.
     bool takeResult();
-    /// Picks what is at a pixel of the picture, once a frame that can be read has come.
+    /// Picks what the picture shown now has at a pixel, however the camera moves on; where its surfaces were
+    /// not copied it is rendered once more. Nothing while nothing is shown.
     void click(const glm::dvec2& pixel);
 
     /// Whether all that is wanted is shown.
@@ -34,13 +36,20 @@ class Session {
 
   private:
     using Clock = std::chrono::steady_clock;
+    struct Click {
+        glm::dvec2 share; ///< of the picture's width and height
+        double divider;   ///< at the time
+        std::shared_ptr<const RenderResult> shown;
+        std::optional<std::uint64_t> serial; ///< of the request that renders it once more
+    };
     void followPath(double seconds);
     RenderRequest wanted(const PictureArea& area) const;
+    void ask(RenderRequest request);
     void adopt(RenderResult result);
     void enterScene(const RenderResult& result);
-    /// Whether what is shown was asked for when the click came, or later, and can be picked from.
-    bool canPick() const;
-    void pickClicked();
+    void pickOrAsk();
+    void takeClicked(const RenderResult& result);
+    void pick(const Click& click, const RenderResult& result);
     void readCursor(const PictureArea& area, const glm::dvec2& cursor);
     void count(const RenderResult& result);
 
@@ -50,8 +59,7 @@ class Session {
     std::uint64_t m_serial = 0;
     std::uint64_t m_shownSerial = 0;
     std::uint64_t m_results = 0;
-    std::optional<glm::dvec2> m_click;
-    std::uint64_t m_clickSerial = 0; ///< of the last request when it came
+    std::optional<Click> m_click;
     Clock::time_point m_surfacesAsked{};
     std::deque<Clock::time_point> m_arrivals; ///< of the last second
     RenderThread m_thread;

@@ -26,6 +26,14 @@ void toggleMotion(ViewerModel& model, Motion motion) {
 
 } // namespace
 
+void setOrbiting(ViewerModel& model, bool orbits) {
+    const bool isLookedFor = !model.measuring.first() && model.surfaceView > 0.0;
+    if (orbits && !model.orbits && isLookedFor) {
+        model.pivot = model.camera.position - model.camera.back * model.surfaceView;
+    }
+    model.orbits = orbits;
+}
+
 void applyShortcut(const KeyInput& key, ViewerModel& model) {
     if (!key.pressed || key.repeated) {
         return;
@@ -63,7 +71,7 @@ void applyShortcut(const KeyInput& key, ViewerModel& model) {
         nextView(model.settings);
         break;
     case GLFW_KEY_O:
-        model.orbits = !model.orbits;
+        setOrbiting(model, !model.orbits);
         break;
     case GLFW_KEY_SPACE:
         toggleMotion(model, Motion::scenePath);

@@ -8,4 +8,7 @@ namespace cdr::viewer {
 /// What a key does to the model, those that move the camera aside. helpText() lists them.
 void applyShortcut(const KeyInput& key, ViewerModel& model);
 
+/// Orbits what was clicked, or else what the camera looks at; or flies.
+void setOrbiting(ViewerModel& model, bool orbits);
+
 } // namespace cdr::viewer

@@ -58,8 +58,13 @@ std::string stateLine(const ViewerModel& model) {
             line += fmt::format(" flips={} flipped={}", *side.flipsNow, side.flippedPixels);
         }
     }
+    if (const auto& clicked = model.clickedCamera) {
+        line += fmt::format(" clicked-from={} clicked-along={}", exactText(clicked->position),
+                            exactText(-clicked->back));
+    }
+    line += fmt::format(" pivot={}", exactText(model.pivot));
     if (const auto& picked = model.measuring.first()) {
-        line += fmt::format(" picked=\"{}\"", describe(*picked));
+        line += fmt::format(" picked=\"{}\" picked-at={}", describe(*picked), exactText(picked->position));
     }
     if (model.measuring.second()) {
         line += fmt::format(" measured=\"{}\"", describe(*model.measuring.span()));
@@ -67,16 +72,24 @@ std::string stateLine(const ViewerModel& model) {
     return line + fmt::format(" notice=\"{}\"", model.notice.text);
 }
 
-std::string commandLineOf(const ViewerModel& model) {
-    ReproducedView view{.settings = model.settings,
-                        .side = 0,
-                        .camera = model.camera,
-                        .sceneCamera = model.sceneCamera,
-                        .extent = {}};
-    if (model.shown != nullptr && !model.shown->sides.empty()) {
-        view.extent = {model.shown->sides.front().options.width, model.shown->sides.front().options.height};
+std::string commandLinesOf(const ViewerModel& model) {
+    if (model.shown == nullptr || model.shown->sides.empty()) {
+        return {};
     }
-    return renderCommand(view);
+    const RenderResult& shown = *model.shown;
+    const bool isSplit = shown.sides.size() > 1;
+    std::string lines;
+    for (std::size_t side = 0; side < shown.sides.size(); ++side) {
+        const ReproducedView view{
+            .settings = shown.settings,
+            .side = side,
+            .camera = shown.camera,
+            .sceneCamera = model.sceneCamera,
+            .extent = {shown.sides[side].options.width, shown.sides[side].options.height}};
+        const char* name = side == 0 ? "left.png" : "right.png";
+        lines += fmt::format("{}{}", side == 0 ? "" : "\n", renderCommand(view, isSplit ? name : "view.png"));
+    }
+    return lines;
 }
 
 } // namespace cdr::viewer

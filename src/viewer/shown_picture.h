@@ -13,7 +13,7 @@ image::ImageRgba8 shownPicture(const ViewerModel& model);
 /// What is shown in words, one line of NAME=VALUE, for scripts.
 std::string stateLine(const ViewerModel& model);
 
-/// The `cdr render` line that draws the left picture.
-std::string commandLineOf(const ViewerModel& model);
+/// The `cdr render` lines that draw what is shown, one for each picture, left first. Empty while nothing is.
+std::string commandLinesOf(const ViewerModel& model);
 
 } // namespace cdr::viewer

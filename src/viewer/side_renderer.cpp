@@ -18,12 +18,15 @@ bool fits(const render::RenderOptions& made, const render::RenderOptions& wanted
 } // namespace
 
 render::Frame SideRenderer::render(const StageSet& set, render::RenderOptions options,
-                                   const scene::Camera& camera, render::FrameCopy copy) {
+                                   const scene::Camera& camera, render::FrameCopy copy, bool forgets) {
     if (m_renderer == nullptr || !fits(m_renderer->options(), options)) {
         m_renderer.reset(); // its memory goes before that of the next is asked for
         m_trace = std::make_unique<base::Trace>(options.threads);
         options.trace = m_trace.get();
         m_renderer = std::make_unique<render::Renderer>(set.device, set.scene, set.onDevice, options);
+    }
+    if (forgets) {
+        m_renderer->forgetFrames();
     }
     m_trace->forget();
     m_trace->beginFrame("frame");

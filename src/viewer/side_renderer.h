@@ -19,8 +19,9 @@ struct StageSet {
 /// One renderer and its trace, made anew when what it is made from changes.
 class SideRenderer {
   public:
+    /// @param forgets the frames before, see render::Renderer::forgetFrames().
     render::Frame render(const StageSet& set, render::RenderOptions options, const scene::Camera& camera,
-                         render::FrameCopy copy);
+                         render::FrameCopy copy, bool forgets);
     /// Of the last frame.
     const base::Trace& trace() const { return *m_trace; }
     void drop() { m_renderer.reset(); }

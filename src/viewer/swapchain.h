@@ -10,15 +10,30 @@
 
 namespace cdr::viewer {
 
-/// The images a window shows in turn, and what drawing into them needs.
+/// What a window system said last of the surface that a swapchain was made for.
+enum class SurfaceState : std::uint8_t {
+    fits,
+    suboptimal, ///< shows what is drawn, but perhaps scaled
+    outOfDate,  ///< a new swapchain is due
+    lost,       ///< a new surface is due too
+};
+
+/// What a swapchain is made for.
+struct SwapchainOptions {
+    vk::SurfaceKHR surface;
+    vk::SurfaceFormatKHR format;
+    vk::RenderPass renderPass; ///< framebuffers are for
+    vk::Extent2D wanted;       ///< pixels; the surface may insist on others
+    bool waitsForDisplay =
+        false; ///< shows frames at the display's pace (FIFO) instead of the newest (mailbox)
+};
+
+/// The images a window shows in turn.
 class Swapchain {
   public:
-    /// @param wanted pixels, above 0x0; the surface may insist on others.
-    /// @param waitsForDisplay shows frames one by one at the display's pace (FIFO); else the newest wins
-    /// (mailbox), where the surface can.
-    /// @param old the swapchain it takes the place of, or null.
-    Swapchain(const gpu::Device& device, vk::SurfaceKHR surface, vk::Extent2D wanted, bool waitsForDisplay,
-              const Swapchain* old);
+    /// @param old the swapchain it takes the place of, or null; it is of no use afterwards, even if this
+    /// fails. vk::OutOfDateKHRError when the surface has no pixels or changes meanwhile.
+    Swapchain(const gpu::Device& device, const SwapchainOptions& options, const Swapchain* old);
 
     struct Image {
         vk::Image image;
@@ -27,34 +42,37 @@ class Swapchain {
         vk::UniqueFramebuffer framebuffer;
     };
 
-    /// The next image to draw into, `ready` signalled once it is free. Empty when the surface has changed and
-    /// a new swapchain is due. vk::DeviceLostError passes through.
+    /// The next image to draw into, `ready` signalled once it is free. Empty when the surface is out of date
+    /// or lost. vk::DeviceLostError passes through.
     std::optional<std::uint32_t> acquire(vk::Semaphore ready);
-    /// Shows an image. False when a new swapchain is due.
-    bool present(vk::Queue queue, std::uint32_t image);
+    /// Shows an image, if the surface is still what it was.
+    void present(vk::Queue queue, std::uint32_t image);
+    SurfaceState state() const { return m_state; }
+    /// Whether a swapchain made now would be another one.
+    bool isOutgrown(const gpu::Device& device, vk::SurfaceKHR surface, vk::Extent2D wanted) const;
 
-    /// Draws over what transfers have put into an image, and leaves it ready to present.
-    vk::RenderPass renderPass() const { return *m_renderPass; }
     const Image& image(std::uint32_t index) const { return m_images[index]; }
-    std::uint32_t imageCount() const { return static_cast<std::uint32_t>(m_images.size()); }
     vk::Extent2D extent() const { return m_extent; }
     vk::Format format() const { return m_format; }
-    vk::PresentModeKHR presentMode() const { return m_presentMode; }
     /// Whether its images can be read back.
     bool isReadable() const { return m_isReadable; }
 
   private:
-    void makeImages();
+    void makeImages(vk::RenderPass renderPass);
+    /// Keeps the worst news; what is no news is thrown.
+    void note(vk::Result result, const char* call);
 
     vk::Device m_device;
     vk::Extent2D m_extent;
-    vk::Format m_format = vk::Format::eUndefined;
-    vk::PresentModeKHR m_presentMode = vk::PresentModeKHR::eFifo;
+    vk::Format m_format;
+    vk::SurfaceTransformFlagBitsKHR m_transform{};
     bool m_isReadable = false;
-    bool m_isSuboptimal = false;
-    vk::UniqueRenderPass m_renderPass;
+    SurfaceState m_state = SurfaceState::fits;
     vk::UniqueSwapchainKHR m_swapchain;
     std::vector<Image> m_images;
 };
+
+/// Draws over what transfers have put into a swapchain's image, and leaves it ready to present.
+vk::UniqueRenderPass makeWindowPass(vk::Device device, vk::Format format);
 
 } // namespace cdr::viewer

@@ -73,4 +73,12 @@ UiDevice::UiDevice(const WindowSystem& system, const Window& window, const std::
     throw base::RunError("no Vulkan 1.3 device can present to this window system");
 }
 
+void UiDevice::renewSurface(const Window& window) {
+    m_surface.reset(); // a window has one at a time
+    m_surface = window.makeSurface(m_instance.handle());
+    if (!presentingFamily(m_device->physical(), *m_surface)) {
+        throw base::RunError("the window's surface was lost, and the device cannot present to a new one");
+    }
+}
+
 } // namespace cdr::viewer

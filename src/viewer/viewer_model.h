@@ -3,10 +3,9 @@
 #include "render_request.h"
 #include "state/frame_statistics.h"
 #include "state/orbit_controller.h"
+#include "state/path_recorder.h"
 #include "state/picking.h"
 #include "state/view_settings.h"
-
-#include <cdr/scene/camera_recording.h>
 
 #include <array>
 #include <chrono>
@@ -55,9 +54,8 @@ struct ViewerModel {
     double surfaceView = 0.0; ///< view distance of what is looked at: speeds follow from it
     Motion motion = Motion::free;
     std::uint32_t pathFrame = 0;
-    bool isRecording = false;
-    scene::CameraRecording recording;
-    double recordingSeconds = 0.0; ///< recorded or played so far
+    PathRecorder recorder;
+    double playedSeconds = 0.0; ///< of what was recorded
 
     // What is shown
     std::shared_ptr<const RenderResult> shown; ///< the last that did not fail
@@ -65,6 +63,7 @@ struct ViewerModel {
     std::array<std::shared_ptr<const render::Frame>, 2> readable;
     std::array<std::optional<PickedPoint>, 2> underCursor;
     Measuring measuring;
+    std::optional<scene::Camera> clickedCamera; ///< of the picture that was clicked on last
     FrameStatistics statistics;
     double framesPerSecond = 0.0;
     double uiFrameMs = 0.0;     ///< the interface, drawn and handed to the display

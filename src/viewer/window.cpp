@@ -216,6 +216,11 @@ void Window::minimise() const {
     glfwIconifyWindow(m_handle.get());
 }
 
+void Window::hide() const {
+    glfwHideWindow(m_handle.get());
+    glfwPollEvents();
+}
+
 void Window::restore() const {
     glfwRestoreWindow(m_handle.get());
 }

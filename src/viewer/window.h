@@ -71,6 +71,8 @@ class Window {
     /// The picture area as the window system has it now.
     ResizeInput currentSize() const;
     void minimise() const;
+    /// Takes it off the screen for good.
+    void hide() const;
     void restore() const;
     void setTitle(const std::string& title) const;
     void copyToClipboard(const std::string& text) const;

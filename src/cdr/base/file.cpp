@@ -25,7 +25,8 @@ fs::path temporaryBeside(const fs::path& path) {
 void writeStream(const fs::path& path, std::span<const std::uint8_t> bytes) {
     std::ofstream stream(path, std::ios::binary);
     if (!stream) {
-        throw InputError(path.parent_path().string() + ": cannot create a file in this folder");
+        const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+        throw InputError(folder.string() + ": cannot create a file in this folder");
     }
     stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     stream.flush();

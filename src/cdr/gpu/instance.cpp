@@ -65,7 +65,7 @@ void Instance::MessengerDeleter::operator()(VkDebugUtilsMessengerEXT messenger) 
     destroy(instance, messenger, nullptr);
 }
 
-Instance::Instance(const InstanceOptions& options) : m_validation(std::make_unique<ValidationLog>()) {
+Instance::Instance(const InstanceOptions& options) : m_validation(std::make_shared<ValidationLog>()) {
     if (vk::enumerateInstanceVersion() < VK_API_VERSION_1_3) {
         throw base::RunError("the Vulkan loader is older than 1.3; install a newer libvulkan1");
     }

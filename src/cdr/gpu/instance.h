@@ -40,6 +40,8 @@ class Instance {
     bool hasDebugNames() const { return m_hasDebugUtils; }
     /// Empty unless validation is on and has something to say.
     const ValidationLog& validation() const { return *m_validation; }
+    /// The same, for whoever wants to know what is said when the instance itself goes.
+    std::shared_ptr<const ValidationLog> validationLog() const { return m_validation; }
 
   private:
     struct MessengerDeleter {
@@ -49,7 +51,7 @@ class Instance {
     using Messenger = std::unique_ptr<VkDebugUtilsMessengerEXT_T, MessengerDeleter>;
 
     // Declared before the handles that write to it, so it outlives them.
-    std::unique_ptr<ValidationLog> m_validation;
+    std::shared_ptr<ValidationLog> m_validation;
     bool m_hasDebugUtils = false;
     vk::UniqueInstance m_instance;
     Messenger m_messenger;

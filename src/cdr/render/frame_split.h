@@ -22,6 +22,9 @@ class FrameSplit {
     /// base::InputError for an unusable split or range.
     depth::Cascades cut(const scene::Camera& camera, const scene::VisibleList& visible);
 
+    /// The next frame is cut as a first one is.
+    void forget() { m_fitted.clear(); }
+
     /// Whether cut() reads the visible list.
     bool needsVisible() const { return std::holds_alternative<depth::SplitFitted>(m_technique.split); }
 

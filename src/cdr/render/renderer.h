@@ -72,6 +72,9 @@ class Renderer {
     /// for. base::InputError for an unusable camera or split.
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);
 
+    /// The next frame is rendered as a first one is: a fitted split does not keep to the last frame's.
+    void forgetFrames() { m_split.forget(); }
+
     /// Renders one frame and waits for it, but leaves it on the device: what experiments time.
     FrameStats draw(const scene::Camera& camera);
 

@@ -40,6 +40,13 @@ bool ViewSettings::operator==(const ViewSettings& other) const {
            view == other.view && finish == other.finish;
 }
 
+bool remembersFrames(const ViewSettings& settings) {
+    const auto isFitted = [](const depth::Technique& technique) {
+        return std::holds_alternative<depth::SplitFitted>(technique.split);
+    };
+    return isFitted(settings.technique) || (settings.second && isFitted(*settings.second));
+}
+
 Rework reworkOf(const ViewSettings& before, const ViewSettings& after) {
     const auto needsLevels = [](const ViewSettings& settings) {
         return settings.finish.detail != scene::DetailMode::none;

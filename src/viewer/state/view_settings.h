@@ -47,6 +47,9 @@ struct ViewSettings {
 /// Whether two techniques draw alike; their names do not count.
 bool isSameTechnique(const depth::Technique& a, const depth::Technique& b);
 
+/// Whether what is drawn depends on the frames before, as fitted splits do.
+bool remembersFrames(const ViewSettings& settings);
+
 /// The least that has to be made anew.
 enum class Rework : std::uint8_t {
     nothing,  ///< the divider moved, or nothing did

@@ -1,0 +1,80 @@
+#include "../support/fault.h"
+#include "program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
+
+namespace cdr::cli_test {
+
+namespace {
+
+using test::Fault;
+
+struct Fatal {
+    const char* arguments;
+    Fault fault;
+    const char* says;
+
+    friend std::ostream& operator<<(std::ostream& out, const Fatal& fatal) {
+        return out << fatal.arguments << ", " << fatal.fault.environment();
+    }
+};
+
+class FaultTest : public testing::TestWithParam<Fatal> {};
+
+/// One line, exit status 1, nothing half written, no hang and no crash.
+TEST_P(FaultTest, EndsInOneLine) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram(std::string(GetParam().arguments) + " --validate --size 320x180 -o a.png --json a.json",
+                   folder.path(), GetParam().fault.environment() + " timeout 100");
+    EXPECT_EQ(result.status, 1) << result.err;
+    EXPECT_NE(result.err.find(GetParam().says), std::string::npos) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_TRUE(folder.isEmpty());
+}
+
+TEST(Fault, ThatNeverComesChangesNothing) {
+    const TemporaryFolder folder;
+    const Fault never{.call = "vkQueueSubmit2", .after = test::kForever};
+    const ProgramResult result =
+        runProgram("render cubes --size 320x180 -o a.png", folder.path(), never.environment());
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_FALSE(folder.isEmpty());
+}
+
+constexpr const char* kLost = "the Vulkan device was lost";
+
+/// A call of every path and of what has passes of its own.
+INSTANTIATE_TEST_SUITE_P(
+    DeviceLost, FaultTest,
+    testing::Values(
+        Fatal{"render cubes", {.call = "vkQueueSubmit2"}, kLost},
+        Fatal{"render cubes", {.call = "vkWaitForFences"}, kLost},
+        Fatal{"render cubes --threads 3", {.call = "vkQueueSubmit2", .after = 3}, kLost},
+        Fatal{"render cubes --threads 3", {.call = "vkWaitForFences", .after = 3}, kLost},
+        Fatal{"render cubes --submission primaries", {.call = "vkWaitForFences", .after = 3}, kLost},
+        Fatal{"render cubes --submission gpu-driven", {.call = "vkWaitForFences", .after = 3}, kLost},
+        Fatal{"render cubes --targets pool --threads 2", {.call = "vkWaitForFences", .after = 3}, kLost},
+        Fatal{"render sheets --translucency sorted", {.call = "vkWaitForFences", .after = 3}, kLost},
+        Fatal{"render cubes --targets layers --focus 12000:1",
+              {.call = "vkWaitForFences", .after = 3},
+              kLost}));
+
+constexpr Fault memoryAfter(long calls) {
+    return {.call = "vkAllocateMemory",
+            .after = calls,
+            .times = test::kForever,
+            .result = VK_ERROR_OUT_OF_DEVICE_MEMORY};
+}
+
+INSTANTIATE_TEST_SUITE_P(OutOfMemory, FaultTest,
+                         testing::Values(Fatal{"render cubes", memoryAfter(0), "out of memory"},
+                                         Fatal{"render cubes", memoryAfter(1), "out of memory"}));
+
+} // namespace
+
+} // namespace cdr::cli_test

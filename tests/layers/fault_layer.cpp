@@ -1,0 +1,228 @@
+// A Vulkan layer that makes one kind of call fail, for tests of what a program does then. CDR_FAULT says
+// which: "CALL DEVICE AFTER TIMES RESULT", for instance "vkQueueSubmit2 render 5 1 -4". CALL is one of those
+// below; DEVICE is "window" (devices with a swapchain), "render" (those without) or "any"; calls are counted
+// over all such devices, the first AFTER pass, the next TIMES give the VkResult instead. A lost device stays
+// lost. For vkGetPhysicalDeviceSurfaceCapabilitiesKHR RESULT is what both sides of currentExtent become, -1
+// for "any".
+
+#include <vulkan/vk_layer.h>
+#include <vulkan/vulkan.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <sstream>
+#include <string>
+
+namespace {
+
+constexpr const char* kSurfaceCapabilities = "vkGetPhysicalDeviceSurfaceCapabilitiesKHR";
+
+struct Fault {
+    std::string call, device;
+    long after = 0, times = 0, result = 0;
+    std::atomic<long> calls{0};
+
+    Fault() {
+        const char* text = std::getenv("CDR_FAULT");
+        std::istringstream(text != nullptr ? text : "") >> call >> device >> after >> times >> result;
+    }
+    /// Counts a call; true when it is to fail.
+    bool hits(const char* name, bool hasSwapchain) {
+        if (call != name || (device != "any" && device != (hasSwapchain ? "window" : "render"))) {
+            return false;
+        }
+        const long number = calls++;
+        return number >= after && number - after < times;
+    }
+};
+
+Fault& fault() {
+    static Fault only;
+    return only;
+}
+
+struct NextInstance {
+    PFN_vkGetInstanceProcAddr get = nullptr;
+    VkInstance handle = VK_NULL_HANDLE;
+    /// Fetched while the instance is made: later the loader would answer with this layer's own.
+    PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR surfaceCapabilities = nullptr;
+};
+
+struct NextDevice {
+    PFN_vkGetDeviceProcAddr get = nullptr;
+    VkDevice handle = VK_NULL_HANDLE;
+    bool hasSwapchain = false;
+    std::atomic<bool> isLost{false};
+
+    template <typename Function>
+    Function call(const char* name) const {
+        return reinterpret_cast<Function>(get(handle, name));
+    }
+    /// What a call is to return instead of being made, VK_SUCCESS for nothing.
+    VkResult interfere(const char* name) {
+        if (!isLost && fault().hits(name, hasSwapchain)) {
+            const auto result = static_cast<VkResult>(fault().result);
+            if (result != VK_ERROR_DEVICE_LOST) {
+                return result;
+            }
+            // What a lost device was doing has ended; this one must not go on behind the program's back.
+            call<PFN_vkDeviceWaitIdle>("vkDeviceWaitIdle")(handle);
+            isLost = true;
+        }
+        return isLost ? VK_ERROR_DEVICE_LOST : VK_SUCCESS;
+    }
+};
+
+std::mutex lock;
+std::map<void*, NextInstance> instances;              // by dispatch table, which physical devices share
+std::map<void*, std::shared_ptr<NextDevice>> devices; // and queues
+
+void* tableOf(const void* handle) {
+    void* table = nullptr;
+    std::memcpy(&table, handle, sizeof(table));
+    return table;
+}
+
+NextInstance instanceOf(const void* handle) {
+    const std::lock_guard guard(lock);
+    return instances.at(tableOf(handle));
+}
+
+std::shared_ptr<NextDevice> deviceOf(const void* handle) {
+    const std::lock_guard guard(lock);
+    return devices.at(tableOf(handle));
+}
+
+template <typename Link, typename Info>
+Link* linkOf(const Info* info, VkStructureType type) {
+    auto* link = static_cast<const Link*>(info->pNext);
+    while (link != nullptr && (link->sType != type || link->function != VK_LAYER_LINK_INFO)) {
+        link = static_cast<const Link*>(link->pNext);
+    }
+    return const_cast<Link*>(link);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info,
+                                              const VkAllocationCallbacks* callbacks, VkInstance* made) {
+    auto* link = linkOf<VkLayerInstanceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+    const PFN_vkGetInstanceProcAddr get = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto next = reinterpret_cast<PFN_vkCreateInstance>(get(VK_NULL_HANDLE, "vkCreateInstance"));
+    const VkResult result = next(info, callbacks, made);
+    if (result == VK_SUCCESS) {
+        const std::lock_guard guard(lock);
+        instances[tableOf(*made)] = {get, *made,
+                                     reinterpret_cast<PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR>(
+                                         get(*made, kSurfaceCapabilities))};
+    }
+    return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
+                                            const VkAllocationCallbacks* callbacks, VkDevice* made) {
+    auto* link = linkOf<VkLayerDeviceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+    const NextInstance instance = instanceOf(physical);
+    const PFN_vkGetDeviceProcAddr get = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
+    const PFN_vkGetInstanceProcAddr getAbove = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto next = reinterpret_cast<PFN_vkCreateDevice>(getAbove(instance.handle, "vkCreateDevice"));
+    const VkResult result = next(physical, info, callbacks, made);
+    if (result == VK_SUCCESS) {
+        auto device = std::make_shared<NextDevice>();
+        device->get = get;
+        device->handle = *made;
+        for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i) {
+            device->hasSwapchain |=
+                std::strcmp(info->ppEnabledExtensionNames[i], VK_KHR_SWAPCHAIN_EXTENSION_NAME) == 0;
+        }
+        const std::lock_guard guard(lock);
+        devices[tableOf(*made)] = device;
+    }
+    return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL surfaceCapabilities(VkPhysicalDevice physical, VkSurfaceKHR surface,
+                                                   VkSurfaceCapabilitiesKHR* capabilities) {
+    const VkResult result = instanceOf(physical).surfaceCapabilities(physical, surface, capabilities);
+    if (fault().hits(kSurfaceCapabilities, true)) {
+        const auto side = static_cast<std::uint32_t>(fault().result);
+        capabilities->currentExtent = {side, side};
+    }
+    return result;
+}
+
+/// `Function` as the layer has it: fails when it is to, else asks the next.
+template <typename Function>
+struct Call;
+template <typename Handle, typename... Rest>
+struct Call<VkResult(VKAPI_PTR*)(Handle, Rest...)> {
+    using Function = VkResult(VKAPI_PTR*)(Handle, Rest...);
+    template <const char* name>
+    static VKAPI_ATTR VkResult VKAPI_CALL run(Handle handle, Rest... rest) {
+        const std::shared_ptr<NextDevice> device = deviceOf(handle);
+        const VkResult result = device->interfere(name);
+        // A failed present has still waited for its semaphores, and a suboptimal image is one all the same.
+        const bool isMade = result == VK_SUCCESS || result > 0 ||
+                            (std::strcmp(name, "vkQueuePresentKHR") == 0 && result != VK_ERROR_DEVICE_LOST);
+        const VkResult next = isMade ? device->template call<Function>(name)(handle, rest...) : result;
+        return result == VK_SUCCESS || next < 0 ? next : result;
+    }
+};
+
+PFN_vkVoidFunction own(const char* name);
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProc(VkDevice device, const char* name) {
+    const PFN_vkVoidFunction found = own(name);
+    return found != nullptr ? found : deviceOf(device)->get(device, name);
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getInstanceProc(VkInstance instance, const char* name) {
+    const PFN_vkVoidFunction found = own(name);
+    if (found != nullptr || instance == VK_NULL_HANDLE) {
+        return found;
+    }
+    return instanceOf(instance).get(instance, name);
+}
+
+#define CDR_FAULT_CALL(function)                                                                             \
+    static constexpr char k##function[] = #function;                                                         \
+    if (std::strcmp(name, k##function) == 0) {                                                               \
+        return reinterpret_cast<PFN_vkVoidFunction>(&Call<PFN_##function>::run<k##function>);                \
+    }
+
+PFN_vkVoidFunction own(const char* name) {
+    const std::map<std::string, PFN_vkVoidFunction> made{
+        {"vkCreateInstance", reinterpret_cast<PFN_vkVoidFunction>(&createInstance)},
+        {"vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(&createDevice)},
+        {"vkGetInstanceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(&getInstanceProc)},
+        {"vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(&getDeviceProc)},
+        {kSurfaceCapabilities, reinterpret_cast<PFN_vkVoidFunction>(&surfaceCapabilities)}};
+    if (const auto found = made.find(name); found != made.end()) {
+        return found->second;
+    }
+    CDR_FAULT_CALL(vkQueueSubmit)
+    CDR_FAULT_CALL(vkQueueSubmit2)
+    CDR_FAULT_CALL(vkQueueWaitIdle)
+    CDR_FAULT_CALL(vkDeviceWaitIdle)
+    CDR_FAULT_CALL(vkWaitForFences)
+    CDR_FAULT_CALL(vkAllocateMemory)
+    CDR_FAULT_CALL(vkCreateSwapchainKHR)
+    CDR_FAULT_CALL(vkAcquireNextImageKHR)
+    CDR_FAULT_CALL(vkQueuePresentKHR)
+    return nullptr;
+}
+
+} // namespace
+
+extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
+vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* wanted) {
+    wanted->loaderLayerInterfaceVersion = CURRENT_LOADER_LAYER_INTERFACE_VERSION;
+    wanted->pfnGetInstanceProcAddr = getInstanceProc;
+    wanted->pfnGetDeviceProcAddr = getDeviceProc;
+    wanted->pfnGetPhysicalDeviceProcAddr = nullptr;
+    return VK_SUCCESS;
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <vulkan/vulkan.h>
+
+#include <string>
+#include <string_view>
+
+namespace cdr::test {
+
+/// A Vulkan call that fails, see layers/fault_layer.cpp. A lost device stays lost.
+struct Fault {
+    std::string_view call;
+    std::string_view device = "any"; ///< "render", "window" or "any"
+    long after = 0;                  ///< calls that succeed first
+    long times = 1;                  ///< that fail then
+    long result = VK_ERROR_DEVICE_LOST;
+
+    /// As typed before a command whose process is to suffer it.
+    std::string environment() const {
+        return fmt::format("VK_ADD_LAYER_PATH='" CDR_FAULT_LAYER "' VK_INSTANCE_LAYERS=VK_LAYER_CDR_fault "
+                           "CDR_FAULT='{} {} {} {} {}'",
+                           call, device, after, times, result);
+    }
+};
+
+inline constexpr long kForever = 1'000'000'000;
+
+} // namespace cdr::test

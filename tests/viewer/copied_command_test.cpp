@@ -1,0 +1,84 @@
+#include "viewer_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ostream>
+
+namespace cdr::viewer_test {
+
+namespace {
+
+/// What was on screen, and the keys and clicks that put it there.
+struct Shown {
+    const char* name;
+    std::string arguments;
+    std::string script;
+    const char* size = "800x480";
+
+    friend std::ostream& operator<<(std::ostream& out, const Shown& shown) { return out << shown.name; }
+};
+
+class CopiedCommand : public ViewerTest, public testing::WithParamInterface<Shown> {
+  protected:
+    /// Runs the copied lines in a shell, each by itself.
+    std::vector<image::ImageRgba8> render(const std::vector<std::string>& lines) {
+        std::vector<image::ImageRgba8> pictures;
+        for (const std::string& line : lines) {
+            // The line names the program as a person would; the test knows where it was built.
+            const RunResult run = runShell("'" CDR_PROGRAM "'" + line.substr(3), folder(), environment());
+            EXPECT_EQ(run.status, 0) << line << "\n" << run.err;
+            const std::string option = "--output=";
+            pictures.push_back(picture(line.substr(line.find(option) + option.size())));
+        }
+        return pictures;
+    }
+};
+
+/// Bit for bit what F12 saves, whatever frames came before.
+TEST_P(CopiedCommand, DrawsWhatTheWindowShows) {
+    const RunResult run = play(GetParam().arguments + " --size " + GetParam().size,
+                               "wait-frame\nwait-ui 3\n" + GetParam().script +
+                                   "wait-frame\ncommand\nstate\nkey F12\nwait-ui 3\nquit\n");
+    const auto commands = run.lines("cdr render");
+    const bool isSplit = GetParam().arguments.find("--compare") != std::string::npos;
+    ASSERT_EQ(commands.size(), isSplit ? 2u : 1u) << run.out;
+    const auto pictures = render(commands);
+    const image::ImageRgba8 shown = picture("cdr-picture-0001.png");
+    EXPECT_GT(colors(shown), 20u);
+    const double divider = isSplit ? std::stod(valueOf(run.lines("scene=").at(0), "divider")) : 1.0;
+    const auto column = static_cast<std::uint32_t>(std::lround(divider * shown.width));
+    const std::uint32_t line = isSplit ? 1 : 0; // a pixel of the divider on either side
+    EXPECT_EQ(difference(pictures.front(), shown, 0, column - line), 0.0);
+    if (isSplit) {
+        EXPECT_EQ(difference(pictures.back(), shown, column + line, shown.width), 0.0);
+        EXPECT_GT(difference(pictures.front(), pictures.back()), 0.01) << "one line for both sides";
+    }
+}
+
+const std::string kMoved =
+    "hold D\nwait-ui 2\nlet D\nmove 200 200\npress\nmove 215 190\nmove 230 180\nwait-ui 2\n"
+    "release\nhold W\nwait-ui 2\nlet W\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Views, CopiedCommand,
+    testing::Values(
+        Shown{"plain", "afc --technique anchored", ""}, Shown{"moved", "afc --technique anchored", kMoved},
+        Shown{"narrowed", "afc --technique anchored", kMoved + "move 200 200\nscroll 6\n"},
+        Shown{"played", "afc --technique anchored", "key space\nwait-frame 12\nkey space\n"},
+        Shown{"finished", "alley --technique anchored",
+              kMoved + "click Draw\nclick edges\nclick edges=edges\nclick occlusion\nclick occlusion=1\n"
+                       "click fog\nclick fog=100\n",
+              "800x1400"},
+        Shown{"gpuDriven", "afc --technique logcdr",
+              kMoved + "click Draw\nclick submission\n"
+                       "click submission=gpu-driven\n",
+              "800x720"},
+        Shown{"split", "afc --compare standard,anchored", kMoved},
+        Shown{"splitMoved", "mixed --compare cdr,reversed",
+              "move 226 300\npress\nmove 150 300\nmove 113 300\nwait-ui 2\nrelease\n"}),
+    [](const auto& view) { return std::string(view.param.name); });
+
+} // namespace
+
+} // namespace cdr::viewer_test

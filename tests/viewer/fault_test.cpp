@@ -1,0 +1,166 @@
+#include "../support/fault.h"
+#include "viewer_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <ostream>
+
+namespace cdr::viewer_test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using test::Fault;
+
+/// Shows, changes technique and size, and keeps pictures of both.
+constexpr const char* kScript = "wait-frame\nwait-ui 5\nwindow before.png\nkey 6\nwait-frame\nwait-ui 5\n"
+                                "resize 700 500\nwait-state size=352x500\nwait-frame\nwait-ui 3\nstate\n"
+                                "window after.png\nquit\n";
+
+/// Ends what hangs, with a status that no test expects.
+constexpr const char* kViewer =
+    "timeout 100 '" CDR_VIEWER "' --validate --script script --size 800x480 cubes";
+
+class ViewerFault : public ViewerTest {
+  protected:
+    RunResult suffer(const Fault& fault, const std::string& script = kScript) {
+        std::ofstream(folder() / "script") << script;
+        return runShell(kViewer, folder(), environment() + " " + fault.environment());
+    }
+    /// What a folder of unfinished business would hold besides.
+    std::vector<std::string> files() const {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder())) {
+            const std::string name = entry.path().filename().string();
+            if (name != "script" && name != "run.out" && name != "run.err") {
+                names.push_back(name);
+            }
+        }
+        return names;
+    }
+};
+
+struct Fatal {
+    Fault fault;
+    const char* says;
+
+    friend std::ostream& operator<<(std::ostream& out, const Fatal& fatal) {
+        return out << fatal.fault.environment();
+    }
+};
+
+class ViewerFatal : public ViewerFault, public testing::WithParamInterface<Fatal> {};
+
+TEST_P(ViewerFatal, EndsInOneLine) {
+    const RunResult run = suffer(GetParam().fault);
+    EXPECT_EQ(run.status, 1) << run.err;
+    EXPECT_NE(run.err.find(GetParam().says), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    for (const std::string& name : files()) {
+        EXPECT_EQ(name, "before.png");
+        EXPECT_EQ(picture(name).width, 800u) << "half written";
+    }
+}
+
+constexpr const char* kLost = "the Vulkan device was lost";
+constexpr const char* kMemory = "out of memory";
+
+INSTANTIATE_TEST_SUITE_P(
+    DeviceLost, ViewerFatal,
+    testing::Values(Fatal{{.call = "vkQueueSubmit2", .device = "render"}, kLost}, // while a scene is uploaded
+                    Fatal{{.call = "vkQueueSubmit2", .device = "render", .after = 5}, kLost},
+                    Fatal{{.call = "vkWaitForFences", .device = "render", .after = 5}, kLost},
+                    Fatal{{.call = "vkQueueSubmit2", .device = "window"}, kLost}, // while letters are
+                    Fatal{{.call = "vkQueueSubmit2", .device = "window", .after = 5}, kLost},
+                    Fatal{{.call = "vkWaitForFences", .device = "window", .after = 5}, kLost},
+                    Fatal{{.call = "vkDeviceWaitIdle", .device = "window", .after = 1}, kLost},
+                    Fatal{{.call = "vkAcquireNextImageKHR", .after = 3}, kLost},
+                    Fatal{{.call = "vkQueuePresentKHR", .after = 3}, kLost}));
+
+INSTANTIATE_TEST_SUITE_P(OutOfMemory, ViewerFatal,
+                         testing::Values(Fatal{{.call = "vkAllocateMemory",
+                                                .device = "render",
+                                                .times = test::kForever,
+                                                .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
+                                               kMemory},
+                                         Fatal{{.call = "vkAllocateMemory",
+                                                .device = "window",
+                                                .times = test::kForever,
+                                                .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
+                                               kMemory},
+                                         Fatal{{.call = "vkAllocateMemory",
+                                                .device = "window",
+                                                .after = 2,
+                                                .times = test::kForever,
+                                                .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
+                                               kMemory},
+                                         Fatal{{.call = "vkCreateSwapchainKHR",
+                                                .after = 1,
+                                                .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
+                                               kMemory},
+                                         Fatal{{.call = "vkAcquireNextImageKHR",
+                                                .after = 2,
+                                                .times = test::kForever,
+                                                .result = VK_ERROR_SURFACE_LOST_KHR},
+                                               "surface was lost"}));
+
+/// A surface that is lost, out of date or without pixels for once.
+class ViewerMended : public ViewerFault, public testing::WithParamInterface<Fault> {};
+
+TEST_P(ViewerMended, GoesOn) {
+    const RunResult run = suffer(GetParam());
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 1u);
+    EXPECT_EQ(valueOf(states[0], "technique"), "anchored,");
+    const image::ImageRgba8 after = picture("after.png");
+    EXPECT_EQ(after.width, 700u);
+    EXPECT_EQ(after.height, 500u);
+    EXPECT_GT(brightness(after), 15.0);
+}
+
+std::vector<Fault> passing() {
+    std::vector<Fault> faults;
+    for (const long result : {VK_ERROR_OUT_OF_DATE_KHR, VK_ERROR_SURFACE_LOST_KHR}) {
+        for (const char* call : {"vkAcquireNextImageKHR", "vkQueuePresentKHR", "vkCreateSwapchainKHR"}) {
+            faults.push_back({.call = call, .after = 0, .times = 1, .result = result});
+            faults.push_back({.call = call, .after = 1, .times = 1, .result = result});
+        }
+    }
+    for (const char* call : {"vkAcquireNextImageKHR", "vkQueuePresentKHR"}) {
+        faults.push_back({.call = call, .times = test::kForever, .result = VK_SUBOPTIMAL_KHR});
+    }
+    constexpr const char* kCapabilities = "vkGetPhysicalDeviceSurfaceCapabilitiesKHR";
+    faults.push_back({.call = kCapabilities, .times = 1, .result = 0});
+    faults.push_back({.call = kCapabilities, .after = 1, .times = 2, .result = 0});
+    faults.push_back({.call = kCapabilities, .times = test::kForever, .result = -1});
+    return faults;
+}
+
+INSTANTIATE_TEST_SUITE_P(Surface, ViewerMended, testing::ValuesIn(passing()));
+
+TEST_F(ViewerFault, KeepsThePictureWhenMemoryRunsOut) {
+    // What a window of 800x480 needs was had by then; what 3840x2160 needs is not to be had.
+    const RunResult run = suffer(
+        {.call = "vkAllocateMemory",
+         .device = "render",
+         .after = 8,
+         .times = test::kForever,
+         .result = VK_ERROR_OUT_OF_DEVICE_MEMORY},
+        "wait-frame\nstate\npicture before.png\nresize 3840 2160\nwait-state memory\nwait-ui 3\nstate\n"
+        "picture still.png\nquit\n");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 2u);
+    EXPECT_NE(valueOf(states[1], "notice").find("out of memory"), std::string::npos) << states[1];
+    EXPECT_EQ(valueOf(states[1], "size"), "452x480");
+    EXPECT_EQ(picture("still.png"), picture("before.png"));
+}
+
+} // namespace
+
+} // namespace cdr::viewer_test

@@ -1,0 +1,129 @@
+#include "viewer_run.h"
+
+#include <cdr/scene/camera.h>
+#include <cdr/scene/camera_recording.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+namespace cdr::viewer_test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+glm::dvec3 vectorOf(const std::string& text) {
+    glm::dvec3 vector(0.0);
+    EXPECT_EQ(std::sscanf(text.c_str(), "%lf,%lf,%lf", &vector.x, &vector.y, &vector.z), 3) << text;
+    return vector;
+}
+
+/// Where a picture of that size, taken by the camera, shows a position: pixels.
+glm::dvec2 pixelOf(const scene::Camera& camera, const glm::dvec3& position, double width, double height) {
+    const glm::dvec3 view = camera.toView(position);
+    const double unit = height / (2.0 * std::tan(camera.fovY / 2.0));
+    return {width / 2.0 + unit * view.x / -view.z, height / 2.0 - unit * view.y / -view.z};
+}
+
+TEST_F(ViewerTest, PicksFromThePictureThatWasClickedOn) {
+    std::string script = "wait-frame 3\nmove 226 240\n";
+    constexpr int kClicks = 8;
+    for (int i = 0; i < kClicks; ++i) {
+        // By the third frame from then the click is answered: one was being drawn, one is the click's own.
+        script += "press\nrelease\nwait-frame 3\nstate\nkey X\nwait-ui 1\n";
+    }
+    const RunResult run = play("--size 800x480 --technique anchored --play afc", script + "quit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), static_cast<std::size_t>(kClicks));
+    int hits = 0;
+    for (const std::string& state : states) {
+        if (valueOf(state, "picked").empty()) {
+            continue; // between the cubes
+        }
+        ++hits;
+        scene::Camera camera;
+        camera.fovY = scene::radiansOf(std::stod(valueOf(state, "fov")));
+        camera = scene::lookAlong(camera, vectorOf(valueOf(state, "clicked-from")),
+                                  vectorOf(valueOf(state, "clicked-along")));
+        const glm::dvec2 pixel = pixelOf(camera, vectorOf(valueOf(state, "picked-at")), 452.0, 480.0);
+        EXPECT_NEAR(pixel.x, 226.5, 0.51) << state;
+        EXPECT_NEAR(pixel.y, 240.5, 0.51) << state;
+    }
+    EXPECT_GE(hits, 2);
+    EXPECT_NE(valueOf(states.front(), "clicked-from"), valueOf(states.back(), "clicked-from"));
+}
+
+TEST_F(ViewerTest, OrbitsWhatItLooksAtWhateverTheScale) {
+    for (const std::string& scene : {std::string("cubes"), std::string("afc")}) {
+        const RunResult run = play("--size 800x480 " + scene, "wait-frame\nstate\nkey O\nstate\nquit\n");
+        const auto states = run.lines("scene=");
+        ASSERT_EQ(states.size(), 2u);
+        const double ahead =
+            glm::length(vectorOf(valueOf(states[0], "pivot")) - vectorOf(valueOf(states[0], "eye")));
+        const double expected = scene == "cubes" ? 12e3 : 1e6;
+        EXPECT_NEAR(ahead, expected, 0.1 * expected) << states[0];
+    }
+}
+
+TEST_F(ViewerTest, RecordsOneCameraAtRestAndNothingBeforeAScene) {
+    const RunResult run = play("--size 800x480 cubes",
+                               "key R\nkey R\nwait-frame\nkey R\nkey R\nwait-ui 1\nstate\nkey P\nwait-frame\n"
+                               "wait-state motion=free\nwait-frame\nstate\nkey R\nkey P\nkey R\nwait-ui 20\n"
+                               "key R\nwait-ui 1\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 3u);
+    EXPECT_EQ(valueOf(states[1], "eye"), valueOf(states[0], "eye"));
+    // The same camera for 20 frames: the two ends tell all.
+    ASSERT_TRUE(fs::exists(folder() / "camera-path-0002.json"));
+    EXPECT_LE(scene::readRecording(folder() / "camera-path-0002.json").cameras.size(), 2u);
+}
+
+TEST_F(ViewerTest, RecordsAnewWhileItPlays) {
+    const RunResult run = play("--size 800x480 cubes",
+                               "wait-frame\nkey R\nhold D\nwait-ui 60\nlet D\nkey R\nkey P\nwait-state "
+                               "motion=recording\nkey R\nwait-state motion=free\nwait-ui 5\nkey R\nwait-ui "
+                               "2\nstate\nquit\n");
+    const auto cameras = scene::readRecording(folder() / "camera-path-0001.json").cameras;
+    ASSERT_GE(cameras.size(), 2u);
+    EXPECT_LE(static_cast<double>(cameras.size()), 3.0 + 30.0 * cameras.back().seconds) << "one a frame";
+}
+
+TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
+    std::ofstream(folder() / "script")
+        << "wait-frame\nkey F12\nwait-ui 2\nstate\nkey F12 shift\nwait-ui 3\nstate\nkey R\nwait-ui 2\nkey R\n"
+           "wait-ui 1\nstate\nkey 6\nwait-frame\nstate\nquit\n";
+    // Root may write into any folder but one that is gone.
+    fs::create_directory(folder() / "gone");
+    const RunResult run =
+        runShell("(cd gone && rmdir ../gone && '" CDR_VIEWER "' --validate --size 800x480 --script " +
+                     (folder() / "script").string() + " cubes)",
+                 folder(), environment());
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 4u) << run.out;
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NE(valueOf(states[i], "notice").find("cannot "), std::string::npos) << states[i];
+    }
+    EXPECT_EQ(valueOf(states[3], "technique"), "anchored,") << "it goes on";
+}
+
+TEST_F(ViewerTest, OpensTheSceneAmongWhatIsDropped) {
+    fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "shapes.gltf");
+    std::ofstream(folder() / "notes.txt") << "no scene";
+    const RunResult run = play("--size 800x480 cubes",
+                               "wait-frame\ndrop notes.txt\nwait-ui 2\nwait-frame\nstate\n"
+                               "drop-all notes.txt shapes.gltf\nwait-state shown=shapes.gltf\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 2u);
+    EXPECT_EQ(valueOf(states[0], "shown"), "cubes");
+    EXPECT_NE(valueOf(states[0], "notice").find("notes.txt is no scene"), std::string::npos) << states[0];
+    EXPECT_EQ(valueOf(states[1], "shown"), "shapes.gltf");
+}
+
+} // namespace
+
+} // namespace cdr::viewer_test
