@@ -15,7 +15,9 @@ namespace cdr::viewer {
 namespace {
 
 constexpr std::uint64_t kMinimisedSteps = 5;
-/// Frames of the interface in the view where memory is measured, before it is.
+/// Pictures rendered in the view where memory is measured, and frames of the interface after that, before it
+/// is: drivers let go of what they kept for frames as they draw others.
+constexpr std::uint64_t kRestPictures = 100;
 constexpr std::uint64_t kRestFrames = 30;
 
 double megabytes(std::uint64_t bytes) {
@@ -66,9 +68,10 @@ void Soak::play(Window& window, CameraControl& control, const PictureArea& area,
     }
 }
 
-void Soak::rest(Window& window, ViewerModel& model) {
+void Soak::rest(Window& window, const Session& session, ViewerModel& model) {
     m_phase = Phase::resting;
     m_restedFrames = 0;
+    m_results = session.results();
     m_minimisedFor = 0;
     window.resize(m_homeSize.width, m_homeSize.height);
     window.inject(window.currentSize());
@@ -78,9 +81,10 @@ void Soak::rest(Window& window, ViewerModel& model) {
     model.actions.push_back(Action::sceneCamera);
 }
 
-void Soak::measure(Window& window, const Session& session) {
+void Soak::measure(Window& window, const Session& session, ViewerModel& model) {
     window.inject(window.currentSize());
-    if (!session.isSettled() || ++m_restedFrames < kRestFrames) {
+    model.rendersAlways = session.results() < m_results + kRestPictures;
+    if (model.rendersAlways || !session.isSettled() || ++m_restedFrames < kRestFrames) {
         return;
     }
     returnFreeMemory();
@@ -102,14 +106,14 @@ void Soak::step(Window& window, CameraControl& control, const PictureArea& area,
         m_homeSize = window.currentSize();
     }
     if (m_phase == Phase::resting) {
-        measure(window, session);
+        measure(window, session, model);
         return;
     }
     if (!session.isReady() || model.shown == nullptr) {
         return;
     }
     if (m_done >= stepsBeforeRest()) {
-        rest(window, model);
+        rest(window, session, model);
         return;
     }
     play(window, control, area, session, model);
@@ -117,15 +121,15 @@ void Soak::step(Window& window, CameraControl& control, const PictureArea& area,
 }
 
 std::string Soak::report() const {
-    if (m_resident.empty()) {
-        return fmt::format("soak: ended after {} of {} steps, before it was warm", m_done, m_steps);
+    if (!isDone()) {
+        return fmt::format("soak: ended after {} of {} steps", m_done, m_steps);
     }
-    const double warm = megabytes(m_resident.front());
-    const double end = megabytes(m_resident.back());
+    const double warm = megabytes(*std::min_element(m_resident.begin(), m_resident.begin() + kCompared));
+    const double end = megabytes(*std::min_element(m_resident.end() - kCompared, m_resident.end()));
     return fmt::format(
         "soak: {} steps, {} frames rendered, resident {:.1f} MB after warm-up, {:.1f} MB at the end "
-        "({:+.2f} %)",
-        m_done, m_results, warm, end, 100.0 * (end / warm - 1.0));
+        "({:+.2f} %), each the least of {} measurements",
+        m_done, m_results, warm, end, 100.0 * (end / warm - 1.0), kCompared);
 }
 
 } // namespace cdr::viewer
