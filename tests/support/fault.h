@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <vulkan/vulkan.h>
 
+#include <ostream>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,12 @@ struct Fault {
         return fmt::format("VK_ADD_LAYER_PATH='" CDR_FAULT_LAYER "' VK_INSTANCE_LAYERS=VK_LAYER_CDR_fault "
                            "CDR_FAULT='{} {} {} {} {}'",
                            call, device, after, times, result);
+    }
+
+    /// Names a test: by default it would be its bytes, addresses among them, another name in every process.
+    friend std::ostream& operator<<(std::ostream& out, const Fault& fault) {
+        return out << fault.call << " of " << fault.device << " after " << fault.after << ", " << fault.times
+                   << " times " << fault.result;
     }
 };
 

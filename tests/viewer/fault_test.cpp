@@ -46,9 +46,7 @@ struct Fatal {
     Fault fault;
     const char* says;
 
-    friend std::ostream& operator<<(std::ostream& out, const Fatal& fatal) {
-        return out << fatal.fault.environment();
-    }
+    friend std::ostream& operator<<(std::ostream& out, const Fatal& fatal) { return out << fatal.fault; }
 };
 
 class ViewerFatal : public ViewerFault, public testing::WithParamInterface<Fatal> {};

@@ -76,6 +76,9 @@ TEST(SoakInput, IsBoundedAndReachesEverything) {
               std::pair(step.returnsHome, "home"), std::pair(input.pan != glm::dvec2(0.0), "pan")}) {
             seen.insert(happens ? what : "");
         }
+        for (std::size_t key = 0; key < kCameraKeys; ++key) {
+            seen.insert(input.keys.has(static_cast<CameraKey>(key)) ? "key " + std::to_string(key) : "");
+        }
         if (step.settings) {
             const ViewSettings& s = *step.settings;
             ASSERT_GE(s.threads, 1u);
@@ -101,9 +104,9 @@ TEST(SoakInput, IsBoundedAndReachesEverything) {
         }
     }
     seen.erase("");
-    // 9 events, 2 screens, 5 ways to finish, and the scenes, views, targets, mappings, formats, submissions
-    // and batchings.
-    EXPECT_EQ(seen.size(), 9u + 2u + 5u + 4u + 6u + 5u + 6u + 3u + 3u + 3u) << [&] {
+    // 9 events, keys, 2 screens, 5 ways to finish, and the scenes, views, targets, mappings, formats,
+    // submissions and batchings.
+    EXPECT_EQ(seen.size(), 9u + kCameraKeys + 2u + 5u + 4u + 6u + 5u + 6u + 3u + 3u + 3u) << [&] {
         std::string all;
         for (const std::string& what : seen) {
             all += what + "; ";
