@@ -63,6 +63,9 @@ std::string stateLine(const ViewerModel& model) {
                             exactText(-clicked->back));
     }
     line += fmt::format(" pivot={}", exactText(model.pivot));
+    if (const auto& point = model.underCursor.front()) {
+        line += fmt::format(" under=\"{}\"", describe(*point));
+    }
     if (const auto& picked = model.measuring.first()) {
         line += fmt::format(" picked=\"{}\" picked-at={}", describe(*picked), exactText(picked->position));
     }

@@ -2,8 +2,8 @@
 // which: "CALL DEVICE AFTER TIMES RESULT", for instance "vkQueueSubmit2 render 5 1 -4". CALL is one of those
 // below; DEVICE is "window" (devices with a swapchain), "render" (those without) or "any"; calls are counted
 // over all such devices, the first AFTER pass, the next TIMES give the VkResult instead. A lost device stays
-// lost. For vkGetPhysicalDeviceSurfaceCapabilitiesKHR RESULT is what both sides of currentExtent become, -1
-// for "any".
+// lost, and so does the surface of the last swapchain. For vkGetPhysicalDeviceSurfaceCapabilitiesKHR RESULT
+// is what both sides of currentExtent become, -1 for "any".
 
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
@@ -20,6 +20,7 @@
 namespace {
 
 constexpr const char* kSurfaceCapabilities = "vkGetPhysicalDeviceSurfaceCapabilitiesKHR";
+constexpr const char* kCreateSwapchain = "vkCreateSwapchainKHR";
 
 struct Fault {
     std::string call, device;
@@ -50,6 +51,7 @@ struct NextInstance {
     VkInstance handle = VK_NULL_HANDLE;
     /// Fetched while the instance is made: later the loader would answer with this layer's own.
     PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR surfaceCapabilities = nullptr;
+    PFN_vkDestroySurfaceKHR destroySurface = nullptr;
 };
 
 struct NextDevice {
@@ -78,6 +80,8 @@ struct NextDevice {
 };
 
 std::mutex lock;
+VkSurfaceKHR lastSurface = VK_NULL_HANDLE;            // of the last swapchain that was asked for
+VkSurfaceKHR lostSurface = VK_NULL_HANDLE;            // of which no swapchain is to be had any more
 std::map<void*, NextInstance> instances;              // by dispatch table, which physical devices share
 std::map<void*, std::shared_ptr<NextDevice>> devices; // and queues
 
@@ -115,9 +119,10 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info,
     const VkResult result = next(info, callbacks, made);
     if (result == VK_SUCCESS) {
         const std::lock_guard guard(lock);
-        instances[tableOf(*made)] = {get, *made,
-                                     reinterpret_cast<PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR>(
-                                         get(*made, kSurfaceCapabilities))};
+        instances[tableOf(*made)] = {
+            get, *made,
+            reinterpret_cast<PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR>(get(*made, kSurfaceCapabilities)),
+            reinterpret_cast<PFN_vkDestroySurfaceKHR>(get(*made, "vkDestroySurfaceKHR"))};
     }
     return result;
 }
@@ -155,6 +160,42 @@ VKAPI_ATTR VkResult VKAPI_CALL surfaceCapabilities(VkPhysicalDevice physical, Vk
     return result;
 }
 
+VKAPI_ATTR void VKAPI_CALL destroySurface(VkInstance instance, VkSurfaceKHR surface,
+                                          const VkAllocationCallbacks* callbacks) {
+    {
+        const std::lock_guard guard(lock);
+        lostSurface = surface == lostSurface ? VK_NULL_HANDLE : lostSurface; // a handle may come again
+    }
+    instanceOf(instance).destroySurface(instance, surface, callbacks);
+}
+
+/// Remembers the surface of a swapchain that is asked for; false when it was lost.
+bool hasSurface(const VkSwapchainCreateInfoKHR& info) {
+    const std::lock_guard guard(lock);
+    lastSurface = info.surface;
+    return info.surface != lostSurface;
+}
+
+void loseSurface() {
+    const std::lock_guard guard(lock);
+    lostSurface = lastSurface;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createSwapchain(VkDevice handle, const VkSwapchainCreateInfoKHR* info,
+                                               const VkAllocationCallbacks* callbacks, VkSwapchainKHR* made) {
+    const std::shared_ptr<NextDevice> device = deviceOf(handle);
+    if (!hasSurface(*info)) {
+        return VK_ERROR_SURFACE_LOST_KHR;
+    }
+    const VkResult result = device->interfere(kCreateSwapchain);
+    if (result == VK_ERROR_SURFACE_LOST_KHR) {
+        loseSurface();
+    }
+    return result != VK_SUCCESS
+               ? result
+               : device->call<PFN_vkCreateSwapchainKHR>(kCreateSwapchain)(handle, info, callbacks, made);
+}
+
 /// `Function` as the layer has it: fails when it is to, else asks the next.
 template <typename Function>
 struct Call;
@@ -165,6 +206,9 @@ struct Call<VkResult(VKAPI_PTR*)(Handle, Rest...)> {
     static VKAPI_ATTR VkResult VKAPI_CALL run(Handle handle, Rest... rest) {
         const std::shared_ptr<NextDevice> device = deviceOf(handle);
         const VkResult result = device->interfere(name);
+        if (result == VK_ERROR_SURFACE_LOST_KHR) {
+            loseSurface();
+        }
         // A failed present has still waited for its semaphores, and a suboptimal image is one all the same.
         const bool isMade = result == VK_SUCCESS || result > 0 ||
                             (std::strcmp(name, "vkQueuePresentKHR") == 0 && result != VK_ERROR_DEVICE_LOST);
@@ -200,6 +244,8 @@ PFN_vkVoidFunction own(const char* name) {
         {"vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(&createDevice)},
         {"vkGetInstanceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(&getInstanceProc)},
         {"vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(&getDeviceProc)},
+        {kCreateSwapchain, reinterpret_cast<PFN_vkVoidFunction>(&createSwapchain)},
+        {"vkDestroySurfaceKHR", reinterpret_cast<PFN_vkVoidFunction>(&destroySurface)},
         {kSurfaceCapabilities, reinterpret_cast<PFN_vkVoidFunction>(&surfaceCapabilities)}};
     if (const auto found = made.find(name); found != made.end()) {
         return found->second;
@@ -210,7 +256,6 @@ PFN_vkVoidFunction own(const char* name) {
     CDR_FAULT_CALL(vkDeviceWaitIdle)
     CDR_FAULT_CALL(vkWaitForFences)
     CDR_FAULT_CALL(vkAllocateMemory)
-    CDR_FAULT_CALL(vkCreateSwapchainKHR)
     CDR_FAULT_CALL(vkAcquireNextImageKHR)
     CDR_FAULT_CALL(vkQueuePresentKHR)
     return nullptr;

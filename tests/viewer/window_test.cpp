@@ -120,6 +120,8 @@ TEST_F(ViewerTest, PicksAndMeasures) {
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 2u);
     EXPECT_NE(valueOf(states[0], "picked"), "") << states[0];
+    EXPECT_EQ(valueOf(states[0], "under"), valueOf(states[0], "picked"));
+    EXPECT_NE(valueOf(states[1], "under"), valueOf(states[0], "under")) << "the pointer went elsewhere";
     EXPECT_EQ(valueOf(states[0], "picked"), valueOf(states[1], "picked"));
     EXPECT_EQ(valueOf(states[0], "eye"), valueOf(states[1], "eye")) << "a click is no drag";
 }
