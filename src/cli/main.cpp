@@ -2,29 +2,17 @@
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
+#include <cdr/gpu/failure.h>
 
 #include <fmt/format.h>
-#include <vulkan/vulkan.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace {
-
-constexpr int kFailed = 1;
-constexpr int kBadInput = 2;
-
-/// One line on standard error, whatever the message holds.
-int fail(int status, std::string message) {
-    std::replace(message.begin(), message.end(), '\n', ' ');
-    fmt::print(stderr, "cdr: {}\n", message);
-    return status;
-}
 
 /// A mistyped command leaves CLI11 saying only that it wants one.
 std::string explainMissing(const CLI::App& program, const CLI::RequiredError& error) {
@@ -60,9 +48,9 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& success) {
         return program.exit(success);
     } catch (const CLI::RequiredError& error) {
-        return fail(kBadInput, explainMissing(program, error));
+        throw cdr::base::InputError(explainMissing(program, error));
     } catch (const CLI::ParseError& error) {
-        return fail(kBadInput, error.what());
+        throw cdr::base::InputError(error.what());
     }
     return 0;
 }
@@ -72,17 +60,9 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     try {
         return run(argc, argv);
-    } catch (const cdr::base::InputError& error) {
-        return fail(kBadInput, error.what());
-    } catch (const vk::DeviceLostError&) {
-        return fail(kFailed, "the Vulkan device was lost; its driver crashed or was reset");
-    } catch (const vk::OutOfDeviceMemoryError& error) {
-        return fail(kFailed, fmt::format("the Vulkan device is out of memory ({})", error.what()));
-    } catch (const vk::SystemError& error) {
-        return fail(kFailed, fmt::format("Vulkan: {}", error.what()));
-    } catch (const std::bad_alloc&) {
-        return fail(kFailed, "out of memory");
-    } catch (const std::exception& error) {
-        return fail(kFailed, error.what());
+    } catch (...) {
+        const cdr::gpu::Failure failure = cdr::gpu::failureOf(std::current_exception());
+        fmt::print(stderr, "cdr: {}\n", failure.line);
+        return failure.status;
     }
 }

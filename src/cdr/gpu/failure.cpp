@@ -1,0 +1,40 @@
+#include <cdr/base/error.h>
+#include <cdr/gpu/failure.h>
+
+#include <fmt/format.h>
+#include <vulkan/vulkan.hpp>
+
+#include <algorithm>
+#include <new>
+
+namespace cdr::gpu {
+
+namespace {
+
+Failure explain(const std::exception_ptr& error) {
+    try {
+        std::rethrow_exception(error);
+    } catch (const base::InputError& bad) {
+        return {.status = Failure::kBadInput, .line = bad.what()};
+    } catch (const vk::DeviceLostError&) {
+        return {.line = "the Vulkan device was lost; its driver crashed or was reset"};
+    } catch (const vk::OutOfDeviceMemoryError& memory) {
+        return {.line = fmt::format("the Vulkan device is out of memory ({})", memory.what())};
+    } catch (const vk::SystemError& vulkan) {
+        return {.line = fmt::format("Vulkan: {}", vulkan.what())};
+    } catch (const std::bad_alloc&) {
+        return {.line = "out of memory"};
+    } catch (const std::exception& other) {
+        return {.line = other.what()};
+    }
+}
+
+} // namespace
+
+Failure failureOf(const std::exception_ptr& error) {
+    Failure failure = explain(error);
+    std::replace(failure.line.begin(), failure.line.end(), '\n', ' ');
+    return failure;
+}
+
+} // namespace cdr::gpu

@@ -1,0 +1,38 @@
+#include <cdr/base/error.h>
+#include <cdr/gpu/failure.h>
+
+#include <gtest/gtest.h>
+#include <vulkan/vulkan.hpp>
+
+#include <new>
+#include <stdexcept>
+
+namespace cdr::gpu_test {
+
+namespace {
+
+gpu::Failure failureFrom(const auto& error) {
+    return gpu::failureOf(std::make_exception_ptr(error));
+}
+
+TEST(FailureOf, IsBadInputOrAFailureAndOneLine) {
+    EXPECT_EQ(failureFrom(base::InputError("no\nsuch\nscene")).status, 2);
+    EXPECT_EQ(failureFrom(base::InputError("no\nsuch\nscene")).line, "no such scene");
+    EXPECT_EQ(failureFrom(base::RunError("disk full")).status, 1);
+    EXPECT_EQ(failureFrom(base::RunError("disk full")).line, "disk full");
+}
+
+TEST(FailureOf, NamesWhatVulkanAndTheSystemRanOutOf) {
+    const auto has = [](const gpu::Failure& failure, const char* text) {
+        return failure.status == 1 && failure.line.find(text) != std::string::npos;
+    };
+    EXPECT_TRUE(has(failureFrom(vk::DeviceLostError("vkQueueSubmit2")), "device was lost"));
+    EXPECT_TRUE(has(failureFrom(vk::OutOfDeviceMemoryError("vkAllocateMemory")), "device is out of memory"));
+    EXPECT_TRUE(has(failureFrom(vk::InitializationFailedError("vkCreateDevice")), "vkCreateDevice"));
+    EXPECT_TRUE(has(failureFrom(std::bad_alloc()), "out of memory"));
+    EXPECT_TRUE(has(failureFrom(std::logic_error("never")), "never"));
+}
+
+} // namespace
+
+} // namespace cdr::gpu_test
