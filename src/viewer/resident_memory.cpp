@@ -21,6 +21,15 @@ std::optional<std::uint64_t> residentBytes() {
     return resident * static_cast<std::uint64_t>(page);
 }
 
+std::optional<std::uint64_t> allocatedBytes() {
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
+    const struct mallinfo2 info = ::mallinfo2();
+    return std::uint64_t{info.uordblks} + std::uint64_t{info.hblkhd};
+#else
+    return std::nullopt;
+#endif
+}
+
 void returnLargeBlocksAtOnce() {
 #ifdef __GLIBC__
     constexpr int kLargeBytes = 256 << 10;

@@ -8,6 +8,10 @@ namespace cdr::viewer {
 /// Bytes of this process that are in memory; empty where the system does not say.
 std::optional<std::uint64_t> residentBytes();
 
+/// Bytes that the program and its drivers hold of the allocator, without what that keeps in pieces too small
+/// to give back; empty where it does not say.
+std::optional<std::uint64_t> allocatedBytes();
+
 /// Has the allocator give pictures and the like back to the system when they are freed, where it can be told
 /// to. Left alone it keeps more and more of them as windows change size.
 void returnLargeBlocksAtOnce();

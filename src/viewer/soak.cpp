@@ -24,6 +24,14 @@ double megabytes(std::uint64_t bytes) {
     return static_cast<double>(bytes) / 1e6;
 }
 
+/// "48.1 MB after warm-up and 48.2 MB at the end (+0.21 %)"
+std::string growthOf(const std::vector<std::uint64_t>& bytes) {
+    const double warm = megabytes(*std::min_element(bytes.begin(), bytes.begin() + Soak::kCompared));
+    const double end = megabytes(*std::min_element(bytes.end() - Soak::kCompared, bytes.end()));
+    const double growth = warm > 0.0 ? 100.0 * (end / warm - 1.0) : 0.0;
+    return fmt::format("{:.1f} MB after warm-up and {:.1f} MB at the end ({:+.2f} %)", warm, end, growth);
+}
+
 } // namespace
 
 Soak::Soak(double seconds, std::uint64_t seed, const ViewerModel& model)
@@ -89,8 +97,9 @@ void Soak::measure(Window& window, const Session& session, ViewerModel& model) {
     }
     returnFreeMemory();
     m_resident.push_back(residentBytes().value_or(0));
-    m_news =
-        fmt::format("resident {:.1f} MB after {} of {} steps", megabytes(m_resident.back()), m_done, m_steps);
+    m_allocated.push_back(allocatedBytes().value_or(0));
+    m_news = fmt::format("resident {:.1f} MB, allocated {:.1f} MB after {} of {} steps",
+                         megabytes(m_resident.back()), megabytes(m_allocated.back()), m_done, m_steps);
     m_results = session.results();
     m_phase = Phase::playing;
 }
@@ -124,12 +133,9 @@ std::string Soak::report() const {
     if (!isDone()) {
         return fmt::format("soak: ended after {} of {} steps", m_done, m_steps);
     }
-    const double warm = megabytes(*std::min_element(m_resident.begin(), m_resident.begin() + kCompared));
-    const double end = megabytes(*std::min_element(m_resident.end() - kCompared, m_resident.end()));
-    return fmt::format(
-        "soak: {} steps, {} frames rendered, resident {:.1f} MB after warm-up, {:.1f} MB at the end "
-        "({:+.2f} %), each the least of {} measurements",
-        m_done, m_results, warm, end, 100.0 * (end / warm - 1.0), kCompared);
+    return fmt::format("soak: {} steps, {} frames rendered; allocated {}, resident {}, each the least of {} "
+                       "measurements",
+                       m_done, m_results, growthOf(m_allocated), growthOf(m_resident), kCompared);
 }
 
 } // namespace cdr::viewer

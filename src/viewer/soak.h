@@ -56,6 +56,7 @@ class Soak {
     std::uint64_t m_minimisedFor = 0;
     Phase m_phase = Phase::playing;
     std::vector<std::uint64_t> m_resident; ///< bytes, of each measurement
+    std::vector<std::uint64_t> m_allocated;
     std::string m_news;
     std::uint64_t m_results = 0;
 };
