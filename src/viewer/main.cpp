@@ -16,6 +16,9 @@ namespace {
 
 /// Runs the program, and says what validation had to say of it, its end included.
 void run(const cdr::viewer::Arguments& arguments) {
+    if (arguments.soakSeconds) {
+        cdr::viewer::returnLargeBlocksAtOnce();
+    }
     std::array<std::shared_ptr<const cdr::gpu::ValidationLog>, 2> logs;
     {
         cdr::viewer::Application application(arguments);
@@ -34,7 +37,6 @@ void run(const cdr::viewer::Arguments& arguments) {
 
 int main(int argc, char** argv) {
     try {
-        cdr::viewer::returnLargeBlocksAtOnce();
         const cdr::viewer::ParsedArguments parsed = cdr::viewer::parseArguments(argc, argv);
         if (parsed.exitStatus) {
             return *parsed.exitStatus;

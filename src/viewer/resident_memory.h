@@ -13,7 +13,8 @@ std::optional<std::uint64_t> residentBytes();
 std::optional<std::uint64_t> allocatedBytes();
 
 /// Has the allocator give pictures and the like back to the system when they are freed, where it can be told
-/// to. Left alone it keeps more and more of them as windows change size.
+/// to, for who measures memory: left alone it keeps ever more of them. Costs a tenth of the frame rate in
+/// page faults.
 void returnLargeBlocksAtOnce();
 
 /// Gives back to the system what the allocator keeps for later, where it can be told to, so that
