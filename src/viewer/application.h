@@ -63,7 +63,7 @@ class Application {
     std::optional<Soak> m_soak;
     WindowSystem m_system;
     gpu::Instance m_renderInstance;
-    gpu::Device m_renderDevice;
+    Session m_session; ///< before the window, since a device that is not there needs none
     Window m_window;
     UiDevice m_ui;
     Presenter m_presenter;
@@ -71,7 +71,6 @@ class Application {
     ItemPlaces m_places;
     Widgets m_widgets{m_places};
     CameraControl m_control;
-    Session m_session;
 
     std::optional<std::filesystem::path> m_capture; ///< file for the next frame's window
     Clock::time_point m_lastFrame = Clock::now();

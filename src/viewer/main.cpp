@@ -17,7 +17,7 @@ namespace {
 /// Runs the program, and says what validation had to say of it, its end included.
 void run(const cdr::viewer::Arguments& arguments) {
     if (arguments.soakSeconds) {
-        cdr::viewer::returnLargeBlocksAtOnce();
+        cdr::viewer::keepFreeMemoryLow();
     }
     std::array<std::shared_ptr<const cdr::gpu::ValidationLog>, 2> logs;
     {

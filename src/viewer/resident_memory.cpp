@@ -30,10 +30,11 @@ std::optional<std::uint64_t> allocatedBytes() {
 #endif
 }
 
-void returnLargeBlocksAtOnce() {
+void keepFreeMemoryLow() {
 #ifdef __GLIBC__
     constexpr int kLargeBytes = 256 << 10;
     ::mallopt(M_MMAP_THRESHOLD, kLargeBytes);
+    ::mallopt(M_ARENA_MAX, 1);
 #endif
 }
 

@@ -31,15 +31,27 @@ bool asksTheSame(const RenderRequest& a, const RenderRequest& b) {
 
 } // namespace
 
-Session::Session(const gpu::Device& device, ViewerModel& model)
-    : m_model(model),
-      m_thread(device, [] { WindowSystem::wake(); }) {}
+Session::Session(const gpu::Instance& instance, std::string device, ViewerModel& model)
+    : m_instance(instance),
+      m_deviceChoice(std::move(device)),
+      m_model(model) {
+    renewDevice();
+}
+
+void Session::renewDevice() {
+    m_thread.reset(); // with all that it made on the device
+    m_device.reset();
+    m_device.emplace(m_instance, m_deviceChoice);
+    m_thread.emplace(*m_device, [] { WindowSystem::wake(); });
+    m_click.reset();
+    m_asked.reset();
+}
 
 void Session::followPath(double seconds) {
     if (m_model.motion == Motion::recording) {
         m_model.playedSeconds += seconds;
     }
-    if (m_model.motion == Motion::free || m_model.shown == nullptr || !m_thread.isReady()) {
+    if (m_model.motion == Motion::free || m_model.shown == nullptr || !m_thread->isReady()) {
         return;
     }
     if (m_model.motion == Motion::scenePath) {
@@ -87,7 +99,7 @@ void Session::update(const PictureArea& area, const glm::dvec2& cursor, double s
     const bool lacksSurfaces = m_asked && !m_asked->wantsSurfaces && request.wantsSurfaces;
     request.isAtRest = !isChanged && !isFlying && remembersFrames(request.settings);
     const bool lacksRest = request.isAtRest && !m_asked->isAtRest;
-    if (!isChanged && !((m_model.rendersAlways || lacksSurfaces || lacksRest) && m_thread.isReady())) {
+    if (!isChanged && !((m_model.rendersAlways || lacksSurfaces || lacksRest) && m_thread->isReady())) {
         return;
     }
     if (request.wantsSurfaces) {
@@ -99,11 +111,11 @@ void Session::update(const PictureArea& area, const glm::dvec2& cursor, double s
 void Session::ask(RenderRequest request) {
     m_serial = request.serial;
     m_asked = request;
-    m_thread.request(std::move(request));
+    m_thread->request(std::move(request));
 }
 
 bool Session::takeResult() {
-    std::optional<RenderResult> result = m_thread.take();
+    std::optional<RenderResult> result = m_thread->take();
     if (!result) {
         return false;
     }

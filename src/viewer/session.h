@@ -9,14 +9,21 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace cdr::viewer {
 
-/// Keeps the render thread asked for what the model wants to see, and the model told of what came of it.
+/// The device that renders, on a thread of its own: kept asked for what the model wants to see, and the model
+/// told of what came of it.
 class Session {
   public:
-    /// The device and the model must outlive the session.
-    Session(const gpu::Device& device, ViewerModel& model);
+    /// @param device for gpu::Device. The instance and the model must outlive the session.
+    Session(const gpu::Instance& instance, std::string device, ViewerModel& model);
+
+    const gpu::DeviceInfo& deviceInfo() const { return m_device->info(); }
+    /// Makes the device anew, so that nothing is left of what its driver keeps; what is wanted is rendered
+    /// again.
+    void renewDevice();
 
     /// Moves the camera along its path, if it follows one, and asks for what is wanted and not yet asked for.
     /// @param isSteered whether somebody moves the camera by hand.
@@ -31,7 +38,7 @@ class Session {
     /// Whether all that is wanted is shown.
     bool isSettled() const { return m_asked && m_shownSerial == m_asked->serial && !m_click; }
     /// Whether the render thread has taken the last request.
-    bool isReady() const { return m_thread.isReady(); }
+    bool isReady() const { return m_thread->isReady(); }
     std::uint64_t results() const { return m_results; }
 
   private:
@@ -53,6 +60,8 @@ class Session {
     void readCursor(const PictureArea& area, const glm::dvec2& cursor);
     void count(const RenderResult& result);
 
+    const gpu::Instance& m_instance;
+    std::string m_deviceChoice;
     ViewerModel& m_model;
     std::optional<RenderRequest> m_asked;
     ViewSettings m_good; ///< of the last request that did not fail
@@ -62,7 +71,8 @@ class Session {
     std::optional<Click> m_click;
     Clock::time_point m_surfacesAsked{};
     std::deque<Clock::time_point> m_arrivals; ///< of the last second
-    RenderThread m_thread;
+    std::optional<gpu::Device> m_device;
+    std::optional<RenderThread> m_thread; ///< always there but in renewDevice()
 };
 
 } // namespace cdr::viewer

@@ -24,14 +24,6 @@ double megabytes(std::uint64_t bytes) {
     return static_cast<double>(bytes) / 1e6;
 }
 
-/// "48.1 MB after warm-up and 48.2 MB at the end (+0.21 %)"
-std::string growthOf(const std::vector<std::uint64_t>& bytes) {
-    const double warm = megabytes(*std::min_element(bytes.begin(), bytes.begin() + Soak::kCompared));
-    const double end = megabytes(*std::min_element(bytes.end() - Soak::kCompared, bytes.end()));
-    const double growth = warm > 0.0 ? 100.0 * (end / warm - 1.0) : 0.0;
-    return fmt::format("{:.1f} MB after warm-up and {:.1f} MB at the end ({:+.2f} %)", warm, end, growth);
-}
-
 } // namespace
 
 Soak::Soak(double seconds, std::uint64_t seed, const ViewerModel& model)
@@ -76,10 +68,14 @@ void Soak::play(Window& window, CameraControl& control, const PictureArea& area,
     }
 }
 
-void Soak::rest(Window& window, const Session& session, ViewerModel& model) {
-    m_phase = Phase::resting;
+void Soak::enter(Phase phase, const Session& session) {
+    m_phase = phase;
     m_restedFrames = 0;
     m_results = session.results();
+}
+
+void Soak::rest(Window& window, const Session& session, ViewerModel& model) {
+    enter(Phase::resting, session);
     m_minimisedFor = 0;
     window.resize(m_homeSize.width, m_homeSize.height);
     window.inject(window.currentSize());
@@ -89,23 +85,31 @@ void Soak::rest(Window& window, const Session& session, ViewerModel& model) {
     model.actions.push_back(Action::sceneCamera);
 }
 
-void Soak::measure(Window& window, const Session& session, ViewerModel& model) {
+void Soak::measure(Window& window, Session& session, ViewerModel& model) {
     window.inject(window.currentSize());
     model.rendersAlways = session.results() < m_results + kRestPictures;
     if (model.rendersAlways || !session.isSettled() || ++m_restedFrames < kRestFrames) {
         return;
     }
     returnFreeMemory();
-    m_resident.push_back(residentBytes().value_or(0));
-    m_allocated.push_back(allocatedBytes().value_or(0));
-    m_news = fmt::format("resident {:.1f} MB, allocated {:.1f} MB after {} of {} steps",
-                         megabytes(m_resident.back()), megabytes(m_allocated.back()), m_done, m_steps);
-    m_results = session.results();
-    m_phase = Phase::playing;
+    const std::uint64_t resident = residentBytes().value_or(0);
+    if (m_phase == Phase::resting) {
+        m_before = resident;
+        session.renewDevice();
+        enter(Phase::renewed, session);
+        return;
+    }
+    const std::uint64_t allocated = allocatedBytes().value_or(0);
+    m_memory.push_back({.before = m_before, .resident = resident, .allocated = allocated});
+    m_news =
+        fmt::format("allocated {:.2f} MB, resident {:.1f} MB, {:.1f} MB before the device was made anew, "
+                    "after {} of {} steps",
+                    megabytes(allocated), megabytes(resident), megabytes(m_before), m_done, m_steps);
+    enter(Phase::playing, session);
 }
 
 std::uint64_t Soak::stepsBeforeRest() const {
-    const double share = static_cast<double>(m_resident.size()) / static_cast<double>(kMeasurements);
+    const double share = static_cast<double>(m_memory.size()) / static_cast<double>(kMeasurements);
     return static_cast<std::uint64_t>(static_cast<double>(m_steps) * (kWarmUp + (1.0 - kWarmUp) * share));
 }
 
@@ -114,7 +118,7 @@ void Soak::step(Window& window, CameraControl& control, const PictureArea& area,
     if (m_homeSize.width == 0) {
         m_homeSize = window.currentSize();
     }
-    if (m_phase == Phase::resting) {
+    if (m_phase != Phase::playing) {
         measure(window, session, model);
         return;
     }
@@ -129,13 +133,28 @@ void Soak::step(Window& window, CameraControl& control, const PictureArea& area,
     ++m_done;
 }
 
+/// "48.1 MB after warm-up and 48.2 MB at the end (+0.21 %)"
+std::string Soak::growthOf(std::uint64_t Memory::*bytes) const {
+    const auto least = [&](auto first) {
+        const auto found = std::min_element(
+            first, first + kCompared, [&](const Memory& a, const Memory& b) { return a.*bytes < b.*bytes; });
+        return megabytes((*found).*bytes);
+    };
+    const double warm = least(m_memory.begin());
+    const double end = least(m_memory.end() - kCompared);
+    const double growth = warm > 0.0 ? 100.0 * (end / warm - 1.0) : 0.0;
+    return fmt::format("{:.1f} MB after warm-up and {:.1f} MB at the end ({:+.2f} %)", warm, end, growth);
+}
+
 std::string Soak::report() const {
     if (!isDone()) {
         return fmt::format("soak: ended after {} of {} steps", m_done, m_steps);
     }
-    return fmt::format("soak: {} steps, {} frames rendered; allocated {}, resident {}, each the least of {} "
-                       "measurements",
-                       m_done, m_results, growthOf(m_allocated), growthOf(m_resident), kCompared);
+    return fmt::format(
+        "soak: {} steps, {} frames rendered; allocated {}, resident {}, before the device was made "
+        "anew {}, each the least of {} measurements",
+        m_done, m_results, growthOf(&Memory::allocated), growthOf(&Memory::resident),
+        growthOf(&Memory::before), kCompared);
 }
 
 } // namespace cdr::viewer

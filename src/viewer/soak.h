@@ -15,7 +15,9 @@
 namespace cdr::viewer {
 
 /// Plays seeded random input, a step per frame of the interface and as fast as frames come, and watches the
-/// memory: always in one and the same view, first after a warm-up, then at each tenth of what is left.
+/// memory: always in one and the same view, first after a warm-up, then at each tenth of what is left. What
+/// the driver keeps for later differs by tens of megabytes with what it drew last (llvmpipe keeps up to 36
+/// MiB of bins for each pass that it ever worked on at once), so the renderer's device is made anew for it.
 class Soak {
   public:
     static constexpr double kStepsPerSecond = 60.0;
@@ -23,8 +25,7 @@ class Soak {
     static constexpr double kWarmUp = 0.25;
     /// Times the memory is measured after that, evenly apart, the last at the end.
     static constexpr std::uint64_t kMeasurements = 10;
-    /// The least of so many stands for the beginning, and for the end: drivers keep memory of busy frames for
-    /// a while (llvmpipe up to 36 MiB of bins a scene), so that single measurements scatter upwards.
+    /// The least of so many stands for the beginning, and for the end: what scatters, scatters upwards.
     static constexpr std::ptrdiff_t kCompared = 4;
 
     /// @param seconds' worth of input.
@@ -33,18 +34,26 @@ class Soak {
     /// Plays a step, if the renderer has taken the last one.
     void step(Window& window, CameraControl& control, const PictureArea& area, Session& session,
               ViewerModel& model);
-    bool isDone() const { return m_resident.size() > kMeasurements; }
+    bool isDone() const { return m_memory.size() > kMeasurements; }
     /// The last measurement since it was asked for, one line; else empty.
     std::string news() { return std::exchange(m_news, {}); }
     /// "soak: 1800 steps, ...", one line.
     std::string report() const;
 
   private:
-    enum class Phase { playing, resting };
+    /// Playing, then at rest on the device as it was played on, then on a new one.
+    enum class Phase { playing, resting, renewed };
+    struct Memory {
+        std::uint64_t before = 0; ///< bytes resident before the device was made anew
+        std::uint64_t resident = 0;
+        std::uint64_t allocated = 0;
+    };
+    std::string growthOf(std::uint64_t Memory::*bytes) const;
+    void enter(Phase phase, const Session& session);
     void play(Window& window, CameraControl& control, const PictureArea& area, Session& session,
               ViewerModel& model);
     void rest(Window& window, const Session& session, ViewerModel& model);
-    void measure(Window& window, const Session& session, ViewerModel& model);
+    void measure(Window& window, Session& session, ViewerModel& model);
     std::uint64_t stepsBeforeRest() const; ///< played before the next measurement
 
     std::uint64_t m_steps;
@@ -55,8 +64,8 @@ class Soak {
     ResizeInput m_homeSize;
     std::uint64_t m_minimisedFor = 0;
     Phase m_phase = Phase::playing;
-    std::vector<std::uint64_t> m_resident; ///< bytes, of each measurement
-    std::vector<std::uint64_t> m_allocated;
+    std::vector<Memory> m_memory; ///< of each measurement
+    std::uint64_t m_before = 0;   ///< for the next
     std::string m_news;
     std::uint64_t m_results = 0;
 };
