@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kMinimisedSteps = 5;
 /// Pictures rendered in the view where memory is measured, and frames of the interface after that, before it
 /// is: drivers let go of what they kept for frames as they draw others.
-constexpr std::uint64_t kRestPictures = 100;
+constexpr std::uint64_t kRestPictures = 30;
 constexpr std::uint64_t kRestFrames = 30;
 
 double megabytes(std::uint64_t bytes) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace cdr::render {
 
@@ -85,9 +86,9 @@ void CascadeLayers::record(CascadeCommands& commands, std::span<const CascadeDra
         const std::span<const std::size_t> batch = std::span(drawn).subspan(left - count, count);
         drawLayers(commands, batch);
         std::vector<shaders::LayerPush> layers;
-        for (auto cascade = batch.rbegin(); cascade != batch.rend(); ++cascade) {
-            layers.push_back(makeLayerPush(cascades[*cascade], m_options.occlusionRadius));
-        }
+        std::transform(batch.rbegin(), batch.rend(), std::back_inserter(layers), [&](std::size_t cascade) {
+            return makeLayerPush(cascades[cascade], m_options.occlusionRadius);
+        });
         mergeLayers(commands.primary(), layers, load);
         left -= count;
         load = vk::AttachmentLoadOp::eLoad;
