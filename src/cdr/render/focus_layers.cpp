@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 #include <vulkan/vulkan_format_traits.hpp>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace cdr::render {
 
@@ -122,12 +124,11 @@ void FocusLayers::record(CascadeCommands& commands, std::span<const CascadeDraws
     provideLayers(cascades);
     const std::vector<std::size_t> drawn = commands.drawnCascades(cascades.size());
     m_drawn.clear();
-    for (auto cascade = drawn.rbegin(); cascade != drawn.rend(); ++cascade) {
-        const bool fades = m_fades && *cascade + 1 < cascades.size();
-        m_drawn.push_back(
-            {.layer = &m_layers.at(keyOf(cascades, *cascade)),
-             .fade = fades ? fadeInto(cascades[*cascade], cascades[*cascade + 1]) : shaders::LayerFade{}});
-    }
+    std::transform(drawn.rbegin(), drawn.rend(), std::back_inserter(m_drawn), [&](std::size_t i) {
+        const bool fades = m_fades && i + 1 < cascades.size();
+        return Drawn{.layer = &m_layers.at(keyOf(cascades, i)),
+                     .fade = fades ? fadeInto(cascades[i], cascades[i + 1]) : shaders::LayerFade{}};
+    });
     drawLayers(commands, drawn);
     mergeSurfaces(commands.primary());
 }

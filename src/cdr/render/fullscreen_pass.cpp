@@ -2,6 +2,8 @@
 #include <cdr/render/fullscreen_pass.h>
 #include <cdr/shaders/fullscreen_vert.h>
 
+#include <utility>
+
 namespace cdr::render {
 
 namespace {
@@ -45,12 +47,9 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
                                                     .blend = options.blend})) {}
 
 PassInputs FullscreenPass::makeInputs() const {
-    PassInputs inputs;
-    inputs.m_device = &m_device;
-    inputs.m_sampler = *m_sampler;
-    inputs.m_pool = gpu::makeDescriptorPool(m_device, 1, 1, m_bindings);
-    inputs.m_set = gpu::allocateSet(m_device, *inputs.m_pool, *m_setLayout);
-    return inputs;
+    vk::UniqueDescriptorPool pool = gpu::makeDescriptorPool(m_device, 1, 1, m_bindings);
+    const vk::DescriptorSet set = gpu::allocateSet(m_device, *pool, *m_setLayout);
+    return {m_device, *m_sampler, std::move(pool), set};
 }
 
 void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> draws, const gpu::Image& into,

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cdr::render {
@@ -37,6 +38,12 @@ class PassInputs {
 
   private:
     friend class FullscreenPass;
+    PassInputs(const gpu::Device& device, vk::Sampler sampler, vk::UniqueDescriptorPool pool,
+               vk::DescriptorSet set)
+        : m_device(&device),
+          m_sampler(sampler),
+          m_pool(std::move(pool)),
+          m_set(set) {}
     const gpu::Device* m_device = nullptr;
     vk::Sampler m_sampler; ///< the pass' own
     vk::UniqueDescriptorPool m_pool;

@@ -37,10 +37,10 @@ std::uint32_t shineCode(const std::optional<scene::Shine>& shine) {
 }
 
 scene::Shine shineOfCode(std::uint32_t code) {
-    const std::uint32_t steps = code - 1;
-    return {.metallic = static_cast<float>(steps / shaders::kRoughnessSteps) / (shaders::kMetallicSteps - 1),
-            .roughness =
-                static_cast<float>(steps % shaders::kRoughnessSteps) / (shaders::kRoughnessSteps - 1)};
+    const std::uint32_t metallicStep = (code - 1) / shaders::kRoughnessSteps;
+    const std::uint32_t roughnessStep = (code - 1) % shaders::kRoughnessSteps;
+    return {.metallic = static_cast<float>(metallicStep) / (shaders::kMetallicSteps - 1),
+            .roughness = static_cast<float>(roughnessStep) / (shaders::kRoughnessSteps - 1)};
 }
 
 } // namespace cdr::render
