@@ -2,6 +2,8 @@
 
 #include <cdr/render/gbuffer_rendering.h>
 
+#include <algorithm>
+
 namespace cdr::render {
 
 SingleTargets::SingleTargets(const gpu::Device& device, const TargetsOptions& options)
@@ -13,12 +15,13 @@ void SingleTargets::record(CascadeCommands& commands, std::span<const CascadeDra
     GBufferScope scope{
         .gbuffer = m_gbuffer, .depth = m_depth, .clearColor = true, .reversedDepth = m_reversedDepth};
     beginGBuffer(commands.primary(), scope);
-    const std::vector<std::size_t> drawn = commands.drawnCascades(cascades.size());
-    for (auto cascade = drawn.rbegin(); cascade != drawn.rend(); ++cascade) {
+    std::vector<std::size_t> farthestFirst = commands.drawnCascades(cascades.size());
+    std::reverse(farthestFirst.begin(), farthestFirst.end());
+    for (const std::size_t cascade : farthestFirst) {
         if (!scope.clearColor) {
             chainGBufferScopes(commands.primary(), scope);
         }
-        commands.drawScope(scope, {*cascade, *cascade + 1});
+        commands.drawScope(scope, {cascade, cascade + 1});
         scope.clearColor = false;
     }
 }

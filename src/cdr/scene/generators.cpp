@@ -143,8 +143,8 @@ StagedScene makeLadder(std::uint64_t seed, const LadderOptions& options) {
     const auto side = static_cast<float>(options.scale);
     Random random(seed);
     for (std::uint32_t pair = 0; pair < kLadderPairs; ++pair) {
-        const double column = pair % kColumns;
-        const double row = pair / kColumns;
+        const std::uint32_t column = pair % kColumns;
+        const std::uint32_t row = pair / kColumns;
         const glm::dvec3 back =
             options.scale * glm::dvec3(2.0 * column - 15.0, 15.0 - 2.0 * row, random.uniform(-0.5, 0.5));
         const glm::dvec3 front = back + glm::dvec3(0.0, 0.0, ladderSeparation(options, pair));

@@ -43,6 +43,6 @@ struct Document {
 /// Parses JSON text. tinygltf sees neither files nor bytes: its 2.7.0 loads images from buffer views
 /// unchecked, so buffers and images are taken out first, and with them the parts that we do not use, noted in
 /// `notes`.
-Document parseDocument(std::string_view json, const GltfLimits& limits, Notes& notes);
+Document parseDocument(std::string_view text, const GltfLimits& limits, Notes& notes);
 
 } // namespace cdr::scene::gltf
