@@ -28,15 +28,15 @@ class TextureImporter {
     TextureImporter(const Sources& sources, Scene& scene);
 
     /// Index into Scene::textures of a glTF texture; nothing when only an extension supplies its picture.
-    std::optional<std::uint32_t> use(int texture);
+    std::optional<std::uint32_t> use(int index);
 
     /// What a glTF metallic-roughness texture holds on average over its texels, each in [0, 1]: metallic
     /// (blue) and roughness (green). Nothing when only an extension supplies its picture.
-    std::optional<glm::dvec2> meanMetallicRoughness(int texture);
+    std::optional<glm::dvec2> meanMetallicRoughness(int index);
 
   private:
     /// The texture's image; nothing, with a note, when only an extension supplies it.
-    std::optional<int> imageOf(int texture);
+    std::optional<int> imageOf(int index);
     image::ImageRgba8 decode(int imageIndex);
 
     Sources m_sources;
@@ -61,7 +61,7 @@ class MaterialImporter {
     const MaterialUse& use(int material);
 
   private:
-    MaterialUse import(int material);
+    MaterialUse import(int index);
     Shine shineOf(const tinygltf::Material& material);
     void setTexture(Material& material, UvSource& uv, const tinygltf::TextureInfo& info);
 

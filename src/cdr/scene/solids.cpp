@@ -32,7 +32,8 @@ SourceMesh turnedSolid(std::string name, std::span<const glm::dvec2> outline, st
     for (std::size_t ring = 0; ring < outline.size(); ++ring) {
         const glm::dvec2 normal = outlineNormal(outline, ring);
         for (std::uint32_t i = 0; i <= segments; ++i) {
-            const double angle = 2.0 * std::numbers::pi * (i % segments) / segments;
+            const std::uint32_t step = i == segments ? 0 : i; // the last column is the first to the bit
+            const double angle = 2.0 * std::numbers::pi * step / segments;
             const glm::dvec3 radial(0.0, std::cos(angle), std::sin(angle));
             mesh.positions.push_back(glm::dvec3(outline[ring].x, 0.0, 0.0) + outline[ring].y * radial);
             mesh.vertices.push_back(
