@@ -27,8 +27,10 @@ Document withDraco() {
 Document withMeshopt(const char* extension) {
     Document document = square();
     for (json& view : document.root["bufferViews"]) {
-        view["extensions"][extension] = {{"buffer", 1},      {"byteOffset", 0},      {"byteLength", 8},
-                                         {"byteStride", 12}, {"mode", "ATTRIBUTES"}, {"count", 4}};
+        // The same bytes as the view's, but of another buffer.
+        view["extensions"][extension] = {{"buffer", 1},          {"byteOffset", view["byteOffset"]},
+                                         {"byteLength", 8},      {"byteStride", 12},
+                                         {"mode", "ATTRIBUTES"}, {"count", 4}};
     }
     document.root["buffers"] = {
         {{"byteLength", document.bin.size()}},
