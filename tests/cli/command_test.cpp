@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -182,7 +183,7 @@ TEST(Commands, RenderWritesEveryOutputInEveryFormat) {
 TEST(Commands, RenderCountsWrongPixelsAsPicturesDoes) {
     const TemporaryFolder folder;
     const ProgramResult rendered = runProgram(
-        "render cubes --size 320x180 --technique standard --aov wrong --json r.json", folder.path());
+        "render cubes --size 320x180 --technique standard --aov wrong -o w.png --json r.json", folder.path());
     ASSERT_EQ(rendered.status, 0) << rendered.err;
     ASSERT_EQ(
         runProgram("pictures --scenes cubes --techniques standard --size 320x180 --frames 1 --json p.json",
@@ -195,6 +196,14 @@ TEST(Commands, RenderCountsWrongPixelsAsPicturesDoes) {
     for (const char* field : {"pixels", "wrong", "overlap_pixels", "overlap_wrong", "edge_wrong"}) {
         EXPECT_EQ(row[field], expected[field]) << field;
     }
+    // Both write their counts alike, so what the picture marks must agree too, and the shares with the
+    // counts.
+    const auto marks = readPicture(folder.path() / "w.png").pixels;
+    EXPECT_EQ(row["wrong"], std::count(marks.begin(), marks.end(), image::Rgba8{255, 0, 0, 255}));
+    EXPECT_EQ(row["edge_wrong"], std::count(marks.begin(), marks.end(), image::Rgba8{255, 165, 0, 255}));
+    EXPECT_EQ(row["wrong_fraction"], row["wrong"].get<double>() / row["pixels"].get<double>());
+    EXPECT_EQ(row["overlap_wrong_fraction"],
+              row["overlap_wrong"].get<double>() / row["overlap_pixels"].get<double>());
     const std::string share = fmt::format("{:.4f} %", 100.0 * expected["wrong_fraction"].get<double>());
     EXPECT_NE(rendered.out.find(share), std::string::npos) << rendered.out;
 }

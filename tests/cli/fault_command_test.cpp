@@ -71,9 +71,11 @@ constexpr Fault memoryAfter(long calls) {
             .result = VK_ERROR_OUT_OF_DEVICE_MEMORY};
 }
 
+constexpr const char* kForWhat = "out of memory for "; // what, and how many bytes
+
 INSTANTIATE_TEST_SUITE_P(OutOfMemory, FaultTest,
-                         testing::Values(Fatal{"render cubes", memoryAfter(0), "out of memory"},
-                                         Fatal{"render cubes", memoryAfter(1), "out of memory"}));
+                         testing::Values(Fatal{"render cubes", memoryAfter(0), kForWhat},
+                                         Fatal{"render cubes", memoryAfter(1), kForWhat}));
 
 } // namespace
 

@@ -27,8 +27,9 @@ TEST(FailureOf, NamesWhatVulkanAndTheSystemRanOutOf) {
         return failure.status == 1 && failure.line.find(text) != std::string::npos;
     };
     EXPECT_TRUE(has(failureFrom(vk::DeviceLostError("vkQueueSubmit2")), "device was lost"));
-    EXPECT_TRUE(has(failureFrom(vk::OutOfDeviceMemoryError("vkAllocateMemory")), "device is out of memory"));
-    EXPECT_TRUE(has(failureFrom(vk::InitializationFailedError("vkCreateDevice")), "vkCreateDevice"));
+    EXPECT_TRUE(has(failureFrom(vk::OutOfDeviceMemoryError("vkAllocateMemory")),
+                    "device is out of memory (vkAllocateMemory"));
+    EXPECT_TRUE(has(failureFrom(vk::InitializationFailedError("vkCreateDevice")), "Vulkan: vkCreateDevice"));
     EXPECT_TRUE(has(failureFrom(std::bad_alloc()), "out of memory"));
     EXPECT_TRUE(has(failureFrom(std::logic_error("never")), "never"));
 }

@@ -48,6 +48,8 @@ TEST_F(Gltf, materialsKeepWhatWeDraw) {
     EXPECT_TRUE(material.doubleSided);
     EXPECT_TRUE(material.unlit);
     EXPECT_FALSE(material.baseColorTexture);
+    document.root["materials"][0]["alphaCutoff"] = -1;
+    EXPECT_EQ(load(document).scene.materials[0].alphaCutoff, 0.0f);
     document.root["materials"][0]["alphaMode"] = "BLEND";
     EXPECT_EQ(load(document).scene.materials[0].alphaMode, AlphaMode::blend);
     document.root["materials"][0]["alphaMode"] = "GLOW";
@@ -99,6 +101,21 @@ TEST_F(Gltf, onePictureOfManyMaterialsIsDecodedOnce) {
     const Scene scene = load(document).scene;
     EXPECT_EQ(scene.materials.size(), 2u);
     EXPECT_EQ(scene.textures.size(), 1u);
+}
+
+TEST_F(Gltf, onePictureWrappedInTwoWaysIsTwoTextures) {
+    Document document = textured();
+    document.root["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33071}}};
+    document.root["textures"].push_back({{"source", 0}, {"sampler", 0}});
+    document.root["materials"].push_back(document.root["materials"][0]);
+    document.root["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 1;
+    json second = document.primitive();
+    second["material"] = 1;
+    document.root["meshes"][0]["primitives"].push_back(second);
+    const Scene scene = load(document).scene;
+    ASSERT_EQ(scene.textures.size(), 2u);
+    EXPECT_TRUE(scene.textures[scene.materials[0].baseColorTexture.value()].repeatU);
+    EXPECT_FALSE(scene.textures[scene.materials[1].baseColorTexture.value()].repeatU);
 }
 
 TEST_F(Gltf, wrappingOfSamplers) {

@@ -98,6 +98,25 @@ TEST_F(GltfShine, TexturesScaleTheFactors) {
     EXPECT_NEAR(shine.roughness, 0.25f * kMeanRoughness, 1e-6f);
 }
 
+TEST_F(GltfShine, EachPictureHasAMeanOfItsOwn) {
+    Document document = withTexture(json::object(), twoTexels());
+    const image::ImageRgba8 other(1, 1, {9, 153, 51, 255});
+    document.root["images"].push_back(
+        {{"bufferView", document.addView(image::encodePng(other))}, {"mimeType", "image/png"}});
+    document.root["textures"] = {{{"source", 1}}, {{"source", 0}}};
+    document.root["materials"].push_back(document.root["materials"][0]);
+    document.root["materials"][1]["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"] = 1;
+    json second = document.primitive();
+    second["material"] = 1;
+    document.root["meshes"][0]["primitives"].push_back(second);
+    const Scene scene = load(document).scene;
+    ASSERT_EQ(scene.materials.size(), 2u);
+    EXPECT_NEAR(scene.materials[0].shine.value().metallic, 0.2f, 1e-6f);
+    EXPECT_NEAR(scene.materials[0].shine.value().roughness, 0.6f, 1e-6f);
+    EXPECT_NEAR(scene.materials[1].shine.value().metallic, kMeanMetallic, 1e-6f);
+    EXPECT_NEAR(scene.materials[1].shine.value().roughness, kMeanRoughness, 1e-6f);
+}
+
 TEST_F(GltfShine, OnePictureMayBeColorAndShine) {
     Document document = withTexture(json::object(), twoTexels());
     document.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};

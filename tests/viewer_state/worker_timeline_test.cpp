@@ -16,10 +16,10 @@ Clock::time_point at(int ms) {
 void addFrame(base::Trace& trace, int start) {
     trace.beginFrame("frame");
     trace.addStage("cull", at(start), at(start + 2));
-    trace.addJob(0,
-                 {.index = 0, .cascade = std::nullopt, .draws = 0, .begin = at(start), .end = at(start + 1)});
-    trace.addJob(1, {.index = 1, .cascade = 3, .draws = 40, .begin = at(start + 3), .end = at(start + 7)});
-    trace.addJob(0, {.index = 0, .cascade = 2, .draws = 50, .begin = at(start + 3), .end = at(start + 9)});
+    trace.addJob(
+        0, {.index = 4, .cascade = std::nullopt, .draws = 0, .begin = at(start + 1), .end = at(start + 2)});
+    trace.addJob(1, {.index = 0, .cascade = 3, .draws = 40, .begin = at(start + 3), .end = at(start + 7)});
+    trace.addJob(0, {.index = 2, .cascade = 2, .draws = 50, .begin = at(start + 3), .end = at(start + 9)});
     trace.addStage("record", at(start + 2), at(start + 9));
     trace.addStage("execute", at(start + 9), at(start + 20));
 }
@@ -57,12 +57,32 @@ TEST(WorkerTimeline, AFrameWithoutStagesStillHasItsJobs) {
     EXPECT_EQ(timeline.lengthMs, 2.0);
 }
 
+TEST(WorkerTimeline, WhoRestedInTheLastFrameIsNotInIt) {
+    base::Trace trace(2);
+    addFrame(trace, 0);
+    trace.beginFrame("one worker");
+    trace.addJob(0, {.index = 0, .cascade = 5, .draws = 6, .begin = at(102), .end = at(103)});
+    trace.addStage("record", at(100), at(104));
+    const WorkerTimeline one = timelineOf(trace);
+    ASSERT_EQ(one.jobs.size(), 1u);
+    EXPECT_EQ(one.jobs.front().cascade, 5u);
+    EXPECT_EQ(one.jobs.front().beginMs, 2.0);
+    trace.beginFrame("no worker");
+    trace.addStage("execute", at(200), at(207));
+    const WorkerTimeline none = timelineOf(trace);
+    EXPECT_TRUE(none.jobs.empty());
+    ASSERT_EQ(none.stages.size(), 1u);
+    EXPECT_EQ(none.stages.front().name, "execute");
+    EXPECT_EQ(none.lengthMs, 7.0);
+}
+
 TEST(WorkerTimeline, ATraceThatIsForgottenGoesOnForEver) {
     base::Trace trace(2);
     for (int frame = 0; frame < 2000; ++frame) {
         trace.forget();
         addFrame(trace, 100 * frame);
         ASSERT_EQ(trace.stages().size(), 3u);
+        ASSERT_EQ(trace.stages().front().frame, 1u);
         ASSERT_EQ(trace.jobs(0).size(), 2u);
         ASSERT_EQ(timelineOf(trace).jobs.size(), 3u);
     }

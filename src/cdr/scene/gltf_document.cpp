@@ -2,6 +2,7 @@
 
 #include "gltf_cameras.h"
 #include "gltf_checks.h"
+#include "gltf_compression.h"
 #include "gltf_json.h"
 #include "gltf_tinygltf.h"
 
@@ -124,6 +125,7 @@ Document parseDocument(std::string_view text, const GltfLimits& limits, Notes& n
         root.erase(key);
     }
     requireSoundNumbers(root);
+    requireUncompressed(root);
     document.model = parseModel(root.dump());
     return document;
 }

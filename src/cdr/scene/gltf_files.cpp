@@ -1,6 +1,7 @@
 #include "gltf_files.h"
 
 #include "gltf_checks.h"
+#include "gltf_compression.h"
 #include "gltf_tinygltf.h"
 
 #include <algorithm>
@@ -106,19 +107,25 @@ Buffers::Buffers(const std::vector<DataSource>& sources, std::optional<std::span
         } else if (i == 0 && bin) {
             bytes = *bin;
         } else {
-            refuse("buffer {} has neither a URI nor a BIN chunk", i);
+            m_buffers.emplace_back();
+            continue;
         }
         if (sources[i].byteLength > bytes.size()) {
             refuse("buffer {} says it has {} bytes but its data has {}", i, sources[i].byteLength,
                    bytes.size());
         }
-        m_buffers.push_back(bytes.first(sources[i].byteLength));
+        m_buffers.emplace_back(bytes.first(sources[i].byteLength));
     }
 }
 
 std::span<const std::uint8_t> Buffers::view(const tinygltf::Model& model, int bufferView) const {
     const tinygltf::BufferView& view = itemAt(model.bufferViews, bufferView, "buffer view");
-    const std::span<const std::uint8_t> buffer = itemAt(m_buffers, view.buffer, "buffer");
+    const auto& bytes = itemAt(m_buffers, view.buffer, "buffer");
+    requireUncompressed(view, bufferView, bytes.has_value());
+    if (!bytes) {
+        refuse("buffer {} has neither a URI nor a BIN chunk", view.buffer);
+    }
+    const std::span<const std::uint8_t> buffer = *bytes;
     if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset) {
         refuse("buffer view {} covers {} bytes from {} but buffer {} has {}", bufferView, view.byteLength,
                view.byteOffset, view.buffer, buffer.size());

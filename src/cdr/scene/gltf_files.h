@@ -37,12 +37,13 @@ class Buffers {
     Buffers(const std::vector<DataSource>& sources, std::optional<std::span<const std::uint8_t>> bin,
             Files& files);
 
-    /// The bytes of a buffer view, all inside its buffer.
+    /// The bytes of a buffer view, all inside its buffer. Refuses one in a buffer that has none: only those
+    /// that are used must, since extensions may hold the rest.
     std::span<const std::uint8_t> view(const tinygltf::Model& model, int bufferView) const;
 
   private:
     std::vector<base::Bytes> m_owned;
-    std::vector<std::span<const std::uint8_t>> m_buffers;
+    std::vector<std::optional<std::span<const std::uint8_t>>> m_buffers; ///< none where the file has no bytes
 };
 
 } // namespace cdr::scene::gltf
