@@ -148,6 +148,15 @@ TEST_F(Gltf, pointsAndLinesAreNotDrawnButSaid) {
     expectSays(refusal(document), "mode 7 does not exist");
 }
 
+TEST_F(Gltf, indicesThatAreNoAccessorAreRefused) {
+    Document document = square();
+    for (const json& unsound :
+         {json::object(), json{{"bufferView", 0}}, json::array(), json("0"), json(-1)}) {
+        document.primitive()["indices"] = unsound;
+        expectSays(refusal(document), "'indices' is ");
+    }
+}
+
 TEST_F(Gltf, restOfATriangleListIsDropped) {
     Document document = square();
     document.primitive()["indices"] =

@@ -79,7 +79,16 @@ void requireSoundMember(const std::string& key, const json& value, bool insideAt
                 requireIndex(element, key);
             }
         }
-    } else if (insideAttributes || (contains(kIndexKeys, key) && !(key == "indices" && value.is_object()))) {
+    } else if (key == "sparse" && value.is_object()) {
+        for (const auto& [part, inner] : value.items()) {
+            if (inner.is_object()) { // its indices are no index
+                requireSoundIndices(inner, false);
+            } else {
+                requireSoundMember(part, inner, false);
+            }
+        }
+        return;
+    } else if (insideAttributes || contains(kIndexKeys, key)) {
         requireIndex(value, key);
         return;
     }

@@ -46,7 +46,9 @@ Texture softTexture() {
             const auto wave = [](std::uint32_t i) {
                 return 0.5 + 0.5 * std::cos(2.0 * std::numbers::pi * (i + 0.5) / 64.0);
             };
-            const auto byte = [](double value) { return static_cast<std::uint8_t>(std::lround(255.0 * value)); };
+            const auto byte = [](double value) {
+                return static_cast<std::uint8_t>(std::lround(255.0 * value));
+            };
             texture.pixels.at(x, y) = {byte(0.6 + 0.4 * wave(x)), byte(0.6 + 0.4 * wave(y)), 220,
                                        byte(0.5 + 0.5 * wave(x) * wave(y))};
         }
