@@ -188,7 +188,7 @@ std::vector<Section> makePlan(const PlanOptions& options) {
                     .arguments =
                         rendered({"flicker", "--frames", amounts.flickerFrames, "--size", amounts.flickerSize,
                                   "--flip-every", amounts.flipEvery, "--moved", "--fitted-range"}),
-                    .expectedSeconds = seconds(60.0, 1500.0)};
+                    .expectedSeconds = seconds(28.0, 1500.0)};
     if (options.videos) {
         flicker.folderOption = "--videos";
         flicker.folder = "videos";
@@ -204,36 +204,36 @@ std::vector<Section> makePlan(const PlanOptions& options) {
              rendered({"pictures", "--frames", amounts.pictureFrames, "--size", amounts.pictureSize}),
          .folderOption = "--out",
          .folder = "pictures",
-         .expectedSeconds = seconds(3.0, 20.0)},
+         .expectedSeconds = seconds(4.0, 20.0)},
         flicker,
         {.name = "flicker-near",
          .arguments = rendered({"flicker", "--near-object", "--fitted-range", "--frames", amounts.nearFrames,
                                 "--size", amounts.flickerSize, "--flip-every", amounts.flipEvery}),
-         .expectedSeconds = seconds(15.0, 500.0)},
+         .expectedSeconds = seconds(3.0, 500.0)},
         {.name = "probe",
          .arguments = rendered({"probe", "--distances", amounts.probeDistances, "--size", amounts.probeSize}),
          .expectedSeconds = seconds(4.0, 8.0)},
         {.name = "timing",
          .arguments = rendered(std::move(timing)),
-         .expectedSeconds = seconds(40.0, 8000.0)},
-        {.name = "scaling", .arguments = std::move(scaling), .expectedSeconds = seconds(25.0, 4000.0)},
+         .expectedSeconds = seconds(29.0, 8000.0)},
+        {.name = "scaling", .arguments = std::move(scaling), .expectedSeconds = seconds(28.0, 4000.0)},
         {.name = "detail",
          .arguments = rendered(
              {"detail", amounts.detailScene, "--frames", amounts.detailFrames, "--size", amounts.detailSize}),
          .folderOption = "--out",
          .folder = "detail",
-         .expectedSeconds = seconds(20.0, 300.0)},
+         .expectedSeconds = seconds(14.0, 300.0)},
         {.name = "translucency",
          .arguments = rendered({"translucency", "--size", amounts.translucencySize, "--cascades",
                                 amounts.translucencyCascades}),
          .folderOption = "--out",
          .folder = "translucency",
-         .expectedSeconds = seconds(10.0, 60.0)},
+         .expectedSeconds = seconds(18.0, 60.0)},
         {.name = "effects",
          .arguments = rendered({"effects", "--frames", amounts.lensFrames, "--size", amounts.lensSize}),
          .folderOption = "--out",
          .folder = "effects",
-         .expectedSeconds = seconds(15.0, 100.0)},
+         .expectedSeconds = seconds(16.0, 100.0)},
         {.name = "focus",
          .arguments = rendered({"focus", "--frames", amounts.lensFrames, "--size", amounts.lensSize,
                                 "--cameras", amounts.focusCameras}),
@@ -245,7 +245,7 @@ std::vector<Section> makePlan(const PlanOptions& options) {
                        fmt::format("{}", options.threads)},
          .folderOption = "--out",
          .folder = "orbit",
-         .expectedSeconds = seconds(15.0, 90.0)},
+         .expectedSeconds = seconds(7.0, 90.0)},
     };
 }
 
