@@ -78,9 +78,8 @@ void Application::wait() const {
     if (isBusy) {
         m_window.wait(isDriven && m_session.isSettled() ? 0.0 : kBusySeconds);
     } else {
-        const bool moves = !isMinimised && (m_model.motion != Motion::free || m_model.rendersAlways ||
-                                            m_isMissed || !m_session.isSettled());
-        m_window.wait(moves ? std::chrono::duration<double>(kRedrawEvery).count() : kIdleSeconds);
+        m_window.wait(isMoving() && !isMinimised ? std::chrono::duration<double>(kRedrawEvery).count()
+                                                 : kIdleSeconds);
     }
 }
 
@@ -136,10 +135,13 @@ PictureArea Application::pictureArea() const {
     return area;
 }
 
+bool Application::isMoving() const {
+    return m_model.motion != Motion::free || m_model.rendersAlways || m_isMissed || m_arguments.frames ||
+           !m_session.isSettled();
+}
+
 bool Application::isRedrawDue() const {
-    const bool moves =
-        m_model.motion != Motion::free || m_model.rendersAlways || m_isMissed || !m_session.isSettled();
-    return m_redraws > 0 || m_soak || (moves && Clock::now() - m_lastFrame >= kRedrawEvery);
+    return m_redraws > 0 || m_soak || (isMoving() && Clock::now() - m_lastFrame >= kRedrawEvery);
 }
 
 void Application::layOut() {

@@ -50,6 +50,8 @@ class Application {
     void captureWindow();
     PictureArea pictureArea() const;
     float sidebarWidth() const;
+    /// Whether the window changes though nobody touches it, or has to count its frames.
+    bool isMoving() const;
     bool isRedrawDue() const;
     void drawFrame();
     void layOut();

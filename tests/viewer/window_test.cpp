@@ -159,6 +159,14 @@ TEST_F(ViewerTest, EveryTabDraws) {
     keepContactSheet("contact_sheet.png", windows);
 }
 
+TEST_F(ViewerTest, QuitsAfterSoManyFramesThoughNothingMoves) {
+    const RunResult run =
+        runShell("timeout 60 '" CDR_VIEWER "' --size 640x360 --frames 40 --screenshot still.png cubes",
+                 folder(), environment());
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(picture("still.png").width, 640u);
+}
+
 TEST_F(ViewerTest, SurvivesRandomInput) {
     // A 360th of half an hour; the same options with --soak 1800 are the long one.
     const RunResult run = runShell("'" CDR_VIEWER "' --validate --size 400x300 --soak 5 --seed 7 cubes",
