@@ -54,12 +54,13 @@ Application::Application(const Arguments& arguments)
       m_script(loadScript(arguments)),
       m_system(fmt::format("cdr render {} -o picture.png", arguments.scene)),
       m_renderInstance({.validate = arguments.validate, .extensions = {}}),
-      m_session(m_renderInstance, arguments.device, m_model),
+      m_renderDevice(m_renderInstance, arguments.device),
       m_window(m_system, windowSize(arguments).width, windowSize(arguments).height, "cdr-viewer"),
       m_ui(m_system, m_window, arguments.device, arguments.validate),
       m_presenter(m_ui, m_window, arguments.waitsForDisplay),
-      m_interface(m_ui, m_window, m_presenter, arguments.uiScale) {
-    m_model.device = describe(m_session.deviceInfo());
+      m_interface(m_ui, m_window, m_presenter, arguments.uiScale),
+      m_session(m_renderDevice, m_model) {
+    m_model.device = describe(m_renderDevice.device().info());
     m_model.uiDevice = describe(m_ui.device().info());
     if (arguments.soakSeconds) {
         m_soak.emplace(*arguments.soakSeconds, arguments.seed, m_model);

@@ -5,6 +5,7 @@
 #include "interface.h"
 #include "item_places.h"
 #include "presenter.h"
+#include "render_device.h"
 #include "script_player.h"
 #include "session.h"
 #include "soak.h"
@@ -65,7 +66,7 @@ class Application {
     std::optional<Soak> m_soak;
     WindowSystem m_system;
     gpu::Instance m_renderInstance;
-    Session m_session; ///< before the window, since a device that is not there needs none
+    RenderDevice m_renderDevice; ///< before the window, since a device that is not there needs none
     Window m_window;
     UiDevice m_ui;
     Presenter m_presenter;
@@ -73,6 +74,9 @@ class Application {
     ItemPlaces m_places;
     Widgets m_widgets{m_places};
     CameraControl m_control;
+    /// Last, so that its thread ends first: the loader (1.3.239) reads freed memory when an instance goes
+    /// while another's device is used.
+    Session m_session;
 
     std::optional<std::filesystem::path> m_capture; ///< file for the next frame's window
     Clock::time_point m_lastFrame = Clock::now();

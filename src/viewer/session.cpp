@@ -31,18 +31,18 @@ bool asksTheSame(const RenderRequest& a, const RenderRequest& b) {
 
 } // namespace
 
-Session::Session(const gpu::Instance& instance, std::string device, ViewerModel& model)
-    : m_instance(instance),
-      m_deviceChoice(std::move(device)),
-      m_model(model) {
-    renewDevice();
+Session::Session(RenderDevice& device, ViewerModel& model) : m_device(device), m_model(model) {
+    startThread();
+}
+
+void Session::startThread() {
+    m_thread.emplace(m_device.device(), [] { WindowSystem::wake(); });
 }
 
 void Session::renewDevice() {
     m_thread.reset(); // with all that it made on the device
-    m_device.reset();
-    m_device.emplace(m_instance, m_deviceChoice);
-    m_thread.emplace(*m_device, [] { WindowSystem::wake(); });
+    m_device.renew();
+    startThread();
     m_click.reset();
     m_asked.reset();
 }

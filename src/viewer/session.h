@@ -1,6 +1,7 @@
 #pragma once
 
 #include "camera_control.h"
+#include "render_device.h"
 #include "render_thread.h"
 #include "viewer_model.h"
 
@@ -9,20 +10,16 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace cdr::viewer {
 
-/// The device that renders, on a thread of its own: kept asked for what the model wants to see, and the model
-/// told of what came of it.
+/// Keeps the render thread asked for what the model wants to see, and the model told of what came of it.
 class Session {
   public:
-    /// @param device for gpu::Device. The instance and the model must outlive the session.
-    Session(const gpu::Instance& instance, std::string device, ViewerModel& model);
+    /// The device and the model must outlive the session.
+    Session(RenderDevice& device, ViewerModel& model);
 
-    const gpu::DeviceInfo& deviceInfo() const { return m_device->info(); }
-    /// Makes the device anew, so that nothing is left of what its driver keeps; what is wanted is rendered
-    /// again.
+    /// Renders all that is wanted again, on a device made anew.
     void renewDevice();
 
     /// Moves the camera along its path, if it follows one, and asks for what is wanted and not yet asked for.
@@ -49,6 +46,7 @@ class Session {
         std::shared_ptr<const RenderResult> shown;
         std::optional<std::uint64_t> serial; ///< of the request that renders it once more
     };
+    void startThread();
     void followPath(double seconds);
     RenderRequest wanted(const PictureArea& area) const;
     void ask(RenderRequest request);
@@ -60,8 +58,7 @@ class Session {
     void readCursor(const PictureArea& area, const glm::dvec2& cursor);
     void count(const RenderResult& result);
 
-    const gpu::Instance& m_instance;
-    std::string m_deviceChoice;
+    RenderDevice& m_device;
     ViewerModel& m_model;
     std::optional<RenderRequest> m_asked;
     ViewSettings m_good; ///< of the last request that did not fail
@@ -71,8 +68,7 @@ class Session {
     std::optional<Click> m_click;
     Clock::time_point m_surfacesAsked{};
     std::deque<Clock::time_point> m_arrivals; ///< of the last second
-    std::optional<gpu::Device> m_device;
-    std::optional<RenderThread> m_thread; ///< always there but in renewDevice()
+    std::optional<RenderThread> m_thread;     ///< always there but in renewDevice()
 };
 
 } // namespace cdr::viewer
