@@ -41,7 +41,7 @@ struct OrbitRun {
 std::vector<std::uint32_t> zoomFrames(std::uint32_t length, std::uint32_t count);
 
 /// @param staged the scene; other scenes with a path do as well.
-OrbitRun runOrbit(const gpu::Device& device, const scene::StagedScene& staged, const OrbitOptions& options,
+OrbitRun runOrbit(const gpu::Device& device, const scene::StagedScene& staged, const OrbitOptions& given,
                   const Progress& progress);
 
 /// A gnuplot script: wrong pixels over the lens, a line per technique.

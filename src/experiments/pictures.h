@@ -38,7 +38,7 @@ struct PictureResult {
 /// Called before each frame with how many of all frames are done.
 using Progress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
 
-std::vector<PictureResult> runPictures(const gpu::Device& device, const PicturesOptions& options,
+std::vector<PictureResult> runPictures(const gpu::Device& device, const PicturesOptions& given,
                                        const Progress& progress);
 
 /// All pictures over their heat maps with captions, one column per technique, two rows per scene.
