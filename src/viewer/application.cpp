@@ -198,7 +198,7 @@ void Application::run() {
             playScript();
         }
         if (m_soak) {
-            m_soak->step(m_window, m_control, pictureArea(), m_session, m_model);
+            m_soak->step(m_window, pictureArea(), m_session, m_model);
             say(m_soak->news());
         }
         handleInput();

@@ -32,8 +32,7 @@ Soak::Soak(double seconds, std::uint64_t seed, const ViewerModel& model)
       m_input({.seed = seed, .seconds = 1.0 / kStepsPerSecond}),
       m_home(model.settings) {}
 
-void Soak::play(Window& window, CameraControl& control, const PictureArea& area, Session& session,
-                ViewerModel& model) {
+void Soak::play(Window& window, const PictureArea& area, Session& session, ViewerModel& model) {
     const SoakStep step = m_input.next();
     if (m_minimisedFor > 0 && --m_minimisedFor == 0) {
         window.inject(window.currentSize());
@@ -51,7 +50,7 @@ void Soak::play(Window& window, CameraControl& control, const PictureArea& area,
     // The pointer runs over the interface too.
     window.inject(MoveInput{step.input.cursor.x, step.input.cursor.y});
     model.orbits = step.orbits;
-    control.steer(step.input, step.zooms, model);
+    CameraControl::steer(step.input, step.zooms, model);
     if (step.click) {
         const PictureExtent& extent = area.extent;
         session.click({std::min<double>(step.click->x, extent.width - 1.0),
@@ -113,8 +112,7 @@ std::uint64_t Soak::stepsBeforeRest() const {
     return static_cast<std::uint64_t>(static_cast<double>(m_steps) * (kWarmUp + (1.0 - kWarmUp) * share));
 }
 
-void Soak::step(Window& window, CameraControl& control, const PictureArea& area, Session& session,
-                ViewerModel& model) {
+void Soak::step(Window& window, const PictureArea& area, Session& session, ViewerModel& model) {
     if (m_homeSize.width == 0) {
         m_homeSize = window.currentSize();
     }
@@ -129,7 +127,7 @@ void Soak::step(Window& window, CameraControl& control, const PictureArea& area,
         rest(window, session, model);
         return;
     }
-    play(window, control, area, session, model);
+    play(window, area, session, model);
     ++m_done;
 }
 

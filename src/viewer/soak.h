@@ -32,8 +32,7 @@ class Soak {
     Soak(double seconds, std::uint64_t seed, const ViewerModel& model);
 
     /// Plays a step, if the renderer has taken the last one.
-    void step(Window& window, CameraControl& control, const PictureArea& area, Session& session,
-              ViewerModel& model);
+    void step(Window& window, const PictureArea& area, Session& session, ViewerModel& model);
     bool isDone() const { return m_memory.size() > kMeasurements; }
     /// The last measurement since it was asked for, one line; else empty.
     std::string news() { return std::exchange(m_news, {}); }
@@ -50,8 +49,7 @@ class Soak {
     };
     std::string growthOf(std::uint64_t Memory::*bytes) const;
     void enter(Phase phase, const Session& session);
-    void play(Window& window, CameraControl& control, const PictureArea& area, Session& session,
-              ViewerModel& model);
+    void play(Window& window, const PictureArea& area, Session& session, ViewerModel& model);
     void rest(Window& window, const Session& session, ViewerModel& model);
     void measure(Window& window, Session& session, ViewerModel& model);
     std::uint64_t stepsBeforeRest() const; ///< played before the next measurement

@@ -45,6 +45,7 @@ class Window {
     Window(const WindowSystem&, std::uint32_t width, std::uint32_t height, const std::string& title);
     Window(const Window&) = delete; // GLFW knows its address
     Window& operator=(const Window&) = delete;
+    ~Window() = default;
 
     GLFWwindow* handle() const { return m_handle.get(); }
     vk::UniqueSurfaceKHR makeSurface(vk::Instance instance) const;
