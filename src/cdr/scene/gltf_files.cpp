@@ -86,7 +86,7 @@ fs::path Files::resolve(const std::string& uri) const {
     std::error_code folderError;
     std::error_code pathError;
     const fs::path folder = fs::weakly_canonical(m_folder, folderError);
-    const fs::path path = fs::weakly_canonical(m_folder / relative, pathError);
+    fs::path path = fs::weakly_canonical(m_folder / relative, pathError);
     if (folderError || pathError) {
         refuse("URI '{}' cannot be read: {}", oneLine(uri),
                (folderError ? folderError : pathError).message());
