@@ -14,8 +14,8 @@ struct EarthTile {
     std::uint32_t x = 0; ///< from 180 degrees west, below 2^(level + 1)
     std::uint32_t y = 0; ///< from the north pole, below 2^level
 
-    auto
-    operator<=>(const EarthTile&) const = default; // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0
+    auto operator<=>(const EarthTile&) const = default;
 };
 
 enum class TileEdge : std::uint8_t { north, south, west, east };
