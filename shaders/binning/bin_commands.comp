@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "binning.glsl"
+#include "binning/binning.glsl"
 
 // Last pass: one invocation per bucket and group lists the group's runs that have draws, in scene order, and counts them.
 layout(local_size_x = 64) in;

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "binning.glsl"
+#include "binning/binning.glsl"
 
 // First pass: sphere against frustum and cascades, as scene::cullSpheres() and scene::binByDistance() do it, and how
 // many instances of the block land in each bucket.

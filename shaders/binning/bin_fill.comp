@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "binning.glsl"
+#include "binning/binning.glsl"
 
 // Third pass: writes each landed instance's draw records, in instance order within a bucket, and where each run begins.
 layout(local_size_x = 256) in;

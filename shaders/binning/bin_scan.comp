@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "binning.glsl"
+#include "binning/binning.glsl"
 
 // Second pass, one workgroup: turns the draws of each bucket and block into where they begin, bucket by bucket. The row
 // after the last bucket counts visible instances, so its first entry becomes the number of draws.

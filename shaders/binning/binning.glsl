@@ -4,7 +4,7 @@
 #define CDR_SHADERS_BINNING_GLSL
 
 #include "shared.h"
-#include "binning_shared.h"
+#include "binning/binning_shared.h"
 
 layout(set = 0, binding = 0, std430) readonly buffer View { BinningView view; };
 layout(set = 0, binding = 1, std430) readonly buffer Spheres { InstanceSphere spheres[]; };

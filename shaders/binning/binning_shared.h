@@ -14,7 +14,7 @@ namespace cdr::shaders {
 
 // Instances per workgroup, one invocation each.
 CDR_CONST kBinBlock = 256u;
-// A compact and a wide bucket per cascade, nearest cascade first, as scene::DrawLists has them.
+// A compact and a wide bucket per cascade, nearest cascade first, as visibility::DrawLists has them.
 CDR_CONST kBinBuckets = 128u;
 
 // What culling and binning read of an instance.
@@ -66,7 +66,7 @@ struct RunGroup {
     uint end;
 };
 
-// scene::DetailMode.
+// visibility::DetailMode.
 CDR_CONST kDetailPerCascade = 2u;
 
 // One frame's camera and cascades.
@@ -81,8 +81,8 @@ struct BinningView {
     double sinY;
     double nearView;
     double farView;
-    double wideSpan;   // scene::binByDistance()'s, where hasWideSpan
-    double levelSlope; // scene::LevelRule
+    double wideSpan;   // visibility::binByDistance()'s, where hasWideSpan
+    double levelSlope; // visibility::LevelRule
     uint hasWideSpan;  // 0 where nothing is wide: no arithmetic with infinities
     uint instances;
     uint cascades;
@@ -90,7 +90,7 @@ struct BinningView {
     uint runs;
     uint groups;
     uint recordCapacity;
-    uint detailMode;                 // scene::DetailMode
+    uint detailMode;                 // visibility::DetailMode
     double nearViews[kCascadeSlots]; // clip ranges; the far ends ascend
     double farViews[kCascadeSlots];
     double anchors[kCascadeSlots]; // view distance of each cascade's anchor plane

@@ -2,7 +2,7 @@
 #ifndef CDR_SHADERS_DEPTH_MAPPING_GLSL
 #define CDR_SHADERS_DEPTH_MAPPING_GLSL
 
-#include "cdr_depth.glsl"
+#include "public/cdr_depth.glsl"
 
 CdrDepth depthOf(CascadePush cascade) {
     return CdrDepth(cascade.anchorView, cascade.depthScale, cascade.depthOffset);

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
-#include "depth_mapping.glsl"
-#include "surface.glsl"
+#include "geometry/depth_mapping.glsl"
+#include "targets/surface.glsl"
 
 layout(constant_id = 0) const uint kDepthForm = kDepthFormLinear;
 layout(constant_id = 1) const uint kTextured = 0u;

@@ -12,7 +12,7 @@ vec3 litAt(ivec2 pixel) {
 }
 
 #ifdef ANTIALIASED
-#include "edge_antialias.glsl"
+#include "shading/edge_antialias.glsl"
 #endif
 
 void main() {

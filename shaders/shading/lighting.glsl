@@ -3,7 +3,7 @@
 #ifndef CDR_SHADERS_LIGHTING_GLSL
 #define CDR_SHADERS_LIGHTING_GLSL
 
-#include "shine.glsl"
+#include "shading/shine.glsl"
 
 layout(set = LIGHTING_SET, binding = LIGHTING_BINDING, std430) readonly buffer Lighting {
     ShadingHeader header;

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
-#include "surface.glsl"
+#include "targets/surface.glsl"
 #define LIGHTING_SET 0
 #define LIGHTING_BINDING 1
-#include "lighting.glsl"
+#include "shading/lighting.glsl"
 
 // Ambient occlusion over the whole picture, whichever cascades its surfaces come from.
 layout(set = 0, binding = 0) uniform usampler2D surfaceBuffer;
@@ -14,7 +14,7 @@ layout(location = 0) out float outOcclusion;
 vec2 anchorOf(uvec4 surface) { return header.anchors[(surface.w >> kIdBits) & kCascadeMask]; }
 float distanceOf(uvec4 surface) { return anchorOf(surface).x + aheadOf(surface); }
 float aheadBetween(uvec4 from, uvec4 to) { return distanceBetween(anchorOf(from), aheadOf(from), anchorOf(to), aheadOf(to)); }
-#include "occlusion.glsl"
+#include "shading/occlusion.glsl"
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
-#include "surface.glsl"
+#include "targets/surface.glsl"
 #define LIGHTING_SET 0
 #define LIGHTING_BINDING 1
-#include "lighting.glsl"
+#include "shading/lighting.glsl"
 
 // Deferred shading of the final G-buffer.
 layout(constant_id = 0) const uint kFoggy = 0u;

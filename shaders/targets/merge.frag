@@ -9,12 +9,12 @@ layout(location = 0) out uvec4 outSurface;
 #ifdef OCCLUDED
 // And works out ambient occlusion on the layer alone, as the thesis' method 2 has it: what other cascades hold is not there.
 #include "shared.h"
-#include "surface.glsl"
+#include "targets/surface.glsl"
 layout(push_constant) uniform Push { LayerPush layer; };
 
 float distanceOf(uvec4 surface) { return layer.anchorView + aheadOf(surface); }
 float aheadBetween(uvec4 from, uvec4 to) { return aheadOf(to) - aheadOf(from); }
-#include "occlusion.glsl"
+#include "shading/occlusion.glsl"
 #endif
 
 #ifdef SCALED

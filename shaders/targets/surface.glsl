@@ -8,7 +8,7 @@
 #ifndef CDR_SHADERS_SURFACE_GLSL
 #define CDR_SHADERS_SURFACE_GLSL
 
-#include "octahedral.glsl"
+#include "targets/octahedral.glsl"
 
 uint encodeAlbedo(vec3 albedo) { return packUnorm4x8(vec4(sqrt(albedo), 0.0)); }
 uint encodeNormal(vec3 normal) { return packSnorm2x16(encodeOctahedral(normal)); }

@@ -2,7 +2,7 @@
 #ifndef CDR_SHADERS_FRAGMENT_LIST_GLSL
 #define CDR_SHADERS_FRAGMENT_LIST_GLSL
 
-#include "translucent_shared.h"
+#include "translucency/translucent_shared.h"
 
 layout(set = CDR_LIST_SET, binding = 0, std430) buffer Heads { uint heads[]; }; // by pixel, row by row
 layout(set = CDR_LIST_SET, binding = 1, std430) buffer Nodes { FragmentNode nodes[]; };

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "translucent_shared.h"
-#include "octahedral.glsl"
+#include "translucency/translucent_shared.h"
+#include "targets/octahedral.glsl"
 
 layout(push_constant) uniform Push { TranslucentPush push; };
 

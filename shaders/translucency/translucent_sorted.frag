@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define CDR_LIST_SET 2
-#include "fragment_list.glsl"
-#include "translucent_surface.glsl"
+#include "translucency/fragment_list.glsl"
+#include "translucency/translucent_surface.glsl"
 
 // Keeps every translucent fragment. In which order they come, and so which node each gets, changes nothing: the list
 // is sorted by what the nodes hold.

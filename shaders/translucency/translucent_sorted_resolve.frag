@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define CDR_LIST_SET 0
-#include "fragment_list.glsl"
-#include "float_pair.glsl"
+#include "translucency/fragment_list.glsl"
+#include "public/float_pair.glsl"
 
 // Sorts a pixel's fragments, nearest first, and lays them over the opaque picture by gpu::Blend::over.
 layout(push_constant) uniform Push {

@@ -3,12 +3,12 @@
 #define CDR_SHADERS_TRANSLUCENT_SURFACE_GLSL
 
 #include "shared.h"
-#include "translucent_shared.h"
-#include "surface.glsl"
-#include "float_pair.glsl"
+#include "translucency/translucent_shared.h"
+#include "targets/surface.glsl"
+#include "public/float_pair.glsl"
 #define LIGHTING_SET 1
 #define LIGHTING_BINDING 1
-#include "lighting.glsl"
+#include "shading/lighting.glsl"
 
 layout(constant_id = 0) const uint kTextured = 0u;
 layout(constant_id = 1) const uint kShiny = 0u;

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "translucent_surface.glsl"
+#include "translucency/translucent_surface.glsl"
 
 // Weighted, blended, order-independent: McGuire and Bavoil 2013, equations 5 and 10, the depth of which is here the
 // place in the cascade's range on a logarithmic scale.

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cdr/scene/camera_path.h>
-
 #include <CLI/CLI.hpp>
+#include <cdr/scene/camera_path.h>
 
 #include <cstdint>
 #include <optional>

@@ -10,7 +10,8 @@
 #include <cdr/base/file.h>
 #include <cdr/base/suggest.h>
 #include <cdr/render/renderer.h>
-#include <cdr/scene/levels.h>
+#include <cdr/scene/lod/levels.h>
+#include <scenes/open_scene.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,7 +42,7 @@ struct RenderArguments {
     bool hash = false;
     std::filesystem::path trace;
     CameraOptions camera;
-    std::uint64_t seed = scene::kDefaultSeed;
+    std::uint64_t seed = scenes::kDefaultSeed;
     scene::GltfChoice choice;
     OutputOptions output;
 };
@@ -105,7 +106,7 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, const PictureS
                                   .threads = arguments.threads,
                                   .submission = render::parseSubmission(arguments.submission),
                                   .batching = render::parseBatching(arguments.batching),
-                                  .detail = scene::parseDetail(arguments.detail),
+                                  .detail = visibility::parseDetail(arguments.detail),
                                   .effects = effectsOf(arguments.effects),
                                   .focus = focusOf(arguments.effects),
                                   .translucency = translucencyOf(arguments.effects)};
@@ -160,7 +161,7 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
         options.trace = &trace.emplace(options.threads);
     }
     scene::OpenedScene opened = openChosen(arguments.scene, arguments.seed, arguments.choice);
-    if (options.detail.mode != scene::DetailMode::none) {
+    if (options.detail.mode != visibility::DetailMode::none) {
         scene::makeLevels(opened.staged.scene, workers);
     }
     const scene::CameraPath& path = opened.staged.path;
@@ -241,7 +242,7 @@ void addRender(CLI::App& program, const GlobalOptions& global) {
     auto arguments = std::make_shared<RenderArguments>();
     command
         ->add_option("scene", arguments->scene,
-                     fmt::format("{}, or a .gltf or .glb file", fmt::join(scene::generatedScenes(), ", ")))
+                     fmt::format("{}, or a .gltf or .glb file", fmt::join(scenes::generatedScenes(), ", ")))
         ->required();
     addTechniqueOptions(*command, *arguments);
     addEffectOptions(*command, arguments->effects);

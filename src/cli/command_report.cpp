@@ -5,13 +5,13 @@
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
 #include <cdr/base/worker_pool.h>
+#include <report/folder.h>
+#include <report/page.h>
+#include <report/plan.h>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <report/folder.h>
-#include <report/page.h>
-#include <report/plan.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,10 +1,9 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
-#include <cdr/render/translucency.h>
-
-#include <CLI/CLI.hpp>
+#include <cdr/render/translucency/translucency.h>
 
 #include <cstdint>
 #include <string>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cdr/measure/truth.h>
-#include <cdr/measure/wrong_pixels.h>
+#include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
-
 #include <experiments/aov.h>
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 #include "scene_choice.h"
 
 #include <cdr/base/error.h>
+#include <scenes/open_scene.h>
 
 namespace cdr::cli {
 
@@ -13,7 +14,7 @@ void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
 scene::OpenedScene openChosen(const std::string& nameOrPath, std::uint64_t seed,
                               const scene::GltfChoice& choice) {
     if (!choice.scene && !choice.camera) {
-        return scene::openScene(nameOrPath, seed);
+        return scenes::openScene(nameOrPath, seed);
     }
     if (!scene::isGltfPath(nameOrPath)) {
         throw base::InputError("--gltf-scene and --camera are for .gltf and .glb files, not " + nameOrPath);

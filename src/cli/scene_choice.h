@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cdr/scene/gltf_stage.h>
-
 #include <CLI/CLI.hpp>
+#include <cdr/scene/gltf/stage.h>
 
 #include <cstdint>
 #include <string>
@@ -12,7 +11,7 @@ namespace cdr::cli {
 /// Adds `--gltf-scene` and `--camera`.
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
 
-/// scene::openScene(), or of a glTF file what is chosen. base::InputError when something is chosen of a scene
+/// scenes::openScene(), or of a glTF file what is chosen. base::InputError when something is chosen of a scene
 /// that is no file.
 scene::OpenedScene openChosen(const std::string& nameOrPath, std::uint64_t seed,
                               const scene::GltfChoice& choice);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/measure/wrong_pixels.h>
+#include <cdr/measure/compare/wrong_pixels.h>
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -4,7 +4,7 @@
 #include <cdr/base/sha256.h>
 #include <cdr/base/suggest.h>
 #include <cdr/image/srgb.h>
-#include <cdr/measure/wrong_pixels.h>
+#include <cdr/measure/compare/wrong_pixels.h>
 
 #include <algorithm>
 #include <array>

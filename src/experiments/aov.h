@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/image/codec.h>
-#include <cdr/measure/truth.h>
+#include <cdr/measure/truth/truth.h>
 #include <cdr/render/frame.h>
 
 #include <cstdint>

@@ -1,12 +1,12 @@
 #include "random.h"
 
-#include <cdr/scene/alley_scene.h>
+#include <scenes/alley.h>
 
 #include <array>
 #include <cmath>
 #include <numbers>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -19,22 +19,22 @@ enum MaterialIndex : std::uint32_t { lightTile, darkTile, post, firstBlock };
 /// Adds boxes, each an object of its own.
 class Builder {
   public:
-    explicit Builder(Scene& scene) : m_scene(scene) {}
+    explicit Builder(scene::Scene& scene) : m_scene(scene) {}
 
     /// @param turn about the y axis.
     void box(std::uint32_t material, const glm::dvec3& centre, const glm::dvec3& size, double turn = 0.0) {
         const glm::dmat3 basis(glm::dvec3(std::cos(turn), 0.0, -std::sin(turn)) * size.x,
                                glm::dvec3(0.0, size.y, 0.0),
                                glm::dvec3(std::sin(turn), 0.0, std::cos(turn)) * size.z);
-        addInstance(m_scene, 0, material, m_objects++, centre, glm::mat3(basis));
+        scene::addInstance(m_scene, 0, material, m_objects++, centre, glm::mat3(basis));
     }
 
   private:
-    Scene& m_scene;
+    scene::Scene& m_scene;
     std::uint32_t m_objects = 0;
 };
 
-void addMaterials(Scene& scene) {
+void addMaterials(scene::Scene& scene) {
     constexpr std::array kColors{glm::vec3(0.55f, 0.5f, 0.42f), glm::vec3(0.16f, 0.15f, 0.15f),
                                  glm::vec3(0.9f, 0.88f, 0.8f),  glm::vec3(0.7f, 0.2f, 0.12f),
                                  glm::vec3(0.15f, 0.4f, 0.55f), glm::vec3(0.75f, 0.6f, 0.2f),
@@ -82,12 +82,12 @@ void addCubesInTheWay(Builder& builder) {
 
 } // namespace
 
-StagedScene makeAlley(std::uint64_t seed) {
+scene::StagedScene makeAlley(std::uint64_t seed) {
     Random random(seed);
-    StagedScene staged;
-    Scene& scene = staged.scene;
+    scene::StagedScene staged;
+    scene::Scene& scene = staged.scene;
     scene.name = "alley";
-    scene.meshes = {makeBox(glm::vec3(0.5f))};
+    scene.meshes = {scene::makeBox(glm::vec3(0.5f))};
     scene.ambient = glm::vec3(0.35f);
     scene.background = glm::vec3(0.02f, 0.04f, 0.09f);
     scene.lights.push_back(
@@ -98,9 +98,10 @@ StagedScene makeAlley(std::uint64_t seed) {
     addSides(builder, random);
     addCubesInTheWay(builder);
     constexpr double kFovY = 50.0 * std::numbers::pi / 180.0;
-    staged.path = stillPath(lookAt({.fovY = kFovY, .nearView = 0.5, .farView = 500.0},
-                                   glm::dvec3(0.0, kEyeHeight, 0.0), glm::dvec3(0.0, 1.1, -12.0)));
+    staged.path =
+        scene::stillPath(scene::lookAt({.fovY = kFovY, .nearView = 0.5, .farView = 500.0},
+                                       glm::dvec3(0.0, kEyeHeight, 0.0), glm::dvec3(0.0, 1.1, -12.0)));
     return staged;
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

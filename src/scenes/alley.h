@@ -1,15 +1,15 @@
 #pragma once
 
-#include <cdr/scene/generators.h>
+#include <scenes/cubes.h>
 
 #include <cstdint>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// For depth of field: a tiled alley from under the camera to 240 units away, blocks along both sides, posts
 /// beside them and a few cubes in the way, the first 12 units ahead. Detail at every distance, and a floor
 /// that every boundary between cascades cuts. 50 degrees, near 0.5, far 500, one still camera 1.7 above the
 /// tiles.
-StagedScene makeAlley(std::uint64_t seed);
+scene::StagedScene makeAlley(std::uint64_t seed);
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/scene/boulders.h>
-#include <cdr/scene/random.h>
+#include <scenes/boulders.h>
+#include <scenes/random.h>
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -121,12 +121,12 @@ std::vector<glm::dvec3> smoothNormals(const std::vector<glm::dvec3>& positions,
 
 glm::mat3 turnedAtRandom(Random& random, double scale) {
     const glm::dvec3 axis = glm::normalize(random.inCube(1.0) + glm::dvec3(1e-9));
-    const Camera facing = lookAt({}, axis, glm::dvec3(0.0));
+    const scene::Camera facing = scene::lookAt({}, axis, glm::dvec3(0.0));
     return glm::mat3(glm::dmat3(facing.right, facing.up, facing.back) * scale);
 }
 
 /// Places one boulder apart from all others; there is room, so tries end.
-void placeBoulder(Scene& scene, std::uint32_t object, const Camera& lens, Random& random) {
+void placeBoulder(scene::Scene& scene, std::uint32_t object, const scene::Camera& lens, Random& random) {
     constexpr double kAspect = 16.0 / 9.0;
     const double tanY = std::tan(0.5 * lens.fovY);
     for (;;) {
@@ -145,7 +145,7 @@ void placeBoulder(Scene& scene, std::uint32_t object, const Camera& lens, Random
         if (isFree) {
             const auto mesh = static_cast<std::uint32_t>(object % scene.meshes.size());
             const auto material = static_cast<std::uint32_t>(object % scene.materials.size());
-            addInstance(scene, mesh, material, object, centre, turnedAtRandom(random, radius));
+            scene::addInstance(scene, mesh, material, object, centre, turnedAtRandom(random, radius));
             return;
         }
     }
@@ -153,7 +153,7 @@ void placeBoulder(Scene& scene, std::uint32_t object, const Camera& lens, Random
 
 } // namespace
 
-Mesh makeBoulder(std::uint64_t seed, std::uint32_t subdivisions) {
+scene::Mesh makeBoulder(std::uint64_t seed, std::uint32_t subdivisions) {
     if (subdivisions > kMostSubdivisions) {
         throw base::InputError("a boulder has at most " + std::to_string(kMostSubdivisions) +
                                " subdivisions");
@@ -170,7 +170,7 @@ Mesh makeBoulder(std::uint64_t seed, std::uint32_t subdivisions) {
         farthest = std::max(farthest, glm::length(direction));
     }
     const std::vector<glm::dvec3> normals = smoothNormals(sphere.directions, sphere.indices);
-    Mesh mesh;
+    scene::Mesh mesh;
     mesh.name = "boulder";
     mesh.indices = std::move(sphere.indices);
     mesh.boundingRadius = 1.0f;
@@ -182,15 +182,15 @@ Mesh makeBoulder(std::uint64_t seed, std::uint32_t subdivisions) {
     return mesh;
 }
 
-StagedScene makeBoulders(std::uint64_t seed, const BoulderOptions& options) {
+scene::StagedScene makeBoulders(std::uint64_t seed, const BoulderOptions& options) {
     constexpr std::uint32_t kMostBoulders = 1000; // more might find no room
     constexpr std::uint32_t kMostShapes = 64;
     if (options.boulders > kMostBoulders || options.shapes < 1 || options.shapes > kMostShapes) {
         throw base::InputError("boulders: at most " + std::to_string(kMostBoulders) + ", of 1 to " +
                                std::to_string(kMostShapes) + " shapes");
     }
-    StagedScene staged;
-    Scene& scene = staged.scene;
+    scene::StagedScene staged;
+    scene::Scene& scene = staged.scene;
     scene.name = "boulders";
     for (std::uint32_t shape = 0; shape < options.shapes; ++shape) {
         scene.meshes.push_back(makeBoulder(seed + shape, options.subdivisions));
@@ -202,7 +202,7 @@ StagedScene makeBoulders(std::uint64_t seed, const BoulderOptions& options) {
         {.position = {4e5, 5e5, 4e5}, .color = glm::vec3(0.9f), .halfDistance = 1e7}); // shines alike on all
     scene.ambient = glm::vec3(0.12f);
     scene.background = glm::vec3(0.05f, 0.07f, 0.11f);
-    const Camera lens{.fovY = 60.0 * kDegree, .nearView = 0.5, .farView = 10'000.0};
+    const scene::Camera lens{.fovY = 60.0 * kDegree, .nearView = 0.5, .farView = 10'000.0};
     Random random(seed);
     for (std::uint32_t object = 0; object < options.boulders; ++object) {
         placeBoulder(scene, object, lens, random);
@@ -210,11 +210,11 @@ StagedScene makeBoulders(std::uint64_t seed, const BoulderOptions& options) {
     constexpr std::uint32_t kFrames = 360;
     staged.path = {.frames = kFrames, .at = [lens](std::uint32_t frame) {
                        const double angle = 2.0 * std::numbers::pi * (frame % kFrames) / kFrames;
-                       Camera camera = lens;
+                       scene::Camera camera = lens;
                        camera.position = kCircle * glm::dvec3(std::sin(angle), 0.0, std::cos(angle) - 1.0);
                        return camera;
                    }};
     return staged;
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

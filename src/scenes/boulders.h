@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cdr/scene/generators.h>
+#include <scenes/cubes.h>
 
 #include <cstdint>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 struct BoulderOptions {
     std::uint32_t boulders = 200;
@@ -17,9 +17,9 @@ struct BoulderOptions {
 /// radius growing with the root of the distance. 60 degrees, near 0.5, far 10,000; in 360 frames the camera
 /// circles once at radius 3, looking ahead all the while. 4.1 million triangles unless told otherwise.
 /// base::InputError for no shapes or too many of anything.
-StagedScene makeBoulders(std::uint64_t seed, const BoulderOptions& options = {});
+scene::StagedScene makeBoulders(std::uint64_t seed, const BoulderOptions& options = {});
 
 /// One boulder of bounding radius 1 or a little less, closed and smooth; the seed decides its bumps.
-Mesh makeBoulder(std::uint64_t seed, std::uint32_t subdivisions);
+scene::Mesh makeBoulder(std::uint64_t seed, std::uint32_t subdivisions);
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

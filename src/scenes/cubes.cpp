@@ -1,34 +1,34 @@
 #include "random.h"
 
 #include <cdr/base/error.h>
-#include <cdr/scene/generators.h>
-#include <cdr/scene/random.h>
+#include <scenes/cubes.h>
+#include <scenes/random.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// A scene with one white material and a unit cube as its only mesh.
-Scene cubeScene(const char* name, double halfDistanceOfLight) {
-    Scene scene;
+scene::Scene cubeScene(const char* name, double halfDistanceOfLight) {
+    scene::Scene scene;
     scene.name = name;
-    scene.meshes.push_back(makeBox(glm::vec3(0.5f)));
+    scene.meshes.push_back(scene::makeBox(glm::vec3(0.5f)));
     scene.materials.push_back({.name = "white", .baseColorFactor = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f)});
     scene.lights.push_back(
         {.position = glm::dvec3(0.0), .color = glm::vec3(1.0f), .halfDistance = halfDistanceOfLight});
     return scene;
 }
 
-void addCube(Scene& scene, const glm::dvec3& position, float scale = 1.0f) {
+void addCube(scene::Scene& scene, const glm::dvec3& position, float scale = 1.0f) {
     const auto object = static_cast<std::uint32_t>(scene.instances.size());
-    addInstance(scene, 0, 0, object, position, glm::mat3(scale));
+    scene::addInstance(scene, 0, 0, object, position, glm::mat3(scale));
 }
 
 /// Centres of 1000 unit cubes that lie wholly within the 32^3 field of the 2AFC scene.
@@ -41,82 +41,82 @@ std::vector<glm::dvec3> afcField(std::uint64_t seed) {
 
 } // namespace
 
-StagedScene makeCubes(std::uint64_t seed) {
+scene::StagedScene makeCubes(std::uint64_t seed) {
     constexpr double kScale = 10.0;
     constexpr double kDistance = 12'000.0;
     std::vector<glm::dvec3> centres = afcField(seed);
     std::sort(centres.begin(), centres.end(), [](const auto& a, const auto& b) { return a.z > b.z; });
-    StagedScene staged{.scene = cubeScene("cubes", 16.0 * kScale), .path = {}};
+    scene::StagedScene staged{.scene = cubeScene("cubes", 16.0 * kScale), .path = {}};
     for (const glm::dvec3& centre : centres) {
         addCube(staged.scene, centre * kScale, static_cast<float>(kScale));
     }
-    const Camera lens{.fovY = 0.87 * kDegree, .nearView = 0.01, .farView = 100'000.0};
-    staged.path = stillPath(lookAt(lens, glm::dvec3(0.0, 0.0, kDistance), glm::dvec3(0.0)));
+    const scene::Camera lens{.fovY = 0.87 * kDegree, .nearView = 0.01, .farView = 100'000.0};
+    staged.path = scene::stillPath(scene::lookAt(lens, glm::dvec3(0.0, 0.0, kDistance), glm::dvec3(0.0)));
     return staged;
 }
 
-StagedScene makeAfc(std::uint64_t seed) {
-    StagedScene staged{.scene = cubeScene("afc", 16.0), .path = {}};
+scene::StagedScene makeAfc(std::uint64_t seed) {
+    scene::StagedScene staged{.scene = cubeScene("afc", 16.0), .path = {}};
     for (const glm::dvec3& centre : afcField(seed)) {
         addCube(staged.scene, centre);
     }
-    const Camera lens{.fovY = 0.002 * kDegree, .nearView = 0.001, .farView = 2e6};
-    staged.path = orbitPath(lens, glm::dvec3(0.0), 1e6, 360);
+    const scene::Camera lens{.fovY = 0.002 * kDegree, .nearView = 0.001, .farView = 2e6};
+    staged.path = scene::orbitPath(lens, glm::dvec3(0.0), 1e6, 360);
     return staged;
 }
 
-StagedScene makeAfcNear(std::uint64_t seed) {
+scene::StagedScene makeAfcNear(std::uint64_t seed) {
     constexpr double kAhead = 0.01;
     constexpr float kSide = 0.002f;
     constexpr double kHalf = 0.5 * static_cast<double>(kSide);
-    StagedScene staged = makeAfc(seed);
+    scene::StagedScene staged = makeAfc(seed);
     staged.scene.name = "afc-near";
-    const CameraPath orbit = staged.path;
+    const scene::CameraPath orbit = staged.path;
     for (std::uint32_t frame = 0; frame < orbit.frames; ++frame) {
-        const Camera camera = orbit.at(frame);
+        const scene::Camera camera = orbit.at(frame);
         // The face it turns to the camera, kHalf nearer, reaches a tenth of the picture's height into a
         // corner.
         const double corner = std::tan(0.5 * camera.fovY) * (kAhead - kHalf);
         const double right = corner * (16.0 / 9.0 - 0.2) + kHalf;
         const double up = corner * 0.8 + kHalf;
         const auto object = static_cast<std::uint32_t>(staged.scene.instances.size());
-        addInstance(staged.scene, 0, 0, object,
-                    camera.position + right * camera.right + up * camera.up - kAhead * camera.back,
-                    glm::mat3(camera.right, camera.up, camera.back) * kSide);
+        scene::addInstance(staged.scene, 0, 0, object,
+                           camera.position + right * camera.right + up * camera.up - kAhead * camera.back,
+                           glm::mat3(camera.right, camera.up, camera.back) * kSide);
     }
     staged.path.at = [orbit](std::uint32_t frame) {
-        Camera camera = orbit.at(frame);
+        scene::Camera camera = orbit.at(frame);
         camera.farView -= 1.0; // this side of the cube opposite
         return camera;
     };
     return staged;
 }
 
-StagedScene makeRotation(std::uint64_t seed, std::uint32_t cubes) {
-    if (cubes > kMaxObjects) {
-        throw base::InputError("rotation: at most " + std::to_string(kMaxObjects) + " cubes");
+scene::StagedScene makeRotation(std::uint64_t seed, std::uint32_t cubes) {
+    if (cubes > scene::kMaxObjects) {
+        throw base::InputError("rotation: at most " + std::to_string(scene::kMaxObjects) + " cubes");
     }
-    StagedScene staged{.scene = cubeScene("rotation", 100.0), .path = {}};
+    scene::StagedScene staged{.scene = cubeScene("rotation", 100.0), .path = {}};
     Random random(seed);
     for (std::uint32_t i = 0; i < cubes; ++i) {
         addCube(staged.scene, random.inCube(200.0));
     }
-    const Camera lens{.fovY = 60.0 * kDegree, .nearView = 0.1, .farView = 100'000.0};
-    staged.path = turnPath(lens, glm::dvec3(0.0), 360);
+    const scene::Camera lens{.fovY = 60.0 * kDegree, .nearView = 0.1, .farView = 100'000.0};
+    staged.path = scene::turnPath(lens, glm::dvec3(0.0), 360);
     return staged;
 }
 
-StagedScene makeCrowd(std::uint64_t seed, std::uint32_t cubes, double aspect) {
-    if (cubes > kMaxObjects) {
-        throw base::InputError("crowd: at most " + std::to_string(kMaxObjects) + " cubes");
+scene::StagedScene makeCrowd(std::uint64_t seed, std::uint32_t cubes, double aspect) {
+    if (cubes > scene::kMaxObjects) {
+        throw base::InputError("crowd: at most " + std::to_string(scene::kMaxObjects) + " cubes");
     }
-    const Camera lens{.fovY = 60.0 * kDegree, .nearView = 100.0, .farView = 10'000.0};
+    const scene::Camera lens{.fovY = 60.0 * kDegree, .nearView = 100.0, .farView = 10'000.0};
     // Wider than a cube's bounding sphere, so that no cube touches a plane.
     constexpr double kMargin = 2.0;
     const double tanY = std::tan(0.5 * lens.fovY);
     const double nearest = std::log(lens.nearView + kMargin);
     const double farthest = std::log(lens.farView - kMargin);
-    StagedScene staged{.scene = cubeScene("crowd", 1'000.0), .path = {}};
+    scene::StagedScene staged{.scene = cubeScene("crowd", 1'000.0), .path = {}};
     Random random(seed);
     for (std::uint32_t i = 0; i < cubes; ++i) {
         const double w = std::exp(random.uniform(nearest, farthest));
@@ -126,7 +126,7 @@ StagedScene makeCrowd(std::uint64_t seed, std::uint32_t cubes, double aspect) {
         const double y = random.uniform(-halfY, halfY);
         addCube(staged.scene, {x, y, -w});
     }
-    staged.path = stillPath(lens);
+    staged.path = scene::stillPath(lens);
     return staged;
 }
 
@@ -136,9 +136,9 @@ double ladderSeparation(const LadderOptions& options, std::uint32_t pair) {
            std::pow(options.largestSeparation / options.smallestSeparation, share);
 }
 
-StagedScene makeLadder(std::uint64_t seed, const LadderOptions& options) {
+scene::StagedScene makeLadder(std::uint64_t seed, const LadderOptions& options) {
     constexpr std::uint32_t kColumns = 16;
-    StagedScene staged{.scene = cubeScene("ladder", 32.0 * options.scale), .path = {}};
+    scene::StagedScene staged{.scene = cubeScene("ladder", 32.0 * options.scale), .path = {}};
     staged.scene.lights.front().position = {0.0, 0.0, 64.0 * options.scale};
     const auto side = static_cast<float>(options.scale);
     Random random(seed);
@@ -153,13 +153,13 @@ StagedScene makeLadder(std::uint64_t seed, const LadderOptions& options) {
         addCube(staged.scene, backFirst ? front : back, side);
     }
     const double halfHeight = 18.0 * options.scale;
-    const Camera lens{.fovY = 2.0 * std::atan(halfHeight / options.distanceView),
-                      .nearView = options.nearView,
-                      .farView = options.farView};
+    const scene::Camera lens{.fovY = 2.0 * std::atan(halfHeight / options.distanceView),
+                             .nearView = options.nearView,
+                             .farView = options.farView};
     const double angle = 20.0 * kDegree;
     const glm::dvec3 eye = options.distanceView * glm::dvec3(std::sin(angle), 0.0, std::cos(angle));
-    staged.path = stillPath(lookAt(lens, eye, glm::dvec3(0.0)));
+    staged.path = scene::stillPath(scene::lookAt(lens, eye, glm::dvec3(0.0)));
     return staged;
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/scene/extreme_scenes.h>
+#include <scenes/mixed.h>
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -15,7 +15,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::uint32_t kMostCells = 1024;
 
 /// So far away that it shines alike on everything.
-PointLight farLight(const glm::dvec3& direction, double distance) {
+scene::PointLight farLight(const glm::dvec3& direction, double distance) {
     return {.position = distance * direction, .color = glm::vec3(1.0f), .halfDistance = 10.0 * distance};
 }
 
@@ -36,7 +36,7 @@ double lineAt(std::uint32_t k, std::uint32_t cells) {
 }
 
 /// One face of a cube about the origin, blown up to the globe.
-void addFace(int axis, double side, double radius, std::uint32_t cells, SourceMesh& mesh) {
+void addFace(int axis, double side, double radius, std::uint32_t cells, scene::SourceMesh& mesh) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     for (std::uint32_t j = 0; j <= cells; ++j) {
         for (std::uint32_t i = 0; i <= cells; ++i) {
@@ -63,14 +63,14 @@ void addFace(int axis, double side, double radius, std::uint32_t cells, SourceMe
 
 } // namespace
 
-StagedScene makeMixed() {
+scene::StagedScene makeMixed() {
     constexpr double kSide = 0.018;
     constexpr double kSpacing = 0.027;
     const double kBehind = std::numbers::sqrt3; // puts corner-on faces one below
-    StagedScene staged;
-    Scene& scene = staged.scene;
+    scene::StagedScene staged;
+    scene::Scene& scene = staged.scene;
     scene.name = "mixed";
-    scene.meshes.push_back(makeBox(glm::vec3(0.5f)));
+    scene.meshes.push_back(scene::makeBox(glm::vec3(0.5f)));
     scene.materials.push_back({.name = "white", .baseColorFactor = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f)});
     scene.materials.push_back({.name = "twin", .baseColorFactor = glm::vec4(0.7f, 0.05f, 0.05f, 1.0f)});
     scene.lights.push_back(farLight({0.3, 0.5, 0.8}, 1e12));
@@ -84,22 +84,22 @@ StagedScene makeMixed() {
         const double y = 0.082 - 0.164 * row + kSpacing * (1.0 - std::floor(place / 3));
         const glm::dvec3 centre = w * glm::dvec3(x, y, -1.0);
         // A corner towards the eye, a little aside: on faces seen from the edge, x and y would decide.
-        const Camera facing = lookAt({}, glm::dvec3(0.0), centre);
+        const scene::Camera facing = scene::lookAt({}, glm::dvec3(0.0), centre);
         const glm::dmat3 turned = glm::dmat3(facing.right, facing.up, facing.back) *
                                   turnedBy((41.0 + place) * kDegree, 35.0 * kDegree);
         const glm::mat3 basis(turned * (kSide * w));
-        addInstance(scene, 0, 0, 2 * pair, centre, basis);
-        addInstance(scene, 0, 1, 2 * pair + 1, centre * (1.0 + kBehind * kMixedShares[row]), basis);
+        scene::addInstance(scene, 0, 0, 2 * pair, centre, basis);
+        scene::addInstance(scene, 0, 1, 2 * pair + 1, centre * (1.0 + kBehind * kMixedShares[row]), basis);
     }
-    staged.path = stillPath({.fovY = 20.0 * kDegree, .nearView = 0.1, .farView = 2e8});
+    staged.path = scene::stillPath({.fovY = 20.0 * kDegree, .nearView = 0.1, .farView = 2e8});
     return staged;
 }
 
-SourceMesh globeMesh(double radius, std::uint32_t cells) {
+scene::SourceMesh globeMesh(double radius, std::uint32_t cells) {
     if (cells < 1 || cells > kMostCells) {
         throw base::InputError("a globe has 1 to " + std::to_string(kMostCells) + " cells along an edge");
     }
-    SourceMesh mesh;
+    scene::SourceMesh mesh;
     mesh.name = "globe";
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {-1.0, 1.0}) {
@@ -109,17 +109,17 @@ SourceMesh globeMesh(double radius, std::uint32_t cells) {
     return mesh;
 }
 
-Scene makeGlobe(const GlobeOptions& options) {
-    Scene scene;
+scene::Scene makeGlobe(const GlobeOptions& options) {
+    scene::Scene scene;
     scene.name = "globe";
     scene.materials.push_back({.name = "white", .baseColorFactor = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f)});
     scene.lights.push_back(farLight({0.6, 0.5, 0.6}, 1e3 * options.radius));
-    const PieceSet pieces =
-        addPieces(scene, cutIntoPieces(globeMesh(options.radius, options.cells), options.pieceRadius));
+    const scene::PieceSet pieces =
+        addPieces(scene, scene::cutIntoPieces(globeMesh(options.radius, options.cells), options.pieceRadius));
     glm::dmat4 toWorld(1.0);
     toWorld[3] = glm::dvec4(options.centre, 1.0);
     placePieces(scene, pieces, 0, 0, toWorld);
     return scene;
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

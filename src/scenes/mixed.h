@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cdr/scene/generators.h>
-#include <cdr/scene/mesh_pieces.h>
+#include <cdr/scene/lod/mesh_pieces.h>
+#include <scenes/cubes.h>
 
 #include <array>
 #include <cstdint>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// View distances of the mixed scene, its separations as shares of them, and pairs of cubes for each of both.
 inline constexpr std::array kMixedDistances{1.0, 1e3, 1e6, 1e8};
@@ -20,7 +20,7 @@ inline constexpr std::uint32_t kMixedPairs =
 /// lower. Twins are drawn last, so a depth buffer that cannot tell the two apart shows red. Finer shares
 /// would ask for more than float32 x and y have. 20 degrees, near 0.1, far 2e8. Pair p, column by column and
 /// in each from the top, is the objects 2p and its twin 2p + 1.
-StagedScene makeMixed();
+scene::StagedScene makeMixed();
 
 struct GlobeOptions {
     double radius = 6.371e6;
@@ -32,9 +32,9 @@ struct GlobeOptions {
 
 /// A planet of one mesh, its vertices float64, cut into pieces of one object 0: white, lit by a far light,
 /// without a camera.
-Scene makeGlobe(const GlobeOptions& options = {});
+scene::Scene makeGlobe(const GlobeOptions& options = {});
 
 /// The mesh of it before it is cut, about the globe's centre.
-SourceMesh globeMesh(double radius, std::uint32_t cells);
+scene::SourceMesh globeMesh(double radius, std::uint32_t cells);
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -1,23 +1,23 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
-#include <cdr/scene/alley_scene.h>
-#include <cdr/scene/boulders.h>
-#include <cdr/scene/extreme_scenes.h>
-#include <cdr/scene/gltf_stage.h>
-#include <cdr/scene/open_scene.h>
-#include <cdr/scene/orbit_scene.h>
-#include <cdr/scene/sheets_scene.h>
+#include <cdr/scene/gltf/stage.h>
+#include <scenes/alley.h>
+#include <scenes/boulders.h>
+#include <scenes/mixed.h>
+#include <scenes/open_scene.h>
+#include <scenes/orbit/orbit.h>
+#include <scenes/sheets.h>
 
 #include <algorithm>
 #include <array>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
 struct Generator {
     std::string_view name;
-    StagedScene (*make)(std::uint64_t seed);
+    scene::StagedScene (*make)(std::uint64_t seed);
 };
 
 constexpr std::array kGenerators{
@@ -46,16 +46,16 @@ std::span<const std::string_view> generatedScenes() {
     return kNames;
 }
 
-OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed) {
+scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed) {
     for (const Generator& generator : kGenerators) {
         if (nameOrPath == generator.name) {
             return {.staged = generator.make(seed), .notes = {}};
         }
     }
-    if (isGltfPath(nameOrPath)) {
-        return openGltf(nameOrPath);
+    if (scene::isGltfPath(nameOrPath)) {
+        return scene::openGltf(nameOrPath);
     }
     throw base::InputError(base::unknownName("scene", nameOrPath, kNames) + ", or a .gltf or .glb file");
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/scene/generators.h>
+#include <cdr/scene/staged_scene.h>
 
 #include <cstdint>
 #include <span>
@@ -8,22 +8,16 @@
 #include <string_view>
 #include <vector>
 
-namespace cdr::scene {
-
-/// What openScene() found.
-struct OpenedScene {
-    StagedScene staged;
-    std::vector<std::string> notes; ///< what an importer ignored, one line each
-};
+namespace cdr::scenes {
 
 /// Names of the scenes that need no file.
 std::span<const std::string_view> generatedScenes();
 
 /// Opens one of generatedScenes(), or a `.gltf` / `.glb` file by path. A file is lit and framed so that it
 /// fills the picture. base::InputError says what is wrong, with a suggestion.
-OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed);
+scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed);
 
 /// The seed used where none is given.
 inline constexpr std::uint64_t kDefaultSeed = 2013;
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

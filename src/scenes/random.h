@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <random>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// Uniform doubles that are the same on every standard library, unlike std::uniform_real_distribution's.
 class Random {
@@ -26,4 +26,4 @@ class Random {
     std::mt19937_64 m_engine;
 };
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

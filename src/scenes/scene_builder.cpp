@@ -1,14 +1,14 @@
-#include <cdr/scene/scene_builder.h>
+#include <scenes/scene_builder.h>
 
 #include <utility>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 std::uint32_t SceneBuilder::addMaterial(const std::string& name, const glm::vec3& linearColor) {
     return addMaterial({.name = name, .baseColorFactor = glm::vec4(linearColor, 1.0f)});
 }
 
-std::uint32_t SceneBuilder::addMaterial(Material material) {
+std::uint32_t SceneBuilder::addMaterial(scene::Material material) {
     m_scene.materials.push_back(std::move(material));
     return static_cast<std::uint32_t>(m_scene.materials.size() - 1);
 }
@@ -21,18 +21,18 @@ void SceneBuilder::addBox(std::uint32_t material, const glm::dvec3& centre, cons
                           const glm::dmat3& basis) {
     if (!m_unitBox) {
         m_unitBox = static_cast<std::uint32_t>(m_scene.meshes.size());
-        m_scene.meshes.push_back(makeBox(glm::vec3(0.5f)));
+        m_scene.meshes.push_back(scene::makeBox(glm::vec3(0.5f)));
     }
     const glm::dmat3 scaled(2.0 * halfSides.x * basis[0], 2.0 * halfSides.y * basis[1],
                             2.0 * halfSides.z * basis[2]);
-    addInstance(m_scene, *m_unitBox, material, static_cast<std::uint32_t>(m_scene.objectNames.size() - 1),
-                centre, glm::mat3(scaled));
+    scene::addInstance(m_scene, *m_unitBox, material,
+                       static_cast<std::uint32_t>(m_scene.objectNames.size() - 1), centre, glm::mat3(scaled));
 }
 
-void SceneBuilder::addMesh(std::uint32_t material, const SourceMesh& mesh, const glm::dmat4& toWorld) {
-    const PieceSet pieces = addPieces(m_scene, cutIntoPieces(mesh));
+void SceneBuilder::addMesh(std::uint32_t material, const scene::SourceMesh& mesh, const glm::dmat4& toWorld) {
+    const scene::PieceSet pieces = addPieces(m_scene, scene::cutIntoPieces(mesh));
     placePieces(m_scene, pieces, material, static_cast<std::uint32_t>(m_scene.objectNames.size() - 1),
                 toWorld);
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/scene/mesh_pieces.h>
+#include <cdr/scene/lod/mesh_pieces.h>
 #include <cdr/scene/scene.h>
 
 #include <glm/glm.hpp>
@@ -9,16 +9,16 @@
 #include <optional>
 #include <string>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// Puts named objects of boxes and meshes into a scene.
 class SceneBuilder {
   public:
     /// @param scene must outlive the builder.
-    explicit SceneBuilder(Scene& scene) : m_scene(scene) {}
+    explicit SceneBuilder(scene::Scene& scene) : m_scene(scene) {}
 
     std::uint32_t addMaterial(const std::string& name, const glm::vec3& linearColor);
-    std::uint32_t addMaterial(Material material);
+    std::uint32_t addMaterial(scene::Material material);
 
     /// What follows belongs to a new object of that name.
     void beginObject(const std::string& name);
@@ -27,13 +27,14 @@ class SceneBuilder {
     void addBox(std::uint32_t material, const glm::dvec3& centre, const glm::dvec3& halfSides,
                 const glm::dmat3& basis = glm::dmat3(1.0));
     /// One mesh about its own middle, its vertices float64 until then.
-    void addMesh(std::uint32_t material, const SourceMesh& mesh, const glm::dmat4& toWorld = glm::dmat4(1.0));
+    void addMesh(std::uint32_t material, const scene::SourceMesh& mesh,
+                 const glm::dmat4& toWorld = glm::dmat4(1.0));
 
-    Scene& scene() { return m_scene; }
+    scene::Scene& scene() { return m_scene; }
 
   private:
-    Scene& m_scene;
+    scene::Scene& m_scene;
     std::optional<std::uint32_t> m_unitBox; ///< mesh that all boxes share
 };
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -1,13 +1,13 @@
 #include "random.h"
 
-#include <cdr/scene/sheets_scene.h>
+#include <scenes/sheets.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -39,8 +39,8 @@ glm::dmat3 anyTurn(Random& random) {
 }
 
 /// Smooth in colour and alpha, so that how finely a device places samples between texels does not show.
-Texture softTexture() {
-    Texture texture{.name = "soft", .pixels = image::ImageRgba8(64, 64)};
+scene::Texture softTexture() {
+    scene::Texture texture{.name = "soft", .pixels = image::ImageRgba8(64, 64)};
     for (std::uint32_t y = 0; y < 64; ++y) {
         for (std::uint32_t x = 0; x < 64; ++x) {
             const auto wave = [](std::uint32_t i) {
@@ -57,17 +57,18 @@ Texture softTexture() {
 }
 
 /// The translucent materials: hues at four opacities, textured, unlit, single-sided.
-void addTranslucentMaterials(Scene& scene) {
+void addTranslucentMaterials(scene::Scene& scene) {
     constexpr std::array kHues{glm::vec3(0.9f, 0.25f, 0.2f),  glm::vec3(0.2f, 0.7f, 0.3f),
                                glm::vec3(0.2f, 0.35f, 0.9f),  glm::vec3(0.9f, 0.75f, 0.2f),
                                glm::vec3(0.6f, 0.25f, 0.85f), glm::vec3(0.25f, 0.75f, 0.8f)};
     constexpr std::array kAlphas{0.25f, 0.5f, 0.35f, 0.75f};
     for (std::uint32_t i = 0; i < 12; ++i) {
-        Material material{.name = "translucent " + std::to_string(i),
-                          .baseColorFactor = glm::vec4(kHues[i % kHues.size()], kAlphas[i % kAlphas.size()]),
-                          .doubleSided = i % 5 != 4,
-                          .unlit = i % 6 == 5,
-                          .alphaMode = AlphaMode::blend};
+        scene::Material material{.name = "translucent " + std::to_string(i),
+                                 .baseColorFactor =
+                                     glm::vec4(kHues[i % kHues.size()], kAlphas[i % kAlphas.size()]),
+                                 .doubleSided = i % 5 != 4,
+                                 .unlit = i % 6 == 5,
+                                 .alphaMode = scene::AlphaMode::blend};
         if (i % 3 == 1) {
             material.baseColorTexture = 0;
         }
@@ -75,7 +76,7 @@ void addTranslucentMaterials(Scene& scene) {
     }
 }
 
-void addSheets(Scene& scene, Random& random, std::uint32_t sheets) {
+void addSheets(scene::Scene& scene, Random& random, std::uint32_t sheets) {
     for (std::uint32_t i = 0; i < sheets; ++i) {
         const double w = kNear * std::pow(0.8 * kFar / kNear, (i + random.uniform(0.2, 0.8)) / sheets) * 1.1;
         const bool isBox = i % 8 == 7;
@@ -83,11 +84,11 @@ void addSheets(Scene& scene, Random& random, std::uint32_t sheets) {
         const glm::mat3 basis(anyTurn(random) * halfSide);
         const glm::dvec3 centre = placeInView(random.uniform(-0.75, 0.75), random.uniform(-0.7, 0.7), w);
         // Neighbours in distance differ in material; which is drawn first has nothing to do with distance.
-        addInstance(scene, isBox ? box : square, (5 * i) % 12, i, centre, basis);
+        scene::addInstance(scene, isBox ? box : square, (5 * i) % 12, i, centre, basis);
     }
 }
 
-void addCubes(Scene& scene, Random& random, std::uint32_t firstObject) {
+void addCubes(scene::Scene& scene, Random& random, std::uint32_t firstObject) {
     const auto firstMaterial = static_cast<std::uint32_t>(scene.materials.size());
     scene.materials.push_back({.name = "white", .baseColorFactor = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f)});
     scene.materials.push_back({.name = "brick", .baseColorFactor = glm::vec4(0.6f, 0.25f, 0.15f, 1.0f)});
@@ -95,22 +96,22 @@ void addCubes(Scene& scene, Random& random, std::uint32_t firstObject) {
         const double w = kNear * std::pow(kFar / kNear, (i + 2.5) / (kCubes + 2.0));
         const glm::mat3 basis(anyTurn(random) * (w * random.uniform(0.05, 0.14)));
         const glm::dvec3 centre = placeInView(random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9), w);
-        addInstance(scene, box, firstMaterial + i % 2, firstObject + i, centre, basis);
+        scene::addInstance(scene, box, firstMaterial + i % 2, firstObject + i, centre, basis);
     }
 }
 
 /// The same objects in another order, which has nothing to do with distance.
-void shuffle(Instances& instances, Random& random) {
+void shuffle(scene::Instances& instances, Random& random) {
     for (std::size_t i = instances.size(); i > 1; --i) {
         const auto j = static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(i)));
-        swapInstances(instances, i - 1, j);
+        scene::swapInstances(instances, i - 1, j);
     }
 }
 
 } // namespace
 
-Mesh makeSquare(float halfSide) {
-    Mesh mesh;
+scene::Mesh makeSquare(float halfSide) {
+    scene::Mesh mesh;
     mesh.name = "square";
     mesh.boundingRadius = halfSide * std::numbers::sqrt2_v<float>;
     for (const glm::vec2 corner : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
@@ -120,12 +121,12 @@ Mesh makeSquare(float halfSide) {
     return mesh;
 }
 
-StagedScene makeSheets(std::uint64_t seed, std::uint32_t sheets) {
+scene::StagedScene makeSheets(std::uint64_t seed, std::uint32_t sheets) {
     Random random(seed);
-    StagedScene staged;
-    Scene& scene = staged.scene;
+    scene::StagedScene staged;
+    scene::Scene& scene = staged.scene;
     scene.name = "sheets";
-    scene.meshes = {makeSquare(1.0f), makeBox(glm::vec3(1.0f))};
+    scene.meshes = {makeSquare(1.0f), scene::makeBox(glm::vec3(1.0f))};
     scene.textures.push_back(softTexture());
     scene.ambient = glm::vec3(0.3f);
     scene.background = glm::vec3(0.02f, 0.03f, 0.05f);
@@ -139,8 +140,8 @@ StagedScene makeSheets(std::uint64_t seed, std::uint32_t sheets) {
     addSheets(scene, random, sheets);
     addCubes(scene, random, sheets);
     shuffle(scene.instances, random);
-    staged.path = stillPath({.fovY = kFovY, .nearView = kNear, .farView = kFar});
+    staged.path = scene::stillPath({.fovY = kFovY, .nearView = kNear, .farView = kFar});
     return staged;
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

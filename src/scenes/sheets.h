@@ -1,19 +1,19 @@
 #pragma once
 
-#include <cdr/scene/generators.h>
+#include <scenes/cubes.h>
 
 #include <cstdint>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// Translucent sheets from one end of the view to the other: near 0.1, far 10^6, 60 degrees. Their distances
 /// are spread evenly in logarithm and each reaches from about half to twice its own, turned every way, so
 /// whatever the split, sheets cross its boundaries at all angles, and each other. Some are textured, some
 /// unlit, some single-sided, some are closed boxes; opaque cubes stand between them at every decade.
 /// @param sheets translucent objects, 64 as the experiments have it; the opaque ones come after them.
-StagedScene makeSheets(std::uint64_t seed, std::uint32_t sheets = 64);
+scene::StagedScene makeSheets(std::uint64_t seed, std::uint32_t sheets = 64);
 
 /// A square in the plane z = 0 from -halfSide to halfSide, its front towards +z.
-Mesh makeSquare(float halfSide);
+scene::Mesh makeSquare(float halfSide);
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -1,11 +1,11 @@
-#include <cdr/scene/solids.h>
+#include <scenes/solids.h>
 
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -17,7 +17,7 @@ glm::dvec2 outlineNormal(std::span<const glm::dvec2> outline, std::size_t i) {
     return {-along.y, along.x};
 }
 
-void addTriangle(SourceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+void addTriangle(scene::SourceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const auto& at = mesh.positions;
     if (at[a] != at[b] && at[b] != at[c] && at[c] != at[a]) {
         mesh.indices.insert(mesh.indices.end(), {a, b, c});
@@ -26,8 +26,8 @@ void addTriangle(SourceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32
 
 } // namespace
 
-SourceMesh turnedSolid(std::string name, std::span<const glm::dvec2> outline, std::uint32_t segments) {
-    SourceMesh mesh;
+scene::SourceMesh turnedSolid(std::string name, std::span<const glm::dvec2> outline, std::uint32_t segments) {
+    scene::SourceMesh mesh;
     mesh.name = std::move(name);
     for (std::size_t ring = 0; ring < outline.size(); ++ring) {
         const glm::dvec2 normal = outlineNormal(outline, ring);
@@ -52,10 +52,10 @@ SourceMesh turnedSolid(std::string name, std::span<const glm::dvec2> outline, st
     return mesh;
 }
 
-SourceMesh hexahedron(std::string name, const std::array<glm::dvec3, 8>& corners) {
+scene::SourceMesh hexahedron(std::string name, const std::array<glm::dvec3, 8>& corners) {
     constexpr std::array<std::array<std::size_t, 4>, 6> kSides{
         {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-    SourceMesh mesh;
+    scene::SourceMesh mesh;
     mesh.name = std::move(name);
     for (const auto& side : kSides) {
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -71,7 +71,7 @@ SourceMesh hexahedron(std::string name, const std::array<glm::dvec3, 8>& corners
     return mesh;
 }
 
-SourceMesh sphereMesh(std::string name, double radius, std::uint32_t segments) {
+scene::SourceMesh sphereMesh(std::string name, double radius, std::uint32_t segments) {
     std::vector<glm::dvec2> outline;
     const std::uint32_t rings = segments / 2;
     for (std::uint32_t i = 0; i <= rings; ++i) {
@@ -80,11 +80,11 @@ SourceMesh sphereMesh(std::string name, double radius, std::uint32_t segments) {
         const double across = i == 0 || i == rings ? 0.0 : std::sin(angle);
         outline.push_back(radius * glm::dvec2(-std::cos(angle), across));
     }
-    SourceMesh mesh = turnedSolid(std::move(name), outline, segments);
+    scene::SourceMesh mesh = turnedSolid(std::move(name), outline, segments);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         mesh.vertices[i].normal = glm::vec3(mesh.positions[i] / radius);
     }
     return mesh;
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

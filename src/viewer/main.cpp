@@ -1,8 +1,7 @@
-#include "application.h"
-#include "resident_memory.h"
-
 #include <cdr/base/error.h>
 #include <cdr/gpu/failure.h>
+#include <viewer/session/application.h>
+#include <viewer/session/resident_memory.h>
 
 #include <fmt/format.h>
 

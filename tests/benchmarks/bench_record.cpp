@@ -3,7 +3,7 @@
 
 #include <cdr/gpu/device.h>
 #include <cdr/render/renderer.h>
-#include <cdr/scene/generators.h>
+#include <scenes/cubes.h>
 
 #include <benchmark/benchmark.h>
 
@@ -22,7 +22,7 @@ struct Gpu {
 
 void record(benchmark::State& state) {
     static const Gpu gpu;
-    const scene::StagedScene staged = scene::makeCrowd(2013, static_cast<std::uint32_t>(state.range(0)));
+    const scene::StagedScene staged = scenes::makeCrowd(2013, static_cast<std::uint32_t>(state.range(0)));
     const render::GpuScene gpuScene(gpu.device, staged.scene);
     depth::Technique technique = depth::parseTechnique("cdr");
     technique.split = depth::SplitCount{static_cast<unsigned>(state.range(2))};

@@ -1,12 +1,12 @@
 // What the viewer makes of a frame at 1280x720, each view by itself. The target: 5 ms each on one thread.
 
 #include <cdr/shaders/shared.h>
-
-#include <benchmark/benchmark.h>
 #include <viewer/state/flip_window.h>
 #include <viewer/state/split_picture.h>
 #include <viewer/state/view_picture.h>
 #include <viewer/state/wrong_view.h>
+
+#include <benchmark/benchmark.h>
 
 #include <cstdint>
 #include <random>

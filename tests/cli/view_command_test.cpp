@@ -3,16 +3,16 @@
 #include <cdr/base/file.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/camera_recording.h>
-#include <cdr/scene/extreme_scenes.h>
-#include <cdr/scene/open_scene.h>
-
 #include <experiments/aov.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
+#include <scenes/mixed.h>
+#include <scenes/open_scene.h>
 #include <viewer/state/command_line.h>
 #include <viewer/state/fly_controller.h>
 #include <viewer/state/heading.h>
 #include <viewer/state/lens_zoom.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -63,7 +63,7 @@ scene::Camera flown(scene::Camera camera, double surfaceView) {
 /// To the bit, with a lens of a fifty-thousandth of a degree per pixel, a million units away.
 TEST_F(ViewCommand, DrawsTheViewersPictureToTheBit) {
     for (const char* technique : {"anchored", "reversed", "logcdr"}) {
-        const scene::StagedScene staged = scene::makeAfc(scene::kDefaultSeed);
+        const scene::StagedScene staged = scenes::makeAfc(scenes::kDefaultSeed);
         viewer::ReproducedView view{.settings = {.scene = "afc"},
                                     .side = 0,
                                     .camera = flown(staged.path.at(0), 1e6),
@@ -85,7 +85,7 @@ TEST_F(ViewCommand, DrawsTheViewersPictureToTheBit) {
 }
 
 TEST_F(ViewCommand, DrawsARolledViewOfTheRightSideOfASplitScreen) {
-    const scene::StagedScene staged = scene::makeMixed();
+    const scene::StagedScene staged = scenes::makeMixed();
     const scene::Camera own = staged.path.at(0);
     viewer::ReproducedView view{
         .settings = {.scene = "mixed"},
@@ -106,7 +106,7 @@ TEST_F(ViewCommand, DrawsARolledViewOfTheRightSideOfASplitScreen) {
 }
 
 TEST_F(ViewCommand, RendersARecordedPath) {
-    const scene::StagedScene staged = scene::makeAfc(scene::kDefaultSeed);
+    const scene::StagedScene staged = scenes::makeAfc(scenes::kDefaultSeed);
     scene::CameraRecording recording{.scene = "afc", .cameras = {}};
     for (std::uint32_t i = 0; i < 3; ++i) {
         scene::record(recording, 0.5 * i, staged.path.at(20 * i));

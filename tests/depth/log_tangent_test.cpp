@@ -18,7 +18,7 @@ using std::log;
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wfloat-conversion"
 #pragma GCC diagnostic ignored "-Wunused-function"
-#include "../../shaders/cdr_depth.glsl"
+#include "../../shaders/public/cdr_depth.glsl"
 #pragma GCC diagnostic pop
 } // namespace shader
 

@@ -1,4 +1,5 @@
 #include <experiments/aov.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>

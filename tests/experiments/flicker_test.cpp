@@ -3,9 +3,9 @@
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
 #include <cdr/base/sha256.h>
+#include <experiments/flicker/flicker.h>
+#include <experiments/flicker/pairs.h>
 
-#include <experiments/flicker.h>
-#include <experiments/flicker_pairs.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,8 +1,8 @@
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
-
 #include <experiments/gnuplot.h>
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>

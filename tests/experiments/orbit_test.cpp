@@ -1,4 +1,5 @@
-#include <experiments/orbit.h>
+#include <experiments/orbit/orbit.h>
+
 #include <gtest/gtest.h>
 
 namespace cdr::experiments {

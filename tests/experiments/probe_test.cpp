@@ -1,4 +1,5 @@
-#include <experiments/probe.h>
+#include <experiments/probe/probe.h>
+
 #include <gtest/gtest.h>
 
 #include <cstdio>

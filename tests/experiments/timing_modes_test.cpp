@@ -1,7 +1,7 @@
 #include <cdr/base/error.h>
+#include <experiments/scaling/scaling.h>
+#include <experiments/timing/timing.h>
 
-#include <experiments/scaling.h>
-#include <experiments/timing.h>
 #include <gtest/gtest.h>
 
 #include <map>

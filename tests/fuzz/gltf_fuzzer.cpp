@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/scene/gltf_import.h>
+#include <cdr/scene/gltf/import.h>
 
 #include <cstddef>
 #include <cstdint>

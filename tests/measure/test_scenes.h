@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/base/worker_pool.h>
-#include <cdr/measure/truth.h>
+#include <cdr/measure/truth/truth.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 

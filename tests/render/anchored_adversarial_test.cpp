@@ -1,7 +1,7 @@
 #include "fixture.h"
 
-#include <cdr/scene/extreme_scenes.h>
-#include <cdr/scene/triangle_clusters.h>
+#include <cdr/scene/lod/triangle_clusters.h>
+#include <scenes/mixed.h>
 
 #include <algorithm>
 #include <array>
@@ -147,7 +147,7 @@ TEST_F(AdversarialTest, EverythingAtOneDistance) {
 TEST_F(AdversarialTest, ACameraBillionsOfKilometresFromTheOrigin) {
     std::array<Outcome, 2> sums;
     for (const bool far : {false, true}) {
-        scene::StagedScene staged = scene::makeAfc(2013);
+        scene::StagedScene staged = scenes::makeAfc(2013);
         const glm::dvec3 shift = far ? glm::dvec3(1e12, -3e11, 2e11) : glm::dvec3(0.0);
         for (std::size_t i = 0; i < staged.scene.instances.size(); ++i) {
             staged.scene.instances.x[i] += shift.x;
@@ -173,12 +173,12 @@ TEST_F(AdversarialTest, ACameraBillionsOfKilometresFromTheOrigin) {
 
 /// The globe of pieces, hunted for pixels that show the sky through its seams.
 TEST_F(AdversarialTest, APlanetOfPiecesHasNoCracks) {
-    scene::Scene scene = scene::makeGlobe();
+    scene::Scene scene = scenes::makeGlobe();
     ASSERT_GT(scene.meshes.size(), 1000u);
     const render::GpuScene gpuScene(device(), scene);
     std::mt19937_64 random(13);
     std::uniform_real_distribution<double> share(-1.0, 1.0);
-    const double radius = scene::GlobeOptions{}.radius;
+    const double radius = scenes::GlobeOptions{}.radius;
     measure::WrongPixels wrong;
     for (const double altitude : {300.0, 20e3, 420e3, 2e7}) {
         for (int i = 0; i < 3; ++i) {
@@ -226,10 +226,10 @@ std::vector<glm::dvec3> seamPoints(const scene::SourceMesh& mesh, double pieceRa
 /// From so near, by lens, that what float32 makes of the pieces is a share of a pixel: any seam that does not
 /// hold shows the sky.
 TEST_F(AdversarialTest, NoSkyShowsThroughTheSeamsOfAPlanet) {
-    const scene::GlobeOptions options;
-    const scene::Scene scene = scene::makeGlobe(options);
+    const scenes::GlobeOptions options;
+    const scene::Scene scene = scenes::makeGlobe(options);
     const std::vector<glm::dvec3> seams =
-        seamPoints(scene::globeMesh(options.radius, options.cells), options.pieceRadius);
+        seamPoints(scenes::globeMesh(options.radius, options.cells), options.pieceRadius);
     ASSERT_GT(seams.size(), 10'000u);
     const render::GpuScene gpuScene(device(), scene);
     auto renderOptions = smallOptions(depth::parseTechnique("anchored"));
@@ -252,9 +252,9 @@ TEST_F(AdversarialTest, NoSkyShowsThroughTheSeamsOfAPlanet) {
 
 /// Where each technique gives up: wrong pixels per distance, separations of 1e-6 of it and of 1e-7.
 TEST_F(AdversarialTest, OfMixedDistancesOnlyAnchoredGetsAllRight) {
-    constexpr std::size_t kColumns = scene::kMixedDistances.size();
+    constexpr std::size_t kColumns = scenes::kMixedDistances.size();
     using Counts = std::array<std::size_t, kColumns>;
-    const scene::StagedScene staged = scene::makeMixed();
+    const scene::StagedScene staged = scenes::makeMixed();
     const scene::Camera camera = staged.path.at(0);
     const render::GpuScene gpuScene(device(), staged.scene);
     base::WorkerPool workers(2);
@@ -268,7 +268,7 @@ TEST_F(AdversarialTest, OfMixedDistancesOnlyAnchoredGetsAllRight) {
         wrong[preset.name] = {};
         for (std::size_t i = 0; i < ids.pixels.size(); ++i) {
             if (inner.pixels[i] != 0) {
-                const std::size_t cell = (truth.pixels[i].id - 1) / 2 / scene::kMixedPairsPerCell;
+                const std::size_t cell = (truth.pixels[i].id - 1) / 2 / scenes::kMixedPairsPerCell;
                 ++pixels[cell % 2][cell / 2];
                 wrong[preset.name][cell % 2][cell / 2] += ids.pixels[i] != truth.pixels[i].id ? 1 : 0;
             }

@@ -1,6 +1,6 @@
 #include "fixture.h"
 
-#include <cdr/scene/extreme_scenes.h>
+#include <scenes/mixed.h>
 
 #include <string>
 #include <vector>
@@ -47,18 +47,18 @@ class AnchoredTargetsTest : public RenderTest {
 };
 
 TEST_F(AnchoredTargetsTest, SomethingNearAndAFieldAMillionUnitsAway) {
-    const scene::StagedScene staged = scene::makeAfcNear(2013);
+    const scene::StagedScene staged = scenes::makeAfcNear(2013);
     expectRight(staged.scene, staged.path.at(7), 2);
 }
 
 TEST_F(AnchoredTargetsTest, MixedDistances) {
-    const scene::StagedScene staged = scene::makeMixed();
+    const scene::StagedScene staged = scenes::makeMixed();
     expectRight(staged.scene, staged.path.at(0), 4);
 }
 
 TEST_F(AnchoredTargetsTest, PiecesOfOneObject) {
-    const scene::Scene scene = scene::makeGlobe({.cells = 48});
-    const double radius = scene::GlobeOptions{}.radius;
+    const scene::Scene scene = scenes::makeGlobe({.cells = 48});
+    const double radius = scenes::GlobeOptions{}.radius;
     const scene::Camera camera = scene::lookAt({.fovY = 0.8, .nearView = 0.1, .farView = 1e8},
                                                {0.0, 0.0, radius + 420e3}, {0.0, 2e6, radius - 3e5});
     expectRight(scene, camera, 2);

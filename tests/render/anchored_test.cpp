@@ -19,7 +19,7 @@ class AnchoredTest : public RenderTest {
 
 /// The scene of the thesis that no float32 view distance gets right, and the same with something near.
 TEST_F(AnchoredTest, AfcHasNoWrongPixelsEvenWithSomethingBesideTheCamera) {
-    for (const scene::StagedScene& staged : {scene::makeAfc(2013), scene::makeAfcNear(2013)}) {
+    for (const scene::StagedScene& staged : {scenes::makeAfc(2013), scenes::makeAfcNear(2013)}) {
         const render::GpuScene gpuScene(device(), staged.scene);
         for (const auto format : {depth::DepthFormat::d32f, depth::DepthFormat::d24}) {
             auto anchored = depth::parseTechnique("anchored");
@@ -42,7 +42,7 @@ TEST_F(AnchoredTest, AfcHasNoWrongPixelsEvenWithSomethingBesideTheCamera) {
 }
 
 TEST_F(AnchoredTest, FittedSplitsDrawRightUnderEveryMapping) {
-    scene::StagedScene staged = scene::makeRotation(5, 64'000);
+    scene::StagedScene staged = scenes::makeRotation(5, 64'000);
     const scene::Camera camera = staged.path.at(0);
     const render::GpuScene gpuScene(device(), staged.scene);
     base::WorkerPool workers(2);
@@ -60,7 +60,7 @@ TEST_F(AnchoredTest, FittedSplitsDrawRightUnderEveryMapping) {
 
 /// Reversed alone gives 16 bits to everything from 10^6 to infinity; fitted, they serve the field.
 TEST_F(AnchoredTest, AFittedReversedRangeEndsAtItsFarPlane) {
-    const scene::StagedScene staged = scene::makeAfc(2013);
+    const scene::StagedScene staged = scenes::makeAfc(2013);
     const scene::Camera camera = staged.path.at(0);
     const auto reversed = technique(depth::Mapping::reversed, "fitted", depth::DepthFormat::d16);
     const Frame frame = draw(staged.scene, camera, {.technique = reversed});

@@ -99,7 +99,7 @@ TEST_F(AntialiasTest, LeavesSurfacesAndEvenPixelsAlone) {
 }
 
 TEST_F(AntialiasTest, IsTheSamePictureWhateverTargetsAndThreads) {
-    const scene::StagedScene staged = scene::makeRotation(1, 8'000);
+    const scene::StagedScene staged = scenes::makeRotation(1, 8'000);
     const Frame first = draw(staged.scene, staged.path.at(0), smoothOptions("cdr"));
     for (const render::TargetsKind kind : render::kTargetsKinds) {
         render::RenderOptions options = smoothOptions("cdr");

@@ -1,10 +1,10 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
-#include <cdr/measure/cracks.h>
-#include <cdr/scene/boulders.h>
-#include <cdr/scene/extreme_scenes.h>
-#include <cdr/scene/levels.h>
+#include <cdr/measure/compare/cracks.h>
+#include <cdr/scene/lod/levels.h>
+#include <scenes/boulders.h>
+#include <scenes/mixed.h>
 
 #include <cmath>
 #include <limits>
@@ -15,8 +15,8 @@ namespace cdr::render_test {
 
 namespace {
 
-using scene::Detail;
-using scene::DetailMode;
+using visibility::Detail;
+using visibility::DetailMode;
 
 constexpr Detail kByObject{.mode = DetailMode::perObject, .pixels = 0.5};
 constexpr Detail kByCascade{.mode = DetailMode::perCascade, .pixels = 0.5};
@@ -27,7 +27,7 @@ void addLevels(scene::Scene& scene) {
 }
 
 scene::StagedScene smallBoulders() {
-    scene::StagedScene staged = scene::makeBoulders(2013, {.boulders = 80, .shapes = 3, .subdivisions = 4});
+    scene::StagedScene staged = scenes::makeBoulders(2013, {.boulders = 80, .shapes = 3, .subdivisions = 4});
     addLevels(staged.scene);
     return staged;
 }
@@ -75,7 +75,7 @@ class DetailRenderTest : public RenderTest {
 /// One boulder across many cascades, from all around.
 scene::Scene largeBoulder() {
     scene::Scene scene = boxScene();
-    scene.meshes = {scene::makeBoulder(5, 5)};
+    scene.meshes = {scenes::makeBoulder(5, 5)};
     addBox(scene, glm::dvec3(0.0), glm::mat3(10.0f));
     addLevels(scene);
     return scene;
@@ -165,7 +165,7 @@ TEST_F(DetailRenderTest, TheGpuDrivenPathChoosesAlikeWithEveryTechnique) {
 
 TEST_F(DetailRenderTest, LevelsNobodyAsksForChangeNoBit) {
     const scene::StagedScene plain =
-        scene::makeBoulders(2013, {.boulders = 40, .shapes = 2, .subdivisions = 3});
+        scenes::makeBoulders(2013, {.boulders = 40, .shapes = 2, .subdivisions = 3});
     scene::Scene levelled = plain.scene;
     addLevels(levelled);
     const scene::Camera camera = plain.path.at(7);
@@ -192,7 +192,7 @@ TEST_F(DetailRenderTest, OneLevelPerCascadeCracks) {
 /// Pieces of one mesh share borders and are drawn at levels of their own.
 TEST_F(DetailRenderTest, NeighbouringPiecesOfOtherLevelsMeet) {
     constexpr double kRadius = 1000.0;
-    scene::Scene globe = scene::makeGlobe({.radius = kRadius, .cells = 64, .pieceRadius = 150.0});
+    scene::Scene globe = scenes::makeGlobe({.radius = kRadius, .cells = 64, .pieceRadius = 150.0});
     addLevels(globe);
     std::vector<scene::Camera> cameras;
     for (int i = 0; i < 16; ++i) {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cdr/base/sha256.h>
-#include <cdr/measure/truth.h>
-#include <cdr/measure/wrong_pixels.h>
+#include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
-#include <cdr/scene/generators.h>
+#include <scenes/cubes.h>
 
 #include <gtest/gtest.h>
 

@@ -42,7 +42,7 @@ TEST_F(FrameTest, IsUprightAndNotMirrored) {
 }
 
 TEST_F(FrameTest, DistanceIsMetricWhateverTheTechnique) {
-    const scene::StagedScene staged = scene::makeRotation(1, 64'000);
+    const scene::StagedScene staged = scenes::makeRotation(1, 64'000);
     const scene::Camera camera = staged.path.at(0);
     base::WorkerPool workers(1);
     const auto truth = measure::castTruth(staged.scene, camera, 480, 270, workers);
@@ -90,7 +90,7 @@ TEST_F(FrameTest, NonUniformAndMirroredBasesAreDrawnAsTheTruthSeesThem) {
 }
 
 TEST_F(FrameTest, ManyFramesFromOneRendererEqualFreshOnes) {
-    const scene::StagedScene staged = scene::makeRotation(1, 5000);
+    const scene::StagedScene staged = scenes::makeRotation(1, 5000);
     const render::GpuScene gpuScene(device(), staged.scene);
     const auto options = smallOptions(depth::parseTechnique("cdr"));
     render::Renderer warm(device(), staged.scene, gpuScene, options);
@@ -123,7 +123,7 @@ TEST_F(FrameTest, RefusesWhatCannotBeRendered) {
 }
 
 TEST_F(FrameTest, ABorrowedDeviceRendersTheSameAndStaysAlive) {
-    const scene::StagedScene staged = scene::makeAfc(1);
+    const scene::StagedScene staged = scenes::makeAfc(1);
     const auto options = smallOptions(depth::parseTechnique("reversed"));
     const scene::Camera camera = staged.path.at(7);
     const Frame own = draw(staged.scene, camera, options);

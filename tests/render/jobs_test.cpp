@@ -1,4 +1,4 @@
-#include <cdr/render/secondary_path.h>
+#include <cdr/render/submit/secondary_path.h>
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@ namespace cdr::render_test {
 namespace {
 
 /// Lists of these many compact and wide draws per cascade; which instances they are does not matter.
-scene::DrawLists listsOf(const std::vector<std::pair<std::size_t, std::size_t>>& cascades) {
-    scene::DrawLists lists;
+visibility::DrawLists listsOf(const std::vector<std::pair<std::size_t, std::size_t>>& cascades) {
+    visibility::DrawLists lists;
     for (const auto& [compact, wide] : cascades) {
         lists.begins.push_back(lists.begins.back() + compact);
         lists.begins.push_back(lists.begins.back() + wide);
@@ -28,7 +28,7 @@ TEST(Jobs, CoverEveryDrawOnceInOrder) {
             compact = random() % 3 == 0 ? 0 : random() % 5000;
             wide = random() % 2 == 0 ? 0 : random() % 50;
         }
-        const scene::DrawLists lists = listsOf(cascades);
+        const visibility::DrawLists lists = listsOf(cascades);
         for (const std::size_t threads : {1u, 2u, 3u, 16u}) {
             std::size_t next = 0;
             std::size_t cascade = 0;
@@ -48,7 +48,7 @@ TEST(Jobs, CoverEveryDrawOnceInOrder) {
 
 /// One thread needs no more than one job a cascade; several share the largest cascade evenly.
 TEST(Jobs, AreBalancedByDraws) {
-    const scene::DrawLists lists = listsOf({{100, 0}, {0, 0}, {60'000, 7}});
+    const visibility::DrawLists lists = listsOf({{100, 0}, {0, 0}, {60'000, 7}});
     EXPECT_EQ(render::makeJobs(lists, 1).size(), 2u);
     const std::vector<render::DrawJob> jobs = render::makeJobs(lists, 4);
     EXPECT_GE(jobs.size(), 16u);

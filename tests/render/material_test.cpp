@@ -1,6 +1,6 @@
 #include "fixture.h"
 
-#include <cdr/measure/layered_truth.h>
+#include <cdr/measure/truth/layered_truth.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "../support/synthetic_earth.h"
 #include "fixture.h"
 
-#include <cdr/scene/orbit_scene.h>
+#include <scenes/orbit/orbit.h>
 
 namespace cdr::render_test {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 class Orbit : public RenderTest {
   protected:
     measure::WrongPixels wrongAt(std::uint32_t frame, const char* technique) {
-        static const scene::StagedScene staged = scene::makeOrbit(test::syntheticEarth());
+        static const scene::StagedScene staged = scenes::makeOrbit(test::syntheticEarth());
         const scene::Camera camera = staged.path.at(frame);
         render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
         options.width = 320;

@@ -1,7 +1,7 @@
 #include "fixture.h"
 
-#include <cdr/measure/layered_truth.h>
-#include <cdr/scene/sheets_scene.h>
+#include <cdr/measure/truth/layered_truth.h>
+#include <scenes/sheets.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -177,7 +177,7 @@ TEST_F(ShineTest, LayersOfALensShineToo) {
 
 /// Translucent sheets that shine, metals and dielectrics, are lit as a float64 ray cast lights them.
 TEST_F(ShineTest, SheetsShineAsInTheTruth) {
-    const scene::StagedScene staged = scene::makeSheets(2013);
+    const scene::StagedScene staged = scenes::makeSheets(2013);
     scene::Scene scene = staged.scene;
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         if (scene.materials[i].alphaMode == scene::AlphaMode::blend && !scene.materials[i].unlit) {

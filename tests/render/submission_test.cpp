@@ -1,7 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
-#include <cdr/scene/open_scene.h>
+#include <scenes/open_scene.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -28,7 +28,7 @@ std::vector<depth::Technique> techniques() {
 /// Two meshes in turn, one of them mirrored now and then, so that runs are short and states change; shiny and
 /// matt.
 scene::StagedScene patchwork(std::uint32_t objects) {
-    scene::StagedScene staged = scene::makeRotation(5, objects);
+    scene::StagedScene staged = scenes::makeRotation(5, objects);
     scene::Scene& scene = staged.scene;
     scene.meshes.push_back(scene::makeBox(glm::vec3(0.9f, 0.2f, 0.5f)));
     scene.materials[0].shine = scene::Shine{.metallic = 1.0f, .roughness = 0.3f};
@@ -75,12 +75,12 @@ class SubmissionTest : public RenderTest {
 };
 
 TEST_F(SubmissionTest, AfcIsOneImageHoweverSubmitted) {
-    const scene::StagedScene staged = scene::makeAfc(2013);
+    const scene::StagedScene staged = scenes::makeAfc(2013);
     expectOneImage(staged.scene, staged.path.at(40));
 }
 
 TEST_F(SubmissionTest, RotationIsOneImageHoweverSubmitted) {
-    const scene::StagedScene staged = scene::makeRotation(2013, 8000);
+    const scene::StagedScene staged = scenes::makeRotation(2013, 8000);
     expectOneImage(staged.scene, staged.path.at(40));
 }
 
@@ -94,7 +94,7 @@ TEST_F(SubmissionTest, GltfIsOneImageHoweverSubmitted) {
     if (!std::filesystem::exists(path)) {
         GTEST_SKIP() << "retro_ufo.glb is absent from " << CDR_ASSETS_DIR;
     }
-    const scene::OpenedScene opened = scene::openScene(path.string(), scene::kDefaultSeed);
+    const scene::OpenedScene opened = scenes::openScene(path.string(), scenes::kDefaultSeed);
     expectOneImage(opened.staged.scene, opened.staged.path.at(0));
 }
 
@@ -105,7 +105,7 @@ TEST_F(SubmissionTest, GpuDrivenDrawsAgainWhenItsRecordsRunOut) {
         addBox(scene, glm::dvec3(i - 20.0, 0.3 * i, -60.0 - i), glm::mat3(30.0f));
     }
     const scene::Camera camera = [] {
-        scene::Camera made = scene::makeRotation(1, 1).path.at(0);
+        scene::Camera made = scenes::makeRotation(1, 1).path.at(0);
         made.position = glm::dvec3(0.0);
         made.nearView = 1.0;
         made.farView = 200.0;
@@ -144,7 +144,7 @@ TEST_F(SubmissionTest, BatchingChangesNoBit) {
 
 /// Frames overlap on the device and in its buffers, and the last is still the one it would be alone.
 TEST_F(SubmissionTest, FramesInFlightLeaveTheNextFrameAsItIs) {
-    const scene::StagedScene staged = scene::makeRotation(3, 4000);
+    const scene::StagedScene staged = scenes::makeRotation(3, 4000);
     const render::GpuScene gpuScene(device(), staged.scene);
     for (const Submission submission : render::kSubmissions) {
         render::RenderOptions options = tinyOptions(depth::parseTechnique("cdr"));
@@ -164,7 +164,7 @@ TEST_F(SubmissionTest, FramesInFlightLeaveTheNextFrameAsItIs) {
 
 TEST_F(SubmissionTest, AnEmptySceneIsDrawnHoweverSubmitted) {
     const scene::Scene scene = boxScene();
-    const scene::Camera camera = scene::makeRotation(1, 1).path.at(0);
+    const scene::Camera camera = scenes::makeRotation(1, 1).path.at(0);
     for (const depth::Technique& technique : techniques()) {
         for (const Submission submission : render::kSubmissions) {
             for (const TargetsKind targets : render::kTargetsKinds) {

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/render/targets.h>
+#include <cdr/render/targets/targets.h>
 
 #include <gtest/gtest.h>
 

@@ -55,7 +55,7 @@ TEST_F(OnePassTest, SlicesShareNoValueAndTheNearestComesFirst) {
 
 TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
     for (const scene::StagedScene& staged :
-         {scene::makeAfc(2013), scene::makeRotation(2013, 20'000), scene::makeCubes(2013)}) {
+         {scenes::makeAfc(2013), scenes::makeRotation(2013, 20'000), scenes::makeCubes(2013)}) {
         const render::GpuScene gpuScene(device(), staged.scene);
         const scene::Camera camera = staged.path.at(20);
         base::WorkerPool workers(2);
@@ -75,7 +75,7 @@ TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
 /// fewer wrong pixels: where neither tells anything apart the draw order decides, so the bound is the worse
 /// of the two.)
 TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
-    const scene::StagedScene staged = scene::makeAfc(2013);
+    const scene::StagedScene staged = scenes::makeAfc(2013);
     const render::GpuScene gpuScene(device(), staged.scene);
     const scene::Camera camera = staged.path.at(20);
     base::WorkerPool workers(2);
@@ -94,7 +94,7 @@ TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
 }
 
 TEST_F(OnePassTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
-    const scene::StagedScene staged = scene::makeRotation(5, 20'000);
+    const scene::StagedScene staged = scenes::makeRotation(5, 20'000);
     const render::GpuScene gpuScene(device(), staged.scene);
     scene::Camera camera = staged.path.at(0);
     camera.nearView = 1.0;

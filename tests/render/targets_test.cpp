@@ -1,7 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
-#include <cdr/scene/open_scene.h>
+#include <scenes/open_scene.h>
 
 #include <fmt/format.h>
 
@@ -55,12 +55,12 @@ class TargetsTest : public RenderTest {
 };
 
 TEST_F(TargetsTest, AfcIsOneImageWhateverTheTargetsAndThreads) {
-    const scene::StagedScene staged = scene::makeAfc(2013);
+    const scene::StagedScene staged = scenes::makeAfc(2013);
     expectOneImage(staged.scene, staged.path.at(40));
 }
 
 TEST_F(TargetsTest, RotationIsOneImageWhateverTheTargetsAndThreads) {
-    const scene::StagedScene staged = scene::makeRotation(2013, 8000);
+    const scene::StagedScene staged = scenes::makeRotation(2013, 8000);
     expectOneImage(staged.scene, staged.path.at(40));
 }
 
@@ -69,13 +69,13 @@ TEST_F(TargetsTest, GltfIsOneImageWhateverTheTargetsAndThreads) {
     if (!std::filesystem::exists(path)) {
         GTEST_SKIP() << "retro_ufo.glb is absent from " << CDR_ASSETS_DIR;
     }
-    const scene::OpenedScene opened = scene::openScene(path.string(), scene::kDefaultSeed);
+    const scene::OpenedScene opened = scenes::openScene(path.string(), scenes::kDefaultSeed);
     expectOneImage(opened.staged.scene, opened.staged.path.at(0));
 }
 
 /// Races show now and then, not always.
 TEST_F(TargetsTest, FiftyFramesByEightThreadsAreOneImage) {
-    const scene::StagedScene staged = scene::makeRotation(7, 20'000);
+    const scene::StagedScene staged = scenes::makeRotation(7, 20'000);
     const render::GpuScene gpuScene(device(), staged.scene);
     const auto technique = depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("count:5"),
                                                 depth::DepthFormat::d32f);
@@ -91,7 +91,7 @@ TEST_F(TargetsTest, FiftyFramesByEightThreadsAreOneImage) {
 }
 
 TEST_F(TargetsTest, TheNumberOfCascadesMayChangeBetweenFrames) {
-    const scene::StagedScene staged = scene::makeRotation(3, 4000);
+    const scene::StagedScene staged = scenes::makeRotation(3, 4000);
     const render::GpuScene gpuScene(device(), staged.scene);
     const auto technique =
         depth::makeTechnique(depth::Mapping::log, depth::parseSplit("ratio:10"), depth::DepthFormat::d32f);
@@ -117,7 +117,7 @@ TEST_F(TargetsTest, TheNumberOfCascadesMayChangeBetweenFrames) {
 }
 
 TEST_F(TargetsTest, ValidationIsSilentOverPresetsTargetsAndThreads) {
-    const scene::StagedScene staged = scene::makeRotation(11, 2000);
+    const scene::StagedScene staged = scenes::makeRotation(11, 2000);
     const render::GpuScene gpuScene(device(), staged.scene);
     for (const depth::Technique& technique : techniques()) {
         for (const TargetsKind kind : render::kTargetsKinds) {
@@ -162,7 +162,7 @@ TEST_F(TargetsTest, APoolThatDoesNotFitIsRefusedWithBothFigures) {
 
 /// Layers are made when a frame needs them, so it is the frame that is refused; the next may be drawn.
 TEST_F(TargetsTest, AFrameOfTooManyLayersIsRefusedAndTheNextIsDrawn) {
-    const scene::StagedScene staged = scene::makeRotation(5, 100);
+    const scene::StagedScene staged = scenes::makeRotation(5, 100);
     const render::GpuScene gpuScene(device(), staged.scene);
     const auto technique = depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("ratio:1.2"),
                                                 depth::DepthFormat::d32f);

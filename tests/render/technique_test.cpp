@@ -16,7 +16,7 @@ class TechniqueTest : public RenderTest {};
 
 /// The thesis' order on its own scene: the reason this project exists.
 TEST_F(TechniqueTest, AfcWrongPixelsComeInTheThesisOrder) {
-    const scene::StagedScene staged = scene::makeAfc(2013);
+    const scene::StagedScene staged = scenes::makeAfc(2013);
     const render::GpuScene gpuScene(device(), staged.scene);
     std::map<std::string, measure::WrongPixels> wrong;
     for (const std::uint32_t number : {0u, 120u, 240u}) {
@@ -40,7 +40,7 @@ TEST_F(TechniqueTest, AfcWrongPixelsComeInTheThesisOrder) {
 }
 
 TEST_F(TechniqueTest, CubesFailUnderStandardAlone) {
-    const scene::StagedScene staged = scene::makeCubes(2013);
+    const scene::StagedScene staged = scenes::makeCubes(2013);
     const scene::Camera camera = staged.path.at(0);
     for (const depth::Technique& technique : depth::presets()) {
         const Frame frame = draw(staged.scene, camera, smallOptions(technique));
@@ -56,7 +56,7 @@ TEST_F(TechniqueTest, CubesFailUnderStandardAlone) {
 /// Every mapping, split and format draws an easy scene right; this is what finds a wrong sign or a swapped
 /// plane.
 TEST_F(TechniqueTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
-    scene::StagedScene staged = scene::makeRotation(5, 64'000);
+    scene::StagedScene staged = scenes::makeRotation(5, 64'000);
     scene::Camera camera = staged.path.at(0);
     camera.nearView = 1.0;
     camera.farView = 500.0;
@@ -122,7 +122,7 @@ TEST_F(TechniqueTest, CascadesLeaveNoCracks) {
 }
 
 TEST_F(TechniqueTest, ThreadsAndBatchingChangeNoBit) {
-    const scene::StagedScene staged = scene::makeRotation(1, 20'000);
+    const scene::StagedScene staged = scenes::makeRotation(1, 20'000);
     const render::GpuScene gpuScene(device(), staged.scene);
     for (const depth::Technique& technique : depth::presets()) {
         std::string first;

@@ -1,7 +1,7 @@
 #include "fixture.h"
 
-#include <cdr/measure/layered_truth.h>
-#include <cdr/scene/sheets_scene.h>
+#include <cdr/measure/truth/layered_truth.h>
+#include <scenes/sheets.h>
 
 #include <random>
 
@@ -59,7 +59,7 @@ class TranslucencyTest : public RenderTest {
             << nameOf(options.translucency.method) << " " << frame.cascades.size();
     }
 
-    scene::StagedScene m_sheets = scene::makeSheets(2013);
+    scene::StagedScene m_sheets = scenes::makeSheets(2013);
     scene::Camera m_camera = m_sheets.path.at(0);
     measure::LayeredTruth m_truth = truthOf(m_sheets.scene, m_camera);
 };
@@ -187,7 +187,7 @@ TEST_F(TranslucencyTest, TheNumberOfCascadesChangesNoBitWhenSorted) {
 TEST_F(TranslucencyTest, SortedHoldsAnyNumberOfLayers) {
     constexpr std::uint32_t kLayers = 700;
     scene::Scene scene = boxScene();
-    scene.meshes.push_back(scene::makeSquare(1.0f));
+    scene.meshes.push_back(scenes::makeSquare(1.0f));
     for (const float hue : {0.0f, 0.1f, 0.2f, 0.4f, 0.6f, 0.8f, 1.0f}) {
         scene.materials.push_back({.name = "layer",
                                    .baseColorFactor = glm::vec4(hue, 1.0f - hue, 0.5f, 0.02f),
@@ -263,7 +263,7 @@ TEST_F(TranslucencyTest, FramesInFlightLeaveTheNextFrameAsItIs) {
 /// Over the same surfaces twice as opaque: the G-buffer, and so ids and distances, are of the opaque alone.
 TEST_F(TranslucencyTest, TheGBufferHoldsOpaqueSurfacesAlone) {
     scene::Scene opaque = m_sheets.scene;
-    opaque.instances = scene::withoutBlended(m_sheets.scene);
+    opaque.instances = visibility::withoutBlended(m_sheets.scene);
     for (scene::Material& material : opaque.materials) {
         material.alphaMode = scene::AlphaMode::opaque;
     }

@@ -1,7 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
-#include <cdr/measure/truth_shading.h>
+#include <cdr/measure/truth/truth_shading.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -40,7 +40,7 @@ void expectAlike(const render::Frame& frame, const scene::Scene& scene, const sc
 }
 
 TEST_F(TruthShadingTest, LooksAsTheRendererDoes) {
-    const scene::StagedScene staged = scene::makeAfc(2013);
+    const scene::StagedScene staged = scenes::makeAfc(2013);
     const scene::Camera camera = staged.path.at(40);
     const auto frame = draw(staged.scene, camera, smallOptions(depth::parseTechnique("anchored")));
     expectAlike(frame, staged.scene, camera);

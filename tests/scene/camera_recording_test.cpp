@@ -3,7 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
 #include <cdr/scene/camera_recording.h>
-#include <cdr/scene/generators.h>
+#include <scenes/cubes.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -32,7 +32,7 @@ void expectSame(const Camera& a, const Camera& b) {
 /// Flown around the afc field, at uneven moments, the lens narrowing.
 CameraRecording flown() {
     CameraRecording recording{.scene = "afc", .cameras = {}};
-    const CameraPath path = makeAfc(1).path;
+    const CameraPath path = scenes::makeAfc(1).path;
     for (std::uint32_t i = 0; i < 12; ++i) {
         Camera camera = path.at(7 * i);
         camera.fovY *= std::pow(0.7, i);

@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/scene/generators.h>
-#include <cdr/scene/open_scene.h>
+#include <scenes/cubes.h>
+#include <scenes/open_scene.h>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 namespace {
 
 using namespace cdr::scene;
+using namespace cdr::scenes;
 using cdr::base::InputError;
 
 TEST(Generators, AfcIsTheThesisScene) {

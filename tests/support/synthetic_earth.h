@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/scene/orbit_data.h>
+#include <scenes/orbit/data.h>
 
 #include <cstdint>
 
@@ -8,9 +8,9 @@ namespace cdr::test {
 
 /// An Earth of hills everywhere in place of the real maps, which need not be installed: green, its heights
 /// from 0 to 3 km and without pattern.
-inline scene::EarthMaps syntheticEarth() {
-    scene::EarthMaps maps{.color = image::ImageRgba8(16, 8, {60, 90, 40, 255}),
-                          .topography = image::ImageRgba8(256, 128)};
+inline scenes::EarthMaps syntheticEarth() {
+    scenes::EarthMaps maps{.color = image::ImageRgba8(16, 8, {60, 90, 40, 255}),
+                           .topography = image::ImageRgba8(256, 128)};
     std::uint32_t state = 1;
     for (image::Rgba8& pixel : maps.topography.pixels) {
         state = state * 1664525u + 1013904223u;

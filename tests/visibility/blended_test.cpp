@@ -1,13 +1,16 @@
 #include <cdr/depth/split.h>
-#include <cdr/scene/blended.h>
-#include <cdr/scene/cull.h>
-#include <cdr/scene/sheets_scene.h>
+#include <cdr/visibility/blended.h>
+#include <cdr/visibility/cull.h>
+#include <scenes/sheets.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-namespace cdr::scene {
+namespace cdr::visibility {
+
+using namespace scene;
+using namespace scenes;
 
 namespace {
 
@@ -92,4 +95,4 @@ TEST(Sheets, AreOfEveryKindAndTheSameForASeed) {
 
 } // namespace
 
-} // namespace cdr::scene
+} // namespace cdr::visibility

@@ -1,7 +1,7 @@
 #include <cdr/depth/split.h>
-#include <cdr/scene/bin.h>
-#include <cdr/scene/cull.h>
-#include <cdr/scene/generators.h>
+#include <cdr/visibility/bin.h>
+#include <cdr/visibility/cull.h>
+#include <scenes/cubes.h>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,8 @@
 namespace {
 
 using namespace cdr::scene;
+using namespace cdr::scenes;
+using namespace cdr::visibility;
 using cdr::base::WorkerPool;
 using cdr::depth::Cascades;
 

@@ -1,7 +1,7 @@
 #include <cdr/base/error.h>
-#include <cdr/scene/boulders.h>
-#include <cdr/scene/detail.h>
-#include <cdr/scene/levels.h>
+#include <cdr/scene/lod/levels.h>
+#include <cdr/visibility/level_choice.h>
+#include <scenes/boulders.h>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,8 @@
 namespace {
 
 using namespace cdr::scene;
+using namespace cdr::scenes;
+using namespace cdr::visibility;
 using cdr::base::InputError;
 using cdr::depth::Cascades;
 

@@ -2,8 +2,8 @@
 
 #include <cdr/depth/cascade.h>
 #include <cdr/image/image.h>
-#include <cdr/render/gbuffer.h>
-#include <cdr/render/translucency.h>
+#include <cdr/render/targets/gbuffer.h>
+#include <cdr/render/translucency/translucency.h>
 #include <cdr/scene/camera.h>
 
 #include <glm/glm.hpp>

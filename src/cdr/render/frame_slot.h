@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/render/focus_layers.h>
 #include <cdr/render/renderer.h>
+#include <cdr/render/targets/focus_layers.h>
 
 namespace cdr::render {
 

@@ -5,7 +5,7 @@
 namespace cdr::render {
 
 const depth::Cascades& FrameSplit::fit(const depth::SplitFitted& split, const scene::Camera& camera,
-                                       const scene::VisibleList& visible) {
+                                       const visibility::VisibleList& visible) {
     m_intervals.resize(visible.count);
     for (std::size_t i = 0; i < visible.count; ++i) {
         const auto radius = static_cast<double>(visible.radius[i]);
@@ -19,7 +19,7 @@ const depth::Cascades& FrameSplit::fit(const depth::SplitFitted& split, const sc
     return m_fitted;
 }
 
-depth::Cascades FrameSplit::cut(const scene::Camera& camera, const scene::VisibleList& visible) {
+depth::Cascades FrameSplit::cut(const scene::Camera& camera, const visibility::VisibleList& visible) {
     if (const auto* fitted = std::get_if<depth::SplitFitted>(&m_technique.split)) {
         return fit(*fitted, camera, visible);
     }

@@ -3,7 +3,7 @@
 #include <cdr/depth/fitted_split.h>
 #include <cdr/depth/technique.h>
 #include <cdr/scene/camera.h>
-#include <cdr/scene/cull.h>
+#include <cdr/visibility/cull.h>
 
 #include <cstdint>
 #include <vector>
@@ -20,7 +20,7 @@ class FrameSplit {
           m_height(height) {}
 
     /// base::InputError for an unusable split or range.
-    depth::Cascades cut(const scene::Camera& camera, const scene::VisibleList& visible);
+    depth::Cascades cut(const scene::Camera& camera, const visibility::VisibleList& visible);
 
     /// The next frame is cut as a first one is.
     void forget() { m_fitted.clear(); }
@@ -33,7 +33,7 @@ class FrameSplit {
 
   private:
     const depth::Cascades& fit(const depth::SplitFitted& split, const scene::Camera& camera,
-                               const scene::VisibleList& visible);
+                               const visibility::VisibleList& visible);
 
     depth::Technique m_technique;
     std::uint32_t m_height;

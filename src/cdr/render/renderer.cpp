@@ -1,12 +1,12 @@
 #include "frame_slot.h"
 
 #include <cdr/gpu/commands.h>
-#include <cdr/render/binning_pass.h>
-#include <cdr/render/focus_layers.h>
-#include <cdr/render/gpu_driven_path.h>
-#include <cdr/render/primary_path.h>
 #include <cdr/render/renderer_setup.h>
-#include <cdr/render/secondary_path.h>
+#include <cdr/render/submit/binning_pass.h>
+#include <cdr/render/submit/gpu_driven_path.h>
+#include <cdr/render/submit/primary_path.h>
+#include <cdr/render/submit/secondary_path.h>
+#include <cdr/render/targets/focus_layers.h>
 #include <cdr/render/view_transform.h>
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ class Stopwatch {
 };
 
 std::optional<scene::Instances> opaqueWhereBlended(const scene::Scene& scene) {
-    return scene::hasBlended(scene) ? std::optional(scene::withoutBlended(scene)) : std::nullopt;
+    return visibility::hasBlended(scene) ? std::optional(visibility::withoutBlended(scene)) : std::nullopt;
 }
 
 } // namespace
@@ -113,7 +113,7 @@ std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {
 }
 
 void Renderer::cull(const scene::Camera& camera) {
-    scene::cullSpheres(opaque(), camera, m_aspect, m_workers, m_visible);
+    visibility::cullSpheres(opaque(), camera, m_aspect, m_workers, m_visible);
 }
 
 void Renderer::cut(const scene::Camera& camera, Slot& slot) {
@@ -154,7 +154,7 @@ void Renderer::launch(Slot& slot, Destination destination) {
                        .visible = m_visible,
                        .clipRanges = slot.clipRanges,
                        .cascades = slot.draws,
-                       .levels = scene::levelRule(m_options.detail, slot.camera, m_extent.height)};
+                       .levels = visibility::levelRule(m_options.detail, slot.camera, m_extent.height)};
     slot.destination = destination;
     slot.path->bin(view, slot.stats);
     slot.stats.times.binMs = watch.lap("bin");

@@ -2,18 +2,18 @@
 
 #include <cdr/base/worker_pool.h>
 #include <cdr/depth/technique.h>
-#include <cdr/render/draw_path.h>
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
 #include <cdr/render/frame.h>
 #include <cdr/render/frame_split.h>
 #include <cdr/render/gpu_scene.h>
-#include <cdr/render/picture.h>
 #include <cdr/render/readback.h>
-#include <cdr/render/shading_pass.h>
-#include <cdr/render/targets.h>
-#include <cdr/render/translucent_pass.h>
-#include <cdr/scene/cull.h>
+#include <cdr/render/shading/picture.h>
+#include <cdr/render/shading/shading_pass.h>
+#include <cdr/render/submit/draw_path.h>
+#include <cdr/render/targets/targets.h>
+#include <cdr/render/translucency/translucent_pass.h>
+#include <cdr/visibility/cull.h>
 
 #include <cstdint>
 #include <memory>
@@ -35,7 +35,8 @@ struct RenderOptions {
     base::Placement placement = base::Placement::free; ///< of those threads but the caller's
     Submission submission = Submission::secondaries;
     Batching batching = Batching::instanced;
-    scene::Detail detail{}; ///< none unless told; meshes without levels are drawn in full whatever it says
+    visibility::Detail
+        detail{}; ///< none unless told; meshes without levels are drawn in full whatever it says
     Effects effects{};
     Focus focus{}; ///< on, it needs targets `layers`, and effects without occlusion
     TranslucencyOptions translucency{};
@@ -125,9 +126,9 @@ class Renderer {
     std::unique_ptr<TranslucentPass> m_translucent; ///< where the scene has blended instances
     Readback m_colorCopy;
     Readback m_surfaceCopy;
-    scene::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing
-    std::vector<Slot> m_slots;    ///< taken in turn
-    std::size_t m_frames = 0;     ///< begun so far
+    visibility::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing
+    std::vector<Slot> m_slots;         ///< taken in turn
+    std::size_t m_frames = 0;          ///< begun so far
 };
 
 } // namespace cdr::render

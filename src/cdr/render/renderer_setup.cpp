@@ -59,7 +59,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
                                            "(accumulate, pool or layers), not {}",
                                            nameOf(options.targets.kind)));
     }
-    scene::requireUsable(options.detail);
+    visibility::requireUsable(options.detail);
     const std::uint32_t most = device.info().maxImageSide;
     for (const std::uint32_t side : {options.width, options.height}) {
         if (side < 1 || side > most) {

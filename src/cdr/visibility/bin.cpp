@@ -1,5 +1,5 @@
 #include <cdr/base/vector_clones.h>
-#include <cdr/scene/bin.h>
+#include <cdr/visibility/bin.h>
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-namespace cdr::scene {
+namespace cdr::visibility {
 
 namespace {
 
@@ -146,4 +146,4 @@ void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges
     });
 }
 
-} // namespace cdr::scene
+} // namespace cdr::visibility

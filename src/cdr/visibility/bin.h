@@ -2,12 +2,12 @@
 
 #include <cdr/base/worker_pool.h>
 #include <cdr/depth/cascade.h>
-#include <cdr/scene/cull.h>
+#include <cdr/visibility/cull.h>
 
 #include <cstdint>
 #include <vector>
 
-namespace cdr::scene {
+namespace cdr::visibility {
 
 /// What each cascade draws, nearest cascade first. Within a cascade the compact instances come first, then
 /// the wide ones, each in instance order.
@@ -52,4 +52,4 @@ struct DrawLists {
 void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges, double wideSpan,
                    base::WorkerPool& workers, DrawLists& lists);
 
-} // namespace cdr::scene
+} // namespace cdr::visibility

@@ -1,26 +1,26 @@
-#include <cdr/scene/blended.h>
+#include <cdr/visibility/blended.h>
 
 #include <algorithm>
 #include <limits>
 
-namespace cdr::scene {
+namespace cdr::visibility {
 
 namespace {
 
-bool isBlended(const Scene& scene, std::size_t i) {
-    return scene.materials[scene.instances.material[i]].alphaMode == AlphaMode::blend;
+bool isBlended(const scene::Scene& scene, std::size_t i) {
+    return scene.materials[scene.instances.material[i]].alphaMode == scene::AlphaMode::blend;
 }
 
 } // namespace
 
-BlendedInstances blendedInstances(const Scene& scene) {
-    const Instances& all = scene.instances;
+BlendedInstances blendedInstances(const scene::Scene& scene) {
+    const scene::Instances& all = scene.instances;
     BlendedInstances blended;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!isBlended(scene, i)) {
             continue;
         }
-        Instances& some = blended.instances;
+        scene::Instances& some = blended.instances;
         some.x.push_back(all.x[i]);
         some.y.push_back(all.y[i]);
         some.z.push_back(all.z[i]);
@@ -34,15 +34,15 @@ BlendedInstances blendedInstances(const Scene& scene) {
     return blended;
 }
 
-bool hasBlended(const Scene& scene) {
+bool hasBlended(const scene::Scene& scene) {
     const std::vector<std::uint32_t>& materials = scene.instances.material;
     return std::any_of(materials.begin(), materials.end(), [&](std::uint32_t material) {
-        return scene.materials[material].alphaMode == AlphaMode::blend;
+        return scene.materials[material].alphaMode == scene::AlphaMode::blend;
     });
 }
 
-Instances withoutBlended(const Scene& scene) {
-    Instances opaque = scene.instances;
+scene::Instances withoutBlended(const scene::Scene& scene) {
+    scene::Instances opaque = scene.instances;
     for (std::size_t i = 0; i < opaque.size(); ++i) {
         if (isBlended(scene, i)) {
             opaque.radius[i] = std::numeric_limits<float>::lowest();
@@ -51,4 +51,4 @@ Instances withoutBlended(const Scene& scene) {
     return opaque;
 }
 
-} // namespace cdr::scene
+} // namespace cdr::visibility

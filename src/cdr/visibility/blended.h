@@ -5,22 +5,22 @@
 #include <cstdint>
 #include <vector>
 
-namespace cdr::scene {
+namespace cdr::visibility {
 
 /// The instances whose material blends (AlphaMode::blend): translucent surfaces, which are drawn after all
 /// others.
 struct BlendedInstances {
-    Instances instances;               ///< they alone, in scene order
+    scene::Instances instances;        ///< they alone, in scene order
     std::vector<std::uint32_t> source; ///< of each, its index in the scene
 };
 
-BlendedInstances blendedInstances(const Scene& scene);
+BlendedInstances blendedInstances(const scene::Scene& scene);
 
 /// Whether any instance's material blends.
-bool hasBlended(const Scene& scene);
+bool hasBlended(const scene::Scene& scene);
 
 /// The scene's instances under their own indices, the blended ones with the most negative radius there is: no
 /// view volume is near enough to keep such a sphere.
-Instances withoutBlended(const Scene& scene);
+scene::Instances withoutBlended(const scene::Scene& scene);
 
-} // namespace cdr::scene
+} // namespace cdr::visibility

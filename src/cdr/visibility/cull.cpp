@@ -1,10 +1,10 @@
-#include <cdr/scene/cull.h>
+#include <cdr/visibility/cull.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace cdr::scene {
+namespace cdr::visibility {
 
 namespace {
 
@@ -19,7 +19,7 @@ struct SphereTest {
     glm::dvec3 position, right, up, back;
     double cosX, sinX, cosY, sinY, nearView, farView;
 
-    SphereTest(const Camera& camera, double aspect)
+    SphereTest(const scene::Camera& camera, double aspect)
         : position(camera.position),
           right(camera.right),
           up(camera.up),
@@ -41,8 +41,8 @@ struct Block {
 };
 
 /// The hot loop: straight-line arithmetic over arrays, no branch, so compilers vectorise it.
-void testBlock(const SphereTest& test, const Instances& instances, std::size_t begin, std::size_t count,
-               Block& block) {
+void testBlock(const SphereTest& test, const scene::Instances& instances, std::size_t begin,
+               std::size_t count, Block& block) {
     const double* x = instances.x.data() + begin;
     const double* y = instances.y.data() + begin;
     const double* z = instances.z.data() + begin;
@@ -63,7 +63,7 @@ void testBlock(const SphereTest& test, const Instances& instances, std::size_t b
 }
 
 /// Appends the survivors of a range to arrays sized for all of it; returns how many.
-std::size_t cullRange(const SphereTest& test, const Instances& instances, base::IndexRange range,
+std::size_t cullRange(const SphereTest& test, const scene::Instances& instances, base::IndexRange range,
                       VisibleList& visible) {
     Block block;
     std::size_t kept = range.begin;
@@ -92,8 +92,8 @@ void closeGap(std::vector<T>& values, std::size_t from, std::size_t count, std::
 
 } // namespace
 
-void cullSpheres(const Instances& instances, const Camera& camera, double aspect, base::WorkerPool& workers,
-                 VisibleList& visible) {
+void cullSpheres(const scene::Instances& instances, const scene::Camera& camera, double aspect,
+                 base::WorkerPool& workers, VisibleList& visible) {
     const SphereTest test(camera, aspect);
     const std::size_t count = instances.size();
     visible.instance.resize(count);
@@ -116,4 +116,4 @@ void cullSpheres(const Instances& instances, const Camera& camera, double aspect
     visible.count = end;
 }
 
-} // namespace cdr::scene
+} // namespace cdr::visibility

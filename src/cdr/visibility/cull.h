@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace cdr::scene {
+namespace cdr::visibility {
 
 /// The instances a camera may see, by bounding sphere, in instance order: the first `count` entries of each
 /// array. The arrays keep the scene's size from frame to frame, so culling neither allocates nor clears once
@@ -23,7 +23,7 @@ struct VisibleList {
 /// outside one of the six planes. The same list, in the same order, for any number of workers.
 /// @param aspect width over height of the picture.
 /// @param visible overwritten.
-void cullSpheres(const Instances& instances, const Camera& camera, double aspect, base::WorkerPool& workers,
-                 VisibleList& visible);
+void cullSpheres(const scene::Instances& instances, const scene::Camera& camera, double aspect,
+                 base::WorkerPool& workers, VisibleList& visible);
 
-} // namespace cdr::scene
+} // namespace cdr::visibility

@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
-#include <cdr/scene/detail.h>
+#include <cdr/visibility/level_choice.h>
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace cdr::scene {
+namespace cdr::visibility {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr std::size_t kJobDraws = 16'384;
 constexpr std::array<std::string_view, 3> kNames{"none", "object", "cascade"};
 
 /// View distance of an instance's centre, by cullSpheres()' operations in their order.
-double distanceOf(const Instances& instances, std::uint32_t instance, const Camera& camera) {
+double distanceOf(const scene::Instances& instances, std::uint32_t instance, const scene::Camera& camera) {
     const double dx = instances.x[instance] - camera.position.x;
     const double dy = instances.y[instance] - camera.position.y;
     const double dz = instances.z[instance] - camera.position.z;
@@ -27,7 +27,7 @@ double distanceOf(const Instances& instances, std::uint32_t instance, const Came
 /// The coarsest level that may be used at a view distance. An error's share of the mesh's bounding radius is
 /// the share that its world-space size has of the instance's radius; products instead of that quotient are
 /// the same on the device.
-std::uint8_t levelAt(const Mesh& mesh, double radius, double distanceView, double slope) {
+std::uint8_t levelAt(const scene::Mesh& mesh, double radius, double distanceView, double slope) {
     const double limit = slope * distanceView * static_cast<double>(mesh.boundingRadius);
     for (std::size_t level = mesh.levels.size(); level > 0; --level) {
         if (static_cast<double>(mesh.levels[level - 1].error) * radius <= limit) {
@@ -69,17 +69,17 @@ void requireUsable(const Detail& detail) {
     }
 }
 
-LevelRule levelRule(const Detail& detail, const Camera& camera, std::uint32_t height) {
+LevelRule levelRule(const Detail& detail, const scene::Camera& camera, std::uint32_t height) {
     return {.mode = detail.mode, .slope = detail.pixels * 2.0 * std::tan(0.5 * camera.fovY) / height};
 }
 
-void chooseLevels(const Scene& scene, const Camera& camera, const depth::Cascades& clipRanges,
+void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const depth::Cascades& clipRanges,
                   const LevelRule& rule, base::WorkerPool& workers, DrawLists& lists) {
     if (rule.mode == DetailMode::none) {
         lists.level.clear();
         return;
     }
-    const Instances& instances = scene.instances;
+    const scene::Instances& instances = scene.instances;
     lists.level.resize(std::max(lists.level.size(), lists.draws()));
     for (std::size_t cascade = 0; cascade < lists.cascades(); ++cascade) {
         const base::IndexRange all = lists.range(cascade);
@@ -88,7 +88,7 @@ void chooseLevels(const Scene& scene, const Camera& camera, const depth::Cascade
             const base::IndexRange range = base::evenRange(all.size(), job, jobs);
             for (std::size_t draw = all.begin + range.begin; draw < all.begin + range.end; ++draw) {
                 const std::uint32_t instance = lists.instance[draw];
-                const Mesh& mesh = scene.meshes[instances.mesh[instance]];
+                const scene::Mesh& mesh = scene.meshes[instances.mesh[instance]];
                 const auto radius = static_cast<double>(instances.radius[instance]);
                 const double distanceView =
                     rule.mode == DetailMode::perCascade
@@ -100,14 +100,14 @@ void chooseLevels(const Scene& scene, const Camera& camera, const depth::Cascade
     }
 }
 
-std::uint64_t trianglesDrawn(const Scene& scene, const DrawLists& lists) {
+std::uint64_t trianglesDrawn(const scene::Scene& scene, const DrawLists& lists) {
     std::uint64_t indices = 0;
     for (std::size_t draw = 0; draw < lists.draws(); ++draw) {
-        const Mesh& mesh = scene.meshes[scene.instances.mesh[lists.instance[draw]]];
+        const scene::Mesh& mesh = scene.meshes[scene.instances.mesh[lists.instance[draw]]];
         const std::size_t level = lists.level.empty() ? 0 : lists.level[draw];
         indices += level == 0 ? mesh.indices.size() : mesh.levels[level - 1].indices.size();
     }
     return indices / 3;
 }
 
-} // namespace cdr::scene
+} // namespace cdr::visibility

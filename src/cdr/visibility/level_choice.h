@@ -2,15 +2,15 @@
 
 #include <cdr/base/worker_pool.h>
 #include <cdr/depth/cascade.h>
-#include <cdr/scene/bin.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
+#include <cdr/visibility/bin.h>
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-namespace cdr::scene {
+namespace cdr::visibility {
 
 /// Who decides at which level of detail an instance is drawn.
 enum class DetailMode : std::uint8_t {
@@ -40,7 +40,7 @@ struct LevelRule {
 };
 
 /// @param height of the picture in pixels.
-LevelRule levelRule(const Detail& detail, const Camera& camera, std::uint32_t height);
+LevelRule levelRule(const Detail& detail, const scene::Camera& camera, std::uint32_t height);
 
 /// Fills DrawLists::level: of each draw the coarsest level whose error, in world space, is at most
 /// `rule.slope` times a view distance; the mesh itself where no level's is. That distance is the nearest of
@@ -48,10 +48,10 @@ LevelRule levelRule(const Detail& detail, const Camera& camera, std::uint32_t he
 /// the draw's cascade (perCascade). Errors grow with an instance as its bounding sphere does. The same levels
 /// for any number of workers.
 /// @param lists of binByDistance() over the same camera and ranges.
-void chooseLevels(const Scene& scene, const Camera& camera, const depth::Cascades& clipRanges,
+void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const depth::Cascades& clipRanges,
                   const LevelRule& rule, base::WorkerPool& workers, DrawLists& lists);
 
 /// How many triangles the lists' draws have, counted once per cascade they are drawn in.
-std::uint64_t trianglesDrawn(const Scene& scene, const DrawLists& lists);
+std::uint64_t trianglesDrawn(const scene::Scene& scene, const DrawLists& lists);
 
-} // namespace cdr::scene
+} // namespace cdr::visibility

@@ -1,11 +1,10 @@
-#include "commands.h"
-#include "console.h"
-
 #include <cdr/base/error.h>
 #include <cdr/depth/advice.h>
 #include <cdr/scene/camera.h>
+#include <cli/commands.h>
+#include <cli/console.h>
+#include <experiments/advise/measured_advice.h>
 
-#include <experiments/measured_advice.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

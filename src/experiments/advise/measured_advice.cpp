@@ -1,9 +1,8 @@
 #include "measured_advice.h"
 
-#include "probe.h"
-#include "timing.h"
-
 #include <cdr/base/error.h>
+#include <experiments/probe/probe.h>
+#include <experiments/timing/timing.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "comparison.h"
+#include <cli/comparison.h>
+#include <experiments/detail/detail.h>
 
-#include <experiments/detail.h>
 #include <fmt/format.h>
 
 namespace cdr::cli {
@@ -49,7 +49,8 @@ void run(const GlobalOptions& global, DetailArguments& arguments) {
     experiments::DetailOptions& options = arguments.options;
     options.technique = depth::makeTechnique(depth::parseMapping(arguments.depth),
                                              depth::parseSplit(arguments.split), depth::DepthFormat::d32f);
-    scene::requireUsable(scene::Detail{.mode = scene::DetailMode::perObject, .pixels = options.pixels});
+    visibility::requireUsable(
+        visibility::Detail{.mode = visibility::DetailMode::perObject, .pixels = options.pixels});
     begin(arguments.common, options);
     const Session session(global);
     const Console console(global, arguments.common.output);

@@ -1,12 +1,11 @@
 #include "detail.h"
 
-#include "shuffled_order.h"
-
 #include <cdr/base/error.h>
-#include <cdr/measure/cracks.h>
-#include <cdr/measure/flip_difference.h>
+#include <cdr/measure/compare/cracks.h>
+#include <cdr/measure/compare/flip_difference.h>
 #include <cdr/render/renderer.h>
-#include <cdr/scene/levels.h>
+#include <cdr/scene/lod/levels.h>
+#include <experiments/shuffled_order.h>
 
 #include <algorithm>
 #include <array>
@@ -22,12 +21,12 @@ using Clock = std::chrono::steady_clock;
 
 struct Mode {
     const char* name;
-    scene::DetailMode mode;
+    visibility::DetailMode mode;
 };
 /// The first is what all others are compared with.
 constexpr std::array kModes{
-    Mode{"none", scene::DetailMode::none}, Mode{"none-again", scene::DetailMode::none},
-    Mode{"object", scene::DetailMode::perObject}, Mode{"cascade", scene::DetailMode::perCascade}};
+    Mode{"none", visibility::DetailMode::none}, Mode{"none-again", visibility::DetailMode::none},
+    Mode{"object", visibility::DetailMode::perObject}, Mode{"cascade", visibility::DetailMode::perCascade}};
 
 /// Cameras drawn and dropped first: pipelines compile, memory is touched, caches fill.
 constexpr std::uint32_t kWarmUpFrames = 2;
@@ -73,7 +72,7 @@ class Comparison {
     Comparison(const gpu::Device& device, const DetailOptions& options)
         : m_options(options),
           m_workers(options.threads),
-          m_staged(scene::openScene(options.scene, options.seed).staged),
+          m_staged(scenes::openScene(options.scene, options.seed).staged),
           m_makeMs(makeLevels()),
           m_gpuScene(device, m_staged.scene),
           m_order(kModes.size(), options.seed),
@@ -156,19 +155,20 @@ class Comparison {
     }
 
     /// Counted by the very functions that the frame was drawn with.
-    std::uint64_t trianglesOf(const render::Frame& frame, scene::DetailMode mode) {
+    std::uint64_t trianglesOf(const render::Frame& frame, visibility::DetailMode mode) {
         const double aspect = static_cast<double>(m_options.width) / static_cast<double>(m_options.height);
-        scene::cullSpheres(m_staged.scene.instances, frame.camera, aspect, m_workers, m_visible);
+        visibility::cullSpheres(m_staged.scene.instances, frame.camera, aspect, m_workers, m_visible);
         depth::Cascades ranges;
         for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
             ranges.push_back(depth::clipRange(m_options.technique.mapping, frame.cascades, i));
         }
         constexpr double kNoneWide = std::numeric_limits<double>::infinity();
-        scene::binByDistance(m_visible, ranges, kNoneWide, m_workers, m_lists);
-        const scene::Detail detail{.mode = mode, .pixels = m_options.pixels};
-        scene::chooseLevels(m_staged.scene, frame.camera, ranges,
-                            scene::levelRule(detail, frame.camera, m_options.height), m_workers, m_lists);
-        return scene::trianglesDrawn(m_staged.scene, m_lists);
+        visibility::binByDistance(m_visible, ranges, kNoneWide, m_workers, m_lists);
+        const visibility::Detail detail{.mode = mode, .pixels = m_options.pixels};
+        visibility::chooseLevels(m_staged.scene, frame.camera, ranges,
+                                 visibility::levelRule(detail, frame.camera, m_options.height), m_workers,
+                                 m_lists);
+        return visibility::trianglesDrawn(m_staged.scene, m_lists);
     }
 
     void summarise(std::size_t mode, DetailResult& result) const {
@@ -195,8 +195,8 @@ class Comparison {
     std::vector<Samples> m_samples; ///< by mode
     std::vector<DetailResult> m_results;
     measure::FlipDifference m_flip;
-    scene::VisibleList m_visible;
-    scene::DrawLists m_lists;
+    visibility::VisibleList m_visible;
+    visibility::DrawLists m_lists;
 };
 
 } // namespace

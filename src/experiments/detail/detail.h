@@ -3,9 +3,9 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
-#include <cdr/measure/statistics.h>
-#include <cdr/scene/detail.h>
-#include <cdr/scene/open_scene.h>
+#include <cdr/measure/statistics/statistics.h>
+#include <cdr/visibility/level_choice.h>
+#include <scenes/open_scene.h>
 
 #include <cstdint>
 #include <functional>
@@ -17,15 +17,15 @@ namespace cdr::experiments {
 /// What levels of detail save and what they change (thesis chapter 3): the same frames in full, by object and
 /// by cascade.
 struct DetailOptions {
-    std::string scene = "boulders"; ///< as scene::openScene() takes it
-    std::uint64_t seed = scene::kDefaultSeed;
+    std::string scene = "boulders"; ///< as scenes::openScene() takes it
+    std::uint64_t seed = scenes::kDefaultSeed;
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
     std::uint32_t frames = 24; ///< spread over the scene's camera path
     std::size_t threads = 1;
     depth::Technique technique =
         depth::makeTechnique(depth::Mapping::standard, depth::SplitCount{5}, depth::DepthFormat::d32f);
-    double pixels = 0.5; ///< scene::Detail::pixels
+    double pixels = 0.5; ///< visibility::Detail::pixels
 };
 
 /// One mode over all frames. Times are medians, milliseconds.

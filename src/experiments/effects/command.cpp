@@ -1,8 +1,7 @@
-#include "comparison.h"
-
 #include <cdr/render/effects.h>
+#include <cli/comparison.h>
+#include <experiments/effects/effects.h>
 
-#include <experiments/effects.h>
 #include <fmt/format.h>
 
 namespace cdr::cli {

@@ -1,9 +1,8 @@
 #include "effects.h"
 
-#include "shuffled_order.h"
-
 #include <cdr/base/error.h>
 #include <cdr/render/renderer.h>
+#include <experiments/shuffled_order.h>
 
 #include <algorithm>
 #include <array>
@@ -63,7 +62,7 @@ class Comparison {
     Comparison(const gpu::Device& device, const EffectsOptions& options)
         : m_device(device),
           m_options(options),
-          m_staged(scene::openScene(options.scene, options.seed).staged),
+          m_staged(scenes::openScene(options.scene, options.seed).staged),
           m_camera(m_staged.path.at(0)),
           m_gpuScene(device, m_staged.scene),
           m_order(kModes.size(), options.seed),

@@ -2,8 +2,8 @@
 
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
-#include <cdr/measure/statistics.h>
-#include <cdr/scene/open_scene.h>
+#include <cdr/measure/statistics/statistics.h>
+#include <scenes/open_scene.h>
 
 #include <cstdint>
 #include <functional>
@@ -15,8 +15,8 @@ namespace cdr::experiments {
 /// What screen-space effects cost, whether they look the same under every technique, and what working one out
 /// per layer loses (thesis chapter 3, method 2).
 struct EffectsOptions {
-    std::string scene = "alley"; ///< as scene::openScene() takes it
-    std::uint64_t seed = scene::kDefaultSeed;
+    std::string scene = "alley"; ///< as scenes::openScene() takes it
+    std::uint64_t seed = scenes::kDefaultSeed;
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
     std::uint32_t frames = 20; ///< timed, of every mode, all of the scene's first camera

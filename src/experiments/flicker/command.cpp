@@ -1,13 +1,12 @@
-#include "commands.h"
-#include "console.h"
-#include "wrong_pixels_json.h"
-
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
+#include <cli/commands.h>
+#include <cli/console.h>
+#include <cli/wrong_pixels_json.h>
+#include <experiments/flicker/flicker.h>
+#include <experiments/flicker/output.h>
+#include <experiments/flicker/pairs.h>
 
-#include <experiments/flicker.h>
-#include <experiments/flicker_output.h>
-#include <experiments/flicker_pairs.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

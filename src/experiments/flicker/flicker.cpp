@@ -1,12 +1,12 @@
 #include "flicker.h"
 
-#include "flicker_state.h"
+#include "state.h"
 
 #include <cdr/base/error.h>
-#include <cdr/measure/flip_difference.h>
-#include <cdr/measure/truth_shading.h>
+#include <cdr/measure/compare/flip_difference.h>
+#include <cdr/measure/truth/truth_shading.h>
 #include <cdr/render/renderer.h>
-#include <cdr/scene/open_scene.h>
+#include <scenes/open_scene.h>
 
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ class Flicker {
         : m_options(options),
           m_hooks(hooks),
           m_workers(options.threads),
-          m_staged(scene::openScene(options.nearObject ? "afc-near" : "afc", options.seed).staged),
+          m_staged(scenes::openScene(options.nearObject ? "afc-near" : "afc", options.seed).staged),
           m_gpuScene(device, m_staged.scene),
           m_caster(m_staged.scene, m_workers) {
         for (const depth::Technique& technique : options.techniques) {

@@ -3,8 +3,8 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
-#include <cdr/measure/flips.h>
-#include <cdr/measure/wrong_pixels.h>
+#include <cdr/measure/compare/flips.h>
+#include <cdr/measure/compare/wrong_pixels.h>
 
 #include <cstddef>
 #include <cstdint>

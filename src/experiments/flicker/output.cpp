@@ -1,6 +1,6 @@
-#include "flicker_output.h"
+#include "output.h"
 
-#include "flicker_pairs.h"
+#include "pairs.h"
 
 #include <cdr/base/error.h>
 #include <cdr/image/codec.h>

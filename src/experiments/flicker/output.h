@@ -1,8 +1,7 @@
 #pragma once
 
-#include "video.h"
-
 #include <cdr/image/image.h>
+#include <experiments/video.h>
 
 #include <cstdint>
 #include <filesystem>

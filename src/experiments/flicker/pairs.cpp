@@ -1,4 +1,4 @@
-#include "flicker_pairs.h"
+#include "pairs.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "flicker.h"
 
-#include <cdr/measure/choice_statistics.h>
+#include <cdr/measure/statistics/choice_statistics.h>
 
 #include <array>
 #include <optional>

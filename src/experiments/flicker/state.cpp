@@ -1,4 +1,4 @@
-#include "flicker_state.h"
+#include "state.h"
 
 #include <cdr/base/document.h>
 #include <cdr/base/error.h>

@@ -1,6 +1,6 @@
-#include "comparison.h"
+#include <cli/comparison.h>
+#include <experiments/focus/focus.h>
 
-#include <experiments/focus.h>
 #include <fmt/format.h>
 
 namespace cdr::cli {

@@ -1,12 +1,12 @@
 #include "focus.h"
 
 #include "lens_reference.h"
-#include "shuffled_order.h"
 
 #include <cdr/base/error.h>
 #include <cdr/image/srgb.h>
-#include <cdr/measure/flip_difference.h>
+#include <cdr/measure/compare/flip_difference.h>
 #include <cdr/render/renderer.h>
+#include <experiments/shuffled_order.h>
 
 #include <algorithm>
 #include <array>
@@ -65,7 +65,7 @@ class Comparison {
     Comparison(const gpu::Device& device, const FocusOptions& options)
         : m_options(options),
           m_workers(options.threads),
-          m_staged(scene::openScene(options.scene, options.seed).staged),
+          m_staged(scenes::openScene(options.scene, options.seed).staged),
           m_camera(m_staged.path.at(0)),
           m_lens(options.lens, std::tan(0.5 * m_camera.fovY), options.height),
           m_gpuScene(device, m_staged.scene),

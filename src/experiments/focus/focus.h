@@ -3,9 +3,9 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
-#include <cdr/measure/statistics.h>
+#include <cdr/measure/statistics/statistics.h>
 #include <cdr/render/focus.h>
-#include <cdr/scene/open_scene.h>
+#include <scenes/open_scene.h>
 
 #include <cstdint>
 #include <functional>
@@ -17,8 +17,8 @@ namespace cdr::experiments {
 /// What depth of field by per-cascade resolution saves and what it looks like (thesis chapter 3, where it is
 /// untested), against a lens of many cameras.
 struct FocusOptions {
-    std::string scene = "alley"; ///< as scene::openScene() takes it
-    std::uint64_t seed = scene::kDefaultSeed;
+    std::string scene = "alley"; ///< as scenes::openScene() takes it
+    std::uint64_t seed = scenes::kDefaultSeed;
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
     std::uint32_t frames = 20;  ///< timed, of every mode, all of the scene's first camera

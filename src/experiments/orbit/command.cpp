@@ -1,13 +1,12 @@
-#include "commands.h"
-#include "console.h"
-#include "wrong_pixels_json.h"
-
 #include <cdr/base/file.h>
 #include <cdr/image/codec.h>
-#include <cdr/scene/orbit_scene.h>
-
+#include <cli/commands.h>
+#include <cli/console.h>
+#include <cli/wrong_pixels_json.h>
 #include <experiments/gnuplot.h>
-#include <experiments/orbit.h>
+#include <experiments/orbit/orbit.h>
+#include <scenes/orbit/orbit.h>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -20,7 +19,7 @@ namespace {
 
 struct OrbitArguments {
     experiments::OrbitOptions options;
-    scene::OrbitFiles files = scene::orbitFiles();
+    scenes::OrbitFiles files = scenes::orbitFiles();
     std::string size = "1280x720";
     std::vector<std::string> techniques; ///< all presets when empty
     std::filesystem::path folder;
@@ -92,7 +91,7 @@ void run(const GlobalOptions& global, OrbitArguments& arguments) {
     if (!arguments.plot.empty()) {
         experiments::requirePlottable(arguments.plot);
     }
-    const scene::StagedScene staged = scene::openOrbit(arguments.files);
+    const scene::StagedScene staged = scenes::openOrbit(arguments.files);
     if (!arguments.folder.empty()) {
         base::makeFolder(arguments.folder);
     }

@@ -1,6 +1,6 @@
 #include "orbit.h"
 
-#include <cdr/measure/truth.h>
+#include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
 
 #include <memory>

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "pictures.h"
-
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
-#include <cdr/measure/wrong_pixels.h>
-#include <cdr/scene/generators.h>
+#include <cdr/measure/compare/wrong_pixels.h>
+#include <experiments/pictures/pictures.h>
+#include <scenes/cubes.h>
 
 #include <cstdint>
 #include <string>

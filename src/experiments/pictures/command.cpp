@@ -1,12 +1,11 @@
-#include "commands.h"
-#include "console.h"
-#include "wrong_pixels_json.h"
-
 #include <cdr/base/file.h>
 #include <cdr/image/codec.h>
-#include <cdr/scene/open_scene.h>
+#include <cli/commands.h>
+#include <cli/console.h>
+#include <cli/wrong_pixels_json.h>
+#include <experiments/pictures/pictures.h>
+#include <scenes/open_scene.h>
 
-#include <experiments/pictures.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

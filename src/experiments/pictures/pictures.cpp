@@ -1,8 +1,8 @@
 #include "pictures.h"
 
-#include <cdr/measure/flips.h>
+#include <cdr/measure/compare/flips.h>
 #include <cdr/render/renderer.h>
-#include <cdr/scene/open_scene.h>
+#include <scenes/open_scene.h>
 
 #include <algorithm>
 #include <iterator>
@@ -33,7 +33,7 @@ void addFrame(const render::Frame& frame, const measure::TruthImage& truth,
 std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOptions& options,
                                     const std::string& sceneName,
                                     const std::function<void(const std::string&)>& step) {
-    const scene::StagedScene staged = scene::openScene(sceneName, options.seed).staged;
+    const scene::StagedScene staged = scenes::openScene(sceneName, options.seed).staged;
     const render::GpuScene gpuScene(device, staged.scene);
     base::WorkerPool workers(options.threads);
     std::vector<std::unique_ptr<render::Renderer>> renderers;

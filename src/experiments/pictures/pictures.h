@@ -3,7 +3,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
-#include <cdr/measure/wrong_pixels.h>
+#include <cdr/measure/compare/wrong_pixels.h>
 
 #include <cstdint>
 #include <functional>

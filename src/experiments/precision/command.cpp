@@ -1,9 +1,8 @@
-#include "commands.h"
-#include "console.h"
-
 #include <cdr/base/file.h>
+#include <cli/commands.h>
+#include <cli/console.h>
+#include <experiments/precision/precision.h>
 
-#include <experiments/precision.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,8 @@
-#include "commands.h"
-#include "console.h"
-
 #include <cdr/base/error.h>
+#include <cli/commands.h>
+#include <cli/console.h>
+#include <experiments/probe/probe.h>
 
-#include <experiments/probe.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

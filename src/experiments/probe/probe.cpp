@@ -2,10 +2,10 @@
 
 #include <cdr/base/error.h>
 #include <cdr/depth/forecast.h>
-#include <cdr/measure/truth.h>
-#include <cdr/measure/wrong_pixels.h>
+#include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
-#include <cdr/scene/generators.h>
+#include <scenes/cubes.h>
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ namespace cdr::experiments {
 namespace {
 
 /// The ladder as it stands at one distance.
-scene::LadderOptions ladderAt(double distanceView, const ProbeOptions& options) {
+scenes::LadderOptions ladderAt(double distanceView, const ProbeOptions& options) {
     if (!std::isfinite(distanceView) || distanceView < 0.1) {
         throw base::InputError(
             fmt::format("a probe's distance must be finite and at least 0.1, not {}", distanceView));
@@ -35,22 +35,22 @@ std::uint32_t pairOf(std::uint32_t id) {
 
 /// Which pixels tell whether a pair is resolved: off silhouettes, the pair's second surface behind the first,
 /// and not so close behind that the two are sides in one plane.
-bool tells(const measure::TruthPixel& pixel, bool inner, const scene::LadderOptions& ladder) {
+bool tells(const measure::TruthPixel& pixel, bool inner, const scenes::LadderOptions& ladder) {
     if (!inner || pixel.secondId == 0 || pairOf(pixel.id) != pairOf(pixel.secondId)) {
         return false;
     }
-    const double separation = scene::ladderSeparation(ladder, pairOf(pixel.id));
+    const double separation = scenes::ladderSeparation(ladder, pairOf(pixel.id));
     return pixel.secondDistanceView - pixel.distanceView >= 0.5 * separation;
 }
 
 /// The smallest separation that is resolved. Of surfaces a depth buffer cannot tell apart the one drawn last
 /// shows, so a pair whose front is drawn last comes out right by luck: it can fail the test but not pass it.
 std::optional<double> smallestResolved(const image::ImageU32& ids, const measure::TruthImage& truth,
-                                       const scene::LadderOptions& ladder) {
+                                       const scenes::LadderOptions& ladder) {
     const auto inner = measure::innerMask(truth);
-    std::array<bool, scene::kLadderPairs> lucky;
+    std::array<bool, scenes::kLadderPairs> lucky;
     lucky.fill(true); // nor does a pair that no pixel tells of pass
-    std::array<bool, scene::kLadderPairs> wrong{};
+    std::array<bool, scenes::kLadderPairs> wrong{};
     for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
         const measure::TruthPixel& pixel = truth.pixels[i];
         if (tells(pixel, inner.pixels[i] != 0, ladder)) {
@@ -59,9 +59,9 @@ std::optional<double> smallestResolved(const image::ImageU32& ids, const measure
         }
     }
     std::optional<double> resolved;
-    for (std::uint32_t pair = scene::kLadderPairs; pair-- > 0 && !wrong[pair];) {
+    for (std::uint32_t pair = scenes::kLadderPairs; pair-- > 0 && !wrong[pair];) {
         if (!lucky[pair]) {
-            resolved = scene::ladderSeparation(ladder, pair);
+            resolved = scenes::ladderSeparation(ladder, pair);
         }
     }
     return resolved;
@@ -81,7 +81,7 @@ double spanOf(const scene::StagedScene& staged) {
     return farthest - nearest;
 }
 
-depth::ForecastScene forecastScene(const scene::StagedScene& staged, const scene::LadderOptions& ladder,
+depth::ForecastScene forecastScene(const scene::StagedScene& staged, const scenes::LadderOptions& ladder,
                                    std::uint32_t height) {
     const scene::Camera camera = staged.path.at(0);
     return {.nearView = ladder.nearView,
@@ -106,8 +106,8 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
     const std::size_t all = options.distancesView.size() * techniques.size() * options.formats.size();
     std::vector<ProbeResult> results;
     for (const double distanceView : options.distancesView) {
-        const scene::LadderOptions ladder = ladderAt(distanceView, options);
-        const scene::StagedScene staged = scene::makeLadder(options.seed, ladder);
+        const scenes::LadderOptions ladder = ladderAt(distanceView, options);
+        const scene::StagedScene staged = scenes::makeLadder(options.seed, ladder);
         const scene::Camera camera = staged.path.at(0);
         const render::GpuScene gpuScene(device, staged.scene);
         const measure::TruthImage truth =
@@ -130,8 +130,8 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
                                    .resolvedView = smallestResolved(frame.ids(), truth, ladder),
                                    .predictedView = forecast.resolvedView(),
                                    .guaranteedView = forecast.guaranteedView(),
-                                   .smallestView = scene::ladderSeparation(ladder, 0),
-                                   .largestView = scene::ladderSeparation(ladder, scene::kLadderPairs - 1),
+                                   .smallestView = scenes::ladderSeparation(ladder, 0),
+                                   .largestView = scenes::ladderSeparation(ladder, scenes::kLadderPairs - 1),
                                    .cascades = frame.cascades.size()});
             }
         }

@@ -1,11 +1,10 @@
-#include "commands.h"
-#include "console.h"
-
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
-
+#include <cli/commands.h>
+#include <cli/console.h>
 #include <experiments/gnuplot.h>
-#include <experiments/scaling.h>
+#include <experiments/scaling/scaling.h>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

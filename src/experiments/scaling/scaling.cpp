@@ -127,7 +127,7 @@ ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& option
     ScalingResult result;
     for (const std::uint32_t cubes : options.draws) {
         const double aspect = static_cast<double>(options.width) / options.height;
-        const scene::StagedScene staged = scene::makeCrowd(options.seed, cubes, aspect);
+        const scene::StagedScene staged = scenes::makeCrowd(options.seed, cubes, aspect);
         const render::GpuScene gpuScene(device, staged.scene);
         for (const Variant& variant : variants) {
             const std::string what = fmt::format("{} {} {} cascades {} draws", nameOf(variant.targets),

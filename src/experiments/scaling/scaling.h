@@ -2,9 +2,9 @@
 
 #include <cdr/base/thread_placement.h>
 #include <cdr/gpu/device.h>
-#include <cdr/measure/scaling_law.h>
-#include <cdr/render/draw_path.h>
-#include <cdr/render/targets.h>
+#include <cdr/measure/statistics/scaling_law.h>
+#include <cdr/render/submit/draw_path.h>
+#include <cdr/render/targets/targets.h>
 
 #include <cstdint>
 #include <functional>

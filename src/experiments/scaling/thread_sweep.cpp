@@ -1,7 +1,7 @@
 #include "thread_sweep.h"
 
 #include <cdr/base/sha256.h>
-#include <cdr/measure/statistics.h>
+#include <cdr/measure/statistics/statistics.h>
 
 #include <algorithm>
 #include <chrono>

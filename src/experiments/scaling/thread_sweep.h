@@ -3,7 +3,7 @@
 #include "scaling.h"
 
 #include <cdr/render/renderer.h>
-#include <cdr/scene/generators.h>
+#include <scenes/cubes.h>
 
 #include <functional>
 #include <memory>

@@ -1,13 +1,12 @@
-#include "commands.h"
-#include "console.h"
-
 #include <cdr/base/file.h>
 #include <cdr/base/trace.h>
 #include <cdr/base/worker_pool.h>
 #include <cdr/render/renderer.h>
-
+#include <cli/commands.h>
+#include <cli/console.h>
 #include <experiments/gnuplot.h>
-#include <experiments/timing.h>
+#include <experiments/timing/timing.h>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,6 @@
-#include "gnuplot.h"
 #include "timing.h"
+
+#include <experiments/gnuplot.h>
 
 #include <fmt/format.h>
 

@@ -1,10 +1,9 @@
 #include "timing.h"
 
-#include "shuffled_order.h"
-
 #include <cdr/base/error.h>
 #include <cdr/render/renderer.h>
-#include <cdr/scene/generators.h>
+#include <experiments/shuffled_order.h>
+#include <scenes/cubes.h>
 
 #include <algorithm>
 #include <chrono>
@@ -82,7 +81,7 @@ class Race {
   public:
     Race(const gpu::Device& device, const TimingOptions& options)
         : m_options(options),
-          m_staged(scene::makeRotation(options.seed)),
+          m_staged(scenes::makeRotation(options.seed)),
           m_gpuScene(device, m_staged.scene),
           m_unsharedScene(unshared(m_staged.scene)),
           m_unsharedGpuScene(device, m_unsharedScene),

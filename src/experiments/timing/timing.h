@@ -3,9 +3,9 @@
 #include <cdr/base/trace.h>
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
-#include <cdr/measure/statistics.h>
-#include <cdr/render/draw_path.h>
-#include <cdr/render/targets.h>
+#include <cdr/measure/statistics/statistics.h>
+#include <cdr/render/submit/draw_path.h>
+#include <cdr/render/targets/targets.h>
 
 #include <cstdint>
 #include <functional>

@@ -1,10 +1,9 @@
-#include "commands.h"
-#include "console.h"
-
 #include <cdr/base/file.h>
 #include <cdr/image/codec.h>
+#include <cli/commands.h>
+#include <cli/console.h>
+#include <experiments/translucency/translucency.h>
 
-#include <experiments/translucency.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
 #include "translucency.h"
 
 #include <cdr/base/error.h>
-#include <cdr/measure/statistics.h>
+#include <cdr/measure/statistics/statistics.h>
 #include <cdr/render/renderer.h>
-#include <cdr/scene/blended.h>
-#include <cdr/scene/open_scene.h>
+#include <cdr/visibility/blended.h>
+#include <scenes/open_scene.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -51,8 +51,8 @@ TranslucencyResult compare(const gpu::Device& device, const scene::StagedScene& 
 
 TranslucencyResults runTranslucency(const gpu::Device& device, const TranslucencyExperiment& experiment,
                                     const TranslucencyProgress& progress) {
-    const scene::StagedScene staged = scene::openScene(experiment.scene, experiment.seed).staged;
-    if (!scene::hasBlended(staged.scene)) {
+    const scene::StagedScene staged = scenes::openScene(experiment.scene, experiment.seed).staged;
+    if (!visibility::hasBlended(staged.scene)) {
         throw base::InputError(staged.scene.name + ": the scene has no translucent surfaces");
     }
     const scene::Camera camera = staged.path.at(0);

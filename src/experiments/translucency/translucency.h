@@ -3,8 +3,8 @@
 #include <cdr/depth/mapping.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
-#include <cdr/measure/layered_truth.h>
-#include <cdr/render/translucency.h>
+#include <cdr/measure/truth/layered_truth.h>
+#include <cdr/render/translucency/translucency.h>
 
 #include <cstdint>
 #include <functional>

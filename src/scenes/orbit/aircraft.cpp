@@ -1,5 +1,5 @@
-#include <cdr/scene/orbit_airport.h>
-#include <cdr/scene/solids.h>
+#include <scenes/orbit/airport.h>
+#include <scenes/solids.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -7,12 +7,13 @@
 #include <array>
 #include <limits>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
 /// A wing or fin: two rims of leading and trailing edge, with a thickness at the root that halves to the tip.
-SourceMesh wing(std::string name, const std::array<glm::dvec3, 4>& outline, const glm::dvec3& thickness) {
+scene::SourceMesh wing(std::string name, const std::array<glm::dvec3, 4>& outline,
+                       const glm::dvec3& thickness) {
     // Root leading, root trailing, tip trailing, tip leading; counter-clockwise seen from where it points.
     const glm::dvec3 root = 0.5 * thickness;
     const glm::dvec3 tip = 0.25 * thickness;
@@ -28,8 +29,8 @@ std::array<glm::dvec3, 4> mirrored(const std::array<glm::dvec3, 4>& outline) {
 }
 
 /// wing() takes rims in one turn, so the mirrored one begins at its tip.
-SourceMesh mirroredWing(std::string name, const std::array<glm::dvec3, 4>& outline,
-                        const glm::dvec3& thickness) {
+scene::SourceMesh mirroredWing(std::string name, const std::array<glm::dvec3, 4>& outline,
+                               const glm::dvec3& thickness) {
     const std::array<glm::dvec3, 4> m = mirrored(outline);
     const glm::dvec3 root = 0.5 * thickness;
     const glm::dvec3 tip = 0.25 * thickness;
@@ -48,7 +49,7 @@ void addAircraft(SceneBuilder& builder) {
     // Nose to +x, y up, z to its right wing, the origin on the ground below the wings' middle.
     glm::dmat4 place = glm::translate(glm::dmat4(1.0), kApronParking + glm::dvec3(0.0, kSlabHeight, 0.0));
     place = glm::rotate(place, -0.5, glm::dvec3(0.0, 1.0, 0.0));
-    const auto add = [&](std::uint32_t material, const SourceMesh& mesh, const glm::dvec3& at) {
+    const auto add = [&](std::uint32_t material, const scene::SourceMesh& mesh, const glm::dvec3& at) {
         builder.addMesh(material, mesh, glm::translate(place, at));
     };
     constexpr double kAxis = 3.6; // height of the fuselage's middle
@@ -101,32 +102,32 @@ void addAircraft(SceneBuilder& builder) {
     }
 }
 
-void addParkedModel(SceneBuilder& builder, const Scene& model) {
-    Scene& scene = builder.scene();
+void addParkedModel(SceneBuilder& builder, const scene::Scene& model) {
+    scene::Scene& scene = builder.scene();
     const auto firstMesh = static_cast<std::uint32_t>(scene.meshes.size());
     const auto firstMaterial = static_cast<std::uint32_t>(scene.materials.size());
     const auto firstTexture = static_cast<std::uint32_t>(scene.textures.size());
     const auto firstObject = static_cast<std::uint32_t>(scene.objectNames.size());
     scene.meshes.insert(scene.meshes.end(), model.meshes.begin(), model.meshes.end());
     scene.textures.insert(scene.textures.end(), model.textures.begin(), model.textures.end());
-    for (Material material : model.materials) {
+    for (scene::Material material : model.materials) {
         if (material.baseColorTexture) {
             *material.baseColorTexture += firstTexture;
         }
         scene.materials.push_back(std::move(material));
     }
     double lowest = std::numeric_limits<double>::infinity();
-    const Instances& from = model.instances;
+    const scene::Instances& from = model.instances;
     for (std::size_t i = 0; i < from.size(); ++i) {
-        for (const Vertex& vertex : model.meshes[from.mesh[i]].vertices) {
+        for (const scene::Vertex& vertex : model.meshes[from.mesh[i]].vertices) {
             const glm::dvec3 corner = glm::dmat3(from.basis[i]) * glm::dvec3(vertex.position);
             lowest = std::min(lowest, from.y[i] + corner.y);
         }
     }
     const glm::dvec3 ground = kApronParking + glm::dvec3(0.0, kSlabHeight - lowest, 0.0);
     for (std::size_t i = 0; i < from.size(); ++i) {
-        addInstance(scene, firstMesh + from.mesh[i], firstMaterial + from.material[i],
-                    firstObject + from.object[i], from.position(i) + ground, from.basis[i]);
+        scene::addInstance(scene, firstMesh + from.mesh[i], firstMaterial + from.material[i],
+                           firstObject + from.object[i], from.position(i) + ground, from.basis[i]);
     }
     for (std::uint32_t object = 0; object < model.objectCount(); ++object) {
         const bool named = object < model.objectNames.size();
@@ -134,4 +135,4 @@ void addParkedModel(SceneBuilder& builder, const Scene& model) {
     }
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -1,12 +1,12 @@
-#include <cdr/scene/orbit_airport.h>
-#include <cdr/scene/runway_marking.h>
+#include <scenes/orbit/airport.h>
+#include <scenes/orbit/runway_marking.h>
 
 #include <fmt/format.h>
 
 #include <numbers>
 #include <string_view>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -153,4 +153,4 @@ void addAirport(SceneBuilder& builder) {
     addTaxiway(builder, asphalt, yellow);
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

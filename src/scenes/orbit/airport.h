@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cdr/scene/earth_surface.h>
-#include <cdr/scene/scene_builder.h>
+#include <scenes/orbit/earth_surface.h>
+#include <scenes/scene_builder.h>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 // All heights of the airport are metres over the levelled soil, y = 0; x is east and z south of the middle of
 // the runway numbers.
@@ -29,6 +29,6 @@ void addAircraft(SceneBuilder& builder);
 
 /// Puts a scene's instances on the apron instead, as an object each, standing on the slab: a glTF model, y
 /// up, in metres.
-void addParkedModel(SceneBuilder& builder, const Scene& model);
+void addParkedModel(SceneBuilder& builder, const scene::Scene& model);
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -1,11 +1,11 @@
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
 #include <cdr/image/codec.h>
-#include <cdr/scene/orbit_data.h>
+#include <scenes/orbit/data.h>
 
 #include <cstdlib>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -36,4 +36,4 @@ EarthMaps loadEarthMaps(const std::filesystem::path& folder) {
             .topography = loadPicture(folder / "earth-topology.png")};
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// The real Earth as pictures: whole, plate carree, the north on top, 180 degrees west at the left edge.
 struct EarthMaps {
@@ -30,4 +30,4 @@ OrbitFiles orbitFiles();
 /// base::InputError, naming tools/setup.sh, when one is missing; or when one is damaged.
 EarthMaps loadEarthMaps(const std::filesystem::path& folder);
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

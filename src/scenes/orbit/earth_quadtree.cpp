@@ -1,6 +1,6 @@
-#include <cdr/scene/earth_quadtree.h>
+#include <scenes/orbit/earth_quadtree.h>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 EarthQuadtree::EarthQuadtree(const std::function<bool(const EarthTile&)>& isTooLarge) {
     std::vector<EarthTile> open{{0, 1, 0}, {0, 0, 0}};
@@ -45,4 +45,4 @@ std::uint32_t EarthQuadtree::coarserBeyond(const EarthTile& leaf, TileEdge edge)
     return 0; // finer leaves lie there
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// A square of latitude and longitude. Level 0 has two of them, each 180 degrees a side, west and east;
 /// every level quarters.
@@ -40,4 +40,4 @@ class EarthQuadtree {
     std::set<EarthTile> m_known;
 };
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

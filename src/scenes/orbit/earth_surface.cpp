@@ -1,11 +1,11 @@
-#include <cdr/scene/earth_surface.h>
-#include <cdr/scene/orbit_data.h>
+#include <scenes/orbit/data.h>
+#include <scenes/orbit/earth_surface.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -122,4 +122,4 @@ glm::dvec3 EarthSurface::normalAt(const Geodetic& place) const {
     return glm::normalize(glm::cross(east, north));
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

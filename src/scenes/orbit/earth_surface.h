@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// A place on the Earth: geodetic, degrees, north and east positive.
 struct Geodetic {
@@ -53,4 +53,4 @@ class EarthSurface {
 /// Mean radius of the Earth, metres.
 inline constexpr double kEarthRadius = 6'371'008.8;
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -1,4 +1,4 @@
-#include <cdr/scene/earth_tiles.h>
+#include <scenes/orbit/earth_tiles.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <numbers>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -58,7 +58,7 @@ class Stitching {
     std::uint32_t m_east;
 };
 
-void addTriangle(SourceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+void addTriangle(scene::SourceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const auto& at = mesh.positions;
     // Stitching and poles leave triangles without an area.
     if (at[a] != at[b] && at[b] != at[c] && at[c] != at[a]) {
@@ -66,7 +66,7 @@ void addTriangle(SourceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32
     }
 }
 
-void addGround(const Stitching& stitching, SourceMesh& mesh) {
+void addGround(const Stitching& stitching, scene::SourceMesh& mesh) {
     for (std::uint32_t row = 0; row < kTileCells; ++row) {
         for (std::uint32_t column = 0; column < kTileCells; ++column) {
             const auto index = [&](std::uint32_t right, std::uint32_t down) {
@@ -100,14 +100,14 @@ std::vector<Corner> outline() {
     return corners;
 }
 
-void addSkirt(const Stitching& stitching, double depth, SourceMesh& mesh) {
+void addSkirt(const Stitching& stitching, double depth, scene::SourceMesh& mesh) {
     const std::vector<Corner> corners = outline();
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     const auto count = static_cast<std::uint32_t>(corners.size());
     std::vector<std::uint32_t> above;
     for (const Corner& corner : corners) {
         above.push_back(indexOf(stitching.stitched(corner)));
-        const Vertex vertex = mesh.vertices[above.back()];
+        const scene::Vertex vertex = mesh.vertices[above.back()];
         mesh.positions.push_back(mesh.positions[above.back()] - depth * glm::dvec3(vertex.normal));
         mesh.vertices.push_back(vertex);
     }
@@ -157,8 +157,8 @@ EarthQuadtree refineEarth(const EarthSurface& surface, const TileDetail& detail)
     });
 }
 
-SourceMesh tileMesh(const EarthSurface& surface, const EarthQuadtree& tree, const EarthTile& leaf) {
-    SourceMesh mesh;
+scene::SourceMesh tileMesh(const EarthSurface& surface, const EarthQuadtree& tree, const EarthTile& leaf) {
+    scene::SourceMesh mesh;
     mesh.name = fmt::format("earth {}/{}/{}", leaf.level, leaf.x, leaf.y);
     for (std::uint32_t row = 0; row <= kTileCells; ++row) {
         for (std::uint32_t column = 0; column <= kTileCells; ++column) {
@@ -175,4 +175,4 @@ SourceMesh tileMesh(const EarthSurface& surface, const EarthQuadtree& tree, cons
     return mesh;
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -1,15 +1,15 @@
 #pragma once
 
-#include <cdr/scene/earth_quadtree.h>
-#include <cdr/scene/earth_surface.h>
-#include <cdr/scene/mesh_pieces.h>
+#include <cdr/scene/lod/mesh_pieces.h>
+#include <scenes/orbit/earth_quadtree.h>
+#include <scenes/orbit/earth_surface.h>
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
 #include <vector>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// Squares along an edge of a tile.
 inline constexpr std::uint32_t kTileCells = 16;
@@ -32,7 +32,7 @@ EarthQuadtree refineEarth(const EarthSurface& surface, const TileDetail& detail)
 /// No cracks: corners of tiles of one level are the same places, computed from the same integers; along a
 /// coarser neighbour a tile has no corners but the neighbour's. What the renderer's float32 origins round
 /// differently, a hair's breadth, is closed by a skirt that hangs from every edge.
-SourceMesh tileMesh(const EarthSurface& surface, const EarthQuadtree& tree, const EarthTile& leaf);
+scene::SourceMesh tileMesh(const EarthSurface& surface, const EarthQuadtree& tree, const EarthTile& leaf);
 
 /// Corners of tileMesh() that are on the ground; those of the skirt follow.
 inline constexpr std::uint32_t kTileCorners = (kTileCells + 1) * (kTileCells + 1);
@@ -43,4 +43,4 @@ Geodetic cornerOf(const EarthTile& tile, std::uint32_t column, std::uint32_t row
 /// From north to south along the tile, metres.
 double widthOf(const EarthTile& tile);
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

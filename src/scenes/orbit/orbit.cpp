@@ -1,14 +1,14 @@
-#include <cdr/scene/gltf.h>
-#include <cdr/scene/orbit_airport.h>
-#include <cdr/scene/orbit_path.h>
-#include <cdr/scene/orbit_scene.h>
-#include <cdr/scene/solids.h>
+#include <cdr/scene/gltf/gltf.h>
+#include <scenes/orbit/airport.h>
+#include <scenes/orbit/orbit.h>
+#include <scenes/orbit/path.h>
+#include <scenes/solids.h>
 
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -23,11 +23,11 @@ constexpr double kMoonRight = 9.0;
 
 void addEarth(SceneBuilder& builder, const EarthSurface& surface, const StationPose& station,
               image::ImageRgba8 color) {
-    Scene& scene = builder.scene();
+    scene::Scene& scene = builder.scene();
     scene.textures.push_back(
         {.name = "blue marble", .pixels = std::move(color), .repeatU = true, .repeatV = false});
-    const std::uint32_t material = builder.addMaterial(
-        Material{.name = "earth", .baseColorTexture = static_cast<std::uint32_t>(scene.textures.size() - 1)});
+    const std::uint32_t material = builder.addMaterial(scene::Material{
+        .name = "earth", .baseColorTexture = static_cast<std::uint32_t>(scene.textures.size() - 1)});
     builder.beginObject("earth");
     const EarthQuadtree tree = refineEarth(surface, orbitDetail(station));
     for (const EarthTile& leaf : tree.leaves()) {
@@ -54,7 +54,7 @@ void addMoon(SceneBuilder& builder, const EarthSurface& surface, const StationPo
     builder.addMesh(material, sphereMesh("moon", kMoonRadius, 64), place);
 }
 
-void addLights(Scene& scene, const StationPose& station) {
+void addLights(scene::Scene& scene, const StationPose& station) {
     const glm::dvec3 toSun = glm::normalize(glm::dvec3(-0.35, 0.75, 0.55));
     scene.lights.push_back(
         {.position = kSunDistance * toSun, .color = glm::vec3(1.5f), .halfDistance = 100.0 * kSunDistance});
@@ -83,10 +83,10 @@ TileDetail orbitDetail(const StationPose& station) {
     return {.eye = station.eye, .place = {airportPad().centre.x, 0.0, airportPad().centre.y}};
 }
 
-StagedScene makeOrbit(EarthMaps maps, const Scene* parked) {
+scene::StagedScene makeOrbit(EarthMaps maps, const scene::Scene* parked) {
     const EarthSurface surface(maps.topography, kOrbitAirport, airportPad());
     const StationPose station = orbitStation(surface);
-    StagedScene staged;
+    scene::StagedScene staged;
     staged.scene.name = "orbit";
     SceneBuilder builder(staged.scene);
     // Nearest first, as an engine that sorts for early depth tests submits them: a depth buffer that cannot
@@ -110,12 +110,12 @@ StagedScene makeOrbit(EarthMaps maps, const Scene* parked) {
     return staged;
 }
 
-StagedScene openOrbit(const OrbitFiles& files) {
+scene::StagedScene openOrbit(const OrbitFiles& files) {
     if (files.model.empty()) {
         return makeOrbit(loadEarthMaps(files.folder));
     }
-    const GltfImport model = loadGltf(files.model);
+    const scene::GltfImport model = scene::loadGltf(files.model);
     return makeOrbit(loadEarthMaps(files.folder), &model.scene);
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

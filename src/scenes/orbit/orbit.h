@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cdr/scene/earth_tiles.h>
-#include <cdr/scene/generators.h>
-#include <cdr/scene/orbit_data.h>
-#include <cdr/scene/orbit_station.h>
+#include <scenes/cubes.h>
+#include <scenes/orbit/data.h>
+#include <scenes/orbit/earth_tiles.h>
+#include <scenes/orbit/station.h>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// Where the airport of the scene orbit is: the threshold of runway 09L at London Heathrow, below the track
 /// of the ISS. The place is real, what is built there is not.
@@ -27,9 +27,9 @@ TileDetail orbitDetail(const StationPose& station);
 /// to the numbers of the runway, 0.002 degrees, in 240 frames; near 0.1, far beyond the Moon.
 /// @param maps moved into the scene's texture.
 /// @param parked a model to stand on the apron instead of the generated aircraft; may be null.
-StagedScene makeOrbit(EarthMaps maps, const Scene* parked = nullptr);
+scene::StagedScene makeOrbit(EarthMaps maps, const scene::Scene* parked = nullptr);
 
 /// makeOrbit() of what the files hold. base::InputError as loadEarthMaps() and loadGltf().
-StagedScene openOrbit(const OrbitFiles& files);
+scene::StagedScene openOrbit(const OrbitFiles& files);
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

@@ -1,10 +1,10 @@
-#include <cdr/scene/orbit_path.h>
+#include <scenes/orbit/path.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -22,7 +22,7 @@ glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double share) {
 
 } // namespace
 
-CameraPath zoomPath(const ZoomPath& zoom) {
+scene::CameraPath zoomPath(const ZoomPath& zoom) {
     return {.frames = zoom.frames, .at = [zoom](std::uint32_t frame) {
                 const double steps = std::max(zoom.frames, 2u) - 1.0;
                 const double share = (frame % zoom.frames) / steps;
@@ -32,11 +32,11 @@ CameraPath zoomPath(const ZoomPath& zoom) {
                                                       (zoom.widestDegrees - zoom.narrowestDegrees));
                 const glm::dvec3 lastAim = glm::normalize(zoom.target - zoom.eye);
                 const glm::dvec3 aim = between(lastAim, zoom.firstAim, std::pow(away, kAimPower));
-                const Camera lens{.fovY = degrees * std::numbers::pi / 180.0,
-                                  .nearView = zoom.nearView,
-                                  .farView = zoom.farView};
-                return lookAt(lens, zoom.eye, zoom.eye + glm::distance(zoom.eye, zoom.target) * aim);
+                const scene::Camera lens{.fovY = degrees * std::numbers::pi / 180.0,
+                                         .nearView = zoom.nearView,
+                                         .farView = zoom.farView};
+                return scene::lookAt(lens, zoom.eye, zoom.eye + glm::distance(zoom.eye, zoom.target) * aim);
             }};
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

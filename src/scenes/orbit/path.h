@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// A look through a window that ends as one through a telescope.
 struct ZoomPath {
@@ -21,6 +21,6 @@ struct ZoomPath {
 /// The camera of each frame. The lens narrows by the same factor every frame, and the aim nears the target
 /// faster than the lens narrows, so that what is zoomed in on comes into the picture and stays. Frames beyond
 /// the path begin it again.
-CameraPath zoomPath(const ZoomPath& zoom);
+scene::CameraPath zoomPath(const ZoomPath& zoom);
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

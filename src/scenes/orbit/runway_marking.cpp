@@ -1,11 +1,11 @@
 #include <cdr/base/error.h>
-#include <cdr/scene/runway_marking.h>
+#include <scenes/orbit/runway_marking.h>
 
 #include <cmath>
 #include <utility>
 #include <vector>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -132,4 +132,4 @@ void MarkingPaint::text(std::string_view characters, double height) {
     }
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

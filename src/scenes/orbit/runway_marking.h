@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/scene/mesh_pieces.h>
+#include <cdr/scene/lod/mesh_pieces.h>
 
 #include <glm/glm.hpp>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// Paint as flat meshes that face up (+y) at y = 0. Its own plane has `right` and `ahead`, as who rolls along
 /// the runway sees it: right is world z and ahead world x for a runway to the east.
@@ -24,12 +24,12 @@ class MarkingPaint {
     /// among 0 2 7 9 L R.
     void text(std::string_view characters, double height);
 
-    const SourceMesh& mesh() const { return m_mesh; }
+    const scene::SourceMesh& mesh() const { return m_mesh; }
 
   private:
     void quad(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d);
 
-    SourceMesh m_mesh;
+    scene::SourceMesh m_mesh;
 };
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

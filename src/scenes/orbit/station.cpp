@@ -1,11 +1,11 @@
-#include <cdr/scene/orbit_station.h>
-#include <cdr/scene/solids.h>
+#include <scenes/orbit/station.h>
+#include <scenes/solids.h>
 
 #include <array>
 #include <cmath>
 #include <numbers>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 namespace {
 
@@ -34,7 +34,7 @@ class WindowSpace {
     }
 
     /// A solid turned about its x axis, which goes to `axis`.
-    void solid(std::uint32_t material, const SourceMesh& mesh, const glm::dvec3& centre,
+    void solid(std::uint32_t material, const scene::SourceMesh& mesh, const glm::dvec3& centre,
                const glm::dvec3& axis) const {
         const glm::dvec3 x = glm::normalize(axis);
         const glm::dvec3 other = std::abs(x.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
@@ -51,7 +51,7 @@ class WindowSpace {
     glm::dmat3 m_axes;
 };
 
-SourceMesh rod(std::string name, double length, double radius) {
+scene::SourceMesh rod(std::string name, double length, double radius) {
     const double half = 0.5 * length;
     const std::array<glm::dvec2, 6> outline{{{-half, 0.0},
                                              {-half, radius},
@@ -88,7 +88,7 @@ void addFrame(SceneBuilder& builder, const WindowSpace& window) {
         window.box(seal, {0.0, side * (kHalfHeight - 0.002), z}, {kHalfWidth, 0.003, 0.004});
     }
     builder.beginObject("window bolts");
-    const SourceMesh bolt = rod("bolt", 0.004, 0.005);
+    const scene::SourceMesh bolt = rod("bolt", 0.004, 0.005);
     for (int i = 0; i < 7; ++i) {
         const double along = (i - 3) / 3.5;
         for (const double side : {-1.0, 1.0}) {
@@ -156,4 +156,4 @@ void addStation(SceneBuilder& builder, const StationPose& pose) {
     addPanel(builder, window, {23.0, 9.0, -38.0}, 5, 9);
 }
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

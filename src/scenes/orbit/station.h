@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cdr/scene/scene_builder.h>
+#include <scenes/scene_builder.h>
 
 #include <glm/glm.hpp>
 
-namespace cdr::scene {
+namespace cdr::scenes {
 
 /// A station's window, where it is and where it faces.
 struct StationPose {
@@ -20,4 +20,4 @@ inline constexpr double kWindowTilt = 50.0;     ///< degrees below level that th
 /// it stands between the eye and what lies steeper than 70 degrees below level.
 void addStation(SceneBuilder& builder, const StationPose& pose);
 
-} // namespace cdr::scene
+} // namespace cdr::scenes

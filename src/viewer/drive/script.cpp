@@ -1,8 +1,7 @@
 #include "script.h"
 
-#include "window.h"
-
 #include <cdr/base/suggest.h>
+#include <viewer/window/window.h>
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "input_event.h"
-
 #include <cdr/base/error.h>
+#include <viewer/window/input_event.h>
 
 #include <cstdint>
 #include <filesystem>

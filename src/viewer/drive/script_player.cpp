@@ -1,9 +1,8 @@
 #include "script_player.h"
 
-#include "overloaded.h"
-#include "shown_picture.h"
-
 #include <cdr/base/error.h>
+#include <viewer/session/overloaded.h>
+#include <viewer/session/shown_picture.h>
 
 #include <fmt/format.h>
 

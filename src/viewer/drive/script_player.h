@@ -1,9 +1,10 @@
 #pragma once
 
-#include "item_places.h"
 #include "script.h"
-#include "session.h"
-#include "window.h"
+
+#include <viewer/panels/item_places.h>
+#include <viewer/session/session.h>
+#include <viewer/window/window.h>
 
 #include <deque>
 #include <filesystem>

@@ -1,9 +1,8 @@
 #include "soak.h"
 
-#include "resident_memory.h"
-#include "shown_picture.h"
-
 #include <cdr/image/codec.h>
+#include <viewer/session/resident_memory.h>
+#include <viewer/session/shown_picture.h>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "camera_control.h"
-#include "session.h"
-#include "state/soak_input.h"
-#include "window.h"
+#include <viewer/session/camera_control.h>
+#include <viewer/session/session.h>
+#include <viewer/state/soak_input.h>
+#include <viewer/window/window.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "presenter.h"
-#include "window.h"
+#include <viewer/window/presenter.h>
+#include <viewer/window/window.h>
 
 #include <string>
 

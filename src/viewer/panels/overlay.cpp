@@ -1,7 +1,7 @@
 #include "overlay.h"
 
-#include "state/length_text.h"
-#include "state/technique_label.h"
+#include <viewer/state/length_text.h>
+#include <viewer/state/technique_label.h>
 
 #include <fmt/format.h>
 #include <imgui.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "camera_control.h"
-#include "viewer_model.h"
+#include <viewer/session/camera_control.h>
+#include <viewer/session/viewer_model.h>
 
 namespace cdr::viewer {
 

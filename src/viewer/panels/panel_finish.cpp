@@ -1,5 +1,6 @@
 #include "panels.h"
-#include "state/finish.h"
+
+#include <viewer/state/finish.h>
 
 #include <fmt/format.h>
 
@@ -11,8 +12,8 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr std::array kDetails{scene::DetailMode::none, scene::DetailMode::perObject,
-                              scene::DetailMode::perCascade};
+constexpr std::array kDetails{visibility::DetailMode::none, visibility::DetailMode::perObject,
+                              visibility::DetailMode::perCascade};
 constexpr std::array<std::string_view, kDetails.size()> kDetailNames{"none", "object", "cascade"};
 
 /// Scene units, for a radius or a visibility; 0 for none.

@@ -1,5 +1,6 @@
 #include "panels.h"
-#include "state/view_picture.h"
+
+#include <viewer/state/view_picture.h>
 
 #include <fmt/format.h>
 #include <imgui.h>

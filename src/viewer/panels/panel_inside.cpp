@@ -1,10 +1,10 @@
 #include "panels.h"
-#include "resident_memory.h"
-#include "state/length_text.h"
-#include "state/technique_label.h"
-#include "state/view_picture.h"
 
-#include <cdr/render/gbuffer.h>
+#include <cdr/render/targets/gbuffer.h>
+#include <viewer/session/resident_memory.h>
+#include <viewer/state/length_text.h>
+#include <viewer/state/technique_label.h>
+#include <viewer/state/view_picture.h>
 
 #include <fmt/format.h>
 #include <imgui.h>

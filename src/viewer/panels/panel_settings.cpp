@@ -1,5 +1,6 @@
 #include "panels.h"
-#include "state/explanations.h"
+
+#include <viewer/state/explanations.h>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -63,7 +64,7 @@ void chooseTechnique(const Widgets& widgets, std::string_view prefix, depth::Tec
 void drawScenePanel(const Widgets& widgets, ViewerModel& model) {
     widgets.heading("Scene");
     const std::string shown = std::filesystem::path(model.settings.scene).filename().string();
-    const std::span<const std::string_view> scenes = scene::generatedScenes();
+    const std::span<const std::string_view> scenes = scenes::generatedScenes();
     const std::size_t chosen =
         widgets.combo("scene", shown, scenes.size(), [&](std::size_t i) { return scenes[i]; });
     if (chosen < scenes.size()) {

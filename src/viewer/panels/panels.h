@@ -1,7 +1,8 @@
 #pragma once
 
-#include "viewer_model.h"
 #include "widgets.h"
+
+#include <viewer/session/viewer_model.h>
 
 namespace cdr::viewer {
 

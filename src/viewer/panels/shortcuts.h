@@ -1,7 +1,7 @@
 #pragma once
 
-#include "input_event.h"
-#include "viewer_model.h"
+#include <viewer/session/viewer_model.h>
+#include <viewer/window/input_event.h>
 
 namespace cdr::viewer {
 

@@ -1,5 +1,6 @@
 #include "panels.h"
-#include "state/help_text.h"
+
+#include <viewer/state/help_text.h>
 
 #include <imgui.h>
 

@@ -1,14 +1,14 @@
 #include "application.h"
 
-#include "overlay.h"
-#include "panels.h"
-#include "shortcuts.h"
 #include "shown_picture.h"
 #include "startup.h"
 #include "statistics_report.h"
 
 #include <cdr/base/error.h>
 #include <cdr/image/codec.h>
+#include <viewer/panels/overlay.h>
+#include <viewer/panels/panels.h>
+#include <viewer/panels/shortcuts.h>
 
 #include <fmt/format.h>
 

@@ -2,17 +2,18 @@
 
 #include "arguments.h"
 #include "camera_control.h"
-#include "interface.h"
-#include "item_places.h"
-#include "presenter.h"
 #include "render_device.h"
-#include "script_player.h"
 #include "session.h"
-#include "soak.h"
-#include "ui_device.h"
 #include "viewer_model.h"
-#include "widgets.h"
-#include "window.h"
+
+#include <viewer/drive/script_player.h>
+#include <viewer/drive/soak.h>
+#include <viewer/panels/interface.h>
+#include <viewer/panels/item_places.h>
+#include <viewer/panels/widgets.h>
+#include <viewer/window/presenter.h>
+#include <viewer/window/ui_device.h>
+#include <viewer/window/window.h>
 
 #include <array>
 #include <chrono>

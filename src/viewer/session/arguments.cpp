@@ -1,10 +1,10 @@
 #include "arguments.h"
 
+#include <CLI/CLI.hpp>
 #include <cdr/base/document.h>
 #include <cdr/base/error.h>
-#include <cdr/scene/open_scene.h>
+#include <scenes/open_scene.h>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,7 +17,7 @@ constexpr double kMaxSoakSeconds = 86'400.0;
 void addViewOptions(CLI::App& program, Arguments& arguments) {
     program
         .add_option("scene", arguments.scene,
-                    fmt::format("{}, or a .gltf or .glb file", fmt::join(scene::generatedScenes(), ", ")))
+                    fmt::format("{}, or a .gltf or .glb file", fmt::join(scenes::generatedScenes(), ", ")))
         ->capture_default_str();
     program.add_option("--seed", arguments.seed, "Seed of a random scene, and of a soak")
         ->capture_default_str();

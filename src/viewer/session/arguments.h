@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/scene/open_scene.h>
+#include <scenes/open_scene.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace cdr::viewer {
 /// The command line of cdr-viewer.
 struct Arguments {
     std::string scene = "cubes";
-    std::uint64_t seed = scene::kDefaultSeed;
+    std::uint64_t seed = scenes::kDefaultSeed;
     std::string technique = "standard";
     std::string compare; ///< "LEFT,RIGHT"; empty for one technique
     std::string targets = "single";

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "input_event.h"
-#include "state/camera_input.h"
 #include "viewer_model.h"
+
+#include <viewer/state/camera_input.h>
+#include <viewer/window/input_event.h>
 
 #include <optional>
 

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "state/view_settings.h"
-#include "state/worker_timeline.h"
-#include "state/wrong_view.h"
-
 #include <cdr/render/frame.h>
 #include <cdr/render/renderer.h>
-#include <cdr/scene/open_scene.h>
+#include <scenes/open_scene.h>
+#include <viewer/state/view_settings.h>
+#include <viewer/state/worker_timeline.h>
+#include <viewer/state/wrong_view.h>
 
 #include <cstdint>
 #include <exception>

@@ -1,20 +1,19 @@
 #include "scene_stage.h"
 
-#include "state/view_picture.h"
-
-#include <cdr/scene/levels.h>
+#include <cdr/scene/lod/levels.h>
+#include <viewer/state/view_picture.h>
 
 #include <utility>
 
 namespace cdr::viewer {
 
 void SceneStage::open(const ViewSettings& settings) {
-    const bool needsLevels = settings.finish.detail != scene::DetailMode::none;
+    const bool needsLevels = settings.finish.detail != visibility::DetailMode::none;
     if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
         (m_hasLevels || !needsLevels)) {
         return;
     }
-    auto opened = std::make_shared<scene::OpenedScene>(scene::openScene(settings.scene, settings.seed));
+    auto opened = std::make_shared<scene::OpenedScene>(scenes::openScene(settings.scene, settings.seed));
     if (needsLevels) {
         base::WorkerPool workers(settings.threads);
         scene::makeLevels(opened->staged.scene, workers);

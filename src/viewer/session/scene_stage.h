@@ -2,7 +2,8 @@
 
 #include "render_request.h"
 #include "side_renderer.h"
-#include "state/flip_window.h"
+
+#include <viewer/state/flip_window.h>
 
 #include <array>
 #include <chrono>

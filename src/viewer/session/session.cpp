@@ -1,9 +1,8 @@
 #include "session.h"
 
-#include "state/fly_controller.h"
-#include "window.h"
-
 #include <cdr/base/error.h>
+#include <viewer/state/fly_controller.h>
+#include <viewer/window/window.h>
 
 #include <algorithm>
 #include <cmath>

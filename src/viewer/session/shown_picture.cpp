@@ -1,8 +1,8 @@
 #include "shown_picture.h"
 
-#include "state/command_line.h"
-#include "state/split_picture.h"
-#include "state/technique_label.h"
+#include <viewer/state/command_line.h>
+#include <viewer/state/split_picture.h>
+#include <viewer/state/technique_label.h>
 
 #include <fmt/format.h>
 

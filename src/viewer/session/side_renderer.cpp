@@ -1,6 +1,6 @@
 #include "side_renderer.h"
 
-#include "state/view_settings.h"
+#include <viewer/state/view_settings.h>
 
 namespace cdr::viewer {
 

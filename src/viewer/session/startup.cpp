@@ -1,9 +1,8 @@
 #include "startup.h"
 
-#include "window.h"
-
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
+#include <viewer/window/window.h>
 
 #include <fmt/format.h>
 

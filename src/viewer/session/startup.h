@@ -1,8 +1,9 @@
 #pragma once
 
 #include "arguments.h"
-#include "script_player.h"
 #include "viewer_model.h"
+
+#include <viewer/drive/script_player.h>
 
 #include <filesystem>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "statistics_report.h"
 
-#include <cdr/measure/statistics.h>
+#include <cdr/measure/statistics/statistics.h>
 
 #include <fmt/format.h>
 

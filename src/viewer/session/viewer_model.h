@@ -1,11 +1,12 @@
 #pragma once
 
 #include "render_request.h"
-#include "state/frame_statistics.h"
-#include "state/orbit_controller.h"
-#include "state/path_recorder.h"
-#include "state/picking.h"
-#include "state/view_settings.h"
+
+#include <viewer/state/frame_statistics.h>
+#include <viewer/state/orbit_controller.h>
+#include <viewer/state/path_recorder.h>
+#include <viewer/state/picking.h>
+#include <viewer/state/view_settings.h>
 
 #include <array>
 #include <chrono>

@@ -56,7 +56,8 @@ void addFinish(Words& words, const ViewSettings& settings) {
     options.targets = settings.targets;
     apply(settings.finish, options);
     const render::RenderOptions defaults;
-    words.addUnless(options.detail.mode == defaults.detail.mode, "--detail", scene::nameOf(options.detail));
+    words.addUnless(options.detail.mode == defaults.detail.mode, "--detail",
+                    visibility::nameOf(options.detail));
     words.addUnless(options.translucency.method == defaults.translucency.method, "--translucency",
                     render::nameOf(options.translucency.method));
     const render::Effects& effects = options.effects;
@@ -120,7 +121,7 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     words.add(settings.scene.starts_with('-') ? fmt::format("./{}", settings.scene) : settings.scene);
     addTechnique(words, settings, renderOptions(settings, view.side, view.extent).technique);
     addCamera(words, view.camera, view.sceneCamera);
-    words.addUnless(settings.seed == scene::kDefaultSeed, "--seed", fmt::format("{}", settings.seed));
+    words.addUnless(settings.seed == scenes::kDefaultSeed, "--seed", fmt::format("{}", settings.seed));
     words.add("--size", fmt::format("{}x{}", view.extent.width, view.extent.height));
     words.addUnless(aovOf(settings.view) == "color", "--aov", aovOf(settings.view));
     words.add("--output", output);

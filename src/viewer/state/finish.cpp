@@ -15,7 +15,7 @@ void apply(const Finish& finish, render::RenderOptions& options) {
     }
 }
 
-std::string_view explain(scene::DetailMode detail) {
+std::string_view explain(visibility::DetailMode detail) {
     constexpr std::array<std::string_view, 3> kTexts{
         "Every mesh in full: slow where they are dense and small.",
         "Each object at the coarsest level whose error stays under half a pixel, the same level in all its "

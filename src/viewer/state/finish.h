@@ -8,7 +8,7 @@ namespace cdr::viewer {
 
 /// What a picture is finished with, whatever its technique.
 struct Finish {
-    scene::DetailMode detail = scene::DetailMode::none;
+    visibility::DetailMode detail = visibility::DetailMode::none;
     render::Translucency translucency = render::Translucency::weighted;
     render::Effects effects{};
     render::Focus focus{};
@@ -21,7 +21,7 @@ struct Finish {
 /// none.
 void apply(const Finish& finish, render::RenderOptions& options);
 
-std::string_view explain(scene::DetailMode detail);
+std::string_view explain(visibility::DetailMode detail);
 std::string_view explain(render::Translucency translucency);
 std::string_view explain(render::Antialias antialias);
 std::string_view explain(const render::Occlusion& occlusion);

@@ -3,7 +3,7 @@
 #include "picture_parts.h"
 
 #include <cdr/base/error.h>
-#include <cdr/measure/wrong_pixels.h>
+#include <cdr/measure/compare/wrong_pixels.h>
 
 #include <algorithm>
 #include <utility>

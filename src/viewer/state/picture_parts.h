@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/image/image.h>
-#include <cdr/render/gbuffer.h>
+#include <cdr/render/targets/gbuffer.h>
 #include <cdr/shaders/shared.h>
 
 #include <cstdint>

@@ -3,7 +3,6 @@
 #include "picture_parts.h"
 
 #include <cdr/base/error.h>
-
 #include <experiments/aov.h>
 
 #include <algorithm>

@@ -49,7 +49,7 @@ bool remembersFrames(const ViewSettings& settings) {
 
 Rework reworkOf(const ViewSettings& before, const ViewSettings& after) {
     const auto needsLevels = [](const ViewSettings& settings) {
-        return settings.finish.detail != scene::DetailMode::none;
+        return settings.finish.detail != visibility::DetailMode::none;
     };
     if (before.scene != after.scene || before.seed != after.seed ||
         (needsLevels(after) && !needsLevels(before))) {

@@ -4,7 +4,7 @@
 #include "finish.h"
 
 #include <cdr/render/renderer.h>
-#include <cdr/scene/open_scene.h>
+#include <scenes/open_scene.h>
 
 #include <array>
 #include <cstdint>
@@ -29,8 +29,8 @@ depth::Technique referenceTechnique();
 
 /// Everything that a person chooses but the camera.
 struct ViewSettings {
-    std::string scene = "rotation"; ///< a name or file for scene::openScene()
-    std::uint64_t seed = scene::kDefaultSeed;
+    std::string scene = "rotation"; ///< a name or file for scenes::openScene()
+    std::uint64_t seed = scenes::kDefaultSeed;
     depth::Technique technique = depth::parseTechnique("anchored"); ///< the left one of a split screen
     std::optional<depth::Technique> second{}; ///< right of the divider; empty for one picture
     double divider = 0.5;                     ///< share of the width that the left picture has, 0 to 1

@@ -1,9 +1,9 @@
 #include "presenter.h"
 
-#include "state/surface_choice.h"
 #include "window_capture.h"
 
 #include <cdr/base/error.h>
+#include <viewer/state/surface_choice.h>
 
 #include <imgui.h>
 #include <imgui_impl_vulkan.h>

@@ -1,8 +1,7 @@
 #include "swapchain.h"
 
-#include "state/surface_choice.h"
-
 #include <cdr/base/error.h>
+#include <viewer/state/surface_choice.h>
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,7 @@
 #include "window.h"
 
-#include "overloaded.h"
-
 #include <cdr/base/error.h>
+#include <viewer/session/overloaded.h>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/measure/flip_difference.h>
+#include <cdr/measure/compare/flip_difference.h>
 
 #include <gtest/gtest.h>
 

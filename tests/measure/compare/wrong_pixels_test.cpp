@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/measure/wrong_pixels.h>
+#include <cdr/measure/compare/wrong_pixels.h>
 
 #include <gtest/gtest.h>
 

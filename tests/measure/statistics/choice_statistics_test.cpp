@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/measure/choice_statistics.h>
+#include <cdr/measure/statistics/choice_statistics.h>
 
 #include <gtest/gtest.h>
 

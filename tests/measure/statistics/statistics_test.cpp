@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/measure/scaling_law.h>
-#include <cdr/measure/statistics.h>
+#include <cdr/measure/statistics/scaling_law.h>
+#include <cdr/measure/statistics/statistics.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <cdr/base/error.h>
 #include <cdr/image/srgb.h>
-#include <cdr/measure/layered_truth.h>
-#include <cdr/measure/surface_hit.h>
-#include <cdr/scene/sheets_scene.h>
+#include <cdr/measure/truth/layered_truth.h>
+#include <cdr/measure/truth/surface_hit.h>
+#include <scenes/sheets.h>
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ struct Stack {
     scene::Scene scene;
 
     Stack() {
-        scene.meshes.push_back(scene::makeSquare(1.0f));
+        scene.meshes.push_back(scenes::makeSquare(1.0f));
         scene.background = glm::vec3(0.1f, 0.2f, 0.3f);
     }
 

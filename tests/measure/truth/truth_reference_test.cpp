@@ -1,5 +1,5 @@
+#include "../test_scenes.h"
 #include "reference_caster.h"
-#include "test_scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <cdr/measure/truth_shine.h>
+#include <cdr/measure/truth/truth_shine.h>
 
 #include <gtest/gtest.h>
 

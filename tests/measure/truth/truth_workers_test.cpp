@@ -1,4 +1,4 @@
-#include "test_scenes.h"
+#include "../test_scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "test_scenes.h"
+#include "../test_scenes.h"
 
-#include <cdr/measure/triangle_bvh.h>
+#include <cdr/measure/truth/triangle_bvh.h>
 
 #include <gtest/gtest.h>
 

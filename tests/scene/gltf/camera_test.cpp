@@ -1,6 +1,6 @@
-#include "gltf_fixture.h"
+#include "fixture.h"
 
-#include <cdr/scene/gltf_stage.h>
+#include <cdr/scene/gltf/stage.h>
 
 #include <cmath>
 

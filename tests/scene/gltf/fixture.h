@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/base/error.h>
-#include <cdr/scene/gltf.h>
+#include <cdr/scene/gltf/gltf.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
-#include "gltf_fixture.h"
+#include "fixture.h"
 
 #include <cdr/base/file.h>
 #include <cdr/image/codec.h>
-#include <cdr/scene/gltf_import.h>
+#include <cdr/scene/gltf/import.h>
 
 #include <functional>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "gltf_fixture.h"
+#include "fixture.h"
 
 #include <cmath>
 

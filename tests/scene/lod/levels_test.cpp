@@ -1,9 +1,9 @@
 #include <cdr/base/error.h>
-#include <cdr/scene/boulders.h>
-#include <cdr/scene/extreme_scenes.h>
-#include <cdr/scene/levels.h>
-#include <cdr/scene/random.h>
-#include <cdr/scene/surface_distance.h>
+#include <cdr/scene/lod/levels.h>
+#include <cdr/scene/lod/surface_distance.h>
+#include <scenes/boulders.h>
+#include <scenes/mixed.h>
+#include <scenes/random.h>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +17,7 @@
 
 namespace {
 
+using namespace cdr;
 using namespace cdr::scene;
 
 using Indices = std::vector<std::uint32_t>;
@@ -78,7 +79,7 @@ double distanceToSurface(const glm::dvec3& p, const Mesh& mesh, const Indices& i
 }
 
 /// A point at random on a surface, triangles chosen evenly.
-glm::dvec3 pointOn(const Mesh& mesh, const Indices& indices, Random& random) {
+glm::dvec3 pointOn(const Mesh& mesh, const Indices& indices, scenes::Random& random) {
     const auto triangles = static_cast<double>(indices.size() / 3);
     const std::size_t i =
         3 * std::min(static_cast<std::size_t>(random.uniform(0.0, triangles)), indices.size() / 3 - 1);
@@ -167,13 +168,13 @@ Mesh seamedTerrain(std::uint32_t cells) {
 }
 
 TEST(SurfaceDistance, IsThatOfEveryTriangle) {
-    const Mesh mesh = makeBoulder(3, 2);
+    const Mesh mesh = scenes::makeBoulder(3, 2);
     std::vector<glm::vec3> positions;
     for (const Vertex& vertex : mesh.vertices) {
         positions.push_back(vertex.position);
     }
     const SurfaceDistance surface(positions, mesh.indices);
-    Random random(5);
+    scenes::Random random(5);
     for (int i = 0; i < 60; ++i) {
         const glm::dvec3 p = random.inCube(1.5);
         EXPECT_NEAR(std::sqrt(surface.squaredTo(p)), distanceToSurface(p, mesh, mesh.indices), 2e-5) << i;
@@ -181,10 +182,10 @@ TEST(SurfaceDistance, IsThatOfEveryTriangle) {
 }
 
 TEST(Levels, NoPointOfALevelIsFartherThanItsErrorSays) {
-    for (const Mesh& mesh : {makeBoulder(2013, 3), seamedTerrain(24)}) {
+    for (const Mesh& mesh : {scenes::makeBoulder(2013, 3), seamedTerrain(24)}) {
         const std::vector<MeshLevel> levels = makeLevels(mesh);
         ASSERT_GE(levels.size(), 2u);
-        Random random(7);
+        scenes::Random random(7);
         for (const MeshLevel& level : levels) {
             double farthest = 0.0;
             for (int i = 0; i < 120; ++i) {
@@ -201,7 +202,7 @@ TEST(Levels, NoPointOfALevelIsFartherThanItsErrorSays) {
 }
 
 TEST(Levels, GrowCoarserAndStop) {
-    const Mesh mesh = makeBoulder(2013, 4);
+    const Mesh mesh = scenes::makeBoulder(2013, 4);
     const LevelOptions options{.ratio = 0.5, .leastGain = 0.1, .most = 20, .leastTriangles = 40};
     const std::vector<MeshLevel> levels = makeLevels(mesh, options);
     ASSERT_GE(levels.size(), 5u);
@@ -225,7 +226,7 @@ TEST(Levels, GrowCoarserAndStop) {
 
 TEST(Levels, BordersStay) {
     std::size_t levels = 0;
-    for (const Mesh& mesh : makeGlobe({.radius = 1000.0, .cells = 24, .pieceRadius = 300.0}).meshes) {
+    for (const Mesh& mesh : scenes::makeGlobe({.radius = 1000.0, .cells = 24, .pieceRadius = 300.0}).meshes) {
         const auto borders = openEdges(mesh, mesh.indices);
         ASSERT_FALSE(borders.empty());
         for (const MeshLevel& level : makeLevels(mesh)) {
@@ -264,7 +265,7 @@ TEST(Levels, SeamsOfNormalsDoNotTear) {
 }
 
 TEST(Levels, ASceneHasThemWhateverTheWorkersAndKeepsThoseGiven) {
-    StagedScene staged = makeBoulders(1, {.boulders = 3, .shapes = 3, .subdivisions = 3});
+    StagedScene staged = scenes::makeBoulders(1, {.boulders = 3, .shapes = 3, .subdivisions = 3});
     const MeshLevel given{.indices = {0, 1, 2}, .error = 0.25f};
     staged.scene.meshes[1].levels = {given};
     Scene first = staged.scene;
@@ -287,7 +288,7 @@ TEST(Levels, ASceneHasThemWhateverTheWorkersAndKeepsThoseGiven) {
 
 /// A mesh without an index buffer shares no vertex, yet its triangles touch.
 TEST(Levels, UnsharedVerticesAreTakenAsOne) {
-    const Mesh mesh = makeBoulder(4, 3);
+    const Mesh mesh = scenes::makeBoulder(4, 3);
     const Mesh unshared = unshareVertices(mesh);
     const std::vector<MeshLevel> levels = makeLevels(unshared);
     ASSERT_EQ(levels.size(), makeLevels(mesh).size());
@@ -295,7 +296,7 @@ TEST(Levels, UnsharedVerticesAreTakenAsOne) {
 }
 
 TEST(Levels, UnusableOptionsAreRefused) {
-    const Mesh mesh = makeBoulder(4, 1);
+    const Mesh mesh = scenes::makeBoulder(4, 1);
     for (const LevelOptions& options :
          {LevelOptions{.ratio = 0.0}, LevelOptions{.ratio = 1.0}, LevelOptions{.ratio = NAN},
           LevelOptions{.leastGain = -0.1}, LevelOptions{.leastGain = 1.0}, LevelOptions{.most = 33}}) {

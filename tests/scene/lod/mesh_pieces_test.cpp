@@ -1,8 +1,8 @@
-#include "gltf_fixture.h"
+#include "../gltf/fixture.h"
 
-#include <cdr/scene/extreme_scenes.h>
-#include <cdr/scene/mesh_pieces.h>
-#include <cdr/scene/triangle_clusters.h>
+#include <cdr/scene/lod/mesh_pieces.h>
+#include <cdr/scene/lod/triangle_clusters.h>
+#include <scenes/mixed.h>
 
 #include <algorithm>
 #include <array>
@@ -214,7 +214,7 @@ TEST(MeshPieces, HostileMeshesStayBounded) {
 }
 
 TEST(Globe, IsClosedAndItsFrontsFaceOut) {
-    const SourceMesh globe = globeMesh(2.0, 8);
+    const SourceMesh globe = scenes::globeMesh(2.0, 8);
     std::map<std::pair<std::tuple<double, double, double>, std::tuple<double, double, double>>, int> edges;
     for (std::size_t i = 0; i < globe.indices.size(); i += 3) {
         const auto at = [&](std::size_t k) { return globe.positions[globe.indices[i + k % 3]]; };

@@ -1,8 +1,8 @@
-#include "../support/synthetic_earth.h"
+#include "../../support/synthetic_earth.h"
 
 #include <cdr/base/error.h>
-#include <cdr/scene/earth_surface.h>
-#include <cdr/scene/orbit_data.h>
+#include <scenes/orbit/data.h>
+#include <scenes/orbit/earth_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,8 @@
 #include <filesystem>
 #include <string>
 
-namespace cdr::scene::test {
+namespace cdr::scenes::test {
+
 namespace {
 
 constexpr Geodetic kHere{51.4775, -0.4850};
@@ -121,4 +122,4 @@ TEST(OrbitData, realHeightsAreThoseOfTheWorld) {
 }
 
 } // namespace
-} // namespace cdr::scene::test
+} // namespace cdr::scenes::test

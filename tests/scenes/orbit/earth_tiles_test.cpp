@@ -1,7 +1,7 @@
-#include "../support/synthetic_earth.h"
+#include "../../support/synthetic_earth.h"
 
-#include <cdr/scene/earth_tiles.h>
-#include <cdr/scene/orbit_scene.h>
+#include <scenes/orbit/earth_tiles.h>
+#include <scenes/orbit/orbit.h>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,9 @@
 #include <cmath>
 #include <utility>
 
-namespace cdr::scene::test {
+namespace cdr::scenes::test {
+
+using namespace scene;
 namespace {
 
 /// The tiles of the scene orbit over a synthetic Earth.
@@ -123,4 +125,4 @@ TEST(EarthQuadtree, knowsCoarserNeighboursRoundTheBackAndNoneBeyondPoles) {
 }
 
 } // namespace
-} // namespace cdr::scene::test
+} // namespace cdr::scenes::test

@@ -1,10 +1,10 @@
-#include "../support/synthetic_earth.h"
+#include "../../support/synthetic_earth.h"
 
 #include <cdr/base/error.h>
-#include <cdr/scene/orbit_airport.h>
-#include <cdr/scene/orbit_scene.h>
-#include <cdr/scene/runway_marking.h>
-#include <cdr/scene/solids.h>
+#include <scenes/orbit/airport.h>
+#include <scenes/orbit/orbit.h>
+#include <scenes/orbit/runway_marking.h>
+#include <scenes/solids.h>
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,9 @@
 #include <numbers>
 #include <string_view>
 
-namespace cdr::scene::test {
+namespace cdr::scenes::test {
+
+using namespace scene;
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -241,4 +243,4 @@ TEST(OrbitModel, isParkedOnTheSlab) {
 }
 
 } // namespace
-} // namespace cdr::scene::test
+} // namespace cdr::scenes::test

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cdr/scene/camera.h>
+#include <viewer/state/camera_input.h>
 
 #include <gtest/gtest.h>
-#include <viewer/state/camera_input.h>
 
 #include <cmath>
 

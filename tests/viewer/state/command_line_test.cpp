@@ -1,7 +1,6 @@
 #include "cameras.h"
 
 #include <cdr/base/suggest.h>
-
 #include <viewer/state/command_line.h>
 #include <viewer/state/fly_controller.h>
 #include <viewer/state/lens_zoom.h>

@@ -1,10 +1,10 @@
 #include "frames.h"
 
 #include <cdr/base/error.h>
-#include <cdr/measure/flips.h>
+#include <cdr/measure/compare/flips.h>
+#include <viewer/state/flip_window.h>
 
 #include <gtest/gtest.h>
-#include <viewer/state/flip_window.h>
 
 #include <random>
 

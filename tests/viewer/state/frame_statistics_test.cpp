@@ -1,7 +1,7 @@
-#include <cdr/measure/statistics.h>
+#include <cdr/measure/statistics/statistics.h>
+#include <viewer/state/frame_statistics.h>
 
 #include <gtest/gtest.h>
-#include <viewer/state/frame_statistics.h>
 
 #include <atomic>
 #include <cmath>

@@ -1,5 +1,6 @@
-#include <gtest/gtest.h>
 #include <viewer/state/path_recorder.h>
+
+#include <gtest/gtest.h>
 
 namespace cdr::viewer {
 

@@ -1,8 +1,9 @@
-#include <gtest/gtest.h>
 #include <viewer/state/fly_controller.h>
 #include <viewer/state/lens_zoom.h>
 #include <viewer/state/orbit_controller.h>
 #include <viewer/state/soak_input.h>
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>

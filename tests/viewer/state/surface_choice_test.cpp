@@ -1,7 +1,7 @@
 #include <cdr/base/error.h>
+#include <viewer/state/surface_choice.h>
 
 #include <gtest/gtest.h>
-#include <viewer/state/surface_choice.h>
 
 #include <limits>
 #include <vector>

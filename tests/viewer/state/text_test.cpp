@@ -1,8 +1,8 @@
 #include <cdr/depth/forecast.h>
-
-#include <gtest/gtest.h>
 #include <viewer/state/length_text.h>
 #include <viewer/state/technique_label.h>
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>

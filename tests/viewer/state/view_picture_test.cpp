@@ -1,13 +1,13 @@
 #include "frames.h"
 
 #include <cdr/base/error.h>
-#include <cdr/measure/wrong_pixels.h>
-
+#include <cdr/measure/compare/wrong_pixels.h>
 #include <experiments/aov.h>
-#include <gtest/gtest.h>
 #include <viewer/state/split_picture.h>
 #include <viewer/state/view_picture.h>
 #include <viewer/state/wrong_view.h>
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>

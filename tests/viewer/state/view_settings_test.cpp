@@ -1,7 +1,8 @@
-#include <gtest/gtest.h>
 #include <viewer/state/explanations.h>
 #include <viewer/state/help_text.h>
 #include <viewer/state/view_settings.h>
+
+#include <gtest/gtest.h>
 
 #include <set>
 #include <string>

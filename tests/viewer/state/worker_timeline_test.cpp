@@ -1,7 +1,7 @@
 #include <cdr/base/worker_pool.h>
+#include <viewer/state/worker_timeline.h>
 
 #include <gtest/gtest.h>
-#include <viewer/state/worker_timeline.h>
 
 namespace cdr::viewer {
 

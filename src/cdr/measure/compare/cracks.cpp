@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/measure/cracks.h>
+#include <cdr/measure/compare/cracks.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #include <cdr/image/srgb.h>
-#include <cdr/measure/flip_color.h>
+#include <cdr/measure/compare/flip_color.h>
 
 #include <glm/glm.hpp>
 

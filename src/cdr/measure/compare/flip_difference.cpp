@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/measure/flip_color.h>
-#include <cdr/measure/flip_difference.h>
+#include <cdr/measure/compare/flip_color.h>
+#include <cdr/measure/compare/flip_difference.h>
 
 #include <fmt/format.h>
 

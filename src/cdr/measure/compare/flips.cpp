@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/measure/flips.h>
-#include <cdr/measure/wrong_pixels.h>
+#include <cdr/measure/compare/flips.h>
+#include <cdr/measure/compare/wrong_pixels.h>
 
 namespace cdr::measure {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/image/image.h>
-#include <cdr/measure/truth.h>
+#include <cdr/measure/truth/truth.h>
 
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-#include <cdr/measure/scaling_law.h>
+#include <cdr/measure/statistics/scaling_law.h>
 
 #include <cmath>
 #include <cstddef>

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/measure/statistics.h>
+#include <cdr/measure/statistics/statistics.h>
 
 #include <algorithm>
 #include <cmath>

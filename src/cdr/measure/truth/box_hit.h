@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/measure/object_ray.h>
+#include <cdr/measure/truth/object_ray.h>
 
 #include <glm/glm.hpp>
 

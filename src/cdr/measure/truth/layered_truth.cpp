@@ -1,8 +1,8 @@
 #include <cdr/base/error.h>
 #include <cdr/image/srgb.h>
-#include <cdr/measure/layered_truth.h>
-#include <cdr/measure/surface_hit.h>
-#include <cdr/measure/truth_light.h>
+#include <cdr/measure/truth/layered_truth.h>
+#include <cdr/measure/truth/surface_hit.h>
+#include <cdr/measure/truth/truth_light.h>
 
 #include <algorithm>
 #include <cstdlib>

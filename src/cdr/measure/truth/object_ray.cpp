@@ -1,4 +1,4 @@
-#include <cdr/measure/object_ray.h>
+#include <cdr/measure/truth/object_ray.h>
 
 #include <cmath>
 

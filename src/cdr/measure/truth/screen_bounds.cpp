@@ -1,4 +1,4 @@
-#include <cdr/measure/screen_bounds.h>
+#include <cdr/measure/truth/screen_bounds.h>
 
 #include <algorithm>
 #include <cmath>

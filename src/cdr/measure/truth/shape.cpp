@@ -1,4 +1,4 @@
-#include <cdr/measure/shape.h>
+#include <cdr/measure/truth/shape.h>
 
 namespace cdr::measure {
 

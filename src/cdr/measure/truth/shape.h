@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cdr/measure/box_hit.h>
-#include <cdr/measure/object_ray.h>
-#include <cdr/measure/triangle_bvh.h>
+#include <cdr/measure/truth/box_hit.h>
+#include <cdr/measure/truth/object_ray.h>
+#include <cdr/measure/truth/triangle_bvh.h>
 #include <cdr/scene/mesh.h>
 
 #include <glm/glm.hpp>

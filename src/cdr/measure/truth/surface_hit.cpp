@@ -1,6 +1,6 @@
 #include <cdr/image/srgb.h>
-#include <cdr/measure/surface_hit.h>
-#include <cdr/measure/triangle_hit.h>
+#include <cdr/measure/truth/surface_hit.h>
+#include <cdr/measure/truth/triangle_hit.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/measure/object_ray.h>
-#include <cdr/measure/visible_instances.h>
+#include <cdr/measure/truth/object_ray.h>
+#include <cdr/measure/truth/visible_instances.h>
 #include <cdr/scene/scene.h>
 
 #include <glm/glm.hpp>

@@ -1,4 +1,4 @@
-#include <cdr/measure/tile_bins.h>
+#include <cdr/measure/truth/tile_bins.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/measure/screen_bounds.h>
+#include <cdr/measure/truth/screen_bounds.h>
 
 #include <cstddef>
 #include <cstdint>

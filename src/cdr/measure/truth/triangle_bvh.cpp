@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/measure/triangle_bvh.h>
-#include <cdr/measure/triangle_bvh_builder.h>
+#include <cdr/measure/truth/triangle_bvh.h>
+#include <cdr/measure/truth/triangle_bvh_builder.h>
 
 #include <algorithm>
 #include <cmath>

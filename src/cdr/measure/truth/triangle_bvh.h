@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/measure/object_ray.h>
-#include <cdr/measure/triangle_hit.h>
+#include <cdr/measure/truth/object_ray.h>
+#include <cdr/measure/truth/triangle_hit.h>
 #include <cdr/scene/mesh.h>
 
 #include <glm/glm.hpp>

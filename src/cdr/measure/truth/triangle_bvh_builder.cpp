@@ -1,4 +1,4 @@
-#include <cdr/measure/triangle_bvh_builder.h>
+#include <cdr/measure/truth/triangle_bvh_builder.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/measure/triangle_bvh.h>
+#include <cdr/measure/truth/triangle_bvh.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include <cdr/base/error.h>
-#include <cdr/measure/tile_bins.h>
-#include <cdr/measure/truth.h>
-#include <cdr/measure/visible_instances.h>
+#include <cdr/measure/truth/tile_bins.h>
+#include <cdr/measure/truth/truth.h>
+#include <cdr/measure/truth/visible_instances.h>
 
 #include <algorithm>
 #include <cstddef>

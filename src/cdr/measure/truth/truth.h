@@ -2,7 +2,7 @@
 
 #include <cdr/base/worker_pool.h>
 #include <cdr/image/image.h>
-#include <cdr/measure/shape.h>
+#include <cdr/measure/truth/shape.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 

@@ -1,5 +1,5 @@
-#include <cdr/measure/truth_light.h>
-#include <cdr/measure/truth_shine.h>
+#include <cdr/measure/truth/truth_light.h>
+#include <cdr/measure/truth/truth_shine.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include <cdr/base/error.h>
 #include <cdr/image/srgb.h>
-#include <cdr/measure/object_ray.h>
-#include <cdr/measure/truth_light.h>
-#include <cdr/measure/truth_shading.h>
+#include <cdr/measure/truth/object_ray.h>
+#include <cdr/measure/truth/truth_light.h>
+#include <cdr/measure/truth/truth_shading.h>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include <cdr/base/worker_pool.h>
 #include <cdr/image/image.h>
-#include <cdr/measure/truth.h>
+#include <cdr/measure/truth/truth.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/measure/visible_instances.h>
+#include <cdr/measure/truth/visible_instances.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cdr/base/worker_pool.h>
-#include <cdr/measure/object_ray.h>
-#include <cdr/measure/screen_bounds.h>
-#include <cdr/measure/shape.h>
+#include <cdr/measure/truth/object_ray.h>
+#include <cdr/measure/truth/screen_bounds.h>
+#include <cdr/measure/truth/shape.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 

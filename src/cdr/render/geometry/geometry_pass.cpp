@@ -1,5 +1,5 @@
 #include <cdr/gpu/pipeline.h>
-#include <cdr/render/geometry_pass.h>
+#include <cdr/render/geometry/geometry_pass.h>
 
 #include <algorithm>
 

@@ -2,11 +2,11 @@
 
 #include <cdr/base/worker_pool.h>
 #include <cdr/gpu/memory.h>
-#include <cdr/render/geometry_pipelines.h>
+#include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/view_transform.h>
-#include <cdr/scene/bin.h>
 #include <cdr/scene/camera.h>
 #include <cdr/shaders/shared.h>
+#include <cdr/visibility/bin.h>
 
 #include <vulkan/vulkan.hpp>
 
@@ -18,7 +18,7 @@ namespace cdr::render {
 /// A contiguous range of one cascade's draws.
 struct DrawJob {
     std::size_t cascade = 0;
-    base::IndexRange draws; ///< into scene::DrawLists::instance
+    base::IndexRange draws; ///< into visibility::DrawLists::instance
 };
 
 /// How the draws of one technique over one scene are recorded.
@@ -31,7 +31,7 @@ class GeometryPass {
     /// Everything recording one job reads.
     struct Recording {
         const scene::Camera& camera;
-        const scene::DrawLists& lists;
+        const visibility::DrawLists& lists;
         std::span<const CascadeDraws> cascades;
         std::span<shaders::DrawRecord> records; ///< mapped, one per draw of `lists`
         vk::Buffer recordBuffer;                ///< they are in
@@ -51,7 +51,7 @@ class GeometryPass {
 
     /// Draws that the device itself has listed.
     struct IndirectDraws {
-        vk::Buffer commands; ///< by bucket (as in scene::DrawLists), then run
+        vk::Buffer commands; ///< by bucket (as in visibility::DrawLists), then run
         vk::Buffer counts;   ///< by bucket, then group
         std::size_t runs = 0;
         std::span<const RunGroup> groups;

@@ -1,8 +1,8 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/gpu/pipeline.h>
-#include <cdr/render/gbuffer.h>
-#include <cdr/render/geometry_pipelines.h>
+#include <cdr/render/geometry/geometry_pipelines.h>
+#include <cdr/render/targets/gbuffer.h>
 #include <cdr/shaders/geometry_depth_faceted_frag.h>
 #include <cdr/shaders/geometry_depth_frag.h>
 #include <cdr/shaders/geometry_faceted_frag.h>

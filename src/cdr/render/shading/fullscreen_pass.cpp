@@ -1,5 +1,5 @@
 #include <cdr/gpu/pipeline.h>
-#include <cdr/render/fullscreen_pass.h>
+#include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/shaders/fullscreen_vert.h>
 
 #include <utility>

@@ -1,6 +1,6 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/render/gbuffer_rendering.h>
-#include <cdr/render/occlusion_pass.h>
+#include <cdr/render/shading/occlusion_pass.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/occlusion_frag.h>
 
 namespace cdr::render {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/render/fullscreen_pass.h>
+#include <cdr/render/shading/fullscreen_pass.h>
 
 #include <vulkan/vulkan.hpp>
 

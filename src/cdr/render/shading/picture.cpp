@@ -1,6 +1,6 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/render/gbuffer_rendering.h>
-#include <cdr/render/picture.h>
+#include <cdr/render/shading/picture.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/encode_antialiased_frag.h>
 #include <cdr/shaders/encode_frag.h>
 

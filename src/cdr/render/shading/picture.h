@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/render/effects.h>
-#include <cdr/render/fullscreen_pass.h>
+#include <cdr/render/shading/fullscreen_pass.h>
 
 #include <vulkan/vulkan.hpp>
 

@@ -1,6 +1,6 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/render/gbuffer_rendering.h>
-#include <cdr/render/shading_pass.h>
+#include <cdr/render/shading/shading_pass.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/shading_frag.h>
 #include <cdr/shaders/shading_layers_occluded_frag.h>
 #include <cdr/shaders/shading_occluded_frag.h>

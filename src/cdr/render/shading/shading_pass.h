@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cdr/render/effects.h>
-#include <cdr/render/fullscreen_pass.h>
-#include <cdr/render/occlusion_pass.h>
+#include <cdr/render/shading/fullscreen_pass.h>
+#include <cdr/render/shading/occlusion_pass.h>
 #include <cdr/render/view_transform.h>
 #include <cdr/scene/scene.h>
 

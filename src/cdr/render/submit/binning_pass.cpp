@@ -2,7 +2,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/upload.h>
-#include <cdr/render/binning_pass.h>
+#include <cdr/render/submit/binning_pass.h>
 #include <cdr/shaders/bin_commands_comp.h>
 #include <cdr/shaders/bin_count_comp.h>
 #include <cdr/shaders/bin_fill_comp.h>
@@ -68,7 +68,7 @@ vk::MemoryBarrier2 barrier(vk::PipelineStageFlags2 stages, vk::AccessFlags2 acce
 } // namespace
 
 BinningPass::BinningPass(const gpu::Device& device, const scene::Instances& instances,
-                         const GpuScene& gpuScene, scene::DetailMode detail)
+                         const GpuScene& gpuScene, visibility::DetailMode detail)
     : m_device(checked(device, instances)),
       m_instances(instances.size()),
       m_setLayout(gpu::makeSetLayout(device, std::vector(kBindings, kStorage),
@@ -86,7 +86,7 @@ vk::UniquePipeline BinningPass::makePipeline(std::span<const std::uint32_t> spir
 }
 
 void BinningPass::uploadInstances(const scene::Instances& instances, const GpuScene& gpuScene,
-                                  scene::DetailMode detail) {
+                                  visibility::DetailMode detail) {
     std::vector<shaders::InstanceSphere> spheres;
     std::vector<shaders::InstanceLook> looks;
     std::vector<shaders::MaterialRecord> materials;
@@ -98,7 +98,7 @@ void BinningPass::uploadInstances(const scene::Instances& instances, const GpuSc
     for (std::size_t i = 0; i < m_instances; ++i) {
         const DrawSource& source = gpuScene.sources()[i];
         const MeshRange& mesh = kinds[source.kind].mesh;
-        const bool hasLevels = detail != scene::DetailMode::none && mesh.levelCount > 0;
+        const bool hasLevels = detail != visibility::DetailMode::none && mesh.levelCount > 0;
         if (i == 0 || hasLevels || source.kind != gpuScene.sources()[i - 1].kind) {
             if (m_groups.empty() || !bindAlike(kinds[m_groups.back().kind], kinds[source.kind]) ||
                 m_groups.back().end - m_groups.back().begin == mostCommands) {

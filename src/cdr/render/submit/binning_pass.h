@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
-#include <cdr/render/draw_path.h>
-#include <cdr/scene/detail.h>
+#include <cdr/render/submit/draw_path.h>
 #include <cdr/scene/scene.h>
+#include <cdr/visibility/level_choice.h>
 
 #include <array>
 #include <vector>
@@ -21,7 +21,7 @@ class BinningPass {
     /// @param detail unless none, an instance whose mesh has levels is a run of its own, so that each draw
     /// may have another level.
     BinningPass(const gpu::Device& device, const scene::Instances& instances, const GpuScene& gpuScene,
-                scene::DetailMode detail);
+                visibility::DetailMode detail);
 
     std::size_t instances() const { return m_instances; }
     std::size_t runs() const { return m_runs; }
@@ -39,7 +39,7 @@ class BinningPass {
 
   private:
     void uploadInstances(const scene::Instances& instances, const GpuScene& gpuScene,
-                         scene::DetailMode detail);
+                         visibility::DetailMode detail);
     vk::UniquePipeline makePipeline(std::span<const std::uint32_t> spirv, const char* name) const;
 
     const gpu::Device& m_device;

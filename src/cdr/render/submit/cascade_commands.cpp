@@ -1,4 +1,4 @@
-#include <cdr/render/cascade_commands.h>
+#include <cdr/render/submit/cascade_commands.h>
 
 namespace cdr::render {
 

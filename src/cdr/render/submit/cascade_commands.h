@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/base/worker_pool.h>
-#include <cdr/render/gbuffer_rendering.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 
 #include <vulkan/vulkan.hpp>
 

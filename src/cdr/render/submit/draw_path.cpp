@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
-#include <cdr/render/draw_path.h>
+#include <cdr/render/submit/draw_path.h>
 
 #include <fmt/format.h>
 

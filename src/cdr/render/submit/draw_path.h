@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cdr/depth/cascade.h>
-#include <cdr/render/cascade_commands.h>
 #include <cdr/render/frame.h>
-#include <cdr/render/geometry_pass.h>
-#include <cdr/scene/cull.h>
-#include <cdr/scene/detail.h>
+#include <cdr/render/geometry/geometry_pass.h>
+#include <cdr/render/submit/cascade_commands.h>
+#include <cdr/visibility/cull.h>
+#include <cdr/visibility/level_choice.h>
 
 #include <vulkan/vulkan.hpp>
 
@@ -40,10 +40,10 @@ struct CutView {
     const scene::Camera& camera;
     double aspect = 1.0; ///< width over height
     /// What the camera sees; empty where DrawPath::needsVisible() is false and nobody else needs it.
-    const scene::VisibleList& visible;
+    const visibility::VisibleList& visible;
     const depth::Cascades& clipRanges;      ///< depth::clipRange() of each cascade, nearest first
     std::span<const CascadeDraws> cascades; ///< as many
-    scene::LevelRule levels{};              ///< which level of detail each draw is of
+    visibility::LevelRule levels{};         ///< which level of detail each draw is of
 };
 
 /// One way for a frame's draws to reach the device, for one frame slot: it owns the slot's command pools and

@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/pipeline.h>
-#include <cdr/render/gpu_driven_path.h>
+#include <cdr/render/submit/gpu_driven_path.h>
 #include <cdr/shaders/binning_shared.h>
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ void copy(const glm::dvec3& from, double (&to)[3]) {
     std::copy_n(&from.x, 3, to);
 }
 
-/// What scene::cullSpheres() tests with, and scene::binByDistance().
+/// What visibility::cullSpheres() tests with, and visibility::binByDistance().
 shaders::BinningView viewOf(const CutView& view, double wideSpan) {
     const scene::Camera& camera = view.camera;
     const double halfY = 0.5 * camera.fovY;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/commands.h>
-#include <cdr/render/binning_pass.h>
+#include <cdr/render/submit/binning_pass.h>
 
 #include <array>
 #include <string>

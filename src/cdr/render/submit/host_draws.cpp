@@ -1,4 +1,4 @@
-#include <cdr/render/host_draws.h>
+#include <cdr/render/submit/host_draws.h>
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 namespace cdr::render {
 
 void HostDraws::bin(const CutView& view, FrameStats& stats) {
-    scene::binByDistance(view.visible, view.clipRanges, m_pass.pipelines().wideSpan(view.clipRanges.size()),
-                         m_workers, m_lists);
-    scene::chooseLevels(m_scene, view.camera, view.clipRanges, view.levels, m_workers, m_lists);
+    visibility::binByDistance(view.visible, view.clipRanges,
+                              m_pass.pipelines().wideSpan(view.clipRanges.size()), m_workers, m_lists);
+    visibility::chooseLevels(m_scene, view.camera, view.clipRanges, view.levels, m_workers, m_lists);
     growRecords();
     stats.visible = m_lists.visible;
     stats.draws = m_lists.draws();

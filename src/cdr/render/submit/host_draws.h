@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/render/draw_path.h>
-#include <cdr/scene/bin.h>
+#include <cdr/render/submit/draw_path.h>
+#include <cdr/visibility/bin.h>
 
 namespace cdr::render {
 
@@ -24,7 +24,7 @@ class HostDraws {
     /// Shows the records to the device. Once all are written, before the frame is submitted.
     void flush() const { m_records.flush(); }
 
-    const scene::DrawLists& lists() const { return m_lists; }
+    const visibility::DrawLists& lists() const { return m_lists; }
     const GeometryPass& pass() const { return m_pass; }
     base::WorkerPool& workers() const { return m_workers; }
 
@@ -36,7 +36,7 @@ class HostDraws {
     const GeometryPass& m_pass;
     base::WorkerPool& m_workers;
     base::Trace* m_trace;
-    scene::DrawLists m_lists; ///< kept from frame to frame so that a warm one allocates nothing
+    visibility::DrawLists m_lists; ///< kept from frame to frame so that a warm one allocates nothing
     gpu::Buffer m_records;
 };
 

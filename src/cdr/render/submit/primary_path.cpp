@@ -1,4 +1,4 @@
-#include <cdr/render/primary_path.h>
+#include <cdr/render/submit/primary_path.h>
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/render/host_draws.h>
-#include <cdr/render/worker_command_pools.h>
+#include <cdr/render/submit/host_draws.h>
+#include <cdr/render/submit/worker_command_pools.h>
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
-#include <cdr/render/gbuffer.h>
-#include <cdr/render/secondary_path.h>
+#include <cdr/render/submit/secondary_path.h>
+#include <cdr/render/targets/gbuffer.h>
 
 #include <algorithm>
 #include <utility>
@@ -15,7 +15,7 @@ constexpr std::size_t kMinDrawsPerJob = 256;
 
 } // namespace
 
-std::vector<DrawJob> makeJobs(const scene::DrawLists& lists, std::size_t threads) {
+std::vector<DrawJob> makeJobs(const visibility::DrawLists& lists, std::size_t threads) {
     const std::size_t wanted = threads == 1 ? 1 : threads * kJobsPerThread;
     const std::size_t grain = std::max((lists.draws() + wanted - 1) / wanted, kMinDrawsPerJob);
     std::vector<DrawJob> jobs;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/render/host_draws.h>
-#include <cdr/render/worker_command_pools.h>
+#include <cdr/render/submit/host_draws.h>
+#include <cdr/render/submit/worker_command_pools.h>
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace cdr::render {
 /// Cuts draw lists into jobs: contiguous ranges within one cascade, cascades in order, of about equal size.
 /// One thread gets one job per cascade; more threads get a few each, so an uneven one does not hold up the
 /// rest.
-std::vector<DrawJob> makeJobs(const scene::DrawLists& lists, std::size_t threads);
+std::vector<DrawJob> makeJobs(const visibility::DrawLists& lists, std::size_t threads);
 
 /// Workers record the cascades into secondary command buffers, one primary executes them.
 ///

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/render/cascade_layers.h>
+#include <cdr/render/targets/cascade_layers.h>
 
 namespace cdr::render {
 

@@ -1,6 +1,6 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/render/cascade_layers.h>
-#include <cdr/render/gbuffer_rendering.h>
+#include <cdr/render/targets/cascade_layers.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/merge_frag.h>
 #include <cdr/shaders/merge_occluded_frag.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/render/fullscreen_pass.h>
-#include <cdr/render/targets.h>
+#include <cdr/render/shading/fullscreen_pass.h>
+#include <cdr/render/targets/targets.h>
 
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/render/focus_layers.h>
-#include <cdr/render/gbuffer_rendering.h>
-#include <cdr/render/picture.h>
+#include <cdr/render/shading/picture.h>
+#include <cdr/render/targets/focus_layers.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/focus_compose_frag.h>
 #include <cdr/shaders/merge_scaled_frag.h>
 #include <cdr/shaders/shading_layer_frag.h>

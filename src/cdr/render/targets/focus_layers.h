@@ -2,9 +2,9 @@
 
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
-#include <cdr/render/fullscreen_pass.h>
-#include <cdr/render/shading_pass.h>
-#include <cdr/render/targets.h>
+#include <cdr/render/shading/fullscreen_pass.h>
+#include <cdr/render/shading/shading_pass.h>
+#include <cdr/render/targets/targets.h>
 
 #include <array>
 #include <map>

@@ -1,4 +1,4 @@
-#include <cdr/render/gbuffer.h>
+#include <cdr/render/targets/gbuffer.h>
 
 #include <vulkan/vulkan_format_traits.hpp>
 

@@ -1,5 +1,5 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/render/gbuffer_rendering.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 
 namespace cdr::render {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/render/gbuffer.h>
+#include <cdr/render/targets/gbuffer.h>
 
 #include <vulkan/vulkan.hpp>
 

@@ -1,6 +1,6 @@
-#include "targets_one_pass.h"
+#include "one_pass.h"
 
-#include <cdr/render/gbuffer_rendering.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/render/targets.h>
+#include <cdr/render/targets/targets.h>
 
 namespace cdr::render {
 

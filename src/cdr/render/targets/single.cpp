@@ -1,6 +1,6 @@
-#include "targets_single.h"
+#include "single.h"
 
-#include <cdr/render/gbuffer_rendering.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
-#include "targets_accumulate.h"
-#include "targets_layers.h"
-#include "targets_one_pass.h"
-#include "targets_pool.h"
-#include "targets_single.h"
+#include "accumulate.h"
+#include "layers.h"
+#include "one_pass.h"
+#include "pool.h"
+#include "single.h"
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>

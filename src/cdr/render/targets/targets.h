@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
-#include <cdr/render/cascade_commands.h>
-#include <cdr/render/gbuffer.h>
+#include <cdr/render/submit/cascade_commands.h>
+#include <cdr/render/targets/gbuffer.h>
 #include <cdr/render/view_transform.h>
 
 #include <vulkan/vulkan.hpp>

@@ -1,6 +1,6 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/render/coverage.h>
-#include <cdr/render/gbuffer_rendering.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
+#include <cdr/render/translucency/coverage.h>
 
 #include <glm/gtc/packing.hpp>
 

@@ -1,6 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/pipeline.h>
-#include <cdr/render/fragment_list.h>
+#include <cdr/render/translucency/fragment_list.h>
 #include <cdr/shaders/translucent_shared.h>
 
 #include <fmt/format.h>

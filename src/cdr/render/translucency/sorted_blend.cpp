@@ -1,7 +1,7 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/render/gbuffer_rendering.h>
-#include <cdr/render/picture.h>
-#include <cdr/render/sorted_blend.h>
+#include <cdr/render/shading/picture.h>
+#include <cdr/render/targets/gbuffer_rendering.h>
+#include <cdr/render/translucency/sorted_blend.h>
 #include <cdr/shaders/translucent_sorted_counted_frag.h>
 #include <cdr/shaders/translucent_sorted_frag.h>
 #include <cdr/shaders/translucent_sorted_resolve_frag.h>

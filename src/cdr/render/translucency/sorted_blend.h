@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cdr/render/fragment_list.h>
-#include <cdr/render/fullscreen_pass.h>
-#include <cdr/render/translucent_frame.h>
+#include <cdr/render/shading/fullscreen_pass.h>
+#include <cdr/render/translucency/fragment_list.h>
+#include <cdr/render/translucency/translucent_frame.h>
 
 #include <vulkan/vulkan.hpp>
 

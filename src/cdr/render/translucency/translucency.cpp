@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
-#include <cdr/render/translucency.h>
+#include <cdr/render/translucency/translucency.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <cdr/render/translucent_draws.h>
+#include <cdr/render/translucency/translucent_draws.h>
 
 #include <fmt/format.h>
 
@@ -50,7 +50,7 @@ depth::Cascades translucentRanges(const depth::Cascades& cascades, const scene::
 }
 
 TranslucentDraws::TranslucentDraws(const gpu::Device& device, const GpuScene& scene,
-                                   const scene::BlendedInstances& blended)
+                                   const visibility::BlendedInstances& blended)
     : m_device(device),
       m_scene(scene),
       m_blended(blended) {}
@@ -60,8 +60,8 @@ void TranslucentDraws::prepare(const scene::Camera& camera, double aspect, const
     m_ranges = translucentRanges(cascades, camera);
     m_lens = lensOf(camera, aspect);
     m_nearView = camera.nearView;
-    scene::cullSpheres(m_blended.instances, camera, aspect, workers, m_visible);
-    scene::binByDistance(m_visible, m_ranges, std::numeric_limits<double>::infinity(), workers, m_lists);
+    visibility::cullSpheres(m_blended.instances, camera, aspect, workers, m_visible);
+    visibility::binByDistance(m_visible, m_ranges, std::numeric_limits<double>::infinity(), workers, m_lists);
     growRecords();
     writeRecords(camera);
 }

@@ -2,11 +2,11 @@
 
 #include <cdr/gpu/memory.h>
 #include <cdr/render/gpu_scene.h>
-#include <cdr/render/translucent_pipelines.h>
+#include <cdr/render/translucency/translucent_pipelines.h>
 #include <cdr/render/view_transform.h>
-#include <cdr/scene/bin.h>
-#include <cdr/scene/blended.h>
 #include <cdr/shaders/translucent_shared.h>
+#include <cdr/visibility/bin.h>
+#include <cdr/visibility/blended.h>
 
 #include <vulkan/vulkan.hpp>
 
@@ -25,7 +25,7 @@ class TranslucentDraws {
   public:
     /// The scene parts must outlive the draws.
     TranslucentDraws(const gpu::Device& device, const GpuScene& scene,
-                     const scene::BlendedInstances& blended);
+                     const visibility::BlendedInstances& blended);
 
     /// Overwrites the lists and records; the last frame that drew them must have finished. base::RunError,
     /// with both figures, when the records need more memory than there is.
@@ -48,9 +48,9 @@ class TranslucentDraws {
 
     const gpu::Device& m_device;
     const GpuScene& m_scene;
-    const scene::BlendedInstances& m_blended;
-    scene::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing
-    scene::DrawLists m_lists;
+    const visibility::BlendedInstances& m_blended;
+    visibility::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing
+    visibility::DrawLists m_lists;
     depth::Cascades m_ranges;
     Lens m_lens;
     double m_nearView = 0.0; ///< the camera's

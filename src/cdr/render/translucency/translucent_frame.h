@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/render/coverage.h>
-#include <cdr/render/translucent_draws.h>
+#include <cdr/render/translucency/coverage.h>
+#include <cdr/render/translucency/translucent_draws.h>
 
 #include <vulkan/vulkan.hpp>
 

@@ -1,5 +1,5 @@
 #include <cdr/gpu/pipeline.h>
-#include <cdr/render/translucent_pass.h>
+#include <cdr/render/translucency/translucent_pass.h>
 
 namespace cdr::render {
 
@@ -37,7 +37,7 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const scene::Scene& 
       m_gbuffer(gbuffer),
       m_lit(lit),
       m_options(options),
-      m_blended(scene::blendedInstances(scene)),
+      m_blended(visibility::blendedInstances(scene)),
       m_sampler(device.handle().createSamplerUnique({})),
       m_surroundingsLayout(gpu::makeSetLayout(device, {kImage, kStorage}, vk::ShaderStageFlagBits::eFragment,
                                               "translucent surroundings")),

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cdr/render/frame.h>
-#include <cdr/render/shading_pass.h>
-#include <cdr/render/sorted_blend.h>
-#include <cdr/render/translucency.h>
-#include <cdr/render/weighted_blend.h>
-#include <cdr/scene/blended.h>
+#include <cdr/render/shading/shading_pass.h>
+#include <cdr/render/translucency/sorted_blend.h>
+#include <cdr/render/translucency/translucency.h>
+#include <cdr/render/translucency/weighted_blend.h>
+#include <cdr/visibility/blended.h>
 
 #include <memory>
 #include <optional>
@@ -59,7 +59,7 @@ class TranslucentPass {
     const gpu::Image& m_gbuffer;
     const gpu::Image& m_lit;
     TranslucencyOptions m_options;
-    scene::BlendedInstances m_blended;
+    visibility::BlendedInstances m_blended;
     vk::UniqueSampler m_sampler;
     vk::UniqueDescriptorSetLayout m_surroundingsLayout;
     WeightedBlend m_weighted;

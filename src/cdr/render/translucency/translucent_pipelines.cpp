@@ -1,5 +1,5 @@
 #include <cdr/gpu/pipeline.h>
-#include <cdr/render/translucent_pipelines.h>
+#include <cdr/render/translucency/translucent_pipelines.h>
 #include <cdr/shaders/translucent_shared.h>
 #include <cdr/shaders/translucent_vert.h>
 

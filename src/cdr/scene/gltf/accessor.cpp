@@ -1,7 +1,7 @@
-#include "gltf_accessor.h"
+#include "accessor.h"
 
-#include "gltf_checks.h"
-#include "gltf_component.h"
+#include "checks.h"
+#include "component.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gltf_files.h"
+#include "files.h"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,7 @@
-#include "gltf_cameras.h"
+#include "cameras.h"
 
-#include "gltf_checks.h"
-#include "gltf_json.h"
+#include "checks.h"
+#include "json.h"
 
 #include <nlohmann/json.hpp>
 

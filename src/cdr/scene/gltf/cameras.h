@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gltf_document.h"
-#include "gltf_nodes.h"
-#include "gltf_notes.h"
+#include "document.h"
+#include "nodes.h"
+#include "notes.h"
 
 #include <nlohmann/json_fwd.hpp>
 

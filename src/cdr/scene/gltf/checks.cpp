@@ -1,4 +1,4 @@
-#include "gltf_checks.h"
+#include "checks.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "gltf_component.h"
+#include "component.h"
 
-#include "gltf_checks.h"
+#include "checks.h"
 
 #include <tiny_gltf.h>
 

@@ -1,6 +1,6 @@
-#include "gltf_container.h"
+#include "container.h"
 
-#include "gltf_checks.h"
+#include "checks.h"
 
 #include <cstddef>
 

@@ -1,10 +1,10 @@
-#include "gltf_document.h"
+#include "document.h"
 
-#include "gltf_cameras.h"
-#include "gltf_checks.h"
-#include "gltf_compression.h"
-#include "gltf_json.h"
-#include "gltf_tinygltf.h"
+#include "cameras.h"
+#include "checks.h"
+#include "compression.h"
+#include "json.h"
+#include "tinygltf.h"
 
 #include <nlohmann/json.hpp>
 

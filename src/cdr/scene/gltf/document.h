@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gltf_notes.h"
+#include "notes.h"
 
-#include <cdr/scene/gltf.h>
+#include <cdr/scene/gltf/gltf.h>
 
 #include <tiny_gltf.h>
 

@@ -1,8 +1,8 @@
-#include "gltf_files.h"
+#include "files.h"
 
-#include "gltf_checks.h"
-#include "gltf_compression.h"
-#include "gltf_tinygltf.h"
+#include "checks.h"
+#include "compression.h"
+#include "tinygltf.h"
 
 #include <algorithm>
 #include <cctype>

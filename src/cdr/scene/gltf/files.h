@@ -1,9 +1,9 @@
 #pragma once
 
-#include "gltf_document.h"
+#include "document.h"
 
 #include <cdr/base/file.h>
-#include <cdr/scene/gltf.h>
+#include <cdr/scene/gltf/gltf.h>
 
 #include <cstdint>
 #include <filesystem>

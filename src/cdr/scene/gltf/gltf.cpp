@@ -1,14 +1,14 @@
-#include "gltf_cameras.h"
-#include "gltf_checks.h"
-#include "gltf_container.h"
-#include "gltf_import.h"
-#include "gltf_material.h"
-#include "gltf_nodes.h"
-#include "gltf_triangles.h"
+#include "cameras.h"
+#include "checks.h"
+#include "container.h"
+#include "import.h"
+#include "material.h"
+#include "nodes.h"
+#include "triangles.h"
 
 #include <cdr/base/file.h>
-#include <cdr/scene/gltf.h>
-#include <cdr/scene/mesh_pieces.h>
+#include <cdr/scene/gltf/gltf.h>
+#include <cdr/scene/lod/mesh_pieces.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/scene/camera.h>
-#include <cdr/scene/mesh_pieces.h>
+#include <cdr/scene/lod/mesh_pieces.h>
 #include <cdr/scene/scene.h>
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/scene/gltf.h>
+#include <cdr/scene/gltf/gltf.h>
 
 #include <cstdint>
 #include <filesystem>

@@ -1,6 +1,6 @@
-#include "gltf_json.h"
+#include "json.h"
 
-#include "gltf_checks.h"
+#include "checks.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
-#include "gltf_material.h"
+#include "material.h"
 
-#include "gltf_checks.h"
+#include "checks.h"
 
 #include <algorithm>
 

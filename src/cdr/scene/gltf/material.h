@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gltf_files.h"
-#include "gltf_mesh.h"
-#include "gltf_notes.h"
+#include "files.h"
+#include "mesh.h"
+#include "notes.h"
 
 #include <cdr/scene/scene.h>
 

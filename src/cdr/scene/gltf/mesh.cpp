@@ -1,7 +1,7 @@
-#include "gltf_mesh.h"
+#include "mesh.h"
 
-#include "gltf_checks.h"
-#include "gltf_triangles.h"
+#include "checks.h"
+#include "triangles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "gltf_accessor.h"
-#include "gltf_notes.h"
-#include "gltf_uv.h"
+#include "accessor.h"
+#include "notes.h"
+#include "uv.h"
 
-#include <cdr/scene/mesh_pieces.h>
+#include <cdr/scene/lod/mesh_pieces.h>
 
 #include <cstdint>
 #include <string>

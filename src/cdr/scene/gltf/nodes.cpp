@@ -1,6 +1,6 @@
-#include "gltf_nodes.h"
+#include "nodes.h"
 
-#include "gltf_checks.h"
+#include "checks.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <tiny_gltf.h>

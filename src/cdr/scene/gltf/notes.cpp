@@ -1,6 +1,6 @@
-#include "gltf_notes.h"
+#include "notes.h"
 
-#include "gltf_checks.h"
+#include "checks.h"
 
 namespace cdr::scene::gltf {
 

@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/scene/gltf.h>
-#include <cdr/scene/gltf_stage.h>
+#include <cdr/scene/gltf/gltf.h>
+#include <cdr/scene/gltf/stage.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/scene/open_scene.h>
+#include <cdr/scene/staged_scene.h>
 
 #include <cstdint>
 #include <filesystem>

@@ -1,5 +1,5 @@
-#include "gltf_checks.h"
-#include "gltf_material.h"
+#include "checks.h"
+#include "material.h"
 
 #include <cdr/image/codec.h>
 

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 // clang-format on
 
-#include "gltf_tinygltf.h"
+#include "tinygltf.h"
 
-#include "gltf_checks.h"
+#include "checks.h"
 
 #include <tiny_gltf.h>
 

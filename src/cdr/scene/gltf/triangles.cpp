@@ -1,6 +1,6 @@
-#include "gltf_triangles.h"
+#include "triangles.h"
 
-#include "gltf_checks.h"
+#include "checks.h"
 
 namespace cdr::scene::gltf {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gltf_accessor.h"
+#include "accessor.h"
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/scene/levels.h>
-#include <cdr/scene/surface_distance.h>
+#include <cdr/scene/lod/levels.h>
+#include <cdr/scene/lod/surface_distance.h>
 
 #include <fmt/format.h>
 #include <meshoptimizer.h>

@@ -1,5 +1,5 @@
-#include <cdr/scene/mesh_pieces.h>
-#include <cdr/scene/triangle_clusters.h>
+#include <cdr/scene/lod/mesh_pieces.h>
+#include <cdr/scene/lod/triangle_clusters.h>
 
 #include <algorithm>
 #include <array>

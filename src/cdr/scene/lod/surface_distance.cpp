@@ -1,4 +1,4 @@
-#include <cdr/scene/surface_distance.h>
+#include <cdr/scene/lod/surface_distance.h>
 
 #include <algorithm>
 #include <cmath>

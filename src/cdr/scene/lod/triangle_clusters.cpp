@@ -1,4 +1,4 @@
-#include <cdr/scene/triangle_clusters.h>
+#include <cdr/scene/lod/triangle_clusters.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-# A room is a folder of src/cdr: one library target whose headers are reachable only by the rooms that link it.
+# A room is a folder of src: one library target whose headers are reachable only by the rooms that link it.
 
 add_library(cdr_options INTERFACE)
 target_compile_features(cdr_options INTERFACE cxx_std_20)
@@ -13,27 +13,36 @@ if(CDR_SANITIZE)
     target_link_options(cdr_options INTERFACE -fsanitize=${CDR_SANITIZE})
 endif()
 
-# cdr_room(NAME [PUBLIC target...] [PRIVATE target...])
-# Headers of src/cdr/NAME become <cdr/NAME/...> for the targets that link cdr::NAME, and for nobody else: each room has
-# an include folder of its own in the build tree, so an include that points up the room list does not compile.
+# cdr_room(NAME [EXCLUDE REGEX] [PUBLIC target...] [PRIVATE target...])
+# The folder and its subfolders become the library cdr::NAME. Its headers are included by their path below src, by the
+# targets that link cdr::NAME and by nobody else: each room has an include folder of its own in the build tree, so an
+# include that points up the room list does not compile. EXCLUDE leaves out sources whose path matches.
 function(cdr_room name)
-    cmake_parse_arguments(ROOM "" "" "PUBLIC;PRIVATE" ${ARGN})
-    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
+    cmake_parse_arguments(ROOM "" "EXCLUDE" "PUBLIC;PRIVATE" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
+    if(ROOM_EXCLUDE)
+        list(FILTER sources EXCLUDE REGEX "${ROOM_EXCLUDE}")
+    endif()
     add_library(cdr_${name} STATIC ${sources})
     add_library(cdr::${name} ALIAS cdr_${name})
+    file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}/src" "${CMAKE_CURRENT_SOURCE_DIR}")
     set(include_root "${PROJECT_BINARY_DIR}/include/${name}")
-    file(MAKE_DIRECTORY "${include_root}/cdr")
-    file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${include_root}/cdr/${name}" SYMBOLIC)
+    cmake_path(GET folder PARENT_PATH parent)
+    file(MAKE_DIRECTORY "${include_root}/${parent}")
+    file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${include_root}/${folder}" SYMBOLIC)
     target_include_directories(cdr_${name} PUBLIC "${include_root}")
     target_compile_features(cdr_${name} PUBLIC cxx_std_20)
     target_link_libraries(cdr_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE} cdr_options)
 endfunction()
 
-# cdr_test(NAME [DRIVER] LIBRARIES target...): every .cpp of the folder as one GoogleTest program, its cases known to
-# CTest. DRIVER labels them as needing a Vulkan driver.
+# cdr_test(NAME [DRIVER] [EXCLUDE REGEX] LIBRARIES target...): every .cpp of the folder and its subfolders as one
+# GoogleTest program, its cases known to CTest. DRIVER labels them as needing a Vulkan driver.
 function(cdr_test name)
-    cmake_parse_arguments(TEST "DRIVER" "" "LIBRARIES" ${ARGN})
-    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
+    cmake_parse_arguments(TEST "DRIVER" "EXCLUDE" "LIBRARIES" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
+    if(TEST_EXCLUDE)
+        list(FILTER sources EXCLUDE REGEX "${TEST_EXCLUDE}")
+    endif()
     add_executable(${name} ${sources})
     target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main cdr_options)
     target_compile_definitions(${name} PRIVATE

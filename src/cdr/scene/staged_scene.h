@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cdr/scene/camera_path.h>
+#include <cdr/scene/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace cdr::scene {
+
+/// A scene and the cameras that look at it.
+struct StagedScene {
+    Scene scene;
+    CameraPath path;
+};
+
+/// A scene that was opened by name or from a file.
+struct OpenedScene {
+    StagedScene staged;
+    std::vector<std::string> notes; ///< what an importer ignored, one line each
+};
+
+} // namespace cdr::scene
