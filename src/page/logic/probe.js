@@ -1,4 +1,4 @@
-// Chapter 7 says that formulas "are not reliable in practice": measured beside predicted, from `cdr probe`.
+// Chapter 7 says that the formulas of chapter 4 "are not reliable in practice": measured beside predicted, from `cdr probe`.
 
 const kRungs = 256; // pairs of the ladder, in equal ratios
 

@@ -9,9 +9,10 @@ import { reliability } from "./probe.js";
 import { techniqueTitles, table62, thesisTechniques } from "./thesis.js";
 import { noiseFloor, rankAgreement, thesisBars } from "./timing.js";
 
-/** What a verdict can be, and how it reads. */
+/** What a verdict can be, and how it reads. What people answered cannot be repeated here, only agreed with. */
 export const statuses = {
     yes: "reproduces",
+    consistent: "consistent",
     partly: "in part",
     no: "does not",
     open: "undecided",
@@ -117,12 +118,12 @@ function judgePeople(document) {
     }
     const order = Object.entries(observerWins(document)).sort((a, b) => a[1] - b[1]).map(([name]) => name);
     const sameOrder = order.join() === Object.entries(table62).sort((a, b) => a[1] - b[1]).map(([name]) => name).join();
-    let sentence = `An observer who only counts flips chooses as most people did in ${agreeing} of ${rows.length} pairs`;
+    let sentence = `The thesis asked twelve people; here nobody was asked. An observer who only counts flips chooses as most people did in ${agreeing} of ${rows.length} pairs`;
     sentence += sameOrder ? " and ranks the techniques as they did." : ".";
     for (const row of apart) {
         sentence += ` ${explainDisagreement(row, document)}`;
     }
-    return { status: agreeing === rows.length ? "yes" : agreeing > 0 ? "partly" : "no", sentence };
+    return { status: agreeing === rows.length ? "consistent" : agreeing > 0 ? "partly" : "no", sentence };
 }
 
 /** Why counting flips and looking may choose differently: wrong pixels that stay put do not flicker. */
@@ -192,5 +193,7 @@ function judgeProbe(document) {
 export function summary(list, seconds) {
     const count = (status) => list.filter((verdict) => verdict.status === status).length;
     const judged = list.length - count("missing");
-    return `${count("yes")} of ${judged} results of the thesis reproduce, ${count("partly")} in part; measured in ${duration(seconds)}.`;
+    const consistent = count("consistent");
+    return `${count("yes")} of ${judged} results of the thesis reproduce, ${count("partly")} in part` +
+        (consistent ? `; what people answered is consistent with what was counted` : "") + `; measured in ${duration(seconds)}.`;
 }
