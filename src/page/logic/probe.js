@@ -1,6 +1,9 @@
 // Chapter 7 says that the formulas of chapter 4 "are not reliable in practice": measured beside predicted, from `cdr probe`.
 
+import { listingSeparation } from "./listing_a2.js";
+
 const kRungs = 256; // pairs of the ladder, in equal ratios
+const kNear = 0.001; // of the probe's camera, whose far plane is twice the distance
 
 /** Series over distance of one depth format: what was measured, and what was predicted, per technique. */
 export function series(document, format) {
@@ -22,13 +25,30 @@ export function formats(document) {
 }
 
 /**
- * How well the forecast holds. A measured value at the ladder's smallest rung says only "this or finer", and none
- * says "coarser than its widest", so both are judged by whether the forecast lies there too.
+ * How well the thesis' own formulas (Listing A.2) hold: of the D24 cases that a separation resolves, how many need a
+ * coarser one than the formula says, by more than the ladder tells apart.
+ */
+export function listingReliability(document) {
+    const cases = document.results.filter((row) => row.format === "d24" && row.resolved !== null)
+        .map((row) => ({ row, formula: listingSeparation(row.technique, row.distance, { near: kNear, far: 2 * row.distance }) }))
+        .filter(({ formula }) => formula !== null);
+    const coarser = cases.filter(({ row, formula }) => row.resolved > formula * rungOf(row));
+    return {
+        all: cases.length,
+        coarser: coarser.length,
+        worstRatio: Math.max(0, ...coarser.map(({ row, formula }) => row.resolved / formula)),
+    };
+}
+
+/**
+ * How well our forecast holds where a separation is resolved, or where none is although the forecast says so. A value
+ * at the ladder's smallest rung says only "this or finer", so it is judged by whether the forecast lies there too.
  */
 export function reliability(document) {
     const kinds = { within: 0, coarser: 0, finer: 0 };
     let worstRatio = 1;
-    for (const row of document.results) {
+    const cases = document.results.filter((row) => row.resolved !== null || judgedRatio(row) > 2);
+    for (const row of cases) {
         const ratio = judgedRatio(row);
         if (ratio > 2) {
             ++kinds.coarser;
@@ -39,14 +59,14 @@ export function reliability(document) {
         }
         worstRatio = Math.max(worstRatio, ratio);
     }
-    return { ...kinds, all: document.results.length, worstRatio, beyondBound: beyondBound(document) };
+    return { ...kinds, all: cases.length, worstRatio, beyondBound: beyondBound(document) };
 }
 
 /** How many are coarser than even the bound, every rounding at its worst, by more than the ladder tells apart. */
 function beyondBound(document) {
     const known = document.results.filter((row) => "guaranteed" in row);
     const isBeyond = (row) => {
-        const rung = (row.largest / row.smallest) ** (1 / (kRungs - 1));
+        const rung = rungOf(row);
         const bound = row.guaranteed ?? Infinity;
         return bound < row.largest / rung && (row.resolved ?? Infinity) > bound * rung;
     };
@@ -66,4 +86,9 @@ export function judgedRatio(row) {
         return 1;
     }
     return row.resolved / predicted;
+}
+
+/** The ratio of a rung of the ladder to the one before. */
+function rungOf(row) {
+    return (row.largest / row.smallest) ** (1 / (kRungs - 1));
 }

@@ -2,7 +2,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { table41 } from "../../../src/page/logic/thesis.js";
 import { checkPercentages, tableRows } from "../../../src/page/logic/precision.js";
-import { judgedRatio, reliability } from "../../../src/page/logic/probe.js";
+import { listingSeparation } from "../../../src/page/logic/listing_a2.js";
+import { judgedRatio, listingReliability, reliability } from "../../../src/page/logic/probe.js";
 import { rankAgreement } from "../../../src/page/logic/timing.js";
 import { observerWins, pairRows } from "../../../src/page/logic/flicker.js";
 import { statuses, verdicts } from "../../../src/page/logic/verdicts.js";
@@ -119,9 +120,38 @@ test("the ladder's ends do not count as errors of the forecast", () => {
     assert.equal(judgedRatio(row(null, 0.1)), 10); // none, though forecast
     assert.equal(judgedRatio(row(1e-6, 1e-9)), 1); // the finest rung, as forecast
     assert.equal(judgedRatio(row(0.01, null)), 0.01);
-    const counts = reliability({ results: [row(0.1, 0.1), row(0.5, 0.1), row(0.01, 0.1), row(null, 0.01)] });
+    // A case that resolves nothing, as forecast, is no success of the forecast: it is not counted.
+    const counts = reliability({ results: [row(0.1, 0.1), row(0.5, 0.1), row(0.01, 0.1), row(null, 0.01), row(null, 60)] });
     assert.deepEqual(counts, { within: 1, coarser: 2, finer: 1, all: 4, worstRatio: 100, beyondBound: null });
     const bounded = (resolved, guaranteed) => ({ ...row(resolved, 0.1), guaranteed });
     const list = [bounded(0.1, 0.2), bounded(0.3, 0.2), bounded(null, 0.2), bounded(null, null), bounded(0.3, null), bounded(null, 5)];
     assert.equal(reliability({ results: list }).beyondBound, 2);
+});
+
+test("Listing A.2 recomputes Table 4.1", () => {
+    for (const [separation, row] of Object.entries(table41)) {
+        for (const [technique, distance] of Object.entries(row)) {
+            const formula = listingSeparation(technique, distance, { near: 0.001, far: 1e8 });
+            assert.ok(Math.abs(formula / Number(separation) - 1) < 1e-3, `${technique} at ${distance}: ${formula}`);
+        }
+    }
+    assert.equal(listingSeparation("anchored", 1, { near: 0.001, far: 1e8 }), null);
+});
+
+test("chapter 7 is judged by the thesis' own formulas, over what was resolved", () => {
+    const row = (technique, format, resolved) =>
+        ({ technique, format, distance: 1000, resolved, predicted: 0.001, smallest: 1e-6, largest: 1 });
+    const formula = listingSeparation("log", 1000, { near: 0.001, far: 2000 });
+    const document = { results: [
+        row("log", "d24", 3 * formula), row("logcdr", "d24", 1e-6), row("standard", "d24", null),
+        row("log", "d32f", 3 * formula), row("anchored", "d24", 0.5)] };
+    const { all, coarser, worstRatio } = listingReliability(document);
+    assert.deepEqual([all, coarser], [2, 1]);
+    assert.ok(Math.abs(worstRatio - 3) < 1e-12);
+    const probed = (...resolved) => ({ probe: { results: resolved.map((factor) => row("log", "d24", factor * formula)) } });
+    assert.equal(verdictOf("chapter-7", probed(3, 2)).status, "yes");
+    assert.equal(verdictOf("chapter-7", probed(3, 1, 1)).status, "partly");
+    assert.equal(verdictOf("chapter-7", probed(1, 1)).status, "no");
+    assert.equal(verdictOf("chapter-7", { probe: { results: [row("log", "d16", 1)] } }).status, "open");
+    assert.match(verdictOf("chapter-7", probed(3)).sentence, /^Of 1 resolved D24 cases 1 are coarser .*Listing A.2.*factor of 3/);
 });
