@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
 #include "geometry/depth_mapping.glsl"
-#include "targets/surface.glsl"
+#include "targets/gbuffer.glsl"
 
 layout(constant_id = 0) const uint kDepthForm = kDepthFormLinear;
 layout(constant_id = 1) const uint kTextured = 0u;
@@ -25,7 +25,7 @@ layout(location = 3) flat in uint inId;
 layout(location = 4) flat in uint inCutoffAndShine;
 #endif
 
-layout(location = 0) out uvec4 outSurface;
+layout(location = 0) out uvec4 outTexel;
 #ifdef WRITES_DEPTH
 layout(depth_greater) out float gl_FragDepth; // than the tangent that the vertex shader set
 #endif
@@ -42,7 +42,7 @@ void main() {
         discard;
     }
 #ifdef FACETED
-    outSurface = uvec4(inFacet.xy, floatBitsToUint(ahead), inFacet.z);
+    outTexel = uvec4(inFacet.xy, floatBitsToUint(ahead), inFacet.z);
 #else
     vec4 baseColor = inColor;
     if (kTextured != 0u) {
@@ -53,9 +53,9 @@ void main() {
     }
     // Of a double-sided surface the side that faces the camera is lit.
     vec3 normal = gl_FrontFacing ? inNormalAhead.xyz : -inNormalAhead.xyz;
-    outSurface = encodeSurface(baseColor.rgb, normal, ahead, inId);
+    outTexel = encodeTexel(baseColor.rgb, normal, ahead, inId);
     if (kShiny != 0u) {
-        outSurface.x = withShine(outSurface.x, inCutoffAndShine);
+        outTexel.x = withShine(outTexel.x, inCutoffAndShine);
     }
 #endif
 #ifdef WRITES_DEPTH

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
 #include "geometry/depth_mapping.glsl"
-#include "targets/surface.glsl"
+#include "targets/gbuffer.glsl"
 
 layout(constant_id = 0) const uint kDepthForm = kDepthFormLinear;
 layout(constant_id = 3) const uint kWide = 0u;

@@ -1,24 +1,24 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
-#include "targets/surface.glsl"
+#include "targets/gbuffer.glsl"
 #define LIGHTING_SET 0
 #define LIGHTING_BINDING 1
 #include "shading/lighting.glsl"
 
 // Ambient occlusion over the whole picture, whichever cascades its surfaces come from.
-layout(set = 0, binding = 0) uniform usampler2D surfaceBuffer;
+layout(set = 0, binding = 0) uniform usampler2D gbuffer;
 
 layout(location = 0) out float outOcclusion;
 
-vec2 anchorOf(uvec4 surface) { return header.anchors[(surface.w >> kIdBits) & kCascadeMask]; }
-float distanceOf(uvec4 surface) { return anchorOf(surface).x + aheadOf(surface); }
+vec2 anchorOf(uvec4 texel) { return header.anchors[(texel.w >> kIdBits) & kCascadeMask]; }
+float distanceOf(uvec4 texel) { return anchorOf(texel).x + aheadOf(texel); }
 float aheadBetween(uvec4 from, uvec4 to) { return distanceBetween(anchorOf(from), aheadOf(from), anchorOf(to), aheadOf(to)); }
 #include "shading/occlusion.glsl"
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    uvec4 surface = texelFetch(surfaceBuffer, pixel, 0);
-    outOcclusion = surface.w == 0u ? 0.0
-                                   : occlusionAt(surfaceBuffer, pixel, surface, header.rayScale, header.occlusionRadius);
+    uvec4 texel = texelFetch(gbuffer, pixel, 0);
+    outOcclusion = texel.w == 0u ? 0.0
+                                   : occlusionAt(gbuffer, pixel, texel, header.rayScale, header.occlusionRadius);
 }

@@ -2,7 +2,7 @@
 // half-space above a pixel's surface lies behind surfaces within `radius` (scene units) that the picture shows. Works on
 // metric view distances. The includer defines, for two surfaces of its buffer,
 //   float aheadBetween(uvec4 from, uvec4 to)   the difference of their view distances, and
-//   float distanceOf(uvec4 surface)            the view distance itself, which only scales.
+//   float distanceOf(uvec4 texel)            the view distance itself, which only scales.
 #ifndef CDR_SHADERS_OCCLUSION_GLSL
 #define CDR_SHADERS_OCCLUSION_GLSL
 
@@ -14,19 +14,19 @@ const float kDistanceNoise = 3e-7; // a few steps of a float, of the view distan
 const float kStrength = 1.5;      // obscurance as it is usually shown
 
 // rayScale: view-space x and y per unit of view distance at the right and top edges. 0 is open, 1 is closed.
-float occlusionAt(usampler2D surfaces, ivec2 pixel, uvec4 surface, vec2 rayScale, float radius) {
-    ivec2 size = textureSize(surfaces, 0);
+float occlusionAt(usampler2D gbuffer, ivec2 pixel, uvec4 texel, vec2 rayScale, float radius) {
+    ivec2 size = textureSize(gbuffer, 0);
     vec2 perPixel = vec2(2.0, -2.0) * rayScale / vec2(size);
-    float distance = distanceOf(surface);
+    float distance = distanceOf(texel);
     float spiral = min(radius / (distance * abs(perPixel.y)), kMostPixels);
     if (spiral < 1.0) {
         return 0.0;
     }
-    vec3 normal = normalOf(surface);
+    vec3 normal = normalOf(texel);
     vec2 ray = (vec2(pixel) + 0.5 - 0.5 * vec2(size)) * perPixel;
     // Sixteen angles in a 4 x 4 tile, which the reader's 4 x 4 average evens out.
     float turn = float((7 * pixel.x + 12 * pixel.y) & 15) * (6.2831853 / 16.0);
-    float bias = kBias * radius + kDistanceNoise * abs(aheadOf(surface));
+    float bias = kBias * radius + kDistanceNoise * abs(aheadOf(texel));
     float radius2 = radius * radius;
     float sum = 0.0;
     for (int i = 0; i < kSamples; ++i) {
@@ -37,11 +37,11 @@ float occlusionAt(usampler2D surfaces, ivec2 pixel, uvec4 surface, vec2 rayScale
         if (any(lessThan(there, ivec2(0))) || any(greaterThanEqual(there, size))) {
             continue;
         }
-        uvec4 other = texelFetch(surfaces, there, 0);
+        uvec4 other = texelFetch(gbuffer, there, 0);
         if (other.w == 0u) {
             continue;
         }
-        float farther = aheadBetween(surface, other);
+        float farther = aheadBetween(texel, other);
         vec3 toOther = vec3(vec2(offset) * perPixel * (distance + farther) + ray * farther, -farther);
         float length2 = dot(toOther, toOther);
         float falloff = max(1.0 - length2 / radius2, 0.0);

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
-#include "targets/surface.glsl"
+#include "targets/gbuffer.glsl"
 #define LIGHTING_SET 0
 #define LIGHTING_BINDING 1
 #include "shading/lighting.glsl"
@@ -10,13 +10,13 @@
 layout(constant_id = 0) const uint kFoggy = 0u;
 layout(constant_id = 1) const uint kShiny = 0u;
 
-layout(set = 0, binding = 0) uniform usampler2D surfaceBuffer;
+layout(set = 0, binding = 0) uniform usampler2D gbuffer;
 // OCCLUDED: by an image of the whole picture, or else OCCLUDED_PER_LAYER by what the layers left in the surfaces.
 #if defined(OCCLUDED)
 layout(set = 0, binding = 2) uniform sampler2D occlusionImage;
-float occlusionIn(ivec2 pixel, uvec4 surface) { return texelFetch(occlusionImage, pixel, 0).r; }
+float occlusionIn(ivec2 pixel, uvec4 texel) { return texelFetch(occlusionImage, pixel, 0).r; }
 #elif defined(OCCLUDED_PER_LAYER)
-float occlusionIn(ivec2 pixel, uvec4 surface) { return occlusionOf(surface); }
+float occlusionIn(ivec2 pixel, uvec4 texel) { return occlusionOf(texel); }
 #endif
 
 #ifdef LAYER
@@ -34,17 +34,17 @@ vec4 covering(vec3 color, float ahead) { return vec4(color, 1.0); }
 
 layout(location = 0) out vec4 outColor;
 
-vec2 anchorOf(uvec4 surface) { return header.anchors[(surface.w >> kIdBits) & kCascadeMask]; }
+vec2 anchorOf(uvec4 texel) { return header.anchors[(texel.w >> kIdBits) & kCascadeMask]; }
 
 // Averages the 4 x 4 pixels around that lie on about the same surface: what the noise of occlusion.glsl repeats in.
-float opennessAt(ivec2 pixel, uvec4 surface, vec3 normal) {
+float opennessAt(ivec2 pixel, uvec4 texel, vec3 normal) {
 #if defined(OCCLUDED) || defined(OCCLUDED_PER_LAYER)
-    ivec2 last = textureSize(surfaceBuffer, 0) - 1;
+    ivec2 last = textureSize(gbuffer, 0) - 1;
     vec2 sum = vec2(0.0);
     for (int i = 0; i < 16; ++i) {
         ivec2 there = clamp(pixel + ivec2(i & 3, i >> 2) - 2, ivec2(0), last);
-        uvec4 other = texelFetch(surfaceBuffer, there, 0);
-        float apart = distanceBetween(anchorOf(surface), aheadOf(surface), anchorOf(other), aheadOf(other));
+        uvec4 other = texelFetch(gbuffer, there, 0);
+        float apart = distanceBetween(anchorOf(texel), aheadOf(texel), anchorOf(other), aheadOf(other));
         if (other.w != 0u && abs(apart) < header.occlusionRadius && dot(normal, normalOf(other)) > 0.8) {
             sum += vec2(occlusionIn(there, other), 1.0);
         }
@@ -57,19 +57,19 @@ float opennessAt(ivec2 pixel, uvec4 surface, vec3 normal) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    uvec4 surface = texelFetch(surfaceBuffer, pixel, 0);
-    if (surface.w == 0u) {
+    uvec4 texel = texelFetch(gbuffer, pixel, 0);
+    if (texel.w == 0u) {
         outColor = background();
         return;
     }
-    vec3 color = albedoOf(surface);
-    float ahead = aheadOf(surface);
-    vec2 anchor = anchorOf(surface);
-    vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(surfaceBuffer, 0)));
-    if ((surface.w & kIdUnlit) == 0u) {
-        vec3 normal = normalOf(surface);
-        uint shine = kShiny != 0u ? shineOf(surface) : 0u;
-        color = litColor(color, shine, LitPoint(normal, ray, anchor, ahead, opennessAt(pixel, surface, normal)));
+    vec3 color = albedoOf(texel);
+    float ahead = aheadOf(texel);
+    vec2 anchor = anchorOf(texel);
+    vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(gbuffer, 0)));
+    if ((texel.w & kIdUnlit) == 0u) {
+        vec3 normal = normalOf(texel);
+        uint shine = kShiny != 0u ? shineOf(texel) : 0u;
+        color = litColor(color, shine, LitPoint(normal, ray, anchor, ahead, opennessAt(pixel, texel, normal)));
     }
     if (kFoggy != 0u) {
         color = throughFog(color, ray, anchor.x + ahead);

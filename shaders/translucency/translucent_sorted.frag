@@ -2,11 +2,11 @@
 #extension GL_GOOGLE_include_directive : require
 #define CDR_LIST_SET 2
 #include "translucency/fragment_list.glsl"
-#include "translucency/translucent_surface.glsl"
+#include "translucency/translucent_fragment.glsl"
 
 // Keeps every translucent fragment. In which order they come, and so which node each gets, changes nothing: the list
 // is sorted by what the nodes hold.
-#ifdef COVERAGE
+#ifdef COUNTED
 layout(location = 0) out vec4 outCount; // red, by gpu::Blend::accumulate
 #endif
 
@@ -20,7 +20,7 @@ void main() {
         nodes[node] = FragmentNode(color.r, color.g, color.b, color.a, fragment.distanceView.x,
                                    fragment.distanceView.y, inId & kIdMask, next);
     }
-#ifdef COVERAGE
+#ifdef COUNTED
     outCount = vec4(1.0, 0.0, 0.0, 0.0);
 #endif
 }

@@ -1,12 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "translucency/translucent_surface.glsl"
+#include "translucency/translucent_fragment.glsl"
 
 // Weighted, blended, order-independent: McGuire and Bavoil 2013, equations 5 and 10, the depth of which is here the
 // place in the cascade's range on a logarithmic scale.
 layout(location = 0) out vec4 outSum;    // colours, and in alpha the transmittance, by gpu::Blend::accumulate
 layout(location = 1) out vec4 outWeight; // red
-#ifdef COVERAGE
+#ifdef COUNTED
 layout(location = 2) out vec4 outCount; // red
 #endif
 
@@ -18,7 +18,7 @@ void main() {
     float weight = fragment.color.a * max(2e-4, 60.0 * nearness * nearness * nearness);
     outSum = vec4(fragment.color.rgb * fragment.color.a * weight, fragment.color.a);
     outWeight = vec4(fragment.color.a * weight, 0.0, 0.0, 0.0);
-#ifdef COVERAGE
+#ifdef COUNTED
     outCount = vec4(1.0, 0.0, 0.0, 0.0);
 #endif
 }

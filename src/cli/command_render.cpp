@@ -110,7 +110,7 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, const PictureS
                                   .effects = effectsOf(arguments.effects),
                                   .focus = focusOf(arguments.effects),
                                   .translucency = translucencyOf(arguments.effects)};
-    options.translucency.countsCoverage = aov == experiments::Aov::coverage;
+    options.translucency.countsFragments = aov == experiments::Aov::coverage;
     return options;
 }
 

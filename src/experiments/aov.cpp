@@ -118,7 +118,7 @@ image::ImageRgba8 wrongPicture(const render::Frame& frame, const measure::TruthI
 
 /// Translucent surfaces at a pixel; none where the scene has none, or nobody counted.
 std::uint32_t coverageAt(const render::Frame& frame, std::uint32_t x, std::uint32_t y) {
-    return frame.coverage.pixels.empty() ? 0 : frame.coverage.at(x, y);
+    return frame.fragmentCounts.pixels.empty() ? 0 : frame.fragmentCounts.at(x, y);
 }
 
 image::ImageRgba8 coveragePicture(const render::Frame& frame) {
@@ -140,9 +140,9 @@ std::vector<image::ExrChannel> colorChannels(const render::Frame& frame, const i
 }
 
 /// SHA-256 of one word of each pixel's surface.
-std::string hashOfWords(const render::Frame& frame, std::uint32_t (*word)(const render::Surface&)) {
-    std::vector<std::uint32_t> words(frame.surfaces.pixels.size());
-    std::transform(frame.surfaces.pixels.begin(), frame.surfaces.pixels.end(), words.begin(), word);
+std::string hashOfWords(const render::Frame& frame, std::uint32_t (*word)(const render::GBufferPixel&)) {
+    std::vector<std::uint32_t> words(frame.gbuffer.pixels.size());
+    std::transform(frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(), words.begin(), word);
     return base::sha256Of(words);
 }
 
@@ -198,7 +198,7 @@ std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
     case Aov::cascade:
         return {{"cascade", values(frame, [&](auto x, auto y) { return frame.cascade(x, y); })}};
     case Aov::distance:
-        return {{"ahead", values(frame, [&](auto x, auto y) { return frame.surfaces.at(x, y).ahead; })},
+        return {{"ahead", values(frame, [&](auto x, auto y) { return frame.gbuffer.at(x, y).ahead; })},
                 {"distance", values(frame, [&](auto x, auto y) { return frame.distanceView(x, y); })},
                 {"distanceRest",
                  values(frame, [&](auto x, auto y) { return restOf(frame.distanceView(x, y)); })}};
@@ -221,15 +221,15 @@ std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImag
     case Aov::id:
         return base::sha256Of(frame.ids().pixels);
     case Aov::distance:
-        return hashOfWords(frame, [](const render::Surface& surface) {
-            return std::bit_cast<std::uint32_t>(surface.ahead);
+        return hashOfWords(frame, [](const render::GBufferPixel& pixel) {
+            return std::bit_cast<std::uint32_t>(pixel.ahead);
         });
     case Aov::normal:
-        return hashOfWords(frame, [](const render::Surface& surface) { return surface.normal; });
+        return hashOfWords(frame, [](const render::GBufferPixel& pixel) { return pixel.normal; });
     case Aov::cascade:
-        return hashOfWords(frame, [](const render::Surface& surface) { return surface.idAndCascade; });
+        return hashOfWords(frame, [](const render::GBufferPixel& pixel) { return pixel.idAndCascade; });
     case Aov::coverage:
-        return base::sha256Of(frame.coverage.pixels);
+        return base::sha256Of(frame.fragmentCounts.pixels);
     }
     throw base::RunError("output out of range");
 }

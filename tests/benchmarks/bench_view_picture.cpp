@@ -23,16 +23,16 @@ render::Frame makeFrame(unsigned wrongEvery) {
     frame.cascades = {{1.0, 10.0}, {10.0, 1e3}, {1e3, 1e5}, {1e5, 1e7}};
     frame.anchorsView = {1.0, 10.0, 1e3, 1e5};
     frame.color = image::ImageRgba8(kWidth, kHeight);
-    frame.surfaces = image::Raster<render::Surface>(kWidth, kHeight);
+    frame.gbuffer = image::Raster<render::GBufferPixel>(kWidth, kHeight);
     std::mt19937 random(wrongEvery);
     for (std::uint32_t y = 0; y < kHeight; ++y) {
         for (std::uint32_t x = 0; x < kWidth; ++x) {
             const auto bits = static_cast<std::uint32_t>(random());
             const std::uint32_t id = 1 + (x / 40) + 32 * (y / 40) + (bits % wrongEvery == 0 ? 1000u : 0u);
-            frame.surfaces.at(x, y) = {.albedo = bits,
-                                       .normal = bits,
-                                       .ahead = static_cast<float>(bits) * 1e-4f,
-                                       .idAndCascade = id | (id % 4) << shaders::kIdBits};
+            frame.gbuffer.at(x, y) = {.albedo = bits,
+                                      .normal = bits,
+                                      .ahead = static_cast<float>(bits) * 1e-4f,
+                                      .idAndCascade = id | (id % 4) << shaders::kIdBits};
             frame.color.at(x, y) = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8),
                                     static_cast<std::uint8_t>(bits >> 16), 255};
         }

@@ -16,9 +16,9 @@ render::Frame makeFrame() {
     frame.cascades = {{1e6 + 0.3, 1e6 + 32.0}};
     frame.anchorsView = {1e6 + 0.3};
     frame.color = image::ImageRgba8(8, 1);
-    frame.surfaces = image::Raster<render::Surface>(8, 1);
+    frame.gbuffer = image::Raster<render::GBufferPixel>(8, 1);
     for (std::uint32_t x = 0; x < 7; ++x) {
-        frame.surfaces.at(x, 0) = {.ahead = 1e-6f * static_cast<float>(x), .idAndCascade = 1};
+        frame.gbuffer.at(x, 0) = {.ahead = 1e-6f * static_cast<float>(x), .idAndCascade = 1};
     }
     return frame;
 }

@@ -53,7 +53,7 @@ inline render::RenderOptions smallOptions(const depth::Technique& technique) {
 
 /// One hash over everything a frame holds, pixel by pixel.
 inline std::string hashOf(const render::Frame& frame) {
-    return base::sha256Of(frame.color.pixels) + base::sha256Of(frame.surfaces.pixels);
+    return base::sha256Of(frame.color.pixels) + base::sha256Of(frame.gbuffer.pixels);
 }
 
 /// A scene of boxes with one white material, ambient light and the unit box as mesh 0.

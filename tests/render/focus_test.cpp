@@ -84,7 +84,7 @@ bool isFrom(const Frame& frame, std::uint32_t cascade, std::uint32_t x, std::uin
 }
 
 float aheadAt(const Frame& frame, std::uint32_t x, std::uint32_t y) {
-    return frame.surfaces.at(x, y).ahead;
+    return frame.gbuffer.at(x, y).ahead;
 }
 
 class FocusTest : public RenderTest {};
@@ -99,7 +99,7 @@ TEST_F(FocusTest, ALensWithNextToNoApertureShowsTheOrdinaryPicture) {
         const Frame blended = draw(scene, kCamera, options);
         options.focus = {};
         const Frame ordinary = draw(scene, kCamera, options);
-        EXPECT_EQ(base::sha256Of(sharp.surfaces.pixels), base::sha256Of(ordinary.surfaces.pixels))
+        EXPECT_EQ(base::sha256Of(sharp.gbuffer.pixels), base::sha256Of(ordinary.gbuffer.pixels))
             << nameOf(mapping);
         for (const Frame* frame : {&sharp, &blended}) {
             const image::Comparison difference =

@@ -106,8 +106,8 @@ TEST_F(FrameTest, ManyFramesFromOneRendererEqualFreshOnes) {
 TEST_F(FrameTest, AnEmptySceneIsBackground) {
     const scene::Scene scene = boxScene();
     const Frame frame = draw(scene, scene::Camera{}, smallOptions(depth::parseTechnique("logcdr")));
-    EXPECT_TRUE(std::all_of(frame.surfaces.pixels.begin(), frame.surfaces.pixels.end(),
-                            [](const render::Surface& surface) { return surface.idAndCascade == 0; }));
+    EXPECT_TRUE(std::all_of(frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(),
+                            [](const render::GBufferPixel& pixel) { return pixel.idAndCascade == 0; }));
 }
 
 TEST_F(FrameTest, RefusesWhatCannotBeRendered) {

@@ -15,7 +15,7 @@ using scene::Shine;
 
 /// The byte of the G-buffer that says how a pixel shines.
 std::uint32_t codeAt(const Frame& frame, std::uint32_t x, std::uint32_t y) {
-    return frame.surfaces.at(x, y).albedo >> 24;
+    return frame.gbuffer.at(x, y).albedo >> 24;
 }
 
 /// Square roots are of 8 bits, so that the G-buffer keeps it as it is.
@@ -188,11 +188,11 @@ TEST_F(ShineTest, SheetsShineAsInTheTruth) {
     render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/count:5"));
     options.width = 192;
     options.height = 108;
-    options.translucency = {.method = render::Translucency::sorted, .countsCoverage = true};
+    options.translucency = {.method = render::Translucency::sorted, .countsFragments = true};
     const Frame frame = draw(scene, camera, options);
     base::WorkerPool workers(2);
     const measure::LayerDifference difference =
-        measure::compareLayers(frame.color, frame.coverage,
+        measure::compareLayers(frame.color, frame.fragmentCounts,
                                measure::castLayers(scene, camera, frame.width(), frame.height(), workers));
     EXPECT_GT(difference.translucent, 4000u);
     EXPECT_EQ(difference.miscounted, 0u);

@@ -30,7 +30,7 @@ render::RenderOptions optionsFor(const depth::Technique& technique, Translucency
     return {.width = kWidth,
             .height = kHeight,
             .technique = technique,
-            .translucency = {.method = method, .countsCoverage = true}};
+            .translucency = {.method = method, .countsFragments = true}};
 }
 
 void shuffle(scene::Scene& scene, std::uint32_t seed) {
@@ -52,7 +52,7 @@ class TranslucencyTest : public RenderTest {
     void expectCounted(const render::RenderOptions& options) {
         const render::Frame frame = draw(m_sheets.scene, m_camera, options);
         const measure::LayerDifference difference =
-            measure::compareLayers(frame.color, frame.coverage, m_truth);
+            measure::compareLayers(frame.color, frame.fragmentCounts, m_truth);
         EXPECT_GT(difference.translucent, kWidth * kHeight / 5);
         EXPECT_EQ(difference.miscounted, 0u)
             << options.technique.name << " " << nameOf(options.targets) << " "
@@ -64,7 +64,7 @@ class TranslucencyTest : public RenderTest {
     measure::LayeredTruth m_truth = truthOf(m_sheets.scene, m_camera);
 };
 
-/// Coverage is exact where no sheet is lost at a boundary and none is drawn twice.
+/// The fragment count is exact where no sheet is lost at a boundary and none is drawn twice.
 TEST_F(TranslucencyTest, EveryFragmentIsInExactlyOneOf1To8Cascades) {
     for (unsigned cascades = 1; cascades <= 8; ++cascades) {
         for (const Translucency method : render::kTranslucencies) {
@@ -78,7 +78,7 @@ TEST_F(TranslucencyTest, EveryFragmentIsInExactlyOneOf1To8Cascades) {
 }
 
 /// With d32f each technique resolves the cubes, so what occludes is right, and so must the counts be.
-TEST_F(TranslucencyTest, CoverageIsTheSameForAllTargetsAndTechniques) {
+TEST_F(TranslucencyTest, FragmentCountIsTheSameForAllTargetsAndTechniques) {
     for (const depth::Technique& technique : techniques()) {
         for (const render::TargetsKind targets : render::kTargetsKinds) {
             render::RenderOptions options = optionsFor(technique, Translucency::weighted);
@@ -99,7 +99,7 @@ TEST_F(TranslucencyTest, SortedIsTheTruthToOneStep) {
         const render::Frame frame = draw(m_sheets.scene, m_camera, options);
         EXPECT_EQ(frame.stats.translucency.method, Translucency::sorted);
         const measure::LayerDifference difference =
-            measure::compareLayers(frame.color, frame.coverage, truth);
+            measure::compareLayers(frame.color, frame.fragmentCounts, truth);
         EXPECT_GT(difference.translucent, 20'000u);
         EXPECT_GE(difference.withinFraction(), 0.9999) << technique.name;
     }
@@ -158,7 +158,7 @@ TEST_F(TranslucencyTest, ThreadsTargetsAndSubmissionsChangeNoBit) {
                 options.threads = targets == render::TargetsKind::single ? 1 : 3;
                 render::Renderer renderer(device(), m_sheets.scene, gpuScene, options);
                 const render::Frame frame = renderer.render(m_camera);
-                const std::string hash = hashOf(frame) + base::sha256Of(frame.coverage.pixels);
+                const std::string hash = hashOf(frame) + base::sha256Of(frame.fragmentCounts.pixels);
                 wanted = wanted.empty() ? hash : wanted;
                 EXPECT_EQ(hash, wanted)
                     << nameOf(method) << " " << nameOf(submission) << " " << nameOf(targets);
@@ -208,11 +208,11 @@ TEST_F(TranslucencyTest, SortedHoldsAnyNumberOfLayers) {
     options.height = 36;
     const render::Frame frame = draw(scene, camera, options);
     const measure::LayerDifference difference =
-        measure::compareLayers(frame.color, frame.coverage, truthOf(scene, camera, 48, 36));
+        measure::compareLayers(frame.color, frame.fragmentCounts, truthOf(scene, camera, 48, 36));
     EXPECT_GT(difference.translucent, 500u);
     EXPECT_EQ(difference.miscounted, 0u);
     EXPECT_LE(difference.largestError, 1u);
-    EXPECT_EQ(frame.coverage.at(24, 18), kLayers);
+    EXPECT_EQ(frame.fragmentCounts.at(24, 18), kLayers);
 }
 
 TEST_F(TranslucencyTest, ListsThatDoNotFitAreDrawnWeightedAndSaySo) {
@@ -270,9 +270,9 @@ TEST_F(TranslucencyTest, TheGBufferHoldsOpaqueSurfacesAlone) {
     const render::RenderOptions options = optionsFor(countOf(depth::Mapping::anchored, 4), {});
     const render::Frame with = draw(m_sheets.scene, m_camera, options);
     const render::Frame without = draw(opaque, m_camera, options);
-    EXPECT_EQ(base::sha256Of(with.surfaces.pixels), base::sha256Of(without.surfaces.pixels));
+    EXPECT_EQ(base::sha256Of(with.gbuffer.pixels), base::sha256Of(without.gbuffer.pixels));
     EXPECT_NE(base::sha256Of(with.color.pixels), base::sha256Of(without.color.pixels));
-    EXPECT_TRUE(without.coverage.pixels.empty());
+    EXPECT_TRUE(without.fragmentCounts.pixels.empty());
     EXPECT_EQ(wrongIn(with, m_sheets.scene, m_camera).wrong, 0u);
 }
 
@@ -285,8 +285,8 @@ TEST_F(TranslucencyTest, AViewWithoutSheetsIsDrawn) {
             draw(m_sheets.scene, away, optionsFor(countOf(depth::Mapping::anchored, 4), method));
         EXPECT_EQ(frame.stats.translucency.draws, 0u);
         EXPECT_EQ(frame.stats.translucency.fragments, 0u);
-        EXPECT_EQ(std::count(frame.coverage.pixels.begin(), frame.coverage.pixels.end(), 0u),
-                  std::ptrdiff_t(frame.coverage.pixels.size()));
+        EXPECT_EQ(std::count(frame.fragmentCounts.pixels.begin(), frame.fragmentCounts.pixels.end(), 0u),
+                  std::ptrdiff_t(frame.fragmentCounts.pixels.size()));
     }
 }
 

@@ -29,7 +29,7 @@ void expectAlike(const render::Frame& frame, const scene::Scene& scene, const sc
     std::size_t alike = 0;
     std::size_t off = 0;
     for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-        const auto id = frame.surfaces.pixels[i].idAndCascade & 0xffffffu;
+        const auto id = frame.gbuffer.pixels[i].idAndCascade & 0xffffffu;
         if (id == truth.pixels[i].id && (inner.pixels[i] != 0 || id == 0)) {
             // Where two faces of one box meet either may show.
             (largestStep(shaded.pixels[i], frame.color.pixels[i]) <= 2 ? alike : off)++;

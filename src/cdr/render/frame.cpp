@@ -10,25 +10,25 @@
 namespace cdr::render {
 
 std::uint32_t Frame::id(std::uint32_t x, std::uint32_t y) const {
-    return surfaces.at(x, y).idAndCascade & shaders::kIdMask;
+    return gbuffer.at(x, y).idAndCascade & shaders::kIdMask;
 }
 
 std::uint32_t Frame::cascade(std::uint32_t x, std::uint32_t y) const {
-    return (surfaces.at(x, y).idAndCascade >> shaders::kIdBits) & shaders::kCascadeMask;
+    return (gbuffer.at(x, y).idAndCascade >> shaders::kIdBits) & shaders::kCascadeMask;
 }
 
 double Frame::distanceView(std::uint32_t x, std::uint32_t y) const {
     if (id(x, y) == 0) {
         return std::numeric_limits<double>::infinity();
     }
-    return anchorsView[cascade(x, y)] + static_cast<double>(surfaces.at(x, y).ahead);
+    return anchorsView[cascade(x, y)] + static_cast<double>(gbuffer.at(x, y).ahead);
 }
 
 glm::vec3 Frame::normalView(std::uint32_t x, std::uint32_t y) const {
     if (id(x, y) == 0) {
         return glm::vec3(0.0f);
     }
-    const glm::vec2 p = glm::unpackSnorm2x16(surfaces.at(x, y).normal);
+    const glm::vec2 p = glm::unpackSnorm2x16(gbuffer.at(x, y).normal);
     glm::vec3 n(p, 1.0f - std::abs(p.x) - std::abs(p.y));
     if (n.z < 0.0f) {
         const float nx = n.x;
@@ -54,9 +54,9 @@ std::optional<Pick> Frame::pick(std::uint32_t x, std::uint32_t y) const {
 }
 
 image::ImageU32 Frame::ids() const {
-    image::ImageU32 ids(surfaces.width, surfaces.height);
-    std::transform(surfaces.pixels.begin(), surfaces.pixels.end(), ids.pixels.begin(),
-                   [](const Surface& surface) { return surface.idAndCascade & shaders::kIdMask; });
+    image::ImageU32 ids(gbuffer.width, gbuffer.height);
+    std::transform(gbuffer.pixels.begin(), gbuffer.pixels.end(), ids.pixels.begin(),
+                   [](const GBufferPixel& pixel) { return pixel.idAndCascade & shaders::kIdMask; });
     return ids;
 }
 

@@ -50,9 +50,9 @@ struct Frame {
     image::ImageRgba8 color;         ///< sRGB
     /// The G-buffer: opaque surfaces, blended ones are seen through; empty where FrameCopy::color was asked
     /// for.
-    image::Raster<Surface> surfaces;
+    image::Raster<GBufferPixel> gbuffer;
     /// Translucent fragments at or in front of the opaque surface; empty unless they were counted.
-    image::ImageU32 coverage;
+    image::ImageU32 fragmentCounts;
     FrameStats stats;
 
     std::uint32_t width() const { return color.width; }

@@ -74,7 +74,7 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
                                                                  m_picture.lit(), options.translucency)
                              : nullptr),
       m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
-      m_surfaceCopy(device, m_extent, sizeof(Surface), "surface copy") {
+      m_gbufferCopy(device, m_extent, sizeof(GBufferPixel), "G-buffer copy") {
     m_workers.setTrace(options.trace);
     for (std::size_t slot = 0; slot < options.framesInFlight; ++slot) {
         Slot& made = m_slots.emplace_back();
@@ -266,7 +266,7 @@ void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination
                          vk::PipelineStageFlagBits2::eFragmentShader, vk::AccessFlagBits2::eShaderSampledRead,
                          vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
                          vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal)});
-        m_surfaceCopy.record(primary, gbuffer);
+        m_gbufferCopy.record(primary, gbuffer);
     }
     if (m_translucent != nullptr) {
         m_translucent->recordReadback(primary);
@@ -282,10 +282,10 @@ Frame Renderer::fetch(const Slot& slot) const {
     frame.anchorsView = slot.anchorsView();
     frame.color = m_colorCopy.fetch<image::Rgba8>();
     if (slot.destination == Destination::host) {
-        frame.surfaces = m_surfaceCopy.fetch<Surface>();
+        frame.gbuffer = m_gbufferCopy.fetch<GBufferPixel>();
     }
     if (m_translucent != nullptr) {
-        frame.coverage = m_translucent->coverage();
+        frame.fragmentCounts = m_translucent->fragmentCounts();
     }
     frame.stats = slot.stats;
     return frame;

@@ -69,7 +69,7 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Renders one frame, waits for it and copies it to the host; Frame::surfaces stays empty unless asked
+    /// Renders one frame, waits for it and copies it to the host; Frame::gbuffer stays empty unless asked
     /// for. base::InputError for an unusable camera or split.
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);
 
@@ -125,7 +125,7 @@ class Renderer {
     ShadingPass m_shading;
     std::unique_ptr<TranslucentPass> m_translucent; ///< where the scene has blended instances
     Readback m_colorCopy;
-    Readback m_surfaceCopy;
+    Readback m_gbufferCopy;
     visibility::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing
     std::vector<Slot> m_slots;         ///< taken in turn
     std::size_t m_frames = 0;          ///< begun so far

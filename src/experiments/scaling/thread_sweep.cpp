@@ -27,7 +27,7 @@ double speedUp(const std::vector<double>& base, const std::vector<double>& sampl
 
 /// One hash over the whole G-buffer and the picture.
 std::string hashOf(const render::Frame& frame) {
-    return base::sha256Of(base::sha256Of(frame.color.pixels) + base::sha256Of(frame.surfaces.pixels));
+    return base::sha256Of(base::sha256Of(frame.color.pixels) + base::sha256Of(frame.gbuffer.pixels));
 }
 
 } // namespace

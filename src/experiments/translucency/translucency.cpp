@@ -35,14 +35,14 @@ render::RenderOptions optionsFor(const TranslucencyExperiment& experiment, unsig
 TranslucencyResult compare(const gpu::Device& device, const scene::StagedScene& staged,
                            const render::GpuScene& gpuScene, render::RenderOptions options,
                            const measure::LayeredTruth& truth) {
-    options.translucency.countsCoverage = true;
+    options.translucency.countsFragments = true;
     render::Renderer renderer(device, staged.scene, gpuScene, options);
     render::Frame frame = renderer.render(staged.path.at(0));
     TranslucencyResult result;
     result.technique = options.technique.name;
     result.cascades = static_cast<unsigned>(frame.cascades.size());
     result.stats = frame.stats.translucency;
-    result.difference = measure::compareLayers(frame.color, frame.coverage, truth);
+    result.difference = measure::compareLayers(frame.color, frame.fragmentCounts, truth);
     result.picture = std::move(frame.color);
     return result;
 }

@@ -150,11 +150,11 @@ void Session::adopt(RenderResult result) {
     for (std::size_t side = 0; side < m_model.readable.size(); ++side) {
         if (side >= sides) {
             m_model.readable[side].reset();
-        } else if (!result.sides[side].frame->surfaces.pixels.empty()) {
+        } else if (!result.sides[side].frame->gbuffer.pixels.empty()) {
             m_model.readable[side] = result.sides[side].frame;
         }
     }
-    const bool isReadable = !result.sides.front().frame->surfaces.pixels.empty();
+    const bool isReadable = !result.sides.front().frame->gbuffer.pixels.empty();
     if (isReadable) {
         const render::Frame& frame = *result.sides.front().frame;
         const double ahead = surfaceView(frame, glm::dvec2(frame.width(), frame.height()) / 2.0);
@@ -182,7 +182,7 @@ void Session::click(const glm::dvec2& pixel) {
 
 void Session::pickOrAsk() {
     const RenderResult& shown = *m_click->shown;
-    if (!shown.sides.front().frame->surfaces.pixels.empty()) {
+    if (!shown.sides.front().frame->gbuffer.pixels.empty()) {
         pick(*m_click, shown);
         m_click.reset();
         return;

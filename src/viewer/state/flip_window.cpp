@@ -19,7 +19,7 @@ void readIds(const render::Frame& frame, image::ImageU32& ids) {
     if (ids.width != frame.width() || ids.height != frame.height()) {
         ids = image::ImageU32(frame.width(), frame.height());
     }
-    std::transform(frame.surfaces.pixels.begin(), frame.surfaces.pixels.end(), ids.pixels.begin(), idOf);
+    std::transform(frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(), ids.pixels.begin(), idOf);
 }
 
 } // namespace

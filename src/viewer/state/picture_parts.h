@@ -16,8 +16,8 @@ inline void resize(image::ImageRgba8& picture, std::uint32_t width, std::uint32_
 }
 
 /// Object index + 1 of a pixel of the G-buffer, 0 for background.
-inline std::uint32_t idOf(const render::Surface& surface) {
-    return surface.idAndCascade & shaders::kIdMask;
+inline std::uint32_t idOf(const render::GBufferPixel& pixel) {
+    return pixel.idAndCascade & shaders::kIdMask;
 }
 
 /// Half as bright and without hue, as measure::heatMap() has what is right.

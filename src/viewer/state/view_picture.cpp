@@ -17,8 +17,8 @@ namespace {
 
 constexpr image::Rgba8 kBlack{0, 0, 0, 255};
 
-std::uint32_t cascadeOf(const render::Surface& surface) {
-    return (surface.idAndCascade >> shaders::kIdBits) & shaders::kCascadeMask;
+std::uint32_t cascadeOf(const render::GBufferPixel& pixel) {
+    return (pixel.idAndCascade >> shaders::kIdBits) & shaders::kCascadeMask;
 }
 
 /// The tints of experiments' cascade picture at every lightness.
@@ -42,11 +42,11 @@ const TintTable& tints() {
 void paintCascades(const render::Frame& frame, image::ImageRgba8& picture) {
     const TintTable& table = tints();
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        const render::Surface& surface = frame.surfaces.pixels[i];
+        const render::GBufferPixel& pixel = frame.gbuffer.pixels[i];
         const image::Rgba8& color = frame.color.pixels[i];
         const std::uint8_t light = std::max({color[0], color[1], color[2]});
         picture.pixels[i] =
-            idOf(surface) == 0 ? kBlack : table.at[cascadeOf(surface) % depth::kMaxCascades][light];
+            idOf(pixel) == 0 ? kBlack : table.at[cascadeOf(pixel) % depth::kMaxCascades][light];
     }
 }
 
@@ -76,15 +76,15 @@ struct DistanceSpan {
     double high = 0.0;
 };
 
-double distanceOf(const render::Frame& frame, const render::Surface& surface) {
-    return frame.anchorsView[cascadeOf(surface)] + static_cast<double>(surface.ahead);
+double distanceOf(const render::Frame& frame, const render::GBufferPixel& pixel) {
+    return frame.anchorsView[cascadeOf(pixel)] + static_cast<double>(pixel.ahead);
 }
 
 DistanceSpan spanOf(const render::Frame& frame) {
     DistanceSpan span;
-    for (const render::Surface& surface : frame.surfaces.pixels) {
-        if (idOf(surface) != 0) {
-            const double w = distanceOf(frame, surface);
+    for (const render::GBufferPixel& pixel : frame.gbuffer.pixels) {
+        if (idOf(pixel) != 0) {
+            const double w = distanceOf(frame, pixel);
             span.low = std::min(span.low, w);
             span.high = std::max(span.high, w);
         }
@@ -98,12 +98,12 @@ void paintDistance(const render::Frame& frame, image::ImageRgba8& picture) {
     const float spread = std::max(quickLog1p((span.high - span.low) * perLow), 1e-30f);
     const float scale = -0.9f * 255.0f / spread;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        const render::Surface& surface = frame.surfaces.pixels[i];
-        if (idOf(surface) == 0) {
+        const render::GBufferPixel& pixel = frame.gbuffer.pixels[i];
+        if (idOf(pixel) == 0) {
             picture.pixels[i] = kBlack;
             continue;
         }
-        const float beyond = quickLog1p((distanceOf(frame, surface) - span.low) * perLow);
+        const float beyond = quickLog1p((distanceOf(frame, pixel) - span.low) * perLow);
         const auto grey = static_cast<std::uint8_t>(255.5f + scale * std::min(beyond, spread));
         picture.pixels[i] = {grey, grey, grey, 255};
     }
@@ -111,7 +111,7 @@ void paintDistance(const render::Frame& frame, image::ImageRgba8& picture) {
 
 void paintIds(const render::Frame& frame, image::ImageRgba8& picture) {
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        picture.pixels[i] = idColor(idOf(frame.surfaces.pixels[i]));
+        picture.pixels[i] = idColor(idOf(frame.gbuffer.pixels[i]));
     }
 }
 

@@ -57,7 +57,7 @@ TEST(LayeredTruth, LaysNearOverFarWhateverTheOrderTheyAreGivenIn) {
     stack.add(2.0, {1.0f, 0.0f, 0.0f, 0.5f}, true);
     const LayeredPixel pixel = stack.middle();
     expectColor(pixel, {0.5, 0.5 * 0.25, 0.5 * 0.75});
-    EXPECT_EQ(pixel.coverage, 2u);
+    EXPECT_EQ(pixel.fragments, 2u);
     EXPECT_TRUE(pixel.isInner);
 }
 
@@ -67,9 +67,9 @@ TEST(LayeredTruth, OpaqueSurfacesAndTheRangeEndARay) {
     stack.add(3.0, {1.0f, 0.0f, 0.0f, 0.5f}, true);
     stack.add(5.0, {0.0f, 1.0f, 0.0f, 0.3f}, false); // an opaque material's alpha is none
     stack.add(6.0, {1.0f, 1.0f, 1.0f, 0.5f}, true);
-    EXPECT_EQ(stack.middle(2.0).coverage, 1u);
+    EXPECT_EQ(stack.middle(2.0).fragments, 1u);
     expectColor(stack.middle(2.0), {0.5, 0.5, 0.0});
-    EXPECT_EQ(stack.middle(2.0, 4.0).coverage, 1u); // nothing opaque before far
+    EXPECT_EQ(stack.middle(2.0, 4.0).fragments, 1u); // nothing opaque before far
     expectColor(stack.middle(2.0, 4.0), {0.5 + 0.05, 0.1, 0.15});
 }
 
@@ -77,7 +77,7 @@ TEST(LayeredTruth, OnAnOpaqueSurfaceIsInFrontOfIt) {
     Stack stack;
     stack.add(5.0, {0.0f, 0.0f, 1.0f, 1.0f}, false);
     stack.add(5.0, {1.0f, 0.0f, 0.0f, 0.5f}, true);
-    EXPECT_EQ(stack.middle().coverage, 1u);
+    EXPECT_EQ(stack.middle().fragments, 1u);
     expectColor(stack.middle(), {0.5, 0.0, 0.5});
 }
 
@@ -86,7 +86,7 @@ TEST(LayeredTruth, BacksShowOnDoubleSidedSurfacesOnly) {
     stack.add(3.0, {1.0f, 0.0f, 0.0f, 0.5f}, true, false, true); // its back towards the camera
     stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.5f}, true, false, false);
     stack.add(5.0, {0.0f, 0.0f, 1.0f, 0.5f}, true, true, true);
-    EXPECT_EQ(stack.middle().coverage, 2u);
+    EXPECT_EQ(stack.middle().fragments, 2u);
 }
 
 TEST(LayeredTruth, PixelsNextToASilhouetteAreNotInner) {
@@ -97,7 +97,7 @@ TEST(LayeredTruth, PixelsNextToASilhouetteAreNotInner) {
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
     const LayeredTruth truth = castLayers(stack.scene, camera, kSide, kSide, workers);
     for (std::uint32_t x = 1; x + 1 < kSide; ++x) {
-        EXPECT_EQ(truth.at(x, 4).coverage, x > 4 ? 1u : 0u);
+        EXPECT_EQ(truth.at(x, 4).fragments, x > 4 ? 1u : 0u);
         EXPECT_EQ(truth.at(x, 4).isInner, x != 4 && x != 5) << x;
     }
     EXPECT_FALSE(truth.at(0, 4).isInner);
@@ -110,16 +110,16 @@ TEST(LayeredTruth, ComparesInnerPixelsOnly) {
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
     const LayeredTruth truth = castLayers(stack.scene, camera, kSide, kSide, workers);
     image::ImageRgba8 picture = pictureOf(truth);
-    image::ImageU32 coverage(kSide, kSide, 1);
-    coverage.at(0, 0) = 7; // at the border
+    image::ImageU32 fragmentCounts(kSide, kSide, 1);
+    fragmentCounts.at(0, 0) = 7; // at the border
     picture.at(4, 4)[1] = static_cast<std::uint8_t>(picture.at(4, 4)[1] - 3);
-    coverage.at(5, 5) = 2;
-    const LayerDifference difference = compareLayers(picture, coverage, truth);
+    fragmentCounts.at(5, 5) = 2;
+    const LayerDifference difference = compareLayers(picture, fragmentCounts, truth);
     EXPECT_EQ(difference.translucent, (kSide - 2) * (kSide - 2));
     EXPECT_EQ(difference.miscounted, 1u);
     EXPECT_EQ(difference.within, difference.translucent - 1);
     EXPECT_EQ(difference.largestError, 3u);
-    EXPECT_THROW(compareLayers(image::ImageRgba8(2, 2), coverage, truth), base::InputError);
+    EXPECT_THROW(compareLayers(image::ImageRgba8(2, 2), fragmentCounts, truth), base::InputError);
 }
 
 TEST(SampleTexture, IsBilinearInLinearLightAndWraps) {

@@ -27,8 +27,8 @@ render::Frame answerAt(std::uint32_t moved) {
 /// An answer with some pixels wrong.
 render::Frame withWrong(render::Frame frame, unsigned seed) {
     std::mt19937 random(seed);
-    for (render::Surface& surface : frame.surfaces.pixels) {
-        surface.idAndCascade += random() % 6 == 0 ? 100 : 0;
+    for (render::GBufferPixel& pixel : frame.gbuffer.pixels) {
+        pixel.idAndCascade += random() % 6 == 0 ? 100 : 0;
     }
     return frame;
 }
@@ -80,7 +80,7 @@ TEST(FlipWindow, FadesOverASecond) {
     const render::Frame answer = answerAt(0);
     render::Frame shown = answer;
     window.add(shown, answer, 100.0);
-    shown.surfaces.at(5, 5).idAndCascade += 100; // off edges
+    shown.gbuffer.at(5, 5).idAndCascade += 100; // off edges
     window.add(shown, answer, 100.1);
     EXPECT_EQ(window.flipsNow(), 1u);
     image::ImageRgba8 picture;

@@ -62,8 +62,8 @@ TEST(PaintView, DistancesAreTheExperimentsToAGrey) {
     render::Frame thin = boxes();
     thin.anchorsView = {1e6, 1e6 + 3.0};
     EXPECT_LE(distanceError(thin), 1);
-    for (render::Surface& surface : thin.surfaces.pixels) {
-        surface.ahead *= 1e-3f;
+    for (render::GBufferPixel& pixel : thin.gbuffer.pixels) {
+        pixel.ahead *= 1e-3f;
     }
     EXPECT_LE(distanceError(thin), 1);
     thin.anchorsView = {1e-3, 1e12};
@@ -120,9 +120,9 @@ TEST(PaintWrong, IsTheHeatMapWithTheAnswerAsTruth) {
     const render::Frame reference = boxes();
     render::Frame frame = reference;
     std::mt19937 random(5);
-    for (render::Surface& surface : frame.surfaces.pixels) {
+    for (render::GBufferPixel& pixel : frame.gbuffer.pixels) {
         if (random() % 7 == 0) {
-            surface.idAndCascade ^= 1u;
+            pixel.idAndCascade ^= 1u;
         }
     }
     const measure::TruthImage truth = truthOf(reference);

@@ -81,7 +81,7 @@ void castPixel(const View& view, std::uint32_t x, std::uint32_t y, LayeredTruth&
         const double alpha = hit.isBlended ? std::clamp(hit.baseColor.a, 0.0, 1.0) : 1.0;
         pixel.color += transmittance * alpha * colorOf(view, hit, x, y);
         transmittance *= 1.0 - alpha;
-        pixel.coverage += hit.isBlended ? 1 : 0;
+        pixel.fragments += hit.isBlended ? 1 : 0;
         sequence.push_back({hit.id, hit.facet});
     }
     pixel.color += transmittance * glm::dvec3(view.scene.background);
@@ -148,10 +148,10 @@ image::ImageRgba8 pictureOf(const LayeredTruth& truth) {
     return picture;
 }
 
-LayerDifference compareLayers(const image::ImageRgba8& picture, const image::ImageU32& coverage,
+LayerDifference compareLayers(const image::ImageRgba8& picture, const image::ImageU32& fragmentCounts,
                               const LayeredTruth& truth) {
-    if (picture.width != truth.width || picture.height != truth.height || coverage.width != truth.width ||
-        coverage.height != truth.height) {
+    if (picture.width != truth.width || picture.height != truth.height ||
+        fragmentCounts.width != truth.width || fragmentCounts.height != truth.height) {
         throw base::InputError("translucent truth: sizes differ");
     }
     LayerDifference difference;
@@ -162,8 +162,8 @@ LayerDifference compareLayers(const image::ImageRgba8& picture, const image::Ima
             continue;
         }
         ++difference.pixels;
-        difference.miscounted += coverage.pixels[i] != pixel.coverage ? 1 : 0;
-        if (pixel.coverage == 0) {
+        difference.miscounted += fragmentCounts.pixels[i] != pixel.fragments ? 1 : 0;
+        if (pixel.fragments == 0) {
             continue;
         }
         const image::Rgba8 wanted = encode(pixel.color);

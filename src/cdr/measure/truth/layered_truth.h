@@ -13,8 +13,8 @@ namespace cdr::measure {
 
 /// What a perfect renderer shows at one pixel of a scene with translucent surfaces.
 struct LayeredPixel {
-    glm::dvec3 color{0.0};      ///< linear: translucent surfaces, nearest first, over the opaque one
-    std::uint32_t coverage = 0; ///< translucent surfaces at or in front of the opaque one
+    glm::dvec3 color{0.0};       ///< linear: translucent surfaces, nearest first, over the opaque one
+    std::uint32_t fragments = 0; ///< translucent surfaces at or in front of the opaque one
     /// Whether the eight neighbours see the same faces in the same order, so that neither silhouettes nor
     /// lines where surfaces cross come near. Never at the picture's border.
     bool isInner = false;
@@ -36,9 +36,9 @@ image::ImageRgba8 pictureOf(const LayeredTruth& truth);
 /// How a rendered picture differs from the truth, over the inner pixels.
 struct LayerDifference {
     std::uint64_t pixels = 0;       ///< inner ones
-    std::uint64_t translucent = 0;  ///< inner ones with any coverage: what follows is over these
+    std::uint64_t translucent = 0;  ///< inner ones with any such fragment: what follows is over these
     std::uint64_t within = 0;       ///< whose channels are all within one 8-bit step
-    std::uint64_t miscounted = 0;   ///< over all inner pixels: whose coverage differs
+    std::uint64_t miscounted = 0;   ///< over all inner pixels: whose count differs
     double meanError = 0.0;         ///< mean over pixels of the largest channel's difference, 8-bit steps
     std::uint32_t largestError = 0; ///< 8-bit steps
 
@@ -47,8 +47,8 @@ struct LayerDifference {
     }
 };
 
-/// @param coverage rendered counts. base::InputError when sizes differ.
-LayerDifference compareLayers(const image::ImageRgba8& picture, const image::ImageU32& coverage,
+/// @param fragmentCounts as rendered. base::InputError when sizes differ.
+LayerDifference compareLayers(const image::ImageRgba8& picture, const image::ImageU32& fragmentCounts,
                               const LayeredTruth& truth);
 
 } // namespace cdr::measure

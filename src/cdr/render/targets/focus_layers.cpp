@@ -130,7 +130,7 @@ void FocusLayers::record(CascadeCommands& commands, std::span<const CascadeDraws
                      .fade = fades ? fadeInto(cascades[i], cascades[i + 1]) : shaders::LayerFade{}};
     });
     drawLayers(commands, drawn);
-    mergeSurfaces(commands.primary());
+    mergeGBuffers(commands.primary());
 }
 
 void FocusLayers::drawLayers(CascadeCommands& commands, std::span<const std::size_t> drawn) const {
@@ -151,8 +151,8 @@ void FocusLayers::drawLayers(CascadeCommands& commands, std::span<const std::siz
     }
 }
 
-void FocusLayers::mergeSurfaces(vk::CommandBuffer primary) const {
-    m_device.beginLabel(primary, "merge surfaces");
+void FocusLayers::mergeGBuffers(vk::CommandBuffer primary) const {
+    m_device.beginLabel(primary, "merge G-buffers");
     const shaders::PictureSize size{glm::vec2(m_options.extent.width, m_options.extent.height)};
     std::vector<FullscreenPass::Draw> draws;
     std::vector<vk::ImageMemoryBarrier2> barriers{attachBarrier(m_merged)};

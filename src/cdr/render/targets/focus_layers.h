@@ -62,7 +62,7 @@ class FocusLayers final : public Targets {
     Layer makeLayer(vk::Extent2D extent, const std::string& name) const;
     /// @param drawn the cascades of m_drawn, nearest first.
     void drawLayers(CascadeCommands& commands, std::span<const std::size_t> drawn) const;
-    void mergeSurfaces(vk::CommandBuffer primary) const;
+    void mergeGBuffers(vk::CommandBuffer primary) const;
     void lightLayers(vk::CommandBuffer primary, const ShadingInputs& shading, FocusInputs& inputs) const;
 
     const gpu::Device& m_device;

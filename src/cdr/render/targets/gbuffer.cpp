@@ -14,7 +14,7 @@ gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std
 }
 
 std::uint64_t predictGBufferBytes(vk::Extent2D extent) {
-    return std::uint64_t{extent.width} * extent.height * sizeof(Surface);
+    return std::uint64_t{extent.width} * extent.height * sizeof(GBufferPixel);
 }
 
 gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, vk::Format format,

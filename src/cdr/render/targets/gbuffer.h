@@ -10,17 +10,17 @@
 namespace cdr::render {
 
 /// Format of the geometry buffer, what shading, picking and effects read: one image, 16 bytes per pixel, laid
-/// out as shaders/surface.glsl says. Vulkan requires every device to render to it and to sample it.
+/// out as shaders/targets/gbuffer.glsl says. Vulkan requires every device to render to it and to sample it.
 inline constexpr vk::Format kGBufferFormat = vk::Format::eR32G32B32A32Uint;
 
 /// One pixel of it.
-struct Surface {
+struct GBufferPixel {
     std::uint32_t albedo = 0; ///< square root of linear, three unorm8; above them shineCode() or occlusion
     std::uint32_t normal = 0; ///< view space, octahedral, two snorm16
     float ahead = 0.0f; ///< view distance beyond the cascade's anchor plane: metric, whatever the mapping
     std::uint32_t idAndCascade = 0; ///< shaders::kIdBits; 0 is background
 };
-static_assert(sizeof(Surface) == 16);
+static_assert(sizeof(GBufferPixel) == 16);
 
 gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name);
 

@@ -16,14 +16,14 @@ using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 TranslucentPipelinesOptions drawOptions(vk::DescriptorSetLayout surroundings, vk::DescriptorSetLayout list,
-                                        bool countsCoverage) {
+                                        bool countsFragments) {
     TranslucentPipelinesOptions options{.name = "translucent, sorted",
                                         .fragmentSpirv = kTranslucentSortedFrag,
                                         .sets = {surroundings, list},
                                         .colorFormats = {}};
-    if (countsCoverage) {
+    if (countsFragments) {
         options.fragmentSpirv = kTranslucentSortedCountedFrag;
-        options.colorFormats.push_back(Coverage::kFormat);
+        options.colorFormats.push_back(FragmentCounter::kFormat);
     }
     return options;
 }
@@ -31,7 +31,7 @@ TranslucentPipelinesOptions drawOptions(vk::DescriptorSetLayout surroundings, vk
 } // namespace
 
 SortedBlend::SortedBlend(const gpu::Device& device, const GpuScene& scene,
-                         vk::DescriptorSetLayout surroundings, bool countsCoverage)
+                         vk::DescriptorSetLayout surroundings, bool countsFragments)
     : m_device(device),
       m_resolve(device, {.name = "sorted resolve",
                          .fragmentSpirv = kTranslucentSortedResolveFrag,
@@ -40,7 +40,7 @@ SortedBlend::SortedBlend(const gpu::Device& device, const GpuScene& scene,
                          .constants = {},
                          .pushBytes = sizeof(vk::Extent2D),
                          .blend = gpu::Blend::over}),
-      m_pipelines(device, scene, drawOptions(surroundings, listLayout(), countsCoverage)) {}
+      m_pipelines(device, scene, drawOptions(surroundings, listLayout(), countsFragments)) {}
 
 void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& frame,
                          const FragmentList& list) const {
@@ -62,8 +62,8 @@ void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fram
 void SortedBlend::recordDraws(vk::CommandBuffer primary, const TranslucentFrame& frame,
                               const FragmentList& list) const {
     std::vector<vk::RenderingAttachmentInfo> attachments;
-    if (frame.coverage != nullptr) {
-        attachments.push_back(frame.coverage->attachment());
+    if (frame.counter != nullptr) {
+        attachments.push_back(frame.counter->attachment());
     }
     const vk::Extent2D extent = frame.lit.options().extent;
     primary.beginRendering({.renderArea = {{0, 0}, extent},

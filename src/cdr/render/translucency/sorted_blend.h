@@ -15,7 +15,7 @@ class SortedBlend {
   public:
     /// The device must have fragment stores. @param surroundings layout of TranslucentFrame::surroundings.
     SortedBlend(const gpu::Device& device, const GpuScene& scene, vk::DescriptorSetLayout surroundings,
-                bool countsCoverage);
+                bool countsFragments);
 
     /// Of FragmentList::set().
     vk::DescriptorSetLayout listLayout() const { return m_resolve.setLayout(); }

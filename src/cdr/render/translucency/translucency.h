@@ -31,7 +31,7 @@ struct TranslucencyOptions {
     /// Most device bytes that the lists of one frame in flight may take, for Translucency::sorted. A frame
     /// that has more fragments is drawn weighted, and says so.
     std::uint64_t mostBytes = std::uint64_t{256} << 20u;
-    bool countsCoverage = false; ///< fills Frame::coverage
+    bool countsFragments = false; ///< fills Frame::fragmentCounts
 };
 
 /// What became of a frame's translucent surfaces.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/render/translucency/coverage.h>
+#include <cdr/render/translucency/fragment_counter.h>
 #include <cdr/render/translucency/translucent_draws.h>
 
 #include <vulkan/vulkan.hpp>
@@ -12,7 +12,7 @@ struct TranslucentFrame {
     const TranslucentDraws& draws;
     vk::DescriptorSet surroundings; ///< set 1: the opaque G-buffer, ready to be read, and the lights
     const gpu::Image& lit;          ///< linear light, a colour attachment; what is drawn is laid over it
-    const Coverage* coverage;       ///< begun; null to count nothing
+    const FragmentCounter* counter; ///< begun; null to count nothing
 };
 
 } // namespace cdr::render

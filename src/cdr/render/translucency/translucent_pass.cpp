@@ -9,10 +9,10 @@ constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
 constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
 
 /// The extent, once the memory for the images is known to be there.
-vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent, bool countsCoverage) {
+vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent, bool countsFragments) {
     constexpr std::uint64_t kCountBytes = 2;
     const std::uint64_t counts =
-        countsCoverage ? std::uint64_t{extent.width} * extent.height * kCountBytes : 0;
+        countsFragments ? std::uint64_t{extent.width} * extent.height * kCountBytes : 0;
     gpu::requireDeviceBytes(device, WeightedBlend::predictBytes(extent) + counts, "translucency");
     return extent;
 }
@@ -42,14 +42,14 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const scene::Scene& 
       m_surroundingsLayout(gpu::makeSetLayout(device, {kImage, kStorage}, vk::ShaderStageFlagBits::eFragment,
                                               "translucent surroundings")),
       m_weighted(device, gpuScene, *m_surroundingsLayout,
-                 checkedExtent(device, m_lit.options().extent, options.countsCoverage),
-                 options.countsCoverage),
+                 checkedExtent(device, m_lit.options().extent, options.countsFragments),
+                 options.countsFragments),
       m_refusal(refusalOf(device, m_lit.options().extent, options)),
-      m_coverage(options.countsCoverage ? std::make_unique<Coverage>(device, m_lit.options().extent)
+      m_counter(options.countsFragments ? std::make_unique<FragmentCounter>(device, m_lit.options().extent)
                                         : nullptr) {
     if (options.method == Translucency::sorted && m_refusal.empty()) {
         m_sorted =
-            std::make_unique<SortedBlend>(device, gpuScene, *m_surroundingsLayout, options.countsCoverage);
+            std::make_unique<SortedBlend>(device, gpuScene, *m_surroundingsLayout, options.countsFragments);
     }
 }
 
@@ -77,11 +77,11 @@ void TranslucentPass::prepare(Slot& slot, const scene::Camera& camera, const dep
 }
 
 void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
-    if (m_coverage != nullptr) {
-        m_coverage->begin(primary);
+    if (m_counter != nullptr) {
+        m_counter->begin(primary);
     }
     const TranslucentFrame frame{
-        .draws = slot.draws, .surroundings = slot.surroundings, .lit = m_lit, .coverage = m_coverage.get()};
+        .draws = slot.draws, .surroundings = slot.surroundings, .lit = m_lit, .counter = m_counter.get()};
     if (sorts(slot)) {
         slot.list->resetCount();
         m_sorted->record(primary, frame, *slot.list);
@@ -106,8 +106,8 @@ bool TranslucentPass::settle(Slot& slot, TranslucencyStats& stats) const {
 }
 
 void TranslucentPass::recordReadback(vk::CommandBuffer primary) const {
-    if (m_coverage != nullptr) {
-        m_coverage->recordReadback(primary);
+    if (m_counter != nullptr) {
+        m_counter->recordReadback(primary);
     }
 }
 

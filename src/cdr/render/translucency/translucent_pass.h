@@ -49,7 +49,7 @@ class TranslucentPass {
     /// recordHostBarrier().
     void recordReadback(vk::CommandBuffer primary) const;
     /// What they were; empty if they are not counted.
-    image::ImageU32 coverage() const { return m_coverage ? m_coverage->fetch() : image::ImageU32(); }
+    image::ImageU32 fragmentCounts() const { return m_counter ? m_counter->fetch() : image::ImageU32(); }
 
   private:
     bool sorts(const Slot& slot) const { return slot.list && slot.note.empty(); }
@@ -65,7 +65,7 @@ class TranslucentPass {
     WeightedBlend m_weighted;
     std::unique_ptr<SortedBlend> m_sorted; ///< where it is asked for and can be
     std::string m_refusal;                 ///< why it cannot, where it is asked for
-    std::unique_ptr<Coverage> m_coverage;
+    std::unique_ptr<FragmentCounter> m_counter;
 };
 
 } // namespace cdr::render

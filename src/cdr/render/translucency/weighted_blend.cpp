@@ -28,14 +28,14 @@ gpu::Image makeImage(const gpu::Device& device, vk::Extent2D extent, vk::Format 
             name};
 }
 
-TranslucentPipelinesOptions drawOptions(vk::DescriptorSetLayout surroundings, bool countsCoverage) {
+TranslucentPipelinesOptions drawOptions(vk::DescriptorSetLayout surroundings, bool countsFragments) {
     TranslucentPipelinesOptions options{.name = "translucent, weighted",
                                         .fragmentSpirv = kTranslucentWeightedFrag,
                                         .sets = {surroundings},
                                         .colorFormats = {kSumFormat, kWeightFormat}};
-    if (countsCoverage) {
+    if (countsFragments) {
         options.fragmentSpirv = kTranslucentWeightedCountedFrag;
-        options.colorFormats.push_back(Coverage::kFormat);
+        options.colorFormats.push_back(FragmentCounter::kFormat);
     }
     return options;
 }
@@ -51,11 +51,11 @@ vk::RenderingAttachmentInfo cleared(const gpu::Image& image, float alpha) {
 } // namespace
 
 WeightedBlend::WeightedBlend(const gpu::Device& device, const GpuScene& scene,
-                             vk::DescriptorSetLayout surroundings, vk::Extent2D extent, bool countsCoverage)
+                             vk::DescriptorSetLayout surroundings, vk::Extent2D extent, bool countsFragments)
     : m_device(device),
       m_sum(makeImage(device, extent, kSumFormat, "weighted sum")),
       m_weight(makeImage(device, extent, kWeightFormat, "weights")),
-      m_pipelines(device, scene, drawOptions(surroundings, countsCoverage)),
+      m_pipelines(device, scene, drawOptions(surroundings, countsFragments)),
       m_resolve(device, {.name = "weighted resolve",
                          .fragmentSpirv = kTranslucentWeightedResolveFrag,
                          .bindings = {kImage, kImage},
@@ -85,9 +85,9 @@ void WeightedBlend::recordSum(vk::CommandBuffer primary, const TranslucentFrame&
                               std::size_t range) const {
     std::vector<vk::ImageMemoryBarrier2> before{attachBarrier(m_sum), attachBarrier(m_weight)};
     std::vector<vk::RenderingAttachmentInfo> attachments{cleared(m_sum, 1.0f), cleared(m_weight, 0.0f)};
-    if (frame.coverage != nullptr) {
-        before.push_back(frame.coverage->nextScope());
-        attachments.push_back(frame.coverage->attachment());
+    if (frame.counter != nullptr) {
+        before.push_back(frame.counter->nextScope());
+        attachments.push_back(frame.counter->attachment());
     }
     const vk::Extent2D extent = m_sum.options().extent;
     gpu::pipelineBarrier(primary, before);

@@ -16,7 +16,7 @@ class WeightedBlend {
   public:
     /// @param surroundings layout of TranslucentFrame::surroundings.
     WeightedBlend(const gpu::Device& device, const GpuScene& scene, vk::DescriptorSetLayout surroundings,
-                  vk::Extent2D extent, bool countsCoverage);
+                  vk::Extent2D extent, bool countsFragments);
 
     void record(vk::CommandBuffer primary, const TranslucentFrame& frame) const;
 

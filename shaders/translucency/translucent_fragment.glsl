@@ -1,10 +1,10 @@
 // What every translucent fragment shader begins with: whether the fragment is there, and its colour.
-#ifndef CDR_SHADERS_TRANSLUCENT_SURFACE_GLSL
-#define CDR_SHADERS_TRANSLUCENT_SURFACE_GLSL
+#ifndef CDR_SHADERS_TRANSLUCENT_FRAGMENT_GLSL
+#define CDR_SHADERS_TRANSLUCENT_FRAGMENT_GLSL
 
 #include "shared.h"
 #include "translucency/translucent_shared.h"
-#include "targets/surface.glsl"
+#include "targets/gbuffer.glsl"
 #include "public/float_pair.glsl"
 #define LIGHTING_SET 1
 #define LIGHTING_BINDING 1
@@ -14,7 +14,7 @@ layout(constant_id = 0) const uint kTextured = 0u;
 layout(constant_id = 1) const uint kShiny = 0u;
 
 layout(set = 0, binding = 0) uniform sampler2D baseColorTexture;
-layout(set = 1, binding = 0) uniform usampler2D surfaceBuffer; // the final opaque G-buffer
+layout(set = 1, binding = 0) uniform usampler2D gbuffer; // the final opaque G-buffer
 layout(push_constant) uniform Push { TranslucentPush push; };
 
 layout(location = 0) in vec4 inNormalAhead;
@@ -32,14 +32,14 @@ struct TranslucentFragment {
 // Whether the opaque surface of the pixel lies in front. Both distances are metric and as exact as what drew them, so
 // neither cascade nor mapping matters; at the same distance a translucent surface lies on the opaque one.
 bool isOccluded(vec2 distanceView) {
-    uvec4 surface = texelFetch(surfaceBuffer, ivec2(gl_FragCoord.xy), 0);
-    vec2 anchor = header.anchors[(surface.w >> kIdBits) & kCascadeMask];
-    return surface.w != 0u && isLess(pairSum(anchor, aheadOf(surface)), distanceView);
+    uvec4 texel = texelFetch(gbuffer, ivec2(gl_FragCoord.xy), 0);
+    vec2 anchor = header.anchors[(texel.w >> kIdBits) & kCascadeMask];
+    return texel.w != 0u && isLess(pairSum(anchor, aheadOf(texel)), distanceView);
 }
 
 vec4 seenColor(vec4 baseColor, float ahead) {
     float distanceView = inCentreRange.x + ahead;
-    vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(surfaceBuffer, 0)));
+    vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(gbuffer, 0)));
     vec3 color = baseColor.rgb;
     if ((inId & kIdUnlit) == 0u) {
         vec3 normal = normalize(gl_FrontFacing ? inNormalAhead.xyz : -inNormalAhead.xyz);

@@ -1,6 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-#include <cdr/render/translucency/coverage.h>
+#include <cdr/render/translucency/fragment_counter.h>
 
 #include <glm/gtc/packing.hpp>
 
@@ -8,15 +8,15 @@
 
 namespace cdr::render {
 
-Coverage::Coverage(const gpu::Device& device, vk::Extent2D extent)
+FragmentCounter::FragmentCounter(const gpu::Device& device, vk::Extent2D extent)
     : m_image(device,
               {.extent = extent,
                .format = kFormat,
                .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc},
-              "coverage"),
-      m_copy(device, extent, sizeof(std::uint16_t), "coverage copy") {}
+              "fragment counts"),
+      m_copy(device, extent, sizeof(std::uint16_t), "fragment counts copy") {}
 
-void Coverage::begin(vk::CommandBuffer primary) const {
+void FragmentCounter::begin(vk::CommandBuffer primary) const {
     gpu::pipelineBarrier(primary, {attachBarrier(m_image)});
     vk::RenderingAttachmentInfo cleared = attachment();
     cleared.loadOp = vk::AttachmentLoadOp::eClear;
@@ -28,18 +28,18 @@ void Coverage::begin(vk::CommandBuffer primary) const {
     gpu::pipelineBarrier(primary, {nextScope()});
 }
 
-vk::RenderingAttachmentInfo Coverage::attachment() const {
+vk::RenderingAttachmentInfo FragmentCounter::attachment() const {
     return {.imageView = m_image.view(),
             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
             .loadOp = vk::AttachmentLoadOp::eLoad,
             .storeOp = vk::AttachmentStoreOp::eStore};
 }
 
-vk::ImageMemoryBarrier2 Coverage::nextScope() const {
+vk::ImageMemoryBarrier2 FragmentCounter::nextScope() const {
     return chainBarrier(m_image);
 }
 
-void Coverage::recordReadback(vk::CommandBuffer primary) const {
+void FragmentCounter::recordReadback(vk::CommandBuffer primary) const {
     gpu::pipelineBarrier(
         primary,
         {gpu::imageBarrier(m_image.handle(), vk::ImageAspectFlagBits::eColor,
@@ -50,7 +50,7 @@ void Coverage::recordReadback(vk::CommandBuffer primary) const {
     m_copy.record(primary, m_image);
 }
 
-image::ImageU32 Coverage::fetch() const {
+image::ImageU32 FragmentCounter::fetch() const {
     const auto halves = m_copy.fetch<std::uint16_t>();
     image::ImageU32 counts(halves.width, halves.height);
     std::transform(halves.pixels.begin(), halves.pixels.end(), counts.pixels.begin(),

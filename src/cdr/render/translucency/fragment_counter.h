@@ -10,9 +10,9 @@ namespace cdr::render {
 
 /// Counts the translucent fragments of each pixel that lie at or in front of its opaque surface: an
 /// attachment into which every such fragment adds one. Exact up to 2048.
-class Coverage {
+class FragmentCounter {
   public:
-    Coverage(const gpu::Device& device, vk::Extent2D extent);
+    FragmentCounter(const gpu::Device& device, vk::Extent2D extent);
 
     static constexpr vk::Format kFormat = vk::Format::eR16Sfloat;
 

@@ -5,31 +5,31 @@
 //   y: normal, view space, octahedral, two snorm16
 //   z: view distance beyond the cascade's anchor plane, float bits
 //   w: id word, kIdBits; 0 is background
-#ifndef CDR_SHADERS_SURFACE_GLSL
-#define CDR_SHADERS_SURFACE_GLSL
+#ifndef CDR_SHADERS_GBUFFER_GLSL
+#define CDR_SHADERS_GBUFFER_GLSL
 
 #include "targets/octahedral.glsl"
 
 uint encodeAlbedo(vec3 albedo) { return packUnorm4x8(vec4(sqrt(albedo), 0.0)); }
 uint encodeNormal(vec3 normal) { return packSnorm2x16(encodeOctahedral(normal)); }
 
-uvec4 encodeSurface(vec3 albedo, vec3 normal, float ahead, uint id) {
+uvec4 encodeTexel(vec3 albedo, vec3 normal, float ahead, uint id) {
     return uvec4(encodeAlbedo(albedo), encodeNormal(normal), floatBitsToUint(ahead), id);
 }
 
-vec3 albedoOf(uvec4 surface) {
-    vec3 root = unpackUnorm4x8(surface.x).rgb;
+vec3 albedoOf(uvec4 texel) {
+    vec3 root = unpackUnorm4x8(texel.x).rgb;
     return root * root;
 }
 
-vec3 normalOf(uvec4 surface) { return normalize(decodeOctahedral(unpackSnorm2x16(surface.y))); }
+vec3 normalOf(uvec4 texel) { return normalize(decodeOctahedral(unpackSnorm2x16(texel.y))); }
 
-float occlusionOf(uvec4 surface) { return unpackUnorm4x8(surface.x).a; }
+float occlusionOf(uvec4 texel) { return unpackUnorm4x8(texel.x).a; }
 uint withOcclusion(uint albedo, float occlusion) { return (albedo & 0xffffffu) | (packUnorm4x8(vec4(occlusion, 0.0, 0.0, 0.0)) << 24); }
 
-uint shineOf(uvec4 surface) { return surface.x >> 24; }
+uint shineOf(uvec4 texel) { return texel.x >> 24; }
 uint withShine(uint albedo, uint cutoffAndShine) { return albedo | (cutoffAndShine << 24); }
 
-float aheadOf(uvec4 surface) { return uintBitsToFloat(surface.z); }
+float aheadOf(uvec4 texel) { return uintBitsToFloat(texel.z); }
 
 #endif

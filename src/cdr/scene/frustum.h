@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cdr/scene/camera.h>
+
+namespace cdr::scene {
+
+/// What a camera's lens and a picture's size amount to. Formed once per frame and handed on.
+struct Frustum {
+    double tanX = 1.0; ///< half the picture's width at view distance 1
+    double tanY = 1.0; ///< half its height there
+    /// Sines and cosines of the half angles. A point lies between the planes left and right where
+    /// w * sinX >= |x| * cosX, with x in view space and w its view distance; above and below alike.
+    double sinX = 0.0;
+    double cosX = 1.0;
+    double sinY = 0.0;
+    double cosY = 1.0;
+    double aspect = 1.0;         ///< width over height
+    double footprintSlope = 0.0; ///< what a pixel covers per unit of view distance, in scene units
+};
+
+/// @param width of the picture in pixels, > 0.
+/// @param height of the picture in pixels, > 0. Without a picture: 1, and its aspect as the width.
+Frustum frustumOf(const Camera& camera, double width, double height);
+
+} // namespace cdr::scene
