@@ -1,11 +1,12 @@
+// quoted in src/cdr/README.md: begin
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// README: begin
 #include "cdr_depth.glsl"
+
 layout(push_constant) uniform Cascade { CdrDepth depth; vec2 rangeAhead; vec2 projection; };
-layout(location = 0) in vec3 position;    // about the mesh's own origin
+layout(location = 0) in vec3 position;     // about the mesh's own origin
 layout(location = 1) in mat3 turnAndScale; // object to view space, without translation
-layout(location = 4) in vec3 centre;      // view-space x and y, and the view distance beyond the anchor
+layout(location = 4) in vec3 centre;       // view-space x and y, and the view distance beyond the anchor
 
 void main() {
     vec3 turned = turnAndScale * position;
@@ -15,4 +16,4 @@ void main() {
     gl_ClipDistance[0] = inside.x;
     gl_ClipDistance[1] = inside.y;
 }
-// README: end
+// quoted in src/cdr/README.md: end

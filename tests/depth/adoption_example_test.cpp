@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,33 +22,32 @@ struct Object {
     Vec3 centre; ///< view space: the eye is subtracted and axes are turned in float64
     double radius;
 };
-struct Drawn {
-    std::size_t object;
-    float x, y, ahead;
-};
-struct PassConstants {
-    float anchorView, scale, offset, nearAhead, farAhead;
-};
-struct Pass {
-    PassConstants constants;
-    std::vector<Drawn> drawn;
-};
+struct CascadeConstants;
+struct Pass;
 struct Engine {
     cdr::depth::FitView view;
     std::vector<Object> visible;
+    float projectionX = 1.0f;
+    float projectionY = -1.0f;
     std::vector<Pass> passes;
 
-    void clearDepth(float) { passes.emplace_back(); }
-    void setCascade(const PassConstants& constants) { passes.back().constants = constants; }
-    void draw(const Object& object, float x, float y, float ahead) {
-        passes.back().drawn.push_back({static_cast<std::size_t>(&object - visible.data()), x, y, ahead});
-    }
+    void clearDepth(float value);
+    void setCascade(const CascadeConstants& constants);
+    void draw(const Object& object, float x, float y, float ahead);
 };
 
-// README: begin
+// quoted in src/cdr/README.md: begin
 using namespace cdr::depth;
 
-void drawAnchored(Engine& engine, Cascades& cascades) { // `cascades` are kept from frame to frame
+// The shader's push constants, byte by byte. A vec2 begins at a multiple of 8, so rangeAhead begins at byte 16.
+struct CascadeConstants {
+    float anchorView, scale, offset; // CdrDepth: bytes 0 to 11
+    float unused = 0.0f;             // bytes 12 to 15
+    float nearAhead, farAhead;       // rangeAhead: bytes 16 to 23
+    float projectionX, projectionY;  // projection: bytes 24 to 31
+};
+
+void drawAnchored(Engine& engine, Cascades& cascades) { // keep `cascades` from frame to frame
     std::vector<Interval> occupied;
     for (const Object& object : engine.visible) {
         occupied.push_back({-object.centre.z - object.radius, -object.centre.z + object.radius});
@@ -55,46 +57,82 @@ void drawAnchored(Engine& engine, Cascades& cascades) { // `cascades` are kept f
         const Cascade range = clipRange(Mapping::anchored, cascades, i);
         const ClipTerms terms = clipTerms(depthRange(Mapping::anchored, cascades, i));
         engine.clearDepth(1.0f);
-        engine.setCascade({float(terms.anchorView), float(terms.scale), float(terms.offset),
-                           float(range.nearView - terms.anchorView),
-                           float(range.farView - terms.anchorView)});
+        engine.setCascade({.anchorView = float(terms.anchorView),
+                           .scale = float(terms.scale),
+                           .offset = float(terms.offset),
+                           .nearAhead = float(range.nearView - terms.anchorView),
+                           .farAhead = float(range.farView - terms.anchorView),
+                           .projectionX = engine.projectionX,
+                           .projectionY = engine.projectionY});
         for (const Object& object : engine.visible) {
             const double w = -object.centre.z;
             if (w + object.radius >= range.nearView && w - object.radius <= range.farView) {
                 engine.draw(object, float(object.centre.x), float(object.centre.y),
-                            float(w - terms.anchorView));
+                            float(w - terms.anchorView)); // subtracted in float64, then rounded
             }
         }
     }
 }
-// README: end
+// quoted in src/cdr/README.md: end
 
-std::string readFile(const std::string& path) {
-    std::ifstream file(std::string(CDR_SOURCE_DIR) + "/" + path);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+struct Drawn {
+    std::size_t object;
+    float x, y, ahead;
+};
+struct Pass {
+    CascadeConstants constants;
+    std::vector<Drawn> drawn;
+};
+
+void Engine::clearDepth(float) {
+    passes.emplace_back();
+}
+void Engine::setCascade(const CascadeConstants& constants) {
+    passes.back().constants = constants;
+}
+void Engine::draw(const Object& object, float x, float y, float ahead) {
+    passes.back().drawn.push_back({static_cast<std::size_t>(&object - visible.data()), x, y, ahead});
 }
 
-std::string between(const std::string& text, const std::string& begin, const std::string& end) {
-    const std::size_t first = text.find(begin);
-    const std::size_t last = text.find(end, std::min(text.size(), first + begin.size()));
-    return first == std::string::npos || last == std::string::npos
-               ? "not there"
-               : text.substr(first + begin.size(), last - first - begin.size());
+std::vector<std::uint32_t> readSpirv(const char* path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+    std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+    return words;
 }
 
-/// The example in the README is this file's, and the shader's beside it, which the build compiles.
-TEST(AdoptionExample, IsWhatTheReadmeShows) {
-    const std::string readme = readFile("README.md");
-    const std::string section =
-        readme.substr(std::min(readme.size(), readme.find("## Adopting anchored depth")));
-    EXPECT_EQ(between(section, "```cpp\n", "```"), between(readFile("tests/depth/adoption_example_test.cpp"),
-                                                           "// README: begin\n", "// README: end"));
-    EXPECT_EQ(between(section, "```glsl\n", "```"),
-              between(readFile("tests/depth/adoption_example.vert"), "// README: begin\n", "// README: end"));
+/// Byte offsets of the members of a module's one block that has any, by OpDecorate and OpMemberDecorate
+/// (SPIR-V 1.6, sections 3.20 and 3.52.3).
+std::vector<std::uint32_t> blockOffsets(const std::vector<std::uint32_t>& words) {
+    std::set<std::uint32_t> blocks;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> offsets; // by type, in member order
+    for (std::size_t at = 5; at < words.size() && words[at] >> 16 != 0; at += words[at] >> 16) {
+        const std::uint32_t operation = words[at] & 0xffffu;
+        if (operation == 71 && words[at + 2] == 2) { // OpDecorate, Block
+            blocks.insert(words[at + 1]);
+        } else if (operation == 72 && words[at + 3] == 35) { // OpMemberDecorate, Offset
+            offsets[words[at + 1]].push_back(words[at + 4]);
+        }
+    }
+    for (const auto& [type, members] : offsets) {
+        if (blocks.contains(type)) {
+            return members;
+        }
+    }
+    return {};
+}
+
+/// What setCascade() hands over lies where the shader reads it, as its compiler has laid it out.
+TEST(AdoptionExample, PushConstantsLieWhereTheShaderReadsThem) {
+    EXPECT_EQ(blockOffsets(readSpirv(CDR_ADOPTION_SHADER)),
+              (std::vector<std::uint32_t>{offsetof(CascadeConstants, anchorView),
+                                          offsetof(CascadeConstants, nearAhead),
+                                          offsetof(CascadeConstants, projectionX)}));
 }
 
 /// cdr_depth.glsl's clip position in float32, as a depth buffer of floats would store it.
-float depthOf(const PassConstants& cascade, float ahead) {
+float depthOf(const CascadeConstants& cascade, float ahead) {
     return (cascade.scale * ahead + cascade.offset) / (cascade.anchorView + ahead);
 }
 

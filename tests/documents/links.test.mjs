@@ -1,0 +1,41 @@
+// Every relative link and picture of every page leads somewhere, and every folder has its line in ARCHITECTURE.md.
+
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { dirname, join, normalize } from "node:path";
+import { test } from "node:test";
+import { files, pages, prose, read, root } from "./documents.mjs";
+
+/** Where links lead: the part after a word's closing bracket, without a title. */
+function targets(text) {
+    return [...prose(text).matchAll(/\]\(([^()\s]+)(?: "[^"]*")?\)/g)].map((match) => match[1])
+        .filter((target) => !/^(https?|mailto):/.test(target));
+}
+
+/** The names of a page's headings as links address them: GitHub's rule. */
+function anchors(text) {
+    return [...prose(text).matchAll(/^#+ (.*)$/gm)].map(([, heading]) =>
+        heading.replace(/\[([^\]]*)\]\([^)]*\)/g, "$1").toLowerCase().replace(/[^\p{L}\p{N}_ -]/gu, "").trim().replaceAll(" ", "-"));
+}
+
+for (const page of pages()) {
+    test(`the links of ${page} lead somewhere`, () => {
+        for (const target of targets(read(page))) {
+            const [path, anchor] = target.split("#");
+            const file = path ? normalize(join(dirname(page), path)) : page;
+            assert.ok(existsSync(join(root, file)), `${target}: there is no ${file}`);
+            if (anchor) {
+                assert.ok(anchors(read(file)).includes(anchor), `${target}: ${file} has no such heading`);
+            }
+        }
+    });
+}
+
+test("every folder of source has its line in ARCHITECTURE.md, and only those", () => {
+    const rooms = /^(src|shaders|tests|tools|third_party)(\/|$)/;
+    const folders = new Set(files().map(dirname).filter((folder) => rooms.test(folder)));
+    const firstColumns = [...read("ARCHITECTURE.md").matchAll(/^\| (`[^|]+) \|/gm)].map((match) => match[1]);
+    const listed = firstColumns.flatMap((column) => [...column.matchAll(/`([^`]+)`/g)].map((match) => match[1]));
+    assert.deepEqual([...new Set(listed)].sort(), [...folders].sort());
+    assert.equal(listed.length, new Set(listed).size, "a folder has two lines");
+});
