@@ -121,10 +121,10 @@ class FrameMaker {
                bool wantsTruth, base::WorkerPool& workers)
         : m_options(options),
           m_workers(workers),
-          m_onDevice(session.device(), opened.staged.scene),
-          m_renderer(session.device(), opened.staged.scene, m_onDevice, options) {
+          m_onDevice(session.device(), opened.setup.scene),
+          m_renderer(session.device(), opened.setup.scene, m_onDevice, options) {
         if (wantsTruth) {
-            m_caster.emplace(opened.staged.scene, workers);
+            m_caster.emplace(opened.setup.scene, workers);
         }
     }
 
@@ -162,9 +162,9 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     }
     scene::OpenedScene opened = openChosen(arguments.scene, arguments.seed, arguments.choice);
     if (options.detail.mode != visibility::DetailMode::none) {
-        scene::makeLevels(opened.staged.scene, workers);
+        scene::makeLevels(opened.setup.scene, workers);
     }
-    const scene::CameraPath& path = opened.staged.path;
+    const scene::CameraPath& path = opened.setup.path;
     cameras.at(path, cameras.first); // an unusable camera ends here, before the device is made
 
     const Session session(global);

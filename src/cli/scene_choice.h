@@ -1,7 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cdr/scene/gltf/stage.h>
+#include <cdr/scene/gltf/open_gltf.h>
 
 #include <cstdint>
 #include <string>

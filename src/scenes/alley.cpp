@@ -82,10 +82,10 @@ void addCubesInTheWay(Builder& builder) {
 
 } // namespace
 
-scene::StagedScene makeAlley(std::uint64_t seed) {
+scene::SceneSetup makeAlley(std::uint64_t seed) {
     Random random(seed);
-    scene::StagedScene staged;
-    scene::Scene& scene = staged.scene;
+    scene::SceneSetup setup;
+    scene::Scene& scene = setup.scene;
     scene.name = "alley";
     scene.meshes = {scene::makeBox(glm::vec3(0.5f))};
     scene.ambient = glm::vec3(0.35f);
@@ -98,10 +98,10 @@ scene::StagedScene makeAlley(std::uint64_t seed) {
     addSides(builder, random);
     addCubesInTheWay(builder);
     constexpr double kFovY = 50.0 * std::numbers::pi / 180.0;
-    staged.path =
+    setup.path =
         scene::stillPath(scene::lookAt({.fovY = kFovY, .nearView = 0.5, .farView = 500.0},
                                        glm::dvec3(0.0, kEyeHeight, 0.0), glm::dvec3(0.0, 1.1, -12.0)));
-    return staged;
+    return setup;
 }
 
 } // namespace cdr::scenes

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <scenes/cubes.h>
+#include <cdr/scene/scene_setup.h>
 
 #include <cstdint>
 
@@ -10,6 +10,6 @@ namespace cdr::scenes {
 /// beside them and a few cubes in the way, the first 12 units ahead. Detail at every distance, and a floor
 /// that every boundary between cascades cuts. 50 degrees, near 0.5, far 500, one still camera 1.7 above the
 /// tiles.
-scene::StagedScene makeAlley(std::uint64_t seed);
+scene::SceneSetup makeAlley(std::uint64_t seed);
 
 } // namespace cdr::scenes

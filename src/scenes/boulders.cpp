@@ -182,15 +182,15 @@ scene::Mesh makeBoulder(std::uint64_t seed, std::uint32_t subdivisions) {
     return mesh;
 }
 
-scene::StagedScene makeBoulders(std::uint64_t seed, const BoulderOptions& options) {
+scene::SceneSetup makeBoulders(std::uint64_t seed, const BoulderOptions& options) {
     constexpr std::uint32_t kMostBoulders = 1000; // more might find no room
     constexpr std::uint32_t kMostShapes = 64;
     if (options.boulders > kMostBoulders || options.shapes < 1 || options.shapes > kMostShapes) {
         throw base::InputError("boulders: at most " + std::to_string(kMostBoulders) + ", of 1 to " +
                                std::to_string(kMostShapes) + " shapes");
     }
-    scene::StagedScene staged;
-    scene::Scene& scene = staged.scene;
+    scene::SceneSetup setup;
+    scene::Scene& scene = setup.scene;
     scene.name = "boulders";
     for (std::uint32_t shape = 0; shape < options.shapes; ++shape) {
         scene.meshes.push_back(makeBoulder(seed + shape, options.subdivisions));
@@ -208,13 +208,13 @@ scene::StagedScene makeBoulders(std::uint64_t seed, const BoulderOptions& option
         placeBoulder(scene, object, lens, random);
     }
     constexpr std::uint32_t kFrames = 360;
-    staged.path = {.frames = kFrames, .at = [lens](std::uint32_t frame) {
-                       const double angle = 2.0 * std::numbers::pi * (frame % kFrames) / kFrames;
-                       scene::Camera camera = lens;
-                       camera.position = kCircle * glm::dvec3(std::sin(angle), 0.0, std::cos(angle) - 1.0);
-                       return camera;
-                   }};
-    return staged;
+    setup.path = {.frames = kFrames, .at = [lens](std::uint32_t frame) {
+                      const double angle = 2.0 * std::numbers::pi * (frame % kFrames) / kFrames;
+                      scene::Camera camera = lens;
+                      camera.position = kCircle * glm::dvec3(std::sin(angle), 0.0, std::cos(angle) - 1.0);
+                      return camera;
+                  }};
+    return setup;
 }
 
 } // namespace cdr::scenes

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <scenes/cubes.h>
+#include <cdr/scene/scene_setup.h>
 
 #include <cstdint>
 
@@ -17,7 +17,7 @@ struct BoulderOptions {
 /// radius growing with the root of the distance. 60 degrees, near 0.5, far 10,000; in 360 frames the camera
 /// circles once at radius 3, looking ahead all the while. 4.1 million triangles unless told otherwise.
 /// base::InputError for no shapes or too many of anything.
-scene::StagedScene makeBoulders(std::uint64_t seed, const BoulderOptions& options = {});
+scene::SceneSetup makeBoulders(std::uint64_t seed, const BoulderOptions& options = {});
 
 /// One boulder of bounding radius 1 or a little less, closed and smooth; the seed decides its bumps.
 scene::Mesh makeBoulder(std::uint64_t seed, std::uint32_t subdivisions);

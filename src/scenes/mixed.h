@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cdr/scene/lod/mesh_pieces.h>
-#include <scenes/cubes.h>
+#include <cdr/scene/scene_setup.h>
 
 #include <array>
 #include <cstdint>
@@ -20,21 +19,6 @@ inline constexpr std::uint32_t kMixedPairs =
 /// lower. Twins are drawn last, so a depth buffer that cannot tell the two apart shows red. Finer shares
 /// would ask for more than float32 x and y have. 20 degrees, near 0.1, far 2e8. Pair p, column by column and
 /// in each from the top, is the objects 2p and its twin 2p + 1.
-scene::StagedScene makeMixed();
-
-struct GlobeOptions {
-    double radius = 6.371e6;
-    /// Squares along an edge of the cube that is blown up to the globe; the mesh has 12 cells^2 triangles.
-    std::uint32_t cells = 128;
-    double pieceRadius = 200e3; ///< as of cutIntoPieces()
-    glm::dvec3 centre{0.0};     ///< world space
-};
-
-/// A planet of one mesh, its vertices float64, cut into pieces of one object 0: white, lit by a far light,
-/// without a camera.
-scene::Scene makeGlobe(const GlobeOptions& options = {});
-
-/// The mesh of it before it is cut, about the globe's centre.
-scene::SourceMesh globeMesh(double radius, std::uint32_t cells);
+scene::SceneSetup makeMixed();
 
 } // namespace cdr::scenes

@@ -1,8 +1,10 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
-#include <cdr/scene/gltf/stage.h>
+#include <cdr/scene/gltf/open_gltf.h>
 #include <scenes/alley.h>
 #include <scenes/boulders.h>
+#include <scenes/cubes.h>
+#include <scenes/ladder.h>
 #include <scenes/mixed.h>
 #include <scenes/open_scene.h>
 #include <scenes/orbit/orbit.h>
@@ -17,7 +19,7 @@ namespace {
 
 struct Generator {
     std::string_view name;
-    scene::StagedScene (*make)(std::uint64_t seed);
+    scene::SceneSetup (*make)(std::uint64_t seed);
 };
 
 constexpr std::array kGenerators{
@@ -49,7 +51,7 @@ std::span<const std::string_view> generatedScenes() {
 scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed) {
     for (const Generator& generator : kGenerators) {
         if (nameOrPath == generator.name) {
-            return {.staged = generator.make(seed), .notes = {}};
+            return {.setup = generator.make(seed), .notes = {}};
         }
     }
     if (scene::isGltfPath(nameOrPath)) {

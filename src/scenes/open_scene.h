@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/scene/staged_scene.h>
+#include <cdr/scene/scene_setup.h>
 
 #include <cstdint>
 #include <span>

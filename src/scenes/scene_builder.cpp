@@ -35,4 +35,8 @@ void SceneBuilder::addMesh(std::uint32_t material, const scene::SourceMesh& mesh
                 toWorld);
 }
 
+scene::PointLight farLight(const glm::dvec3& direction, double distance) {
+    return {.position = distance * direction, .color = glm::vec3(1.0f), .halfDistance = 10.0 * distance};
+}
+
 } // namespace cdr::scenes

@@ -37,4 +37,8 @@ class SceneBuilder {
     std::optional<std::uint32_t> m_unitBox; ///< mesh that all boxes share
 };
 
+/// A white light so far away that it shines evenly on everything.
+/// @param direction from the world's origin towards the light.
+scene::PointLight farLight(const glm::dvec3& direction, double distance);
+
 } // namespace cdr::scenes

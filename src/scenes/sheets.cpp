@@ -121,10 +121,10 @@ scene::Mesh makeSquare(float halfSide) {
     return mesh;
 }
 
-scene::StagedScene makeSheets(std::uint64_t seed, std::uint32_t sheets) {
+scene::SceneSetup makeSheets(std::uint64_t seed, std::uint32_t sheets) {
     Random random(seed);
-    scene::StagedScene staged;
-    scene::Scene& scene = staged.scene;
+    scene::SceneSetup setup;
+    scene::Scene& scene = setup.scene;
     scene.name = "sheets";
     scene.meshes = {makeSquare(1.0f), scene::makeBox(glm::vec3(1.0f))};
     scene.textures.push_back(softTexture());
@@ -140,8 +140,8 @@ scene::StagedScene makeSheets(std::uint64_t seed, std::uint32_t sheets) {
     addSheets(scene, random, sheets);
     addCubes(scene, random, sheets);
     shuffle(scene.instances, random);
-    staged.path = scene::stillPath({.fovY = kFovY, .nearView = kNear, .farView = kFar});
-    return staged;
+    setup.path = scene::stillPath({.fovY = kFovY, .nearView = kNear, .farView = kFar});
+    return setup;
 }
 
 } // namespace cdr::scenes

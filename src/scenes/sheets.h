@@ -1,6 +1,6 @@
 #pragma once
 
-#include <scenes/cubes.h>
+#include <cdr/scene/scene_setup.h>
 
 #include <cstdint>
 
@@ -11,7 +11,7 @@ namespace cdr::scenes {
 /// whatever the split, sheets cross its boundaries at all angles, and each other. Some are textured, some
 /// unlit, some single-sided, some are closed boxes; opaque cubes stand between them at every decade.
 /// @param sheets translucent objects, 64 as the experiments have it; the opaque ones come after them.
-scene::StagedScene makeSheets(std::uint64_t seed, std::uint32_t sheets = 64);
+scene::SceneSetup makeSheets(std::uint64_t seed, std::uint32_t sheets = 64);
 
 /// A square in the plane z = 0 from -halfSide to halfSide, its front towards +z.
 scene::Mesh makeSquare(float halfSide);

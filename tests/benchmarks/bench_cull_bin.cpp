@@ -24,17 +24,17 @@ constexpr unsigned kCascades = 4;
 /// The field of the timing scene (a fifth of it in view), or the crowd (all in view).
 enum class Field : std::int64_t { rotation, crowd };
 
-struct Setup {
-    scene::StagedScene staged;
+struct CullFixture {
+    scene::SceneSetup setup;
     scene::Camera camera;
     depth::Cascades cascades;
     base::WorkerPool workers;
 
-    explicit Setup(const benchmark::State& state)
-        : staged(static_cast<Field>(state.range(2)) == Field::rotation
-                     ? scenes::makeRotation(2013, static_cast<std::uint32_t>(state.range(0)))
-                     : scenes::makeCrowd(2013, static_cast<std::uint32_t>(state.range(0)))),
-          camera(staged.path.at(30)),
+    explicit CullFixture(const benchmark::State& state)
+        : setup(static_cast<Field>(state.range(2)) == Field::rotation
+                    ? scenes::makeRotation(2013, static_cast<std::uint32_t>(state.range(0)))
+                    : scenes::makeCrowd(2013, static_cast<std::uint32_t>(state.range(0)))),
+          camera(setup.path.at(30)),
           cascades(depth::makeCascades(depth::SplitCount{kCascades}, camera.nearView, camera.farView)),
           workers(static_cast<std::size_t>(state.range(1))) {}
 };
@@ -56,31 +56,33 @@ void timeEach(benchmark::State& state, const Work& work) {
 }
 
 void cull(benchmark::State& state) {
-    Setup setup(state);
+    CullFixture fixture(state);
     visibility::VisibleList visible;
     timeEach(state, [&] {
-        visibility::cullSpheres(setup.staged.scene.instances, setup.camera, kAspect, setup.workers, visible);
+        visibility::cullSpheres(fixture.setup.scene.instances, fixture.camera, kAspect, fixture.workers,
+                                visible);
     });
     state.counters["visible"] = static_cast<double>(visible.count);
 }
 
 void bin(benchmark::State& state) {
-    Setup setup(state);
+    CullFixture fixture(state);
     visibility::VisibleList visible;
     visibility::DrawLists lists;
-    visibility::cullSpheres(setup.staged.scene.instances, setup.camera, kAspect, setup.workers, visible);
+    visibility::cullSpheres(fixture.setup.scene.instances, fixture.camera, kAspect, fixture.workers, visible);
     timeEach(state,
-             [&] { visibility::binByDistance(visible, setup.cascades, kNoWide, setup.workers, lists); });
+             [&] { visibility::binByDistance(visible, fixture.cascades, kNoWide, fixture.workers, lists); });
     state.counters["visible"] = static_cast<double>(visible.count);
 }
 
 void cullAndBin(benchmark::State& state) {
-    Setup setup(state);
+    CullFixture fixture(state);
     visibility::VisibleList visible;
     visibility::DrawLists lists;
     timeEach(state, [&] {
-        visibility::cullSpheres(setup.staged.scene.instances, setup.camera, kAspect, setup.workers, visible);
-        visibility::binByDistance(visible, setup.cascades, kNoWide, setup.workers, lists);
+        visibility::cullSpheres(fixture.setup.scene.instances, fixture.camera, kAspect, fixture.workers,
+                                visible);
+        visibility::binByDistance(visible, fixture.cascades, kNoWide, fixture.workers, lists);
     });
     state.counters["visible"] = static_cast<double>(visible.count);
 }

@@ -22,18 +22,18 @@ struct Gpu {
 
 void record(benchmark::State& state) {
     static const Gpu gpu;
-    const scene::StagedScene staged = scenes::makeCrowd(2013, static_cast<std::uint32_t>(state.range(0)));
-    const render::GpuScene gpuScene(gpu.device, staged.scene);
+    const scene::SceneSetup setup = scenes::makeCrowd(2013, static_cast<std::uint32_t>(state.range(0)));
+    const render::GpuScene gpuScene(gpu.device, setup.scene);
     depth::Technique technique = depth::parseTechnique("cdr");
     technique.split = depth::SplitCount{static_cast<unsigned>(state.range(2))};
-    render::Renderer renderer(gpu.device, staged.scene, gpuScene,
+    render::Renderer renderer(gpu.device, setup.scene, gpuScene,
                               {.width = 320,
                                .height = 180,
                                .technique = technique,
                                .threads = static_cast<std::size_t>(state.range(1)),
                                .placement = base::Placement::pinned,
                                .batching = render::kBatchings[static_cast<std::size_t>(state.range(3))]});
-    const scene::Camera camera = staged.path.at(0);
+    const scene::Camera camera = setup.path.at(0);
     renderer.draw(camera); // the first frame allocates
     // The kernel may leave two threads on one CPU for milliseconds, which says nothing of recording.
     const base::PinnedThread pin(0, base::allowedCpus());

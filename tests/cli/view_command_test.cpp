@@ -4,6 +4,7 @@
 #include <cdr/render/renderer.h>
 #include <cdr/scene/camera_recording.h>
 #include <experiments/aov.h>
+#include <scenes/cubes.h>
 #include <scenes/mixed.h>
 #include <scenes/open_scene.h>
 #include <viewer/state/command_line.h>
@@ -63,14 +64,14 @@ scene::Camera flown(scene::Camera camera, double surfaceView) {
 /// To the bit, with a lens of a fifty-thousandth of a degree per pixel, a million units away.
 TEST_F(ViewCommand, DrawsTheViewersPictureToTheBit) {
     for (const char* technique : {"anchored", "reversed", "logcdr"}) {
-        const scene::StagedScene staged = scenes::makeAfc(scenes::kDefaultSeed);
+        const scene::SceneSetup setup = scenes::makeAfc(scenes::kDefaultSeed);
         viewer::ReproducedView view{.settings = {.scene = "afc"},
                                     .side = 0,
-                                    .camera = flown(staged.path.at(0), 1e6),
-                                    .sceneCamera = staged.path.at(0),
+                                    .camera = flown(setup.path.at(0), 1e6),
+                                    .sceneCamera = setup.path.at(0),
                                     .extent = kExtent};
         view.settings.technique = depth::parseTechnique(technique);
-        const render::Frame frame = show(staged.scene, view);
+        const render::Frame frame = show(setup.scene, view);
         const auto lit = std::count_if(frame.color.pixels.begin(), frame.color.pixels.end(),
                                        [](const image::Rgba8& p) { return p[0] > 60; });
         EXPECT_GT(lit, 1000) << technique;
@@ -85,8 +86,8 @@ TEST_F(ViewCommand, DrawsTheViewersPictureToTheBit) {
 }
 
 TEST_F(ViewCommand, DrawsARolledViewOfTheRightSideOfASplitScreen) {
-    const scene::StagedScene staged = scenes::makeMixed();
-    const scene::Camera own = staged.path.at(0);
+    const scene::SceneSetup setup = scenes::makeMixed();
+    const scene::Camera own = setup.path.at(0);
     viewer::ReproducedView view{
         .settings = {.scene = "mixed"},
         .side = 1,
@@ -98,7 +99,7 @@ TEST_F(ViewCommand, DrawsARolledViewOfTheRightSideOfASplitScreen) {
     view.settings.targets = render::TargetsKind::layers;
     view.settings.threads = 2;
     view.settings.view = viewer::ViewKind::ids;
-    const render::Frame frame = show(staged.scene, view);
+    const render::Frame frame = show(setup.scene, view);
     const TemporaryFolder folder;
     const json result = run(view, folder);
     EXPECT_EQ(result["hash"], experiments::hashOf(frame, experiments::Aov::id, nullptr));
@@ -106,10 +107,10 @@ TEST_F(ViewCommand, DrawsARolledViewOfTheRightSideOfASplitScreen) {
 }
 
 TEST_F(ViewCommand, RendersARecordedPath) {
-    const scene::StagedScene staged = scenes::makeAfc(scenes::kDefaultSeed);
+    const scene::SceneSetup setup = scenes::makeAfc(scenes::kDefaultSeed);
     scene::CameraRecording recording{.scene = "afc", .cameras = {}};
     for (std::uint32_t i = 0; i < 3; ++i) {
-        scene::record(recording, 0.5 * i, staged.path.at(20 * i));
+        scene::record(recording, 0.5 * i, setup.path.at(20 * i));
     }
     const TemporaryFolder folder;
     scene::writeRecording(folder.path() / "p.json", recording);

@@ -1,6 +1,8 @@
 #include "fixture.h"
 
 #include <cdr/scene/lod/triangle_clusters.h>
+#include <scenes/cubes.h>
+#include <scenes/globe.h>
 #include <scenes/mixed.h>
 
 #include <algorithm>
@@ -147,18 +149,18 @@ TEST_F(AdversarialTest, EverythingAtOneDistance) {
 TEST_F(AdversarialTest, ACameraBillionsOfKilometresFromTheOrigin) {
     std::array<Outcome, 2> sums;
     for (const bool far : {false, true}) {
-        scene::StagedScene staged = scenes::makeAfc(2013);
+        scene::SceneSetup setup = scenes::makeAfc(2013);
         const glm::dvec3 shift = far ? glm::dvec3(1e12, -3e11, 2e11) : glm::dvec3(0.0);
-        for (std::size_t i = 0; i < staged.scene.instances.size(); ++i) {
-            staged.scene.instances.x[i] += shift.x;
-            staged.scene.instances.y[i] += shift.y;
-            staged.scene.instances.z[i] += shift.z;
+        for (std::size_t i = 0; i < setup.scene.instances.size(); ++i) {
+            setup.scene.instances.x[i] += shift.x;
+            setup.scene.instances.y[i] += shift.y;
+            setup.scene.instances.z[i] += shift.z;
         }
-        const render::GpuScene gpuScene(device(), staged.scene);
+        const render::GpuScene gpuScene(device(), setup.scene);
         for (const std::uint32_t number : {0u, 45u, 120u, 200u}) {
-            scene::Camera camera = staged.path.at(number);
+            scene::Camera camera = setup.path.at(number);
             camera.position += shift;
-            const Outcome result = outcome(staged.scene, gpuScene, camera);
+            const Outcome result = outcome(setup.scene, gpuScene, camera);
             sums[far].wrong += result.wrong;
             sums[far].worstDistance = std::max(sums[far].worstDistance, result.worstDistance);
         }
@@ -254,15 +256,15 @@ TEST_F(AdversarialTest, NoSkyShowsThroughTheSeamsOfAPlanet) {
 TEST_F(AdversarialTest, OfMixedDistancesOnlyAnchoredGetsAllRight) {
     constexpr std::size_t kColumns = scenes::kMixedDistances.size();
     using Counts = std::array<std::size_t, kColumns>;
-    const scene::StagedScene staged = scenes::makeMixed();
-    const scene::Camera camera = staged.path.at(0);
-    const render::GpuScene gpuScene(device(), staged.scene);
+    const scene::SceneSetup setup = scenes::makeMixed();
+    const scene::Camera camera = setup.path.at(0);
+    const render::GpuScene gpuScene(device(), setup.scene);
     base::WorkerPool workers(2);
-    const auto truth = measure::castTruth(staged.scene, camera, 480, 270, workers);
+    const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     const auto inner = measure::innerMask(truth);
     std::map<std::string, std::array<Counts, 2>> wrong; // by technique and separation
     for (const depth::Technique& preset : depth::presets()) {
-        render::Renderer renderer(device(), staged.scene, gpuScene, smallOptions(preset));
+        render::Renderer renderer(device(), setup.scene, gpuScene, smallOptions(preset));
         const image::ImageU32 ids = renderer.render(camera).ids();
         std::array<Counts, 2> pixels{};
         wrong[preset.name] = {};

@@ -1,5 +1,7 @@
 #include "fixture.h"
 
+#include <scenes/cubes.h>
+#include <scenes/globe.h>
 #include <scenes/mixed.h>
 
 #include <string>
@@ -47,13 +49,13 @@ class AnchoredTargetsTest : public RenderTest {
 };
 
 TEST_F(AnchoredTargetsTest, SomethingNearAndAFieldAMillionUnitsAway) {
-    const scene::StagedScene staged = scenes::makeAfcNear(2013);
-    expectRight(staged.scene, staged.path.at(7), 2);
+    const scene::SceneSetup setup = scenes::makeAfcNear(2013);
+    expectRight(setup.scene, setup.path.at(7), 2);
 }
 
 TEST_F(AnchoredTargetsTest, MixedDistances) {
-    const scene::StagedScene staged = scenes::makeMixed();
-    expectRight(staged.scene, staged.path.at(0), 4);
+    const scene::SceneSetup setup = scenes::makeMixed();
+    expectRight(setup.scene, setup.path.at(0), 4);
 }
 
 TEST_F(AnchoredTargetsTest, PiecesOfOneObject) {

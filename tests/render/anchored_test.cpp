@@ -1,5 +1,7 @@
 #include "fixture.h"
 
+#include <scenes/cubes.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,38 +21,38 @@ class AnchoredTest : public RenderTest {
 
 /// The scene of the thesis that no float32 view distance gets right, and the same with something near.
 TEST_F(AnchoredTest, AfcHasNoWrongPixelsEvenWithSomethingBesideTheCamera) {
-    for (const scene::StagedScene& staged : {scenes::makeAfc(2013), scenes::makeAfcNear(2013)}) {
-        const render::GpuScene gpuScene(device(), staged.scene);
+    for (const scene::SceneSetup& setup : {scenes::makeAfc(2013), scenes::makeAfcNear(2013)}) {
+        const render::GpuScene gpuScene(device(), setup.scene);
         for (const auto format : {depth::DepthFormat::d32f, depth::DepthFormat::d24}) {
             auto anchored = depth::parseTechnique("anchored");
             anchored.format = format;
-            render::Renderer renderer(device(), staged.scene, gpuScene, {.technique = anchored});
+            render::Renderer renderer(device(), setup.scene, gpuScene, {.technique = anchored});
             measure::WrongPixels wrong;
             for (const std::uint32_t number : {0u, 1u, 120u}) {
-                const scene::Camera camera = staged.path.at(number);
+                const scene::Camera camera = setup.path.at(number);
                 const Frame frame = renderer.render(camera);
-                wrong += wrongIn(frame, staged.scene, camera);
-                if (staged.scene.name == "afc-near") {
+                wrong += wrongIn(frame, setup.scene, camera);
+                if (setup.scene.name == "afc-near") {
                     EXPECT_EQ(frame.id(frame.width() - 1, 0), 1001u + number);
                     EXPECT_EQ(frame.cascades.size(), 2u);
                 }
             }
             EXPECT_GT(wrong.pixels, 500'000u);
-            EXPECT_LE(wrong.fraction(), 5e-6) << staged.scene.name << " " << nameOf(format);
+            EXPECT_LE(wrong.fraction(), 5e-6) << setup.scene.name << " " << nameOf(format);
         }
     }
 }
 
 TEST_F(AnchoredTest, FittedSplitsDrawRightUnderEveryMapping) {
-    scene::StagedScene staged = scenes::makeRotation(5, 64'000);
-    const scene::Camera camera = staged.path.at(0);
-    const render::GpuScene gpuScene(device(), staged.scene);
+    scene::SceneSetup setup = scenes::makeRotation(5, 64'000);
+    const scene::Camera camera = setup.path.at(0);
+    const render::GpuScene gpuScene(device(), setup.scene);
     base::WorkerPool workers(2);
-    const auto truth = measure::castTruth(staged.scene, camera, 480, 270, workers);
+    const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"fitted", "fitted:1e-5px", "fitted:0.5px", "fitted:0.001", "minimax:5"}) {
             const auto options = smallOptions(technique(mapping, split));
-            render::Renderer renderer(device(), staged.scene, gpuScene, options);
+            render::Renderer renderer(device(), setup.scene, gpuScene, options);
             const auto wrong = measure::countWrong(renderer.render(camera).ids(), truth);
             EXPECT_GT(wrong.pixels, 5000u);
             EXPECT_EQ(wrong.wrong, 0u) << options.technique.name;
@@ -60,11 +62,11 @@ TEST_F(AnchoredTest, FittedSplitsDrawRightUnderEveryMapping) {
 
 /// Reversed alone gives 16 bits to everything from 10^6 to infinity; fitted, they serve the field.
 TEST_F(AnchoredTest, AFittedReversedRangeEndsAtItsFarPlane) {
-    const scene::StagedScene staged = scenes::makeAfc(2013);
-    const scene::Camera camera = staged.path.at(0);
+    const scene::SceneSetup setup = scenes::makeAfc(2013);
+    const scene::Camera camera = setup.path.at(0);
     const auto reversed = technique(depth::Mapping::reversed, "fitted", depth::DepthFormat::d16);
-    const Frame frame = draw(staged.scene, camera, {.technique = reversed});
-    EXPECT_LT(wrongIn(frame, staged.scene, camera).fraction(), 0.005);
+    const Frame frame = draw(setup.scene, camera, {.technique = reversed});
+    EXPECT_LT(wrongIn(frame, setup.scene, camera).fraction(), 0.005);
 }
 
 /// Boxes from 0.01 to 10^8 units away, each a fifth of its distance wide, with a twin inside it, every face

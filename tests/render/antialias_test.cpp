@@ -1,6 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
+#include <scenes/cubes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,14 +100,14 @@ TEST_F(AntialiasTest, LeavesSurfacesAndEvenPixelsAlone) {
 }
 
 TEST_F(AntialiasTest, IsTheSamePictureWhateverTargetsAndThreads) {
-    const scene::StagedScene staged = scenes::makeRotation(1, 8'000);
-    const Frame first = draw(staged.scene, staged.path.at(0), smoothOptions("cdr"));
+    const scene::SceneSetup setup = scenes::makeRotation(1, 8'000);
+    const Frame first = draw(setup.scene, setup.path.at(0), smoothOptions("cdr"));
     for (const render::TargetsKind kind : render::kTargetsKinds) {
         render::RenderOptions options = smoothOptions("cdr");
         options.targets = kind;
         options.threads = 3;
         if (kind != render::TargetsKind::onePass) { // whose depth rounds otherwise
-            EXPECT_EQ(hashOf(draw(staged.scene, staged.path.at(0), options)), hashOf(first));
+            EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(0), options)), hashOf(first));
         }
     }
 }

@@ -4,7 +4,7 @@
 #include <cdr/measure/compare/cracks.h>
 #include <cdr/scene/lod/levels.h>
 #include <scenes/boulders.h>
-#include <scenes/mixed.h>
+#include <scenes/globe.h>
 
 #include <cmath>
 #include <limits>
@@ -26,10 +26,10 @@ void addLevels(scene::Scene& scene) {
     scene::makeLevels(scene, workers);
 }
 
-scene::StagedScene smallBoulders() {
-    scene::StagedScene staged = scenes::makeBoulders(2013, {.boulders = 80, .shapes = 3, .subdivisions = 4});
-    addLevels(staged.scene);
-    return staged;
+scene::SceneSetup smallBoulders() {
+    scene::SceneSetup setup = scenes::makeBoulders(2013, {.boulders = 80, .shapes = 3, .subdivisions = 4});
+    addLevels(setup.scene);
+    return setup;
 }
 
 render::RenderOptions optionsOf(const char* split, const Detail& detail) {
@@ -102,15 +102,15 @@ std::vector<scene::Camera> camerasAlong(const scene::CameraPath& path, std::uint
 }
 
 TEST_F(DetailRenderTest, IsOneImageHoweverDrawn) {
-    const scene::StagedScene staged = smallBoulders();
-    const scene::Camera camera = staged.path.at(100);
-    const render::GpuScene gpuScene(device(), staged.scene);
+    const scene::SceneSetup setup = smallBoulders();
+    const scene::Camera camera = setup.path.at(100);
+    const render::GpuScene gpuScene(device(), setup.scene);
     std::set<std::string> images;
     for (const Detail& detail : {kByObject, kByCascade}) {
         std::string wanted;
         std::size_t draws = 0;
         const auto expectSame = [&](const render::RenderOptions& options) {
-            render::Renderer renderer(device(), staged.scene, gpuScene, options);
+            render::Renderer renderer(device(), setup.scene, gpuScene, options);
             const render::Frame frame = renderer.render(camera);
             wanted = wanted.empty() ? hashOf(frame) : wanted;
             draws = draws == 0 ? frame.stats.draws : draws;
@@ -143,19 +143,19 @@ TEST_F(DetailRenderTest, IsOneImageHoweverDrawn) {
 }
 
 TEST_F(DetailRenderTest, TheGpuDrivenPathChoosesAlikeWithEveryTechnique) {
-    scene::StagedScene staged = smallBoulders();
+    scene::SceneSetup setup = smallBoulders();
     // Neighbours that have nothing to choose stay one run among those that do.
-    staged.scene.meshes[1].levels.clear();
-    const render::GpuScene gpuScene(device(), staged.scene);
+    setup.scene.meshes[1].levels.clear();
+    const render::GpuScene gpuScene(device(), setup.scene);
     for (const depth::Technique& technique : depth::presets()) {
         for (const Detail& detail : {kByObject, kByCascade}) {
             render::RenderOptions options = optionsOf("none", detail);
             options.technique = technique;
-            render::Renderer host(device(), staged.scene, gpuScene, options);
+            render::Renderer host(device(), setup.scene, gpuScene, options);
             options.submission = render::Submission::gpuDriven;
-            render::Renderer onDevice(device(), staged.scene, gpuScene, options);
+            render::Renderer onDevice(device(), setup.scene, gpuScene, options);
             for (const std::uint32_t frame : {0u, 150u}) {
-                const scene::Camera camera = staged.path.at(frame);
+                const scene::Camera camera = setup.path.at(frame);
                 EXPECT_EQ(hashOf(onDevice.render(camera)), hashOf(host.render(camera)))
                     << technique.name << " " << nameOf(detail);
             }
@@ -164,7 +164,7 @@ TEST_F(DetailRenderTest, TheGpuDrivenPathChoosesAlikeWithEveryTechnique) {
 }
 
 TEST_F(DetailRenderTest, LevelsNobodyAsksForChangeNoBit) {
-    const scene::StagedScene plain =
+    const scene::SceneSetup plain =
         scenes::makeBoulders(2013, {.boulders = 40, .shapes = 2, .subdivisions = 3});
     scene::Scene levelled = plain.scene;
     addLevels(levelled);
@@ -176,8 +176,8 @@ TEST_F(DetailRenderTest, LevelsNobodyAsksForChangeNoBit) {
 }
 
 TEST_F(DetailRenderTest, OneLevelPerObjectOpensNoCrack) {
-    const scene::StagedScene staged = smallBoulders();
-    EXPECT_EQ(hunt(staged.scene, camerasAlong(staged.path, 16), kByObject), 0u);
+    const scene::SceneSetup setup = smallBoulders();
+    EXPECT_EQ(hunt(setup.scene, camerasAlong(setup.path, 16), kByObject), 0u);
     const scene::Scene large = largeBoulder();
     for (const double pixels : {2.0, 4.0}) {
         EXPECT_EQ(hunt(large, camerasAround(16), {.mode = DetailMode::perObject, .pixels = pixels}), 0u);

@@ -4,7 +4,6 @@
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
-#include <scenes/cubes.h>
 
 #include <gtest/gtest.h>
 

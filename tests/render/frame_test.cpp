@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/base/sha256.h>
+#include <scenes/cubes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,15 +43,15 @@ TEST_F(FrameTest, IsUprightAndNotMirrored) {
 }
 
 TEST_F(FrameTest, DistanceIsMetricWhateverTheTechnique) {
-    const scene::StagedScene staged = scenes::makeRotation(1, 64'000);
-    const scene::Camera camera = staged.path.at(0);
+    const scene::SceneSetup setup = scenes::makeRotation(1, 64'000);
+    const scene::Camera camera = setup.path.at(0);
     base::WorkerPool workers(1);
-    const auto truth = measure::castTruth(staged.scene, camera, 480, 270, workers);
+    const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:4"}) {
             const auto technique =
                 depth::makeTechnique(mapping, depth::parseSplit(split), depth::DepthFormat::d32f);
-            const Frame frame = draw(staged.scene, camera, smallOptions(technique));
+            const Frame frame = draw(setup.scene, camera, smallOptions(technique));
             std::size_t compared = 0;
             for (std::uint32_t y = 0; y < frame.height(); ++y) {
                 for (std::uint32_t x = 0; x < frame.width(); ++x) {
@@ -90,13 +91,13 @@ TEST_F(FrameTest, NonUniformAndMirroredBasesAreDrawnAsTheTruthSeesThem) {
 }
 
 TEST_F(FrameTest, ManyFramesFromOneRendererEqualFreshOnes) {
-    const scene::StagedScene staged = scenes::makeRotation(1, 5000);
-    const render::GpuScene gpuScene(device(), staged.scene);
+    const scene::SceneSetup setup = scenes::makeRotation(1, 5000);
+    const render::GpuScene gpuScene(device(), setup.scene);
     const auto options = smallOptions(depth::parseTechnique("cdr"));
-    render::Renderer warm(device(), staged.scene, gpuScene, options);
+    render::Renderer warm(device(), setup.scene, gpuScene, options);
     for (const std::uint32_t number : {0u, 200u, 90u, 0u}) {
-        render::Renderer fresh(device(), staged.scene, gpuScene, options);
-        const scene::Camera camera = staged.path.at(number);
+        render::Renderer fresh(device(), setup.scene, gpuScene, options);
+        const scene::Camera camera = setup.path.at(number);
         const Frame a = warm.render(camera);
         const Frame b = fresh.render(camera);
         EXPECT_EQ(hashOf(a), hashOf(b));
@@ -123,10 +124,10 @@ TEST_F(FrameTest, RefusesWhatCannotBeRendered) {
 }
 
 TEST_F(FrameTest, ABorrowedDeviceRendersTheSameAndStaysAlive) {
-    const scene::StagedScene staged = scenes::makeAfc(1);
+    const scene::SceneSetup setup = scenes::makeAfc(1);
     const auto options = smallOptions(depth::parseTechnique("reversed"));
-    const scene::Camera camera = staged.path.at(7);
-    const Frame own = draw(staged.scene, camera, options);
+    const scene::Camera camera = setup.path.at(7);
+    const Frame own = draw(setup.scene, camera, options);
     const gpu::BorrowedDevice handles{.instance = instance().handle(),
                                       .physical = device().physical(),
                                       .device = device().handle(),
@@ -135,11 +136,11 @@ TEST_F(FrameTest, ABorrowedDeviceRendersTheSameAndStaysAlive) {
                                       .hasDebugNames = instance().hasDebugNames()};
     {
         const gpu::Device borrowed(handles);
-        const render::GpuScene gpuScene(borrowed, staged.scene);
-        render::Renderer renderer(borrowed, staged.scene, gpuScene, options);
+        const render::GpuScene gpuScene(borrowed, setup.scene);
+        render::Renderer renderer(borrowed, setup.scene, gpuScene, options);
         EXPECT_EQ(renderer.render(camera).color, own.color);
     }
-    EXPECT_EQ(draw(staged.scene, camera, options).color, own.color);
+    EXPECT_EQ(draw(setup.scene, camera, options).color, own.color);
 }
 
 } // namespace

@@ -9,12 +9,12 @@ namespace {
 class Orbit : public RenderTest {
   protected:
     measure::WrongPixels wrongAt(std::uint32_t frame, const char* technique) {
-        static const scene::StagedScene staged = scenes::makeOrbit(test::syntheticEarth());
-        const scene::Camera camera = staged.path.at(frame);
+        static const scene::SceneSetup setup = scenes::makeOrbit(test::syntheticEarth());
+        const scene::Camera camera = setup.path.at(frame);
         render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
         options.width = 320;
         options.height = 180;
-        return wrongIn(draw(staged.scene, camera, options), staged.scene, camera);
+        return wrongIn(draw(setup.scene, camera, options), setup.scene, camera);
     }
 };
 

@@ -177,14 +177,14 @@ TEST_F(ShineTest, LayersOfALensShineToo) {
 
 /// Translucent sheets that shine, metals and dielectrics, are lit as a float64 ray cast lights them.
 TEST_F(ShineTest, SheetsShineAsInTheTruth) {
-    const scene::StagedScene staged = scenes::makeSheets(2013);
-    scene::Scene scene = staged.scene;
+    const scene::SceneSetup setup = scenes::makeSheets(2013);
+    scene::Scene scene = setup.scene;
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         if (scene.materials[i].alphaMode == scene::AlphaMode::blend && !scene.materials[i].unlit) {
             scene.materials[i].shine = Shine{.metallic = i % 2 == 0 ? 1.0f : 0.0f, .roughness = 0.4f};
         }
     }
-    const scene::Camera camera = staged.path.at(0);
+    const scene::Camera camera = setup.path.at(0);
     render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/count:5"));
     options.width = 192;
     options.height = 108;
@@ -197,7 +197,7 @@ TEST_F(ShineTest, SheetsShineAsInTheTruth) {
     EXPECT_GT(difference.translucent, 4000u);
     EXPECT_EQ(difference.miscounted, 0u);
     EXPECT_GE(difference.withinFraction(), 0.999);
-    EXPECT_NE(hashOf(frame), hashOf(draw(staged.scene, camera, options)));
+    EXPECT_NE(hashOf(frame), hashOf(draw(setup.scene, camera, options)));
 }
 
 /// What a surface sends is cut at 16, which half floats hold, and their sums where surfaces blend: a film

@@ -1,6 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
+#include <scenes/cubes.h>
 #include <scenes/open_scene.h>
 
 #include <algorithm>
@@ -27,9 +28,9 @@ std::vector<depth::Technique> techniques() {
 
 /// Two meshes in turn, one of them mirrored now and then, so that runs are short and states change; shiny and
 /// matt.
-scene::StagedScene patchwork(std::uint32_t objects) {
-    scene::StagedScene staged = scenes::makeRotation(5, objects);
-    scene::Scene& scene = staged.scene;
+scene::SceneSetup patchwork(std::uint32_t objects) {
+    scene::SceneSetup setup = scenes::makeRotation(5, objects);
+    scene::Scene& scene = setup.scene;
     scene.meshes.push_back(scene::makeBox(glm::vec3(0.9f, 0.2f, 0.5f)));
     scene.materials[0].shine = scene::Shine{.metallic = 1.0f, .roughness = 0.3f};
     scene.materials.push_back({.name = "both sides",
@@ -43,7 +44,7 @@ scene::StagedScene patchwork(std::uint32_t objects) {
             scene.instances.basis[i][0] = -scene.instances.basis[i][0];
         }
     }
-    return staged;
+    return setup;
 }
 
 class SubmissionTest : public RenderTest {
@@ -75,18 +76,18 @@ class SubmissionTest : public RenderTest {
 };
 
 TEST_F(SubmissionTest, AfcIsOneImageHoweverSubmitted) {
-    const scene::StagedScene staged = scenes::makeAfc(2013);
-    expectOneImage(staged.scene, staged.path.at(40));
+    const scene::SceneSetup setup = scenes::makeAfc(2013);
+    expectOneImage(setup.scene, setup.path.at(40));
 }
 
 TEST_F(SubmissionTest, RotationIsOneImageHoweverSubmitted) {
-    const scene::StagedScene staged = scenes::makeRotation(2013, 8000);
-    expectOneImage(staged.scene, staged.path.at(40));
+    const scene::SceneSetup setup = scenes::makeRotation(2013, 8000);
+    expectOneImage(setup.scene, setup.path.at(40));
 }
 
 TEST_F(SubmissionTest, ManyKindsAreOneImageHoweverSubmitted) {
-    const scene::StagedScene staged = patchwork(3000);
-    expectOneImage(staged.scene, staged.path.at(90));
+    const scene::SceneSetup setup = patchwork(3000);
+    expectOneImage(setup.scene, setup.path.at(90));
 }
 
 TEST_F(SubmissionTest, GltfIsOneImageHoweverSubmitted) {
@@ -95,7 +96,7 @@ TEST_F(SubmissionTest, GltfIsOneImageHoweverSubmitted) {
         GTEST_SKIP() << "retro_ufo.glb is absent from " << CDR_ASSETS_DIR;
     }
     const scene::OpenedScene opened = scenes::openScene(path.string(), scenes::kDefaultSeed);
-    expectOneImage(opened.staged.scene, opened.staged.path.at(0));
+    expectOneImage(opened.setup.scene, opened.setup.path.at(0));
 }
 
 /// Cubes as large as their cascades are thin: each lands in many, more than there was room for at first.
@@ -126,16 +127,16 @@ TEST_F(SubmissionTest, GpuDrivenDrawsAgainWhenItsRecordsRunOut) {
 }
 
 TEST_F(SubmissionTest, BatchingChangesNoBit) {
-    const scene::StagedScene staged = patchwork(3000);
-    const render::GpuScene gpuScene(device(), staged.scene);
+    const scene::SceneSetup setup = patchwork(3000);
+    const render::GpuScene gpuScene(device(), setup.scene);
     for (const depth::Technique& technique : techniques()) {
         std::string first;
         for (const Batching batching : render::kBatchings) {
             render::RenderOptions options = tinyOptions(technique);
             options.batching = batching;
             options.threads = 3;
-            render::Renderer renderer(device(), staged.scene, gpuScene, options);
-            const std::string hash = hashOf(renderer.render(staged.path.at(90)));
+            render::Renderer renderer(device(), setup.scene, gpuScene, options);
+            const std::string hash = hashOf(renderer.render(setup.path.at(90)));
             first = first.empty() ? hash : first;
             EXPECT_EQ(hash, first) << technique.name << " " << nameOf(batching);
         }
@@ -144,20 +145,20 @@ TEST_F(SubmissionTest, BatchingChangesNoBit) {
 
 /// Frames overlap on the device and in its buffers, and the last is still the one it would be alone.
 TEST_F(SubmissionTest, FramesInFlightLeaveTheNextFrameAsItIs) {
-    const scene::StagedScene staged = scenes::makeRotation(3, 4000);
-    const render::GpuScene gpuScene(device(), staged.scene);
+    const scene::SceneSetup setup = scenes::makeRotation(3, 4000);
+    const render::GpuScene gpuScene(device(), setup.scene);
     for (const Submission submission : render::kSubmissions) {
         render::RenderOptions options = tinyOptions(depth::parseTechnique("cdr"));
         options.submission = submission;
         options.targets = TargetsKind::layers;
         options.framesInFlight = 3;
-        render::Renderer renderer(device(), staged.scene, gpuScene, options);
+        render::Renderer renderer(device(), setup.scene, gpuScene, options);
         for (std::uint32_t frame = 0; frame < 12; ++frame) {
-            renderer.submit(staged.path.at(30 * frame));
+            renderer.submit(setup.path.at(30 * frame));
         }
         options.framesInFlight = 1;
-        render::Renderer alone(device(), staged.scene, gpuScene, options);
-        EXPECT_EQ(hashOf(renderer.render(staged.path.at(77))), hashOf(alone.render(staged.path.at(77))))
+        render::Renderer alone(device(), setup.scene, gpuScene, options);
+        EXPECT_EQ(hashOf(renderer.render(setup.path.at(77))), hashOf(alone.render(setup.path.at(77))))
             << nameOf(submission);
     }
 }

@@ -1,6 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/depth/separation.h>
+#include <scenes/cubes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,19 +55,19 @@ TEST_F(OnePassTest, SlicesShareNoValueAndTheNearestComesFirst) {
 }
 
 TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
-    for (const scene::StagedScene& staged :
+    for (const scene::SceneSetup& setup :
          {scenes::makeAfc(2013), scenes::makeRotation(2013, 20'000), scenes::makeCubes(2013)}) {
-        const render::GpuScene gpuScene(device(), staged.scene);
-        const scene::Camera camera = staged.path.at(20);
+        const render::GpuScene gpuScene(device(), setup.scene);
+        const scene::Camera camera = setup.path.at(20);
         base::WorkerPool workers(2);
-        const auto truth = measure::castTruth(staged.scene, camera, 480, 270, workers);
+        const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
         for (const depth::Technique& technique : depth::presets()) {
             const auto wrong = [&](TargetsKind targets) {
-                const Frame frame = drawWith(staged.scene, gpuScene, camera, technique, targets);
+                const Frame frame = drawWith(setup.scene, gpuScene, camera, technique, targets);
                 return measure::countWrong(frame.ids(), truth);
             };
             EXPECT_LE(wrong(TargetsKind::onePass).wrong, wrong(TargetsKind::single).wrong)
-                << staged.scene.name << " " << technique.name;
+                << setup.scene.name << " " << technique.name;
         }
     }
 }
@@ -75,15 +76,15 @@ TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
 /// fewer wrong pixels: where neither tells anything apart the draw order decides, so the bound is the worse
 /// of the two.)
 TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
-    const scene::StagedScene staged = scenes::makeAfc(2013);
-    const render::GpuScene gpuScene(device(), staged.scene);
-    const scene::Camera camera = staged.path.at(20);
+    const scene::SceneSetup setup = scenes::makeAfc(2013);
+    const render::GpuScene gpuScene(device(), setup.scene);
+    const scene::Camera camera = setup.path.at(20);
     base::WorkerPool workers(2);
-    const auto truth = measure::castTruth(staged.scene, camera, 480, 270, workers);
+    const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (depth::Technique technique : depth::presets()) {
         const auto wrong = [&](depth::DepthFormat format, TargetsKind targets) {
             technique.format = format;
-            const Frame frame = drawWith(staged.scene, gpuScene, camera, technique, targets);
+            const Frame frame = drawWith(setup.scene, gpuScene, camera, technique, targets);
             return measure::countWrong(frame.ids(), truth).wrong;
         };
         EXPECT_LE(wrong(depth::DepthFormat::d24, TargetsKind::onePass),
@@ -94,18 +95,18 @@ TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
 }
 
 TEST_F(OnePassTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
-    const scene::StagedScene staged = scenes::makeRotation(5, 20'000);
-    const render::GpuScene gpuScene(device(), staged.scene);
-    scene::Camera camera = staged.path.at(0);
+    const scene::SceneSetup setup = scenes::makeRotation(5, 20'000);
+    const render::GpuScene gpuScene(device(), setup.scene);
+    scene::Camera camera = setup.path.at(0);
     camera.nearView = 1.0;
     camera.farView = 500.0;
     base::WorkerPool workers(2);
-    const auto truth = measure::castTruth(staged.scene, camera, 480, 270, workers);
+    const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:7", "count:40", "at:50,120"}) {
             for (const auto format : {depth::DepthFormat::d24, depth::DepthFormat::d32f}) {
                 const auto technique = depth::makeTechnique(mapping, depth::parseSplit(split), format);
-                const Frame frame = drawWith(staged.scene, gpuScene, camera, technique);
+                const Frame frame = drawWith(setup.scene, gpuScene, camera, technique);
                 const auto wrong = measure::countWrong(frame.ids(), truth);
                 EXPECT_GT(wrong.pixels, 3000u);
                 EXPECT_EQ(wrong.wrong, 0u) << technique.name << " " << nameOf(format);

@@ -1,6 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
+#include <scenes/cubes.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
@@ -55,13 +56,13 @@ class TargetsTest : public RenderTest {
 };
 
 TEST_F(TargetsTest, AfcIsOneImageWhateverTheTargetsAndThreads) {
-    const scene::StagedScene staged = scenes::makeAfc(2013);
-    expectOneImage(staged.scene, staged.path.at(40));
+    const scene::SceneSetup setup = scenes::makeAfc(2013);
+    expectOneImage(setup.scene, setup.path.at(40));
 }
 
 TEST_F(TargetsTest, RotationIsOneImageWhateverTheTargetsAndThreads) {
-    const scene::StagedScene staged = scenes::makeRotation(2013, 8000);
-    expectOneImage(staged.scene, staged.path.at(40));
+    const scene::SceneSetup setup = scenes::makeRotation(2013, 8000);
+    expectOneImage(setup.scene, setup.path.at(40));
 }
 
 TEST_F(TargetsTest, GltfIsOneImageWhateverTheTargetsAndThreads) {
@@ -70,17 +71,17 @@ TEST_F(TargetsTest, GltfIsOneImageWhateverTheTargetsAndThreads) {
         GTEST_SKIP() << "retro_ufo.glb is absent from " << CDR_ASSETS_DIR;
     }
     const scene::OpenedScene opened = scenes::openScene(path.string(), scenes::kDefaultSeed);
-    expectOneImage(opened.staged.scene, opened.staged.path.at(0));
+    expectOneImage(opened.setup.scene, opened.setup.path.at(0));
 }
 
 /// Races show now and then, not always.
 TEST_F(TargetsTest, FiftyFramesByEightThreadsAreOneImage) {
-    const scene::StagedScene staged = scenes::makeRotation(7, 20'000);
-    const render::GpuScene gpuScene(device(), staged.scene);
+    const scene::SceneSetup setup = scenes::makeRotation(7, 20'000);
+    const render::GpuScene gpuScene(device(), setup.scene);
     const auto technique = depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("count:5"),
                                                 depth::DepthFormat::d32f);
-    const scene::Camera camera = staged.path.at(90);
-    render::Renderer renderer(device(), staged.scene, gpuScene,
+    const scene::Camera camera = setup.path.at(90);
+    render::Renderer renderer(device(), setup.scene, gpuScene,
                               tinyOptions(technique, TargetsChoice::pool(3), 8));
     const Frame first = renderer.render(camera);
     EXPECT_EQ(first.cascades.size(), 5u);
@@ -91,24 +92,24 @@ TEST_F(TargetsTest, FiftyFramesByEightThreadsAreOneImage) {
 }
 
 TEST_F(TargetsTest, TheNumberOfCascadesMayChangeBetweenFrames) {
-    const scene::StagedScene staged = scenes::makeRotation(3, 4000);
-    const render::GpuScene gpuScene(device(), staged.scene);
+    const scene::SceneSetup setup = scenes::makeRotation(3, 4000);
+    const render::GpuScene gpuScene(device(), setup.scene);
     const auto technique =
         depth::makeTechnique(depth::Mapping::log, depth::parseSplit("ratio:10"), depth::DepthFormat::d32f);
     for (const char* targets : {"single", "accumulate", "pool:2", "pool:5", "layers", "one-pass"}) {
         const TargetsChoice choice = render::parseTargets(targets);
-        render::Renderer warm(device(), staged.scene, gpuScene, tinyOptions(technique, choice, 2));
+        render::Renderer warm(device(), setup.scene, gpuScene, tinyOptions(technique, choice, 2));
         for (const auto& [decades, near] :
              {std::pair{2u, 5.0}, {6u, 0.01}, {1u, 40.0}, {9u, 1e-4}, {2u, 5.0}}) {
-            scene::Camera camera = staged.path.at(10 * decades);
+            scene::Camera camera = setup.path.at(10 * decades);
             camera.nearView = near;
             camera.farView = near * std::pow(10.0, decades) * 0.999;
             const Frame frame = warm.render(camera);
             EXPECT_EQ(frame.cascades.size(), decades);
-            render::Renderer fresh(device(), staged.scene, gpuScene, tinyOptions(technique, choice, 1));
+            render::Renderer fresh(device(), setup.scene, gpuScene, tinyOptions(technique, choice, 1));
             EXPECT_EQ(hashOf(frame), hashOf(fresh.render(camera))) << targets << " " << decades;
             if (choice.kind != TargetsKind::onePass) {
-                render::Renderer single(device(), staged.scene, gpuScene,
+                render::Renderer single(device(), setup.scene, gpuScene,
                                         tinyOptions(technique, TargetsKind::single, 1));
                 EXPECT_EQ(hashOf(frame), hashOf(single.render(camera))) << targets << " " << decades;
             }
@@ -117,15 +118,15 @@ TEST_F(TargetsTest, TheNumberOfCascadesMayChangeBetweenFrames) {
 }
 
 TEST_F(TargetsTest, ValidationIsSilentOverPresetsTargetsAndThreads) {
-    const scene::StagedScene staged = scenes::makeRotation(11, 2000);
-    const render::GpuScene gpuScene(device(), staged.scene);
+    const scene::SceneSetup setup = scenes::makeRotation(11, 2000);
+    const render::GpuScene gpuScene(device(), setup.scene);
     for (const depth::Technique& technique : techniques()) {
         for (const TargetsKind kind : render::kTargetsKinds) {
             for (const std::size_t threads : {1u, 4u}) {
-                render::Renderer renderer(device(), staged.scene, gpuScene,
+                render::Renderer renderer(device(), setup.scene, gpuScene,
                                           tinyOptions(technique, kind, threads));
-                renderer.draw(staged.path.at(0));
-                EXPECT_GT(renderer.render(staged.path.at(180)).stats.draws, 0u);
+                renderer.draw(setup.path.at(0));
+                EXPECT_GT(renderer.render(setup.path.at(180)).stats.draws, 0u);
                 EXPECT_EQ(instance().validation().count(), 0u)
                     << technique.name << " " << nameOf(kind) << " " << threads;
             }
@@ -162,14 +163,14 @@ TEST_F(TargetsTest, APoolThatDoesNotFitIsRefusedWithBothFigures) {
 
 /// Layers are made when a frame needs them, so it is the frame that is refused; the next may be drawn.
 TEST_F(TargetsTest, AFrameOfTooManyLayersIsRefusedAndTheNextIsDrawn) {
-    const scene::StagedScene staged = scenes::makeRotation(5, 100);
-    const render::GpuScene gpuScene(device(), staged.scene);
+    const scene::SceneSetup setup = scenes::makeRotation(5, 100);
+    const render::GpuScene gpuScene(device(), setup.scene);
     const auto technique = depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("ratio:1.2"),
                                                 depth::DepthFormat::d32f);
     auto options = tinyOptions(technique, TargetsKind::layers, 1);
     options.width = options.height = sideTooLargeFor(device(), 60);
-    render::Renderer renderer(device(), staged.scene, gpuScene, options);
-    scene::Camera camera = staged.path.at(0);
+    render::Renderer renderer(device(), setup.scene, gpuScene, options);
+    scene::Camera camera = setup.path.at(0);
     camera.nearView = 1.0;
     camera.farView = std::pow(1.2, 63.5);
     try {

@@ -1,6 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
+#include <scenes/cubes.h>
 
 #include <cmath>
 #include <map>
@@ -16,15 +17,15 @@ class TechniqueTest : public RenderTest {};
 
 /// The thesis' order on its own scene: the reason this project exists.
 TEST_F(TechniqueTest, AfcWrongPixelsComeInTheThesisOrder) {
-    const scene::StagedScene staged = scenes::makeAfc(2013);
-    const render::GpuScene gpuScene(device(), staged.scene);
+    const scene::SceneSetup setup = scenes::makeAfc(2013);
+    const render::GpuScene gpuScene(device(), setup.scene);
     std::map<std::string, measure::WrongPixels> wrong;
     for (const std::uint32_t number : {0u, 120u, 240u}) {
-        const scene::Camera camera = staged.path.at(number);
+        const scene::Camera camera = setup.path.at(number);
         base::WorkerPool workers(2);
-        const auto truth = measure::castTruth(staged.scene, camera, 1280, 720, workers);
+        const auto truth = measure::castTruth(setup.scene, camera, 1280, 720, workers);
         for (const depth::Technique& technique : depth::presets()) {
-            render::Renderer renderer(device(), staged.scene, gpuScene, {.technique = technique});
+            render::Renderer renderer(device(), setup.scene, gpuScene, {.technique = technique});
             wrong[technique.name] += measure::countWrong(renderer.render(camera).ids(), truth);
         }
     }
@@ -40,11 +41,11 @@ TEST_F(TechniqueTest, AfcWrongPixelsComeInTheThesisOrder) {
 }
 
 TEST_F(TechniqueTest, CubesFailUnderStandardAlone) {
-    const scene::StagedScene staged = scenes::makeCubes(2013);
-    const scene::Camera camera = staged.path.at(0);
+    const scene::SceneSetup setup = scenes::makeCubes(2013);
+    const scene::Camera camera = setup.path.at(0);
     for (const depth::Technique& technique : depth::presets()) {
-        const Frame frame = draw(staged.scene, camera, smallOptions(technique));
-        const auto wrong = wrongIn(frame, staged.scene, camera);
+        const Frame frame = draw(setup.scene, camera, smallOptions(technique));
+        const auto wrong = wrongIn(frame, setup.scene, camera);
         if (technique.name == "standard") {
             EXPECT_GT(wrong.overlapFraction(), 0.6);
         } else {
@@ -56,18 +57,18 @@ TEST_F(TechniqueTest, CubesFailUnderStandardAlone) {
 /// Every mapping, split and format draws an easy scene right; this is what finds a wrong sign or a swapped
 /// plane.
 TEST_F(TechniqueTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
-    scene::StagedScene staged = scenes::makeRotation(5, 64'000);
-    scene::Camera camera = staged.path.at(0);
+    scene::SceneSetup setup = scenes::makeRotation(5, 64'000);
+    scene::Camera camera = setup.path.at(0);
     camera.nearView = 1.0;
     camera.farView = 500.0;
-    const render::GpuScene gpuScene(device(), staged.scene);
+    const render::GpuScene gpuScene(device(), setup.scene);
     base::WorkerPool workers(2);
-    const auto truth = measure::castTruth(staged.scene, camera, 480, 270, workers);
+    const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:3", "count:7", "at:50,120"}) {
             for (const depth::DepthFormat format : depth::kDepthFormats) {
                 const auto technique = depth::makeTechnique(mapping, depth::parseSplit(split), format);
-                render::Renderer renderer(device(), staged.scene, gpuScene, smallOptions(technique));
+                render::Renderer renderer(device(), setup.scene, gpuScene, smallOptions(technique));
                 const Frame frame = renderer.render(camera);
                 const auto wrong = measure::countWrong(frame.ids(), truth);
                 EXPECT_GT(wrong.pixels, 5000u);
@@ -122,8 +123,8 @@ TEST_F(TechniqueTest, CascadesLeaveNoCracks) {
 }
 
 TEST_F(TechniqueTest, ThreadsAndBatchingChangeNoBit) {
-    const scene::StagedScene staged = scenes::makeRotation(1, 20'000);
-    const render::GpuScene gpuScene(device(), staged.scene);
+    const scene::SceneSetup setup = scenes::makeRotation(1, 20'000);
+    const render::GpuScene gpuScene(device(), setup.scene);
     for (const depth::Technique& technique : depth::presets()) {
         std::string first;
         for (const std::size_t threads : {1u, 2u, 3u, 8u}) {
@@ -132,8 +133,8 @@ TEST_F(TechniqueTest, ThreadsAndBatchingChangeNoBit) {
             for (const render::Batching batching :
                  {render::Batching::instanced, render::Batching::perObject}) {
                 options.batching = batching;
-                render::Renderer renderer(device(), staged.scene, gpuScene, options);
-                const std::string hash = hashOf(renderer.render(staged.path.at(33)));
+                render::Renderer renderer(device(), setup.scene, gpuScene, options);
+                const std::string hash = hashOf(renderer.render(setup.path.at(33)));
                 first = first.empty() ? hash : first;
                 EXPECT_EQ(hash, first) << technique.name << " " << threads;
             }

@@ -59,7 +59,7 @@ class TranslucencyTest : public RenderTest {
             << nameOf(options.translucency.method) << " " << frame.cascades.size();
     }
 
-    scene::StagedScene m_sheets = scenes::makeSheets(2013);
+    scene::SceneSetup m_sheets = scenes::makeSheets(2013);
     scene::Camera m_camera = m_sheets.path.at(0);
     measure::LayeredTruth m_truth = truthOf(m_sheets.scene, m_camera);
 };

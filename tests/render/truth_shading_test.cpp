@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/measure/truth/truth_shading.h>
+#include <scenes/cubes.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -40,10 +41,10 @@ void expectAlike(const render::Frame& frame, const scene::Scene& scene, const sc
 }
 
 TEST_F(TruthShadingTest, LooksAsTheRendererDoes) {
-    const scene::StagedScene staged = scenes::makeAfc(2013);
-    const scene::Camera camera = staged.path.at(40);
-    const auto frame = draw(staged.scene, camera, smallOptions(depth::parseTechnique("anchored")));
-    expectAlike(frame, staged.scene, camera);
+    const scene::SceneSetup setup = scenes::makeAfc(2013);
+    const scene::Camera camera = setup.path.at(40);
+    const auto frame = draw(setup.scene, camera, smallOptions(depth::parseTechnique("anchored")));
+    expectAlike(frame, setup.scene, camera);
 }
 
 TEST_F(TruthShadingTest, ColorsLightsAndStretchedBoxesToo) {

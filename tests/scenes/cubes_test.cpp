@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <scenes/cubes.h>
+#include <scenes/ladder.h>
 #include <scenes/open_scene.h>
 
 #include <gtest/gtest.h>
@@ -15,15 +16,15 @@ using namespace cdr::scenes;
 using cdr::base::InputError;
 
 TEST(Generators, AfcIsTheThesisScene) {
-    const StagedScene staged = makeAfc(1);
-    EXPECT_EQ(staged.scene.instances.size(), 1000u);
-    EXPECT_EQ(staged.path.frames, 360u);
-    for (std::size_t i = 0; i < staged.scene.instances.size(); ++i) {
-        const glm::dvec3 p = glm::abs(staged.scene.instances.position(i));
+    const SceneSetup setup = makeAfc(1);
+    EXPECT_EQ(setup.scene.instances.size(), 1000u);
+    EXPECT_EQ(setup.path.frames, 360u);
+    for (std::size_t i = 0; i < setup.scene.instances.size(); ++i) {
+        const glm::dvec3 p = glm::abs(setup.scene.instances.position(i));
         EXPECT_LE(std::max({p.x, p.y, p.z}) + 0.5, 16.0);
     }
     for (const std::uint32_t frame : {0u, 90u, 359u}) {
-        const Camera camera = staged.path.at(frame);
+        const Camera camera = setup.path.at(frame);
         EXPECT_NEAR(glm::length(camera.position), 1e6, 1e-6);
         EXPECT_NEAR(camera.viewDistance(glm::dvec3(0.0)), 1e6, 1e-6);
         EXPECT_NEAR(camera.fovY * 180.0 / std::numbers::pi, 0.002, 1e-12);
@@ -38,22 +39,22 @@ TEST(Generators, ASeedFixesTheScene) {
 }
 
 TEST(Generators, CubesAreListedNearestFirst) {
-    const StagedScene staged = makeCubes(1);
-    const Camera camera = staged.path.at(0);
-    for (std::size_t i = 1; i < staged.scene.instances.size(); ++i) {
-        EXPECT_GE(camera.viewDistance(staged.scene.instances.position(i)),
-                  camera.viewDistance(staged.scene.instances.position(i - 1)));
+    const SceneSetup setup = makeCubes(1);
+    const Camera camera = setup.path.at(0);
+    for (std::size_t i = 1; i < setup.scene.instances.size(); ++i) {
+        EXPECT_GE(camera.viewDistance(setup.scene.instances.position(i)),
+                  camera.viewDistance(setup.scene.instances.position(i - 1)));
     }
 }
 
 TEST(Generators, ACrowdIsWhollyInViewAndEvenOverCascades) {
     for (const double aspect : {16.0 / 9.0, 1.0, 0.5}) {
-        const StagedScene staged = makeCrowd(3, 4000, aspect);
-        const Camera camera = staged.path.at(0);
+        const SceneSetup setup = makeCrowd(3, 4000, aspect);
+        const Camera camera = setup.path.at(0);
         const double tanY = std::tan(0.5 * camera.fovY);
         std::vector<int> perCascade(4);
-        for (std::size_t i = 0; i < staged.scene.instances.size(); ++i) {
-            const glm::dvec3 p = camera.toView(staged.scene.instances.position(i));
+        for (std::size_t i = 0; i < setup.scene.instances.size(); ++i) {
+            const glm::dvec3 p = camera.toView(setup.scene.instances.position(i));
             EXPECT_LT((std::abs(p.x) + 1.0) / (tanY * aspect), -p.z - 1.0);
             EXPECT_LT((std::abs(p.y) + 1.0) / tanY, -p.z - 1.0);
             const double share =
@@ -70,11 +71,11 @@ TEST(Generators, LadderRungsAscendInEqualRatios) {
     const LadderOptions options;
     EXPECT_DOUBLE_EQ(ladderSeparation(options, 0), 1e-6);
     EXPECT_DOUBLE_EQ(ladderSeparation(options, kLadderPairs - 1), 1.0);
-    const StagedScene staged = makeLadder(1, options);
-    ASSERT_EQ(staged.scene.instances.size(), 2 * kLadderPairs);
+    const SceneSetup setup = makeLadder(1, options);
+    ASSERT_EQ(setup.scene.instances.size(), 2 * kLadderPairs);
     for (std::uint32_t pair = 0; pair < kLadderPairs; ++pair) {
         const glm::dvec3 gap =
-            staged.scene.instances.position(2 * pair + 1) - staged.scene.instances.position(2 * pair);
+            setup.scene.instances.position(2 * pair + 1) - setup.scene.instances.position(2 * pair);
         EXPECT_EQ(gap.x, 0.0);
         EXPECT_EQ(gap.y, 0.0);
         EXPECT_NEAR(std::abs(gap.z), ladderSeparation(options, pair), 1e-15);

@@ -15,8 +15,8 @@ using namespace scenes;
 namespace {
 
 TEST(Blended, InstancesAreSplitByMaterial) {
-    const StagedScene staged = makeSheets(7, 40);
-    const Scene& scene = staged.scene;
+    const SceneSetup setup = makeSheets(7, 40);
+    const Scene& scene = setup.scene;
     ASSERT_TRUE(hasBlended(scene));
     const BlendedInstances blended = blendedInstances(scene);
     EXPECT_EQ(blended.instances.size(), 40u);
@@ -30,7 +30,7 @@ TEST(Blended, InstancesAreSplitByMaterial) {
     ASSERT_EQ(opaque.size(), scene.instances.size());
     base::WorkerPool workers(1);
     VisibleList visible;
-    cullSpheres(opaque, staged.path.at(0), 16.0 / 9.0, workers, visible);
+    cullSpheres(opaque, setup.path.at(0), 16.0 / 9.0, workers, visible);
     EXPECT_GT(visible.count, 10u);
     for (std::size_t i = 0; i < visible.count; ++i) {
         EXPECT_GE(opaque.object[visible.instance[i]], 40u); // of the opaque ones
@@ -63,16 +63,16 @@ bool crosses(const Scene& scene, const Instances& instances, std::size_t i, cons
 
 /// What the experiments rest on: sheets cross every boundary of 2 to 8 even cascades.
 TEST(Sheets, CrossEveryBoundary) {
-    const StagedScene staged = makeSheets(2013);
-    const Camera camera = staged.path.at(0);
-    const Instances sheets = blendedInstances(staged.scene).instances;
+    const SceneSetup setup = makeSheets(2013);
+    const Camera camera = setup.path.at(0);
+    const Instances sheets = blendedInstances(setup.scene).instances;
     for (unsigned count = 2; count <= 8; ++count) {
         const depth::Cascades cascades =
             depth::makeCascades(depth::SplitCount{count}, camera.nearView, camera.farView);
         for (std::size_t boundary = 1; boundary < count; ++boundary) {
             int crossings = 0;
             for (std::size_t i = 0; i < sheets.size(); ++i) {
-                crossings += crosses(staged.scene, sheets, i, camera, cascades[boundary].nearView) ? 1 : 0;
+                crossings += crosses(setup.scene, sheets, i, camera, cascades[boundary].nearView) ? 1 : 0;
             }
             EXPECT_GE(crossings, 2) << count << " cascades, boundary " << boundary;
         }

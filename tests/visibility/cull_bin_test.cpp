@@ -44,17 +44,17 @@ bool isVisible(const Camera& camera, const glm::dvec3& centre, double radius) {
 class CullTest : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(CullTest, KeepsWhatThePlanesKeep) {
-    const StagedScene staged = makeRotation(3, 40'000);
+    const SceneSetup setup = makeRotation(3, 40'000);
     WorkerPool workers(GetParam());
     VisibleList visible;
     for (const std::uint32_t frame : {0u, 45u, 100u, 300u}) {
-        const Camera camera = staged.path.at(frame);
-        cullSpheres(staged.scene.instances, camera, kAspect, workers, visible);
+        const Camera camera = setup.path.at(frame);
+        cullSpheres(setup.scene.instances, camera, kAspect, workers, visible);
         std::size_t next = 0;
-        for (std::size_t i = 0; i < staged.scene.instances.size(); ++i) {
-            const glm::dvec3 centre = staged.scene.instances.position(i);
+        for (std::size_t i = 0; i < setup.scene.instances.size(); ++i) {
+            const glm::dvec3 centre = setup.scene.instances.position(i);
             const bool kept = next < visible.count && visible.instance[next] == i;
-            EXPECT_EQ(kept, isVisible(camera, centre, static_cast<double>(staged.scene.instances.radius[i])))
+            EXPECT_EQ(kept, isVisible(camera, centre, static_cast<double>(setup.scene.instances.radius[i])))
                 << i;
             if (kept) {
                 EXPECT_NEAR(visible.distanceView[next], camera.viewDistance(centre), 1e-9);
@@ -68,16 +68,16 @@ TEST_P(CullTest, KeepsWhatThePlanesKeep) {
 }
 
 TEST_P(CullTest, BinsEachInstanceIntoEveryCascadeItMeets) {
-    const StagedScene staged = makeRotation(4, 30'000);
+    const SceneSetup setup = makeRotation(4, 30'000);
     WorkerPool workers(GetParam());
     VisibleList visible;
-    cullSpheres(staged.scene.instances, staged.path.at(10), kAspect, workers, visible);
+    cullSpheres(setup.scene.instances, setup.path.at(10), kAspect, workers, visible);
     const Cascades ranges{{0.1, 50.0}, {49.0, 120.0}, {120.0, 150.0}, {200.0, 1e5}};
     DrawLists lists;
     binByDistance(visible, ranges, kNoWide, workers, lists);
     ASSERT_EQ(lists.cascades(), ranges.size());
     std::size_t draws = 0;
-    std::vector<bool> seen(staged.scene.instances.size());
+    std::vector<bool> seen(setup.scene.instances.size());
     for (std::size_t c = 0; c < ranges.size(); ++c) {
         std::vector<std::uint32_t> expected;
         for (std::size_t i = 0; i < visible.count; ++i) {

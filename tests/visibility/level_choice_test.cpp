@@ -35,11 +35,11 @@ Listed listed(const Scene& scene, const Camera& camera, const Cascades& ranges, 
     return result;
 }
 
-StagedScene levelled() {
-    StagedScene staged = makeBoulders(2, {.boulders = 200, .shapes = 2, .subdivisions = 3});
+SceneSetup levelled() {
+    SceneSetup setup = makeBoulders(2, {.boulders = 200, .shapes = 2, .subdivisions = 3});
     cdr::base::WorkerPool workers(2);
-    makeLevels(staged.scene, workers);
-    return staged;
+    makeLevels(setup.scene, workers);
+    return setup;
 }
 
 const Cascades kRanges{{0.5, 20.0}, {20.0, 200.0}, {200.0, 1000.0}, {1000.0, 10'000.0}};
@@ -57,9 +57,9 @@ double pixelsOf(const Scene& scene, const Camera& camera, std::uint32_t instance
 class DetailTest : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(DetailTest, AnObjectHasTheCoarsestLevelThatMayBe) {
-    const StagedScene staged = levelled();
-    const Scene& scene = staged.scene;
-    const Camera camera = staged.path.at(30);
+    const SceneSetup setup = levelled();
+    const Scene& scene = setup.scene;
+    const Camera camera = setup.path.at(30);
     const Detail detail{.mode = DetailMode::perObject, .pixels = 0.7};
     const Listed made = listed(scene, camera, kRanges, detail, GetParam());
     std::set<std::size_t> seen;
@@ -80,11 +80,11 @@ TEST_P(DetailTest, AnObjectHasTheCoarsestLevelThatMayBe) {
 }
 
 TEST_P(DetailTest, AnObjectHasOneLevelInEveryCascade) {
-    const StagedScene staged = levelled();
+    const SceneSetup setup = levelled();
     const Cascades thin{{0.5, 12.0}, {12.0, 14.0}, {14.0, 16.0}, {16.0, 100.0}, {100.0, 1e4}};
     const Listed made =
-        listed(staged.scene, staged.path.at(0), thin, {.mode = DetailMode::perObject}, GetParam());
-    std::vector<int> levels(staged.scene.instances.size(), -1);
+        listed(setup.scene, setup.path.at(0), thin, {.mode = DetailMode::perObject}, GetParam());
+    std::vector<int> levels(setup.scene.instances.size(), -1);
     std::size_t again = 0;
     for (std::size_t draw = 0; draw < made.lists.draws(); ++draw) {
         int& level = levels[made.lists.instance[draw]];
@@ -96,10 +96,10 @@ TEST_P(DetailTest, AnObjectHasOneLevelInEveryCascade) {
 }
 
 TEST_P(DetailTest, ACascadeDecidesByItsNearEnd) {
-    const StagedScene staged = levelled();
-    const Camera camera = staged.path.at(0);
+    const SceneSetup setup = levelled();
+    const Camera camera = setup.path.at(0);
     const Listed made =
-        listed(staged.scene, camera, kRanges, {.mode = DetailMode::perCascade, .pixels = 1.0}, GetParam());
+        listed(setup.scene, camera, kRanges, {.mode = DetailMode::perCascade, .pixels = 1.0}, GetParam());
     std::size_t coarse = 0;
     for (std::size_t cascade = 0; cascade < kRanges.size(); ++cascade) {
         for (std::size_t draw = made.lists.range(cascade).begin; draw < made.lists.range(cascade).end;
@@ -108,9 +108,9 @@ TEST_P(DetailTest, ACascadeDecidesByItsNearEnd) {
             const std::size_t level = made.lists.level[draw];
             const double nearView = kRanges[cascade].nearView;
             coarse += level > 0 ? 1 : 0;
-            EXPECT_LE(pixelsOf(staged.scene, camera, instance, level, nearView), 1.0 + 1e-9);
-            if (level < staged.scene.meshes[staged.scene.instances.mesh[instance]].levels.size()) {
-                EXPECT_GT(pixelsOf(staged.scene, camera, instance, level + 1, nearView), 1.0 - 1e-9);
+            EXPECT_LE(pixelsOf(setup.scene, camera, instance, level, nearView), 1.0 + 1e-9);
+            if (level < setup.scene.meshes[setup.scene.instances.mesh[instance]].levels.size()) {
+                EXPECT_GT(pixelsOf(setup.scene, camera, instance, level + 1, nearView), 1.0 - 1e-9);
             }
         }
     }
@@ -120,14 +120,14 @@ TEST_P(DetailTest, ACascadeDecidesByItsNearEnd) {
 INSTANTIATE_TEST_SUITE_P(Threads, DetailTest, testing::Values(1, 3));
 
 TEST(Detail, NoneLeavesNoLevelsBehind) {
-    const StagedScene staged = levelled();
-    const Camera camera = staged.path.at(0);
-    Listed made = listed(staged.scene, camera, kRanges, {.mode = DetailMode::perObject}, 1);
-    const std::uint64_t saved = trianglesDrawn(staged.scene, made.lists);
+    const SceneSetup setup = levelled();
+    const Camera camera = setup.path.at(0);
+    Listed made = listed(setup.scene, camera, kRanges, {.mode = DetailMode::perObject}, 1);
+    const std::uint64_t saved = trianglesDrawn(setup.scene, made.lists);
     cdr::base::WorkerPool workers(1);
-    chooseLevels(staged.scene, camera, kRanges, {}, workers, made.lists);
+    chooseLevels(setup.scene, camera, kRanges, {}, workers, made.lists);
     EXPECT_TRUE(made.lists.level.empty());
-    EXPECT_EQ(trianglesDrawn(staged.scene, made.lists), made.lists.draws() * 20 * 64);
+    EXPECT_EQ(trianglesDrawn(setup.scene, made.lists), made.lists.draws() * 20 * 64);
     EXPECT_LT(saved, made.lists.draws() * 20 * 16);
 }
 
@@ -146,10 +146,10 @@ TEST(Detail, NamesAreReadBack) {
 }
 
 TEST(Boulders, AreManyApartAndInView) {
-    const StagedScene staged = makeBoulders(2013);
-    const Instances& instances = staged.scene.instances;
+    const SceneSetup setup = makeBoulders(2013);
+    const Instances& instances = setup.scene.instances;
     ASSERT_EQ(instances.size(), 200u);
-    const Camera camera = staged.path.at(0);
+    const Camera camera = setup.path.at(0);
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const double w = camera.viewDistance(instances.position(i));
         EXPECT_GE(w, 8.0 - 1e-9);
@@ -159,7 +159,7 @@ TEST(Boulders, AreManyApartAndInView) {
                       static_cast<double>(instances.radius[i] + instances.radius[j]));
         }
     }
-    for (const Mesh& mesh : staged.scene.meshes) {
+    for (const Mesh& mesh : setup.scene.meshes) {
         EXPECT_EQ(mesh.indices.size() / 3, 20'480u);
         for (const Vertex& vertex : mesh.vertices) {
             EXPECT_LE(glm::length(vertex.position), mesh.boundingRadius);

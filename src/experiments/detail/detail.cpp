@@ -72,15 +72,15 @@ class Comparison {
     Comparison(const gpu::Device& device, const DetailOptions& options)
         : m_options(options),
           m_workers(options.threads),
-          m_staged(scenes::openScene(options.scene, options.seed).staged),
+          m_setup(scenes::openScene(options.scene, options.seed).setup),
           m_makeMs(makeLevels()),
-          m_gpuScene(device, m_staged.scene),
+          m_gpuScene(device, m_setup.scene),
           m_order(kModes.size(), options.seed),
           m_samples(kModes.size()),
           m_results(kModes.size()) {
         for (const Mode& mode : kModes) {
             m_renderers.push_back(std::make_unique<render::Renderer>(
-                device, m_staged.scene, m_gpuScene,
+                device, m_setup.scene, m_gpuScene,
                 render::RenderOptions{.width = options.width,
                                       .height = options.height,
                                       .technique = options.technique,
@@ -129,7 +129,7 @@ class Comparison {
 
     DetailReport report() {
         DetailReport report{.sceneTriangles = 0, .meshLevels = 0, .makeMs = m_makeMs, .results = m_results};
-        const scene::Scene& scene = m_staged.scene;
+        const scene::Scene& scene = m_setup.scene;
         for (const std::uint32_t mesh : scene.instances.mesh) {
             report.sceneTriangles += scene.meshes[mesh].indices.size() / 3;
         }
@@ -145,19 +145,19 @@ class Comparison {
   private:
     double makeLevels() {
         const auto begin = Clock::now();
-        scene::makeLevels(m_staged.scene, m_workers);
+        scene::makeLevels(m_setup.scene, m_workers);
         return millisecondsSince(begin);
     }
 
     scene::Camera cameraOf(std::uint32_t frame) const {
-        const std::uint64_t length = m_staged.path.frames;
-        return m_staged.path.at(static_cast<std::uint32_t>(frame * length / m_options.frames));
+        const std::uint64_t length = m_setup.path.frames;
+        return m_setup.path.at(static_cast<std::uint32_t>(frame * length / m_options.frames));
     }
 
     /// Counted by the very functions that the frame was drawn with.
     std::uint64_t trianglesOf(const render::Frame& frame, visibility::DetailMode mode) {
         const double aspect = static_cast<double>(m_options.width) / static_cast<double>(m_options.height);
-        visibility::cullSpheres(m_staged.scene.instances, frame.camera, aspect, m_workers, m_visible);
+        visibility::cullSpheres(m_setup.scene.instances, frame.camera, aspect, m_workers, m_visible);
         depth::Cascades ranges;
         for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
             ranges.push_back(depth::clipRange(m_options.technique.mapping, frame.cascades, i));
@@ -165,10 +165,10 @@ class Comparison {
         constexpr double kNoneWide = std::numeric_limits<double>::infinity();
         visibility::binByDistance(m_visible, ranges, kNoneWide, m_workers, m_lists);
         const visibility::Detail detail{.mode = mode, .pixels = m_options.pixels};
-        visibility::chooseLevels(m_staged.scene, frame.camera, ranges,
+        visibility::chooseLevels(m_setup.scene, frame.camera, ranges,
                                  visibility::levelRule(detail, frame.camera, m_options.height), m_workers,
                                  m_lists);
-        return visibility::trianglesDrawn(m_staged.scene, m_lists);
+        return visibility::trianglesDrawn(m_setup.scene, m_lists);
     }
 
     void summarise(std::size_t mode, DetailResult& result) const {
@@ -187,7 +187,7 @@ class Comparison {
 
     const DetailOptions& m_options;
     base::WorkerPool m_workers;
-    scene::StagedScene m_staged;
+    scene::SceneSetup m_setup;
     double m_makeMs;
     render::GpuScene m_gpuScene;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode

@@ -62,9 +62,9 @@ class Comparison {
     Comparison(const gpu::Device& device, const EffectsOptions& options)
         : m_device(device),
           m_options(options),
-          m_staged(scenes::openScene(options.scene, options.seed).staged),
-          m_camera(m_staged.path.at(0)),
-          m_gpuScene(device, m_staged.scene),
+          m_setup(scenes::openScene(options.scene, options.seed).setup),
+          m_camera(m_setup.path.at(0)),
+          m_gpuScene(device, m_setup.scene),
           m_order(kModes.size(), options.seed),
           m_executeMs(kModes.size()) {
         for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
@@ -112,12 +112,12 @@ class Comparison {
                                                                          : render::TargetsKind::single,
                                             .threads = m_options.threads,
                                             .effects = effectsOf(mode, m_options)};
-        return std::make_unique<render::Renderer>(m_device, m_staged.scene, m_gpuScene, options);
+        return std::make_unique<render::Renderer>(m_device, m_setup.scene, m_gpuScene, options);
     }
 
     const gpu::Device& m_device;
     const EffectsOptions& m_options;
-    scene::StagedScene m_staged;
+    scene::SceneSetup m_setup;
     scene::Camera m_camera;
     render::GpuScene m_gpuScene;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode

@@ -39,12 +39,12 @@ class Flicker {
         : m_options(options),
           m_hooks(hooks),
           m_workers(options.threads),
-          m_staged(scenes::openScene(options.nearObject ? "afc-near" : "afc", options.seed).staged),
-          m_gpuScene(device, m_staged.scene),
-          m_caster(m_staged.scene, m_workers) {
+          m_setup(scenes::openScene(options.nearObject ? "afc-near" : "afc", options.seed).setup),
+          m_gpuScene(device, m_setup.scene),
+          m_caster(m_setup.scene, m_workers) {
         for (const depth::Technique& technique : options.techniques) {
             m_lanes.push_back({.renderer = std::make_unique<render::Renderer>(
-                                   device, m_staged.scene, m_gpuScene,
+                                   device, m_setup.scene, m_gpuScene,
                                    render::RenderOptions{.width = options.width,
                                                          .height = options.height,
                                                          .technique = technique,
@@ -52,7 +52,7 @@ class Flicker {
                                .remembers = std::holds_alternative<depth::SplitFitted>(technique.split),
                                .idsBefore = {}});
             FlickerResult result;
-            result.scene = m_staged.scene.name;
+            result.scene = m_setup.scene.name;
             result.technique = technique.name;
             result.format = nameOf(technique.format);
             m_state.results.push_back(std::move(result));
@@ -76,8 +76,8 @@ class Flicker {
 
   private:
     scene::Camera cameraAt(std::uint32_t frame) const {
-        return m_staged.path.at(
-            static_cast<std::uint32_t>(std::uint64_t{frame} * m_staged.path.frames / m_options.frames));
+        return m_setup.path.at(
+            static_cast<std::uint32_t>(std::uint64_t{frame} * m_setup.path.frames / m_options.frames));
     }
 
     void step(std::uint32_t frame, std::size_t lane) const {
@@ -115,7 +115,7 @@ class Flicker {
                         .picture = {}};
         made.inner = measure::innerMask(made.truth);
         if (takesFlip(frame)) {
-            made.picture = measure::shadeTruth(m_staged.scene, camera, made.truth, m_workers);
+            made.picture = measure::shadeTruth(m_setup.scene, camera, made.truth, m_workers);
         }
         return made;
     }
@@ -168,7 +168,7 @@ class Flicker {
     const FlickerOptions& m_options;
     const FlickerHooks& m_hooks;
     base::WorkerPool m_workers;
-    scene::StagedScene m_staged;
+    scene::SceneSetup m_setup;
     render::GpuScene m_gpuScene;
     measure::TruthCaster m_caster;
     measure::FlipDifference m_flip;

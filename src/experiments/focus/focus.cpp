@@ -65,15 +65,15 @@ class Comparison {
     Comparison(const gpu::Device& device, const FocusOptions& options)
         : m_options(options),
           m_workers(options.threads),
-          m_staged(scenes::openScene(options.scene, options.seed).staged),
-          m_camera(m_staged.path.at(0)),
+          m_setup(scenes::openScene(options.scene, options.seed).setup),
+          m_camera(m_setup.path.at(0)),
           m_lens(options.lens, std::tan(0.5 * m_camera.fovY), options.height),
-          m_gpuScene(device, m_staged.scene),
+          m_gpuScene(device, m_setup.scene),
           m_order(kModes.size(), options.seed),
           m_samples(kModes.size()) {
         for (const Mode& mode : kModes) {
             m_renderers.push_back(
-                std::make_unique<render::Renderer>(device, m_staged.scene, m_gpuScene, renderOptions(mode)));
+                std::make_unique<render::Renderer>(device, m_setup.scene, m_gpuScene, renderOptions(mode)));
         }
     }
 
@@ -179,7 +179,7 @@ class Comparison {
 
     const FocusOptions& m_options;
     base::WorkerPool m_workers;
-    scene::StagedScene m_staged;
+    scene::SceneSetup m_setup;
     scene::Camera m_camera;
     render::FocusLens m_lens;
     render::GpuScene m_gpuScene;

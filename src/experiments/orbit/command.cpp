@@ -91,14 +91,14 @@ void run(const GlobalOptions& global, OrbitArguments& arguments) {
     if (!arguments.plot.empty()) {
         experiments::requirePlottable(arguments.plot);
     }
-    const scene::StagedScene staged = scenes::openOrbit(arguments.files);
+    const scene::SceneSetup setup = scenes::openOrbit(arguments.files);
     if (!arguments.folder.empty()) {
         base::makeFolder(arguments.folder);
     }
     const Session session(global);
     const Console console(global, arguments.output);
     const experiments::OrbitRun result =
-        experiments::runOrbit(session.device(), staged, arguments.options,
+        experiments::runOrbit(session.device(), setup, arguments.options,
                               [&](std::size_t done, std::size_t all, const std::string& what) {
                                   console.progress(done, all, what);
                               });
@@ -122,7 +122,7 @@ void run(const GlobalOptions& global, OrbitArguments& arguments) {
                                        {{"width", size.width},
                                         {"height", size.height},
                                         {"frames", arguments.options.frames},
-                                        {"instances", staged.scene.instances.size()}});
+                                        {"instances", setup.scene.instances.size()}});
     for (const experiments::OrbitResult& row : result.results) {
         const bool isLast = !arguments.folder.empty() && row.frame == result.results.back().frame;
         document["results"].push_back(

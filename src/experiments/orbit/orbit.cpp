@@ -37,29 +37,29 @@ std::vector<std::uint32_t> zoomFrames(std::uint32_t length, std::uint32_t count)
     return frames;
 }
 
-OrbitRun runOrbit(const gpu::Device& device, const scene::StagedScene& staged, const OrbitOptions& given,
+OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, const OrbitOptions& given,
                   const Progress& progress) {
     OrbitOptions options = given;
     if (options.techniques.empty()) {
         options.techniques.assign(depth::presets().begin(), depth::presets().end());
     }
-    const render::GpuScene gpuScene(device, staged.scene);
+    const render::GpuScene gpuScene(device, setup.scene);
     base::WorkerPool workers(options.threads);
-    const measure::TruthCaster caster(staged.scene, workers);
+    const measure::TruthCaster caster(setup.scene, workers);
     std::vector<std::unique_ptr<render::Renderer>> renderers;
     for (const depth::Technique& technique : options.techniques) {
         renderers.push_back(
-            std::make_unique<render::Renderer>(device, staged.scene, gpuScene,
+            std::make_unique<render::Renderer>(device, setup.scene, gpuScene,
                                                render::RenderOptions{.width = options.width,
                                                                      .height = options.height,
                                                                      .technique = technique,
                                                                      .threads = options.threads}));
     }
-    const std::vector<std::uint32_t> numbers = zoomFrames(staged.path.frames, options.frames);
+    const std::vector<std::uint32_t> numbers = zoomFrames(setup.path.frames, options.frames);
     const std::size_t all = numbers.size() * renderers.size();
     OrbitRun run;
     for (const std::uint32_t number : numbers) {
-        const scene::Camera camera = staged.path.at(number);
+        const scene::Camera camera = setup.path.at(number);
         const measure::TruthImage truth = caster.cast(camera, options.width, options.height, workers);
         const image::Raster<std::uint8_t> inner = measure::innerMask(truth);
         for (const auto& renderer : renderers) {

@@ -3,8 +3,8 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/scene/scene_setup.h>
 #include <experiments/pictures/pictures.h>
-#include <scenes/cubes.h>
 
 #include <cstdint>
 #include <string>
@@ -39,8 +39,8 @@ struct OrbitRun {
 /// The frames that are looked at: `count` of a path's `length`, evenly, ascending, the last always.
 std::vector<std::uint32_t> zoomFrames(std::uint32_t length, std::uint32_t count);
 
-/// @param staged the scene; other scenes with a path do as well.
-OrbitRun runOrbit(const gpu::Device& device, const scene::StagedScene& staged, const OrbitOptions& given,
+/// @param setup the scene; other scenes with a path do as well.
+OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, const OrbitOptions& given,
                   const Progress& progress);
 
 /// A gnuplot script: wrong pixels over the lens, a line per technique.

@@ -33,32 +33,32 @@ void addFrame(const render::Frame& frame, const measure::TruthImage& truth,
 std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOptions& options,
                                     const std::string& sceneName,
                                     const std::function<void(const std::string&)>& step) {
-    const scene::StagedScene staged = scenes::openScene(sceneName, options.seed).staged;
-    const render::GpuScene gpuScene(device, staged.scene);
+    const scene::SceneSetup setup = scenes::openScene(sceneName, options.seed).setup;
+    const render::GpuScene gpuScene(device, setup.scene);
     base::WorkerPool workers(options.threads);
     std::vector<std::unique_ptr<render::Renderer>> renderers;
     std::vector<PictureResult> results;
     std::vector<std::optional<measure::IdFrame>> before(options.techniques.size());
     for (const depth::Technique& technique : options.techniques) {
         renderers.push_back(
-            std::make_unique<render::Renderer>(device, staged.scene, gpuScene,
+            std::make_unique<render::Renderer>(device, setup.scene, gpuScene,
                                                render::RenderOptions{.width = options.width,
                                                                      .height = options.height,
                                                                      .technique = technique,
                                                                      .targets = render::TargetsKind::single,
                                                                      .threads = options.threads}));
         PictureResult result;
-        result.scene = staged.scene.name;
+        result.scene = setup.scene.name;
         result.technique = technique.name;
-        result.fovYDegrees = staged.path.at(0).fovY * 180.0 / std::numbers::pi;
+        result.fovYDegrees = setup.path.at(0).fovY * 180.0 / std::numbers::pi;
         results.push_back(std::move(result));
     }
-    const std::uint32_t frames = std::min(options.frames, staged.path.frames);
+    const std::uint32_t frames = std::min(options.frames, setup.path.frames);
     for (std::uint32_t i = 0; i < frames; ++i) {
-        const auto number = static_cast<std::uint32_t>(std::uint64_t{i} * staged.path.frames / frames);
-        const scene::Camera camera = staged.path.at(number);
+        const auto number = static_cast<std::uint32_t>(std::uint64_t{i} * setup.path.frames / frames);
+        const scene::Camera camera = setup.path.at(number);
         const measure::TruthImage truth =
-            measure::castTruth(staged.scene, camera, options.width, options.height, workers);
+            measure::castTruth(setup.scene, camera, options.width, options.height, workers);
         for (std::size_t t = 0; t < renderers.size(); ++t) {
             step(sceneName + " " + results[t].technique);
             const render::Frame frame = renderers[t]->render(camera);

@@ -5,7 +5,7 @@
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
-#include <scenes/cubes.h>
+#include <scenes/ladder.h>
 
 #include <fmt/format.h>
 
@@ -68,27 +68,27 @@ std::optional<double> smallestResolved(const image::ImageU32& ids, const measure
 }
 
 /// Depth of the ladder along the view: cubes on a turned 30 by 30 grid.
-double spanOf(const scene::StagedScene& staged) {
-    const scene::Camera camera = staged.path.at(0);
+double spanOf(const scene::SceneSetup& setup) {
+    const scene::Camera camera = setup.path.at(0);
     double nearest = INFINITY;
     double farthest = 0.0;
-    for (std::size_t i = 0; i < staged.scene.instances.size(); ++i) {
-        const double w = camera.viewDistance(staged.scene.instances.position(i));
-        const auto radius = static_cast<double>(staged.scene.instances.radius[i]);
+    for (std::size_t i = 0; i < setup.scene.instances.size(); ++i) {
+        const double w = camera.viewDistance(setup.scene.instances.position(i));
+        const auto radius = static_cast<double>(setup.scene.instances.radius[i]);
         nearest = std::min(nearest, w - radius);
         farthest = std::max(farthest, w + radius);
     }
     return farthest - nearest;
 }
 
-depth::ForecastScene forecastScene(const scene::StagedScene& staged, const scenes::LadderOptions& ladder,
+depth::ForecastScene forecastScene(const scene::SceneSetup& setup, const scenes::LadderOptions& ladder,
                                    std::uint32_t height) {
-    const scene::Camera camera = staged.path.at(0);
+    const scene::Camera camera = setup.path.at(0);
     return {.nearView = ladder.nearView,
             .farView = ladder.farView,
             .footprintSlope = 2.0 * std::tan(0.5 * camera.fovY) / height,
             .atView = ladder.distanceView,
-            .spanView = spanOf(staged),
+            .spanView = spanOf(setup),
             .somethingNear = false};
 }
 
@@ -107,23 +107,23 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
     std::vector<ProbeResult> results;
     for (const double distanceView : options.distancesView) {
         const scenes::LadderOptions ladder = ladderAt(distanceView, options);
-        const scene::StagedScene staged = scenes::makeLadder(options.seed, ladder);
-        const scene::Camera camera = staged.path.at(0);
-        const render::GpuScene gpuScene(device, staged.scene);
+        const scene::SceneSetup setup = scenes::makeLadder(options.seed, ladder);
+        const scene::Camera camera = setup.path.at(0);
+        const render::GpuScene gpuScene(device, setup.scene);
         const measure::TruthImage truth =
-            measure::castTruth(staged.scene, camera, options.width, options.height, workers);
+            measure::castTruth(setup.scene, camera, options.width, options.height, workers);
         for (depth::Technique technique : techniques) {
             for (const depth::DepthFormat format : options.formats) {
                 technique.format = format;
                 progress(results.size(), all, fmt::format("{} at {}", technique.name, distanceView));
-                render::Renderer renderer(device, staged.scene, gpuScene,
+                render::Renderer renderer(device, setup.scene, gpuScene,
                                           {.width = options.width,
                                            .height = options.height,
                                            .technique = technique,
                                            .threads = options.threads});
                 const render::Frame frame = renderer.render(camera);
                 const auto forecast =
-                    depth::forecast(technique, forecastScene(staged, ladder, options.height));
+                    depth::forecast(technique, forecastScene(setup, ladder, options.height));
                 results.push_back({.technique = technique.name,
                                    .format = std::string(nameOf(format)),
                                    .distanceView = distanceView,

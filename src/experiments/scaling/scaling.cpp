@@ -1,6 +1,7 @@
 #include "thread_sweep.h"
 
 #include <cdr/base/error.h>
+#include <scenes/cubes.h>
 
 #include <fmt/format.h>
 
@@ -127,8 +128,8 @@ ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& option
     ScalingResult result;
     for (const std::uint32_t cubes : options.draws) {
         const double aspect = static_cast<double>(options.width) / options.height;
-        const scene::StagedScene staged = scenes::makeCrowd(options.seed, cubes, aspect);
-        const render::GpuScene gpuScene(device, staged.scene);
+        const scene::SceneSetup setup = scenes::makeCrowd(options.seed, cubes, aspect);
+        const render::GpuScene gpuScene(device, setup.scene);
         for (const Variant& variant : variants) {
             const std::string what = fmt::format("{} {} {} cascades {} draws", nameOf(variant.targets),
                                                  nameOf(variant.submission), variant.cascades, cubes);
@@ -138,7 +139,7 @@ ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& option
             common.submission = variant.submission;
             common.cascades = variant.cascades;
             common.cubes = cubes;
-            ThreadSweep sweep(device, options, staged, gpuScene, threadList(options), common);
+            ThreadSweep sweep(device, options, setup, gpuScene, threadList(options), common);
             sweep.hash(step);
             for (std::uint32_t repeat = 0; repeat < options.repeats; ++repeat) {
                 sweep.repeat(repeat, step);

@@ -33,10 +33,10 @@ std::string hashOf(const render::Frame& frame) {
 } // namespace
 
 ThreadSweep::ThreadSweep(const gpu::Device& device, const ScalingOptions& options,
-                         const scene::StagedScene& staged, const render::GpuScene& gpuScene,
+                         const scene::SceneSetup& setup, const render::GpuScene& gpuScene,
                          std::vector<std::size_t> threads, ScalingPoint common)
     : m_cpus(options.placement == base::Placement::pinned ? base::allowedCpus() : std::vector<std::size_t>()),
-      m_camera(staged.path.at(0)),
+      m_camera(setup.path.at(0)),
       m_threads(std::move(threads)),
       m_common(std::move(common)),
       m_samples(m_threads.size()) {
@@ -44,7 +44,7 @@ ThreadSweep::ThreadSweep(const gpu::Device& device, const ScalingOptions& option
     technique.split = depth::SplitCount{m_common.cascades};
     for (const std::size_t count : m_threads) {
         m_renderers.push_back(std::make_unique<render::Renderer>(
-            device, staged.scene, gpuScene,
+            device, setup.scene, gpuScene,
             render::RenderOptions{.width = options.width,
                                   .height = options.height,
                                   .technique = technique,

@@ -3,7 +3,7 @@
 #include "scaling.h"
 
 #include <cdr/render/renderer.h>
-#include <scenes/cubes.h>
+#include <cdr/scene/scene_setup.h>
 
 #include <functional>
 #include <memory>
@@ -17,7 +17,7 @@ class ThreadSweep {
   public:
     /// @param threads ascending from 1.
     /// @param common what all points share.
-    ThreadSweep(const gpu::Device& device, const ScalingOptions& options, const scene::StagedScene& staged,
+    ThreadSweep(const gpu::Device& device, const ScalingOptions& options, const scene::SceneSetup& setup,
                 const render::GpuScene& gpuScene, std::vector<std::size_t> threads, ScalingPoint common);
 
     /// Renders and hashes one frame of each number of threads, which also warms them up. Once, and first.

@@ -81,16 +81,16 @@ class Race {
   public:
     Race(const gpu::Device& device, const TimingOptions& options)
         : m_options(options),
-          m_staged(scenes::makeRotation(options.seed)),
-          m_gpuScene(device, m_staged.scene),
-          m_unsharedScene(unshared(m_staged.scene)),
+          m_setup(scenes::makeRotation(options.seed)),
+          m_gpuScene(device, m_setup.scene),
+          m_unsharedScene(unshared(m_setup.scene)),
           m_unsharedGpuScene(device, m_unsharedScene),
           m_order(options.modes.size(), options.seed),
           m_samples(options.modes.size()) {
         for (const TimingMode& mode : options.modes) {
             const bool isIndexed = mode.meshes == TimingMeshes::indexed;
             m_renderers.push_back(std::make_unique<render::Renderer>(
-                device, isIndexed ? m_staged.scene : m_unsharedScene,
+                device, isIndexed ? m_setup.scene : m_unsharedScene,
                 isIndexed ? m_gpuScene : m_unsharedGpuScene,
                 render::RenderOptions{.width = options.width,
                                       .height = options.height,
@@ -102,7 +102,7 @@ class Race {
                                       .framesInFlight = options.framesInFlight,
                                       .trace = options.trace}));
         }
-        const scene::Camera first = m_staged.path.at(0);
+        const scene::Camera first = m_setup.path.at(0);
         m_path = scene::turnPath(first, first.position, options.frames);
     }
 
@@ -145,7 +145,7 @@ class Race {
 
   private:
     const TimingOptions& m_options;
-    scene::StagedScene m_staged;
+    scene::SceneSetup m_setup;
     scene::CameraPath m_path;
     render::GpuScene m_gpuScene;
     scene::Scene m_unsharedScene;

@@ -32,12 +32,12 @@ render::RenderOptions optionsFor(const TranslucencyExperiment& experiment, unsig
 }
 
 /// One frame of one method, compared with the truth.
-TranslucencyResult compare(const gpu::Device& device, const scene::StagedScene& staged,
+TranslucencyResult compare(const gpu::Device& device, const scene::SceneSetup& setup,
                            const render::GpuScene& gpuScene, render::RenderOptions options,
                            const measure::LayeredTruth& truth) {
     options.translucency.countsFragments = true;
-    render::Renderer renderer(device, staged.scene, gpuScene, options);
-    render::Frame frame = renderer.render(staged.path.at(0));
+    render::Renderer renderer(device, setup.scene, gpuScene, options);
+    render::Frame frame = renderer.render(setup.path.at(0));
     TranslucencyResult result;
     result.technique = options.technique.name;
     result.cascades = static_cast<unsigned>(frame.cascades.size());
@@ -51,18 +51,18 @@ TranslucencyResult compare(const gpu::Device& device, const scene::StagedScene& 
 
 TranslucencyResults runTranslucency(const gpu::Device& device, const TranslucencyExperiment& experiment,
                                     const TranslucencyProgress& progress) {
-    const scene::StagedScene staged = scenes::openScene(experiment.scene, experiment.seed).staged;
-    if (!visibility::hasBlended(staged.scene)) {
-        throw base::InputError(staged.scene.name + ": the scene has no translucent surfaces");
+    const scene::SceneSetup setup = scenes::openScene(experiment.scene, experiment.seed).setup;
+    if (!visibility::hasBlended(setup.scene)) {
+        throw base::InputError(setup.scene.name + ": the scene has no translucent surfaces");
     }
-    const scene::Camera camera = staged.path.at(0);
+    const scene::Camera camera = setup.path.at(0);
     for (const unsigned cascades : experiment.cascades) {
         splitOf(cascades); // refused before the truth is cast
     }
-    const render::GpuScene gpuScene(device, staged.scene);
+    const render::GpuScene gpuScene(device, setup.scene);
     base::WorkerPool workers(experiment.threads);
     const measure::LayeredTruth truth =
-        measure::castLayers(staged.scene, camera, experiment.width, experiment.height, workers);
+        measure::castLayers(setup.scene, camera, experiment.width, experiment.height, workers);
     TranslucencyResults all{.truth = measure::pictureOf(truth), .results = {}};
     std::vector<std::unique_ptr<render::Renderer>> renderers; // all alive, so that timing takes turns
     const std::size_t pairs = experiment.cascades.size() * render::kTranslucencies.size();
@@ -71,10 +71,10 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const Translucenc
         for (const render::Translucency method : render::kTranslucencies) {
             progress(all.results.size(), steps);
             const render::RenderOptions options = optionsFor(experiment, cascades, method);
-            all.results.push_back(compare(device, staged, gpuScene, options, truth));
+            all.results.push_back(compare(device, setup, gpuScene, options, truth));
             if (experiment.repeats > 0) {
                 renderers.push_back(
-                    std::make_unique<render::Renderer>(device, staged.scene, gpuScene, options));
+                    std::make_unique<render::Renderer>(device, setup.scene, gpuScene, options));
                 renderers.back()->draw(camera); // lists grow, pipelines warm up
             }
         }

@@ -83,12 +83,12 @@ TileDetail orbitDetail(const StationPose& station) {
     return {.eye = station.eye, .place = {airportPad().centre.x, 0.0, airportPad().centre.y}};
 }
 
-scene::StagedScene makeOrbit(EarthMaps maps, const scene::Scene* parked) {
+scene::SceneSetup makeOrbit(EarthMaps maps, const scene::Scene* parked) {
     const EarthSurface surface(maps.topography, kOrbitAirport, airportPad());
     const StationPose station = orbitStation(surface);
-    scene::StagedScene staged;
-    staged.scene.name = "orbit";
-    SceneBuilder builder(staged.scene);
+    scene::SceneSetup setup;
+    setup.scene.name = "orbit";
+    SceneBuilder builder(setup.scene);
     // Nearest first, as an engine that sorts for early depth tests submits them: a depth buffer that cannot
     // tell paint, slab and soil apart shows soil.
     addStation(builder, station);
@@ -100,17 +100,17 @@ scene::StagedScene makeOrbit(EarthMaps maps, const scene::Scene* parked) {
     addAirport(builder);
     addEarth(builder, surface, station, std::move(maps.color));
     addMoon(builder, surface, station);
-    addLights(staged.scene, station);
+    addLights(setup.scene, station);
     const double below = kFirstAim * kDegree;
-    staged.path = zoomPath({.eye = station.eye,
-                            .firstAim = std::cos(below) * station.forward - std::sin(below) * station.up,
-                            .target = {0.0, kSlabHeight + kMarkingHeight, 0.0},
-                            .nearView = 0.1,
-                            .farView = kFarView});
-    return staged;
+    setup.path = zoomPath({.eye = station.eye,
+                           .firstAim = std::cos(below) * station.forward - std::sin(below) * station.up,
+                           .target = {0.0, kSlabHeight + kMarkingHeight, 0.0},
+                           .nearView = 0.1,
+                           .farView = kFarView});
+    return setup;
 }
 
-scene::StagedScene openOrbit(const OrbitFiles& files) {
+scene::SceneSetup openOrbit(const OrbitFiles& files) {
     if (files.model.empty()) {
         return makeOrbit(loadEarthMaps(files.folder));
     }

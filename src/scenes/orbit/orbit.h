@@ -1,6 +1,6 @@
 #pragma once
 
-#include <scenes/cubes.h>
+#include <cdr/scene/scene_setup.h>
 #include <scenes/orbit/data.h>
 #include <scenes/orbit/earth_tiles.h>
 #include <scenes/orbit/station.h>
@@ -27,9 +27,9 @@ TileDetail orbitDetail(const StationPose& station);
 /// to the numbers of the runway, 0.002 degrees, in 240 frames; near 0.1, far beyond the Moon.
 /// @param maps moved into the scene's texture.
 /// @param parked a model to stand on the apron instead of the generated aircraft; may be null.
-scene::StagedScene makeOrbit(EarthMaps maps, const scene::Scene* parked = nullptr);
+scene::SceneSetup makeOrbit(EarthMaps maps, const scene::Scene* parked = nullptr);
 
 /// makeOrbit() of what the files hold. base::InputError as loadEarthMaps() and loadGltf().
-scene::StagedScene openOrbit(const OrbitFiles& files);
+scene::SceneSetup openOrbit(const OrbitFiles& files);
 
 } // namespace cdr::scenes

@@ -73,8 +73,8 @@ void drawScenePanel(const Widgets& widgets, ViewerModel& model) {
     if (model.shown != nullptr && model.shown->scene != nullptr) {
         const scene::OpenedScene& opened = *model.shown->scene;
         widgets.sentence(fmt::format("{} objects, {} {}. Drop a .gltf or .glb file to open it.",
-                                     opened.staged.scene.objectCount(), opened.staged.scene.lights.size(),
-                                     opened.staged.scene.lights.size() == 1 ? "light" : "lights"));
+                                     opened.setup.scene.objectCount(), opened.setup.scene.lights.size(),
+                                     opened.setup.scene.lights.size() == 1 ? "light" : "lights"));
         for (const std::string& note : opened.notes) {
             widgets.sentence("ignored: " + note);
         }

@@ -16,9 +16,9 @@ void SceneStage::open(const ViewSettings& settings) {
     auto opened = std::make_shared<scene::OpenedScene>(scenes::openScene(settings.scene, settings.seed));
     if (needsLevels) {
         base::WorkerPool workers(settings.threads);
-        scene::makeLevels(opened->staged.scene, workers);
+        scene::makeLevels(opened->setup.scene, workers);
     }
-    auto next = std::make_unique<OnStage>(OnStage{opened, render::GpuScene(m_device, opened->staged.scene)});
+    auto next = std::make_unique<OnStage>(OnStage{opened, render::GpuScene(m_device, opened->setup.scene)});
     for (SideRenderer& side : m_sides) {
         side.drop();
     }
@@ -37,7 +37,7 @@ void SceneStage::clearFlips() {
 }
 
 StageSet SceneStage::set() const {
-    return {.device = m_device, .scene = m_scene->opened->staged.scene, .onDevice = m_scene->onDevice};
+    return {.device = m_device, .scene = m_scene->opened->setup.scene, .onDevice = m_scene->onDevice};
 }
 
 SideResult SceneStage::renderSide(const RenderRequest& request, std::size_t side,
@@ -89,7 +89,7 @@ RenderResult SceneStage::answer(const RenderRequest& request, const std::stop_to
                         .sceneName = m_sceneName,
                         .settings = request.settings,
                         .scene = m_scene->opened};
-    result.camera = request.camera ? *request.camera : m_scene->opened->staged.path.at(0);
+    result.camera = request.camera ? *request.camera : m_scene->opened->setup.path.at(0);
     const std::size_t sides = request.settings.second ? 2 : 1;
     for (std::size_t side = 0; side < sides; ++side) {
         if (stop.stop_requested()) {

@@ -55,7 +55,7 @@ void Session::followPath(double seconds) {
     }
     if (m_model.motion == Motion::scenePath) {
         // Frame by frame, however long each takes, so that neighbours can be compared.
-        m_model.camera = scene::canonical(m_model.shown->scene->staged.path.at(++m_model.pathFrame));
+        m_model.camera = scene::canonical(m_model.shown->scene->setup.path.at(++m_model.pathFrame));
         return;
     }
     const scene::CameraRecording& recording = m_model.recorder.recording();
@@ -216,7 +216,7 @@ void Session::pick(const Click& click, const RenderResult& result) {
     const auto at = [](double share, std::uint32_t size) {
         return std::min(static_cast<std::uint32_t>(share * size), size - 1);
     };
-    const auto point = pickAt(frame, result.scene->staged.scene, side.options.technique,
+    const auto point = pickAt(frame, result.scene->setup.scene, side.options.technique,
                               at(click.share.x, frame.width()), at(click.share.y, frame.height()));
     if (point) {
         m_model.measuring.click(*point);
@@ -225,7 +225,7 @@ void Session::pick(const Click& click, const RenderResult& result) {
 }
 
 void Session::enterScene(const RenderResult& result) {
-    m_model.sceneCamera = result.scene->staged.path.at(0);
+    m_model.sceneCamera = result.scene->setup.path.at(0);
     m_model.camera = scene::canonical(result.camera);
     m_model.hasCamera = true;
     m_model.pathFrame = 0;
@@ -246,7 +246,7 @@ void Session::readCursor(const PictureArea& area, const glm::dvec2& cursor) {
         // The frame may be of another size while the window changes its own.
         const glm::dvec2 share = cursor / glm::dvec2(area.extent.width, area.extent.height);
         m_model.underCursor[side] =
-            pickAt(*frame, m_model.shown->scene->staged.scene, m_model.shown->sides[side].options.technique,
+            pickAt(*frame, m_model.shown->scene->setup.scene, m_model.shown->sides[side].options.technique,
                    static_cast<std::uint32_t>(share.x * frame->width()),
                    static_cast<std::uint32_t>(share.y * frame->height()));
     }

@@ -1,6 +1,6 @@
 #include "fixture.h"
 
-#include <cdr/scene/gltf/stage.h>
+#include <cdr/scene/gltf/open_gltf.h>
 
 #include <cmath>
 
@@ -65,10 +65,10 @@ TEST_F(GltfFolder, stagingLooksThroughTheCameraThatIsChosen) {
     const std::filesystem::path path = write("a.glb", withCamera().glb());
     const OpenedScene framed = openGltf(path);
     EXPECT_TRUE(anySays(framed.notes, "2 cameras, which --camera 0 to 1 looks through"));
-    EXPECT_NE(framed.staged.path.at(0).fovY, 0.5);
+    EXPECT_NE(framed.setup.path.at(0).fovY, 0.5);
     const OpenedScene seen = openGltf(path, {.scene = {}, .camera = 0});
-    EXPECT_EQ(seen.staged.path.at(0).fovY, 0.5);
-    EXPECT_EQ(seen.staged.scene.lights.size(), 2u);
+    EXPECT_EQ(seen.setup.path.at(0).fovY, 0.5);
+    EXPECT_EQ(seen.setup.scene.lights.size(), 2u);
     EXPECT_FALSE(anySays(seen.notes, "--camera"));
     try {
         openGltf(path, {.scene = {}, .camera = 2});

@@ -2,7 +2,7 @@
 #include <cdr/scene/lod/levels.h>
 #include <cdr/scene/lod/surface_distance.h>
 #include <scenes/boulders.h>
-#include <scenes/mixed.h>
+#include <scenes/globe.h>
 #include <scenes/random.h>
 
 #include <gtest/gtest.h>
@@ -265,20 +265,20 @@ TEST(Levels, SeamsOfNormalsDoNotTear) {
 }
 
 TEST(Levels, ASceneHasThemWhateverTheWorkersAndKeepsThoseGiven) {
-    StagedScene staged = scenes::makeBoulders(1, {.boulders = 3, .shapes = 3, .subdivisions = 3});
+    SceneSetup setup = scenes::makeBoulders(1, {.boulders = 3, .shapes = 3, .subdivisions = 3});
     const MeshLevel given{.indices = {0, 1, 2}, .error = 0.25f};
-    staged.scene.meshes[1].levels = {given};
-    Scene first = staged.scene;
+    setup.scene.meshes[1].levels = {given};
+    Scene first = setup.scene;
     cdr::base::WorkerPool one(1);
     makeLevels(first, one);
     cdr::base::WorkerPool three(3);
-    makeLevels(staged.scene, three);
+    makeLevels(setup.scene, three);
     for (std::size_t mesh = 0; mesh < 3; ++mesh) {
-        ASSERT_EQ(first.meshes[mesh].levels.size(), staged.scene.meshes[mesh].levels.size());
+        ASSERT_EQ(first.meshes[mesh].levels.size(), setup.scene.meshes[mesh].levels.size());
         for (std::size_t level = 0; level < first.meshes[mesh].levels.size(); ++level) {
             EXPECT_EQ(first.meshes[mesh].levels[level].indices,
-                      staged.scene.meshes[mesh].levels[level].indices);
-            EXPECT_EQ(first.meshes[mesh].levels[level].error, staged.scene.meshes[mesh].levels[level].error);
+                      setup.scene.meshes[mesh].levels[level].indices);
+            EXPECT_EQ(first.meshes[mesh].levels[level].error, setup.scene.meshes[mesh].levels[level].error);
         }
     }
     ASSERT_EQ(first.meshes[1].levels.size(), 1u);

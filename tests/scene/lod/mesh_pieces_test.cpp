@@ -2,7 +2,7 @@
 
 #include <cdr/scene/lod/mesh_pieces.h>
 #include <cdr/scene/lod/triangle_clusters.h>
-#include <scenes/mixed.h>
+#include <scenes/globe.h>
 
 #include <algorithm>
 #include <array>

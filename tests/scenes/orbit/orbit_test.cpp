@@ -82,13 +82,13 @@ TEST(RunwayMarking, strokesAreAsWideAtTheirBendsAsBetweenThem) {
 
 class OrbitScene : public testing::Test {
   protected:
-    static const StagedScene& staged() {
-        static const StagedScene scene = makeOrbit(cdr::test::syntheticEarth());
+    static const SceneSetup& setup() {
+        static const SceneSetup scene = makeOrbit(cdr::test::syntheticEarth());
         return scene;
     }
     /// The highest point, world y, of what an object draws.
     static double topOf(std::string_view name) {
-        const Scene& scene = staged().scene;
+        const Scene& scene = setup().scene;
         double top = -std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < scene.instances.size(); ++i) {
             if (scene.objectNames[scene.instances.object[i]] == name) {
@@ -112,7 +112,7 @@ TEST_F(OrbitScene, separationsAreThoseOfTheSpecification) {
 }
 
 TEST_F(OrbitScene, groundBelowTheAirportIsLevel) {
-    const Scene& scene = staged().scene;
+    const Scene& scene = setup().scene;
     const EarthSurface::Pad pad = airportPad();
     std::size_t level = 0;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -133,7 +133,7 @@ TEST_F(OrbitScene, groundBelowTheAirportIsLevel) {
 }
 
 TEST_F(OrbitScene, theAirportLiesOnItsPad) {
-    const Scene& scene = staged().scene;
+    const Scene& scene = setup().scene;
     const EarthSurface::Pad pad = airportPad();
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const glm::dvec3 p = scene.instances.position(i);
@@ -147,7 +147,7 @@ TEST_F(OrbitScene, theAirportLiesOnItsPad) {
 }
 
 TEST_F(OrbitScene, holdsWhatIsPromisedAtItsSize) {
-    const Scene& scene = staged().scene;
+    const Scene& scene = setup().scene;
     for (const char* name : {"window frame", "handrail", "solar panel", "earth", "moon", "runway 09L/27R",
                              "hangar 1", "aircraft"}) {
         EXPECT_NE(std::find(scene.objectNames.begin(), scene.objectNames.end(), name),
@@ -155,7 +155,7 @@ TEST_F(OrbitScene, holdsWhatIsPromisedAtItsSize) {
             << name;
     }
     EXPECT_EQ(scene.objectCount(), scene.objectNames.size());
-    const glm::dvec3 eye = staged().path.at(0).position;
+    const glm::dvec3 eye = setup().path.at(0).position;
     const EarthMaps maps = cdr::test::syntheticEarth();
     const EarthSurface surface(maps.topography, kOrbitAirport, airportPad());
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -172,7 +172,7 @@ TEST_F(OrbitScene, holdsWhatIsPromisedAtItsSize) {
 }
 
 TEST_F(OrbitScene, float64StepsAreFineAtBothEnds) {
-    const glm::dvec3 eye = staged().path.at(0).position;
+    const glm::dvec3 eye = setup().path.at(0).position;
     for (const double coordinate : {eye.x, eye.y, eye.z}) {
         EXPECT_LE(std::nextafter(std::abs(coordinate), 1e30) - std::abs(coordinate), 1e-9);
     }
@@ -181,7 +181,7 @@ TEST_F(OrbitScene, float64StepsAreFineAtBothEnds) {
 }
 
 TEST_F(OrbitScene, theLensNarrowsByOneFactorAndEndsOnTheNumbers) {
-    const CameraPath& path = staged().path;
+    const CameraPath& path = setup().path;
     ASSERT_EQ(path.frames, 240u);
     const double factor = path.at(1).fovY / path.at(0).fovY;
     EXPECT_NEAR(path.at(0).fovY, 60.0 * kDegree, 1e-12);
@@ -210,7 +210,7 @@ TEST_F(OrbitScene, theLensNarrowsByOneFactorAndEndsOnTheNumbers) {
 }
 
 TEST_F(OrbitScene, theHorizonIsInTheFirstPicture) {
-    const Camera camera = staged().path.at(0);
+    const Camera camera = setup().path.at(0);
     const EarthMaps maps = cdr::test::syntheticEarth();
     const EarthSurface surface(maps.topography, kOrbitAirport, airportPad());
     const StationPose station = orbitStation(surface);
@@ -227,8 +227,8 @@ TEST(OrbitModel, isParkedOnTheSlab) {
     model.materials.push_back({.name = "red"});
     addInstance(model, 0, 0, 0, {0.0, 7.0, 0.0}, glm::mat3(2.0f));
     model.objectNames = {"crate"};
-    const StagedScene staged = makeOrbit(cdr::test::syntheticEarth(), &model);
-    const Scene& scene = staged.scene;
+    const SceneSetup setup = makeOrbit(cdr::test::syntheticEarth(), &model);
+    const Scene& scene = setup.scene;
     const auto name = std::find(scene.objectNames.begin(), scene.objectNames.end(), "model crate");
     ASSERT_NE(name, scene.objectNames.end());
     EXPECT_EQ(std::count(scene.objectNames.begin(), scene.objectNames.end(), "aircraft"), 0);

@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/scene/gltf/gltf.h>
-#include <cdr/scene/gltf/stage.h>
+#include <cdr/scene/gltf/open_gltf.h>
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ Sphere boundingSphere(const Instances& instances) {
 
 /// Lights a model from the front left above, and from behind, and looks at it from the front, a little from
 /// above, or through a camera of its own.
-StagedScene stageModel(Scene scene, const std::optional<Camera>& own) {
+SceneSetup setUpModel(Scene scene, const std::optional<Camera>& own) {
     const Sphere bounds = boundingSphere(scene.instances);
     if (bounds.radius <= 0.0 || !std::isfinite(bounds.radius)) {
         throw base::InputError(scene.name + ": the scene has no extent to look at");
@@ -99,7 +99,7 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
         import.ignored.push_back(fmt::format("its {} cameras, which --camera 0 to {} looks through",
                                              import.cameras.size(), import.cameras.size() - 1));
     }
-    return {.staged = stageModel(std::move(import.scene), camera), .notes = std::move(import.ignored)};
+    return {.setup = setUpModel(std::move(import.scene), camera), .notes = std::move(import.ignored)};
 }
 
 } // namespace cdr::scene

@@ -9,14 +9,14 @@
 namespace cdr::scene {
 
 /// A scene and the cameras that look at it.
-struct StagedScene {
+struct SceneSetup {
     Scene scene;
     CameraPath path;
 };
 
 /// A scene that was opened by name or from a file.
 struct OpenedScene {
-    StagedScene staged;
+    SceneSetup setup;
     std::vector<std::string> notes; ///< what an importer ignored, one line each
 };
 
