@@ -12,16 +12,16 @@ TEST(LibraryExample, FindsAnObjectAndItsDistance) {
     // quoted in README.md: begin
     const cdr::gpu::Instance instance;
     const cdr::gpu::Device device(instance, ""); // the best there is; gpu::BorrowedDevice takes yours
-    const cdr::scene::StagedScene staged = cdr::scenes::makeAfc(2013);
-    const cdr::render::GpuScene onDevice(device, staged.scene);
-    cdr::render::Renderer renderer(device, staged.scene, onDevice,
+    const cdr::scene::SceneSetup setup = cdr::scenes::makeAfc(2013);
+    const cdr::render::GpuScene onDevice(device, setup.scene);
+    cdr::render::Renderer renderer(device, setup.scene, onDevice,
                                    {.technique = cdr::depth::parseTechnique("anchored")});
-    const cdr::render::Frame frame = renderer.render(staged.path.at(0));
+    const cdr::render::Frame frame = renderer.render(setup.path.at(0));
     const std::uint32_t id = frame.id(640, 360);          // object index + 1, 0 for the background
     const double distance = frame.distanceView(640, 360); // float64, in scene units, for every technique
     // quoted in README.md: end
     ASSERT_NE(id, 0u);
-    EXPECT_LE(id, staged.scene.instances.size());
+    EXPECT_LE(id, setup.scene.instances.size());
     EXPECT_NEAR(distance, 1e6, 32.0);
 }
 
