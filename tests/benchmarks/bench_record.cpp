@@ -1,5 +1,5 @@
-// Recording on the real device: CPU time per draw, without cull, bin and execute. The targets: at most 120 ns
-// per draw on one thread; from 50,000 draws on two threads at least 1.7 times as fast.
+// Recording on the real device: CPU time per draw, without culling, binning and executing.
+// Targets: 120 ns per draw on one thread; from 50,000 draws on, two threads are 1.7 times as fast.
 
 #include <cdr/gpu/device.h>
 #include <cdr/render/renderer.h>
@@ -35,7 +35,7 @@ void record(benchmark::State& state) {
                                .batching = render::kBatchings[static_cast<std::size_t>(state.range(3))]});
     const scene::Camera camera = setup.path.at(0);
     renderer.draw(camera); // the first frame allocates
-    // The kernel may leave two threads on one CPU for milliseconds, which says nothing of recording.
+    // The kernel may leave two threads on one CPU for milliseconds, which would disturb the measurement.
     const base::PinnedThread pin(0, base::allowedCpus());
     double leastMs = std::numeric_limits<double>::infinity();
     std::size_t draws = 0;
@@ -45,7 +45,7 @@ void record(benchmark::State& state) {
         leastMs = std::min(leastMs, stats.times.recordMs);
         draws = stats.draws;
     }
-    // The least beside the mean: what recording takes where nothing else disturbs it.
+    // The least beside the mean: the time that recording takes undisturbed.
     state.counters["least_ms"] = leastMs;
     state.counters["least_ns_per_draw"] = leastMs * 1e6 / static_cast<double>(draws);
 }
@@ -55,7 +55,7 @@ BENCHMARK(record)
     ->ArgsProduct({{1'000, 10'000, 50'000, 200'000}, {1, 2}, {1, 4}, {0, 1, 2}})
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime()
-    // Manual time is a small part of a frame, so an amount of time would ask for thousands of frames.
+    // Manual time is a small part of a frame. A minimum time would take thousands of frames.
     ->Iterations(15);
 
 } // namespace

@@ -1,4 +1,4 @@
-// What the viewer makes of a frame at 1280x720, each view by itself. The target: 5 ms each on one thread.
+// The viewer's views of a frame at 1280x720, each by itself. Target: 5 ms each on one thread.
 
 #include <cdr/shaders/shared.h>
 #include <viewer/state/flip_window.h>

@@ -1,9 +1,13 @@
-// A Vulkan layer that makes one kind of call fail, for tests of what a program does then. CDR_FAULT says
-// which: "CALL DEVICE AFTER TIMES RESULT", for instance "vkQueueSubmit2 render 5 1 -4". CALL is one of those
-// below; DEVICE is "window" (devices with a swapchain), "render" (those without) or "any"; calls are counted
-// over all such devices, the first AFTER pass, the next TIMES give the VkResult instead. A lost device stays
-// lost, and so does the surface of the last swapchain. For vkGetPhysicalDeviceSurfaceCapabilitiesKHR RESULT
-// is what both sides of currentExtent become, -1 for "any".
+// A Vulkan layer that makes one kind of call fail, to test what a program does then.
+//
+// The environment variable CDR_FAULT chooses it: "CALL DEVICE AFTER TIMES RESULT", for instance
+// "vkQueueSubmit2 render 5 1 -4".
+// - CALL is one of the functions below.
+// - DEVICE is "window" (devices with a swapchain), "render" (devices without) or "any".
+// - Calls are counted over all such devices. The first AFTER succeed, the next TIMES return RESULT, a VkResult.
+// - For vkGetPhysicalDeviceSurfaceCapabilitiesKHR, RESULT replaces both sides of currentExtent; -1 is "any".
+//
+// A lost device stays lost, and so does the surface of the last swapchain.
 
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
@@ -31,7 +35,7 @@ struct Fault {
         const char* text = std::getenv("CDR_FAULT");
         std::istringstream(text != nullptr ? text : "") >> call >> device >> after >> times >> result;
     }
-    /// Counts a call; true when it is to fail.
+    /// Counts a call. True when it must fail.
     bool hits(const char* name, bool hasSwapchain) {
         if (call != name || (device != "any" && device != (hasSwapchain ? "window" : "render"))) {
             return false;
@@ -49,7 +53,7 @@ Fault& fault() {
 struct NextInstance {
     PFN_vkGetInstanceProcAddr get = nullptr;
     VkInstance handle = VK_NULL_HANDLE;
-    /// Fetched while the instance is made: later the loader would answer with this layer's own.
+    /// Fetched while the instance is made: later the loader would return this layer's own function.
     PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR surfaceCapabilities = nullptr;
     PFN_vkDestroySurfaceKHR destroySurface = nullptr;
 };
@@ -64,14 +68,14 @@ struct NextDevice {
     Function call(const char* name) const {
         return reinterpret_cast<Function>(get(handle, name));
     }
-    /// What a call is to return instead of being made, VK_SUCCESS for nothing.
+    /// What a call must return instead of being made; VK_SUCCESS when it is made.
     VkResult interfere(const char* name) {
         if (!isLost && fault().hits(name, hasSwapchain)) {
             const auto result = static_cast<VkResult>(fault().result);
             if (result != VK_ERROR_DEVICE_LOST) {
                 return result;
             }
-            // What a lost device was doing has ended; this one must not go on behind the program's back.
+            // A lost device has stopped working. This one must stop too.
             call<PFN_vkDeviceWaitIdle>("vkDeviceWaitIdle")(handle);
             isLost = true;
         }
@@ -80,8 +84,8 @@ struct NextDevice {
 };
 
 std::mutex lock;
-VkSurfaceKHR lastSurface = VK_NULL_HANDLE;            // of the last swapchain that was asked for
-VkSurfaceKHR lostSurface = VK_NULL_HANDLE;            // of which no swapchain is to be had any more
+VkSurfaceKHR lastSurface = VK_NULL_HANDLE;            // of the last swapchain that was created
+VkSurfaceKHR lostSurface = VK_NULL_HANDLE;            // no swapchain can be created for it any more
 std::map<void*, NextInstance> instances;              // by dispatch table, which physical devices share
 std::map<void*, std::shared_ptr<NextDevice>> devices; // and queues
 
@@ -164,12 +168,12 @@ VKAPI_ATTR void VKAPI_CALL destroySurface(VkInstance instance, VkSurfaceKHR surf
                                           const VkAllocationCallbacks* callbacks) {
     {
         const std::lock_guard guard(lock);
-        lostSurface = surface == lostSurface ? VK_NULL_HANDLE : lostSurface; // a handle may come again
+        lostSurface = surface == lostSurface ? VK_NULL_HANDLE : lostSurface; // a handle may be reused
     }
     instanceOf(instance).destroySurface(instance, surface, callbacks);
 }
 
-/// Remembers the surface of a swapchain that is asked for; false when it was lost.
+/// Remembers the surface of a swapchain that is created; false when the surface was lost.
 bool hasSurface(const VkSwapchainCreateInfoKHR& info) {
     const std::lock_guard guard(lock);
     lastSurface = info.surface;
@@ -196,7 +200,7 @@ VKAPI_ATTR VkResult VKAPI_CALL createSwapchain(VkDevice handle, const VkSwapchai
                : device->call<PFN_vkCreateSwapchainKHR>(kCreateSwapchain)(handle, info, callbacks, made);
 }
 
-/// `Function` as the layer has it: fails when it is to, else asks the next.
+/// `Function` as the layer implements it: fails when it must, else calls the next layer.
 template <typename Function>
 struct Call;
 template <typename Handle, typename... Rest>
@@ -209,7 +213,7 @@ struct Call<VkResult(VKAPI_PTR*)(Handle, Rest...)> {
         if (result == VK_ERROR_SURFACE_LOST_KHR) {
             loseSurface();
         }
-        // A failed present has still waited for its semaphores, and a suboptimal image is one all the same.
+        // A present that fails has still waited for its semaphores, and a suboptimal image is still an image.
         const bool isMade = result == VK_SUCCESS || result > 0 ||
                             (std::strcmp(name, "vkQueuePresentKHR") == 0 && result != VK_ERROR_DEVICE_LOST);
         const VkResult next = isMade ? device->template call<Function>(name)(handle, rest...) : result;

@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Any bytes either load or are refused with base::InputError; whatever else leaves importGltf() is a
-/// finding.
+/// Any bytes load, or are refused with base::InputError. Anything else that importGltf() throws is a bug.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     cdr::scene::GltfLimits limits;
     limits.maxFileBytes = 1u << 20;

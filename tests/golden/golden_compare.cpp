@@ -1,6 +1,6 @@
-// golden_compare GOLDEN RENDER [SHEET]: whether a rendered picture is the golden one within the tolerance.
-// Prints one line; writes golden, render and ten times their difference side by side to SHEET, a PNG.
-// Exit status: 0 the same, 1 not, 2 a picture is missing or unreadable.
+// golden_compare GOLDEN RENDER [SHEET]: compares a rendered picture with the golden one, within a tolerance.
+// Prints one line. Writes golden, render and ten times their difference side by side to SHEET, a PNG.
+// Exit status: 0 the same, 1 different, 2 a picture is missing or unreadable.
 
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes shapes.gltf, a small glTF 2.0 file with everything in one: python3 tests/golden/make_shapes.py
+"""Writes shapes.gltf, a small glTF 2.0 file that embeds its buffer: python3 tests/golden/make_shapes.py
 
-A pyramid of one colour a face (COLOR_0) and an octahedron without colours, both flat-shaded, placed by nodes that nest,
-turn, stretch and mirror.
+A pyramid with one colour per face (COLOR_0) and an octahedron without colours, both flat-shaded. Nested nodes place them
+with rotations, uneven scales and mirrors.
 """
 
 import base64

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes spheres.gltf, a grid of glTF 2.0 metallic-roughness materials: python3 tests/golden/make_spheres.py
 
-One copper sphere a material: roughness grows from left to right, metallic from bottom to top; below them one row in
-turn of materials that leave both factors out, which makes them 1, and unlit ones.
+One copper sphere per material. Roughness grows from left to right, metallic from bottom to top. In the row below them
+materials without either factor, which makes both 1, alternate with unlit ones.
 """
 
 import base64

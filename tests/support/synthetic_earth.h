@@ -6,8 +6,7 @@
 
 namespace cdr::test {
 
-/// An Earth of hills everywhere in place of the real maps, which need not be installed: green, its heights
-/// from 0 to 3 km and without pattern.
+/// Maps of an Earth for tests that must run without the real ones: green, heights from 0 to 3 km at random.
 inline scenes::EarthMaps syntheticEarth() {
     scenes::EarthMaps maps{.color = image::ImageRgba8(16, 8, {60, 90, 40, 255}),
                            .topography = image::ImageRgba8(256, 128)};
