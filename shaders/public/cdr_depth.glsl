@@ -1,5 +1,5 @@
-// Depth mappings for any engine: this file stands alone, needs GLSL 3.30 or newer and nothing else of cdr. cdr's own
-// shaders are built on it, so its tests are theirs. README, "Adopting anchored depth", shows both sides.
+// Depth mappings for any engine. This file needs GLSL 3.30 or newer and nothing else of cdr. cdr's own shaders use it, so
+// the tests of cdr cover it. src/cdr/README.md shows how to use it, on the CPU and in a shader.
 //
 // What you do
 // - On the CPU, in float64, per cascade: cdr::depth::clipTerms() gives the three numbers of CdrDepth.
