@@ -7,10 +7,10 @@
 #include <scenes/cubes.h>
 #include <scenes/mixed.h>
 #include <scenes/open_scene.h>
+#include <viewer/state/camera/fly_controller.h>
+#include <viewer/state/camera/heading.h>
+#include <viewer/state/camera/lens_zoom.h>
 #include <viewer/state/command_line.h>
-#include <viewer/state/fly_controller.h>
-#include <viewer/state/heading.h>
-#include <viewer/state/lens_zoom.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -98,7 +98,7 @@ TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
     // Root may write into any folder but one that is gone.
     fs::create_directory(folder() / "gone");
     const RunResult run =
-        runShell("(cd gone && rmdir ../gone && '" CDR_VIEWER "' --validate --size 800x480 --script " +
+        runShell("(cd gone && rmdir ../gone && '" CDR_VIEWER_DRIVE "' --validate --size 800x480 --script " +
                      (folder() / "script").string() + " cubes)",
                  folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;

@@ -47,7 +47,7 @@ RunResult runShell(const std::string& command, const fs::path& folder, const std
 RunResult ViewerTest::play(const std::string& arguments, const std::string& script) {
     std::ofstream(folder() / "script") << script;
     RunResult result =
-        runShell("'" CDR_VIEWER "' --validate --script script " + arguments, folder(), environment());
+        runShell("'" CDR_VIEWER_DRIVE "' --validate --script script " + arguments, folder(), environment());
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.err, "");
     return result;

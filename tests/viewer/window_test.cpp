@@ -161,7 +161,7 @@ TEST_F(ViewerTest, EveryTabDraws) {
 
 TEST_F(ViewerTest, QuitsAfterSoManyFramesThoughNothingMoves) {
     const RunResult run =
-        runShell("timeout 60 '" CDR_VIEWER "' --size 640x360 --frames 40 --screenshot still.png cubes",
+        runShell("timeout 280 '" CDR_VIEWER "' --size 640x360 --frames 40 --screenshot still.png cubes",
                  folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(picture("still.png").width, 640u);
@@ -169,7 +169,7 @@ TEST_F(ViewerTest, QuitsAfterSoManyFramesThoughNothingMoves) {
 
 TEST_F(ViewerTest, SurvivesRandomInput) {
     // A 360th of half an hour; the same options with --soak 1800 are the long one.
-    const RunResult run = runShell("'" CDR_VIEWER "' --validate --size 400x300 --soak 5 --seed 7 cubes",
+    const RunResult run = runShell("'" CDR_VIEWER_DRIVE "' --validate --size 400x300 --soak 5 --seed 7 cubes",
                                    folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
@@ -190,7 +190,11 @@ TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
     expectError("--compare standard", 2, "LEFT,RIGHT");
     expectError("no-such-scene", 2, "no-such-scene");
     expectError("--device 99", 2, "99");
-    expectError("--script missing", 2, "missing");
+    expectError("--script script", 2, "--script");
+    const RunResult undriven = runShell("'" CDR_VIEWER_DRIVE "' --script missing", folder(), environment());
+    EXPECT_EQ(undriven.status, 2);
+    EXPECT_NE(undriven.err.find("missing"), std::string::npos) << undriven.err;
+    EXPECT_EQ(std::count(undriven.err.begin(), undriven.err.end(), '\n'), 1) << undriven.err;
     const RunResult blind =
         runShell("env -u DISPLAY -u WAYLAND_DISPLAY '" CDR_VIEWER "' afc", folder(), environment());
     EXPECT_EQ(blind.status, 1);
@@ -216,7 +220,7 @@ TEST_F(ViewerTest, ListensToTheXServer) {
            "while [ ! -s after.png ]; do read -t 0.1 <> <(:) || true; done\n"
            "'" CDR_XDOTOOL "' key ctrl+q\n";
     const RunResult run =
-        runShell("(timeout 100 bash hands & '" CDR_VIEWER
+        runShell("(timeout 280 bash hands & '" CDR_VIEWER_DRIVE
                  "' --validate --size 800x480 --script script cubes; status=$?; wait; exit $status)",
                  folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;

@@ -1,5 +1,6 @@
 #include "script.h"
 
+#include <cdr/base/file.h>
 #include <cdr/base/suggest.h>
 #include <viewer/window/window.h>
 
@@ -19,6 +20,7 @@ namespace cdr::viewer {
 namespace {
 
 constexpr double kMaxCount = 1e6;
+constexpr std::uintmax_t kMaxScriptBytes = 1 << 20;
 
 int keyOf(const std::string& name) {
     static const std::map<std::string, int, std::less<>> kNamed{
@@ -188,6 +190,11 @@ std::vector<ScriptStep> parseScript(const std::string& text, const std::string& 
         }
     }
     return steps;
+}
+
+std::vector<ScriptStep> readScript(const std::filesystem::path& file) {
+    const base::Bytes bytes = base::readFile(file, kMaxScriptBytes);
+    return parseScript({bytes.begin(), bytes.end()}, file.string());
 }
 
 } // namespace cdr::viewer

@@ -65,4 +65,7 @@ using ScriptStep = std::variant<InputEvent, ClickItem, WindowSize, WaitFrame, Wa
 /// base::InputError, naming the line, for anything else.
 std::vector<ScriptStep> parseScript(const std::string& text, const std::string& name);
 
+/// parseScript() of a file's text. base::InputError when it cannot be read.
+std::vector<ScriptStep> readScript(const std::filesystem::path& file);
+
 } // namespace cdr::viewer

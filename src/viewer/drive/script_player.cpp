@@ -1,8 +1,12 @@
 #include "script_player.h"
 
+#include "print_line.h"
+#include "state_line.h"
+
 #include <cdr/base/error.h>
-#include <viewer/session/overloaded.h>
-#include <viewer/session/shown_picture.h>
+#include <cdr/image/codec.h>
+#include <viewer/state/overloaded.h>
+#include <viewer/state/shown_picture.h>
 
 #include <fmt/format.h>
 
@@ -12,7 +16,15 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr std::chrono::seconds kLongestWait{120};
+/// Far longer than any frame takes on a busy machine. It only ends a script that waits for what never comes.
+constexpr std::chrono::seconds kLongestWait{280};
+
+void savePicture(const std::filesystem::path& file, const ViewerModel& model) {
+    const image::ImageRgba8 picture = shownPicture(model);
+    if (!picture.pixels.empty()) {
+        image::writeImage(file, picture);
+    }
+}
 
 } // namespace
 
@@ -73,36 +85,39 @@ bool ScriptPlayer::waits(const Session& session, const ViewerModel& model) {
     return isWaiting;
 }
 
-ScriptWish ScriptPlayer::step(Window& window, const ItemPlaces& places, const Session& session,
-                              const ViewerModel& model) {
-    ScriptWish wish;
-    if (m_steps.empty() || waits(session, model)) {
-        return wish;
-    }
-    const ScriptStep step = m_steps.front();
-    m_steps.pop_front();
+void ScriptPlayer::play(const ScriptStep& step, const DrivenViewer& viewer) {
+    Window& window = viewer.window;
     std::visit(Overloaded{[&](const InputEvent& event) { window.inject(event); },
-                          [&](const ClickItem& click) { clickItem(click.name, places); },
+                          [&](const ClickItem& click) { clickItem(click.name, viewer.places); },
                           [&](const WindowSize& size) { window.resize(size.width, size.height); },
-                          [&](const SaveWindow& save) { wish.window = save.file; },
-                          [&](const SavePicture& save) { wish.picture = save.file; },
+                          [&](const SaveWindow& save) { viewer.capture = save.file; },
+                          [&](const SavePicture& save) { savePicture(save.file, viewer.model); },
                           [&](const PrintPlace& print) {
-                              const ItemPlaces::Place place = placeOf(print.name, places);
-                              wish.text = fmt::format("{} {:.0f} {:.0f}", print.name, place.x, place.y);
+                              const ItemPlaces::Place place = placeOf(print.name, viewer.places);
+                              printLine(fmt::format("{} {:.0f} {:.0f}", print.name, place.x, place.y));
                           },
-                          [&](const PrintState&) { wish.text = stateLine(model); },
-                          [&](const PrintCommand&) { wish.text = commandLinesOf(model); },
+                          [&](const PrintState&) { printLine(stateLine(viewer.model)); },
+                          [&](const PrintCommand&) { printLine(commandLinesOf(viewer.model)); },
                           [&](const Minimise&) {
                               window.minimise();
-                              window.inject(ResizeInput{0, 0}); // what other systems say of it
+                              window.inject(ResizeInput{0, 0}); // as other window systems report it
                           },
                           [&](const Restore&) {
                               window.restore();
                               window.inject(window.currentSize());
                           },
-                          [&](const Quit&) { wish.quits = true; }, [](const auto&) {}},
+                          [&](const Quit&) { m_state = DriverState::quits; }, [](const auto&) {}},
                step);
-    return wish;
+}
+
+DriverState ScriptPlayer::step(const DrivenViewer& viewer) {
+    if (!m_steps.empty() && !waits(viewer.session, viewer.model)) {
+        const ScriptStep step = m_steps.front();
+        m_steps.pop_front();
+        play(step, viewer);
+    }
+    const bool hasEnded = m_steps.empty() && m_state == DriverState::drives;
+    return hasEnded ? DriverState::hasEnded : m_state;
 }
 
 } // namespace cdr::viewer

@@ -2,36 +2,26 @@
 
 #include "script.h"
 
-#include <viewer/panels/item_places.h>
-#include <viewer/session/session.h>
-#include <viewer/window/window.h>
+#include <viewer/session/driver.h>
 
+#include <chrono>
 #include <deque>
-#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cdr::viewer {
 
-/// What a script wants of the program besides input.
-struct ScriptWish {
-    std::optional<std::filesystem::path> window;  ///< to be captured into
-    std::optional<std::filesystem::path> picture; ///< to be written to
-    std::string text;                             ///< to be printed
-    bool quits = false;
-};
-
 /// Plays a script, a step per frame of the interface.
-class ScriptPlayer {
+class ScriptPlayer : public Driver {
   public:
     explicit ScriptPlayer(std::vector<ScriptStep> steps) : m_steps(steps.begin(), steps.end()) {}
 
-    bool isDone() const { return m_steps.empty(); }
-    /// Plays what is due. base::RunError for an item that is not there, or a frame that does not come.
-    ScriptWish step(Window& window, const ItemPlaces& places, const Session& session,
-                    const ViewerModel& model);
+    /// Plays the step that is due. base::RunError for an item that is not there, or a frame that does not come.
+    DriverState step(const DrivenViewer& viewer) override;
 
   private:
+    void play(const ScriptStep& step, const DrivenViewer& viewer);
     bool waits(const Session& session, const ViewerModel& model);
     bool waitsForFrame(const WaitFrame& frame, const Session& session);
     /// Begins or goes on waiting; base::RunError when it has taken too long.
@@ -40,6 +30,7 @@ class ScriptPlayer {
     static ItemPlaces::Place placeOf(const std::string& name, const ItemPlaces& places);
 
     std::deque<ScriptStep> m_steps;
+    DriverState m_state = DriverState::drives;
     std::optional<std::uint64_t> m_resultsWanted;
     std::optional<std::chrono::steady_clock::time_point> m_waitBegan;
 };

@@ -1,8 +1,12 @@
 #include "soak.h"
 
+#include "allocator.h"
+#include "print_line.h"
+
 #include <cdr/image/codec.h>
-#include <viewer/session/resident_memory.h>
-#include <viewer/session/shown_picture.h>
+#include <viewer/panels/resident_memory.h>
+#include <viewer/session/camera_control.h>
+#include <viewer/state/shown_picture.h>
 
 #include <fmt/format.h>
 
@@ -25,13 +29,14 @@ double megabytes(std::uint64_t bytes) {
 
 } // namespace
 
-Soak::Soak(double seconds, std::uint64_t seed, const ViewerModel& model)
+Soak::Soak(double seconds, std::uint64_t seed)
     : m_steps(
           std::max<std::uint64_t>(static_cast<std::uint64_t>(std::llround(seconds * kStepsPerSecond)), 1)),
-      m_input({.seed = seed, .seconds = 1.0 / kStepsPerSecond}),
-      m_home(model.settings) {}
+      m_input({.seed = seed, .seconds = 1.0 / kStepsPerSecond}) {}
 
-void Soak::play(Window& window, const PictureArea& area, Session& session, ViewerModel& model) {
+void Soak::play(const DrivenViewer& viewer) {
+    Window& window = viewer.window;
+    ViewerModel& model = viewer.model;
     const SoakStep step = m_input.next();
     if (m_minimisedFor > 0 && --m_minimisedFor == 0) {
         window.inject(window.currentSize());
@@ -51,9 +56,9 @@ void Soak::play(Window& window, const PictureArea& area, Session& session, Viewe
     model.orbits = step.orbits;
     CameraControl::steer(step.input, step.zooms, model);
     if (step.click) {
-        const PictureExtent& extent = area.extent;
-        session.click({std::min<double>(step.click->x, extent.width - 1.0),
-                       std::min<double>(step.click->y, extent.height - 1.0)});
+        const PictureExtent& extent = viewer.area.extent;
+        viewer.session.click({std::min<double>(step.click->x, extent.width - 1.0),
+                              std::min<double>(step.click->y, extent.height - 1.0)});
     }
     if (step.screenshot) {
         const image::ImageRgba8 picture = shownPicture(model);
@@ -75,9 +80,9 @@ void Soak::enter(Phase phase, const Session& session) {
 void Soak::rest(Window& window, const Session& session, ViewerModel& model) {
     enter(Phase::resting, session);
     m_minimisedFor = 0;
-    window.resize(m_homeSize.width, m_homeSize.height);
+    window.resize(m_home->size.width, m_home->size.height);
     window.inject(window.currentSize());
-    model.settings = m_home;
+    model.settings = m_home->settings;
     model.orbits = false;
     model.motion = Motion::free;
     model.actions.push_back(Action::sceneCamera);
@@ -99,10 +104,10 @@ void Soak::measure(Window& window, Session& session, ViewerModel& model) {
     }
     const std::uint64_t allocated = allocatedBytes().value_or(0);
     m_memory.push_back({.before = m_before, .resident = resident, .allocated = allocated});
-    m_news =
+    printLine(
         fmt::format("allocated {:.2f} MB, resident {:.1f} MB, {:.1f} MB before the device was made anew, "
                     "after {} of {} steps",
-                    megabytes(allocated), megabytes(resident), megabytes(m_before), m_done, m_steps);
+                    megabytes(allocated), megabytes(resident), megabytes(m_before), m_done, m_steps));
     enter(Phase::playing, session);
 }
 
@@ -111,23 +116,22 @@ std::uint64_t Soak::stepsBeforeRest() const {
     return static_cast<std::uint64_t>(static_cast<double>(m_steps) * (kWarmUp + (1.0 - kWarmUp) * share));
 }
 
-void Soak::step(Window& window, const PictureArea& area, Session& session, ViewerModel& model) {
-    if (m_homeSize.width == 0) {
-        m_homeSize = window.currentSize();
+DriverState Soak::step(const DrivenViewer& viewer) {
+    const auto& [window, session, model, places, area, capture] = viewer;
+    if (!m_home) {
+        m_home = Home{.settings = model.settings, .size = window.currentSize()};
     }
     if (m_phase != Phase::playing) {
         measure(window, session, model);
-        return;
+    } else if (session.isReady() && model.shown != nullptr) {
+        if (m_done >= stepsBeforeRest()) {
+            rest(window, session, model);
+        } else {
+            play(viewer);
+            ++m_done;
+        }
     }
-    if (!session.isReady() || model.shown == nullptr) {
-        return;
-    }
-    if (m_done >= stepsBeforeRest()) {
-        rest(window, session, model);
-        return;
-    }
-    play(window, area, session, model);
-    ++m_done;
+    return isDone() ? DriverState::quits : DriverState::drives;
 }
 
 /// "48.1 MB after warm-up and 48.2 MB at the end (+0.21 %)"

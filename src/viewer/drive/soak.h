@@ -1,15 +1,13 @@
 #pragma once
 
-#include <viewer/session/camera_control.h>
-#include <viewer/session/session.h>
-#include <viewer/state/soak_input.h>
-#include <viewer/window/window.h>
+#include "soak_input.h"
+
+#include <viewer/session/driver.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace cdr::viewer {
@@ -18,7 +16,7 @@ namespace cdr::viewer {
 /// memory: always in one and the same view, first after a warm-up, then at each tenth of what is left. What
 /// the driver keeps for later differs by tens of megabytes with what it drew last (llvmpipe keeps up to 36
 /// MiB of bins for each pass that it ever worked on at once), so the renderer's device is made anew for it.
-class Soak {
+class Soak : public Driver {
   public:
     static constexpr double kStepsPerSecond = 60.0;
     /// The share of the steps that warms up.
@@ -29,13 +27,10 @@ class Soak {
     static constexpr std::ptrdiff_t kCompared = 4;
 
     /// @param seconds' worth of input.
-    Soak(double seconds, std::uint64_t seed, const ViewerModel& model);
+    Soak(double seconds, std::uint64_t seed);
 
     /// Plays a step, if the renderer has taken the last one.
-    void step(Window& window, const PictureArea& area, Session& session, ViewerModel& model);
-    bool isDone() const { return m_memory.size() > kMeasurements; }
-    /// The last measurement since it was asked for, one line; else empty.
-    std::string news() { return std::exchange(m_news, {}); }
+    DriverState step(const DrivenViewer& viewer) override;
     /// "soak: 1800 steps, ...", one line.
     std::string report() const;
 
@@ -47,9 +42,15 @@ class Soak {
         std::uint64_t resident = 0;
         std::uint64_t allocated = 0;
     };
+    /// The view in which memory is measured.
+    struct Home {
+        ViewSettings settings;
+        ResizeInput size;
+    };
+    bool isDone() const { return m_memory.size() > kMeasurements; }
     std::string growthOf(std::uint64_t Memory::*bytes) const;
     void enter(Phase phase, const Session& session);
-    void play(Window& window, const PictureArea& area, Session& session, ViewerModel& model);
+    void play(const DrivenViewer& viewer);
     void rest(Window& window, const Session& session, ViewerModel& model);
     void measure(Window& window, Session& session, ViewerModel& model);
     std::uint64_t stepsBeforeRest() const; ///< played before the next measurement
@@ -58,13 +59,11 @@ class Soak {
     std::uint64_t m_done = 0;
     std::uint64_t m_restedFrames = 0;
     SoakInput m_input;
-    ViewSettings m_home; ///< of the view in which memory is measured
-    ResizeInput m_homeSize;
+    std::optional<Home> m_home; ///< what the viewer showed at the first step
     std::uint64_t m_minimisedFor = 0;
     Phase m_phase = Phase::playing;
     std::vector<Memory> m_memory; ///< of each measurement
     std::uint64_t m_before = 0;   ///< for the next
-    std::string m_news;
     std::uint64_t m_results = 0;
 };
 

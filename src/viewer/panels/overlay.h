@@ -1,7 +1,7 @@
 #pragma once
 
-#include <viewer/session/camera_control.h>
-#include <viewer/session/viewer_model.h>
+#include <viewer/state/picture_area.h>
+#include <viewer/state/viewer_model.h>
 
 namespace cdr::viewer {
 

@@ -1,9 +1,9 @@
 #include "panels.h"
 #include "shortcuts.h"
 
+#include <viewer/state/camera/lens_zoom.h>
 #include <viewer/state/command_line.h>
 #include <viewer/state/length_text.h>
-#include <viewer/state/lens_zoom.h>
 
 #include <fmt/format.h>
 #include <imgui.h>

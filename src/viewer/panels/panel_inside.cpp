@@ -1,7 +1,7 @@
 #include "panels.h"
 
 #include <cdr/render/targets/gbuffer.h>
-#include <viewer/session/resident_memory.h>
+#include <viewer/panels/resident_memory.h>
 #include <viewer/state/length_text.h>
 #include <viewer/state/technique_label.h>
 #include <viewer/state/view_picture.h>

@@ -1,6 +1,5 @@
 #include "application.h"
 
-#include "shown_picture.h"
 #include "startup.h"
 #include "statistics_report.h"
 
@@ -9,6 +8,7 @@
 #include <viewer/panels/overlay.h>
 #include <viewer/panels/panels.h>
 #include <viewer/panels/shortcuts.h>
+#include <viewer/state/shown_picture.h>
 
 #include <fmt/format.h>
 
@@ -34,24 +34,16 @@ std::string describe(const gpu::DeviceInfo& info) {
     return fmt::format("{}, {}", info.name, info.driver);
 }
 
-/// A line on standard output at once, for who drives the program; nothing for no text.
-void say(const std::string& line) {
-    if (!line.empty()) {
-        fmt::print("{}\n", line);
-        std::fflush(stdout);
-    }
-}
-
 double secondsSince(std::chrono::steady_clock::time_point then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
 }
 
 } // namespace
 
-Application::Application(const Arguments& arguments)
+Application::Application(const Arguments& arguments, Driver* driver)
     : m_arguments(arguments),
       m_model(initialModel(arguments)),
-      m_script(loadScript(arguments)),
+      m_driver(driver),
       m_system(fmt::format("cdr render {} -o picture.png", arguments.scene)),
       m_renderInstance({.validate = arguments.validate, .extensions = {}}),
       m_renderDevice(m_renderInstance, arguments.device),
@@ -62,18 +54,15 @@ Application::Application(const Arguments& arguments)
       m_session(m_renderDevice, m_model) {
     m_model.device = describe(m_renderDevice.device().info());
     m_model.uiDevice = describe(m_ui.device().info());
-    if (arguments.soakSeconds) {
-        m_soak.emplace(*arguments.soakSeconds, arguments.seed, m_model);
-    }
 }
 
 bool Application::goesOn() const {
     const bool isOver = m_arguments.frames && m_uiFrames >= *m_arguments.frames;
-    return !m_quits && !isOver && !m_window.isClosing() && !(m_soak && m_soak->isDone());
+    return !m_quits && !isOver && !m_window.isClosing();
 }
 
 void Application::wait() const {
-    const bool isDriven = m_script || m_soak;
+    const bool isDriven = m_driver != nullptr;
     const bool isMinimised = m_window.extent().width == 0 || m_window.extent().height == 0;
     const bool isBusy = isDriven || ((m_redraws > 0 || m_control.isActive()) && !isMinimised);
     if (isBusy) {
@@ -84,20 +73,23 @@ void Application::wait() const {
     }
 }
 
-void Application::playScript() {
-    const ScriptWish wish = m_script->step(m_window, m_places, m_session, m_model);
-    say(wish.text);
-    if (wish.window) {
-        m_capture = wish.window;
-    }
-    if (wish.picture) {
-        savePicture(*wish.picture);
-    }
-    m_quits = m_quits || wish.quits;
+void Application::stepDriver() {
+    const DriverState state = m_driver->step({.window = m_window,
+                                              .session = m_session,
+                                              .model = m_model,
+                                              .places = m_places,
+                                              .area = pictureArea(),
+                                              .capture = m_capture});
+    m_quits = m_quits || state == DriverState::quits;
     m_redraws = std::max(m_redraws, 1);
-    if (m_script->isDone()) {
-        m_script.reset();
+    if (state == DriverState::hasEnded) {
+        m_driver = nullptr;
     }
+}
+
+double Application::secondsOfUpdate() {
+    const double seconds = secondsSince(std::exchange(m_lastUpdate, Clock::now()));
+    return m_driver != nullptr ? Driver::kStepSeconds : seconds;
 }
 
 void Application::handleInput() {
@@ -142,7 +134,7 @@ bool Application::isMoving() const {
 }
 
 bool Application::isRedrawDue() const {
-    return m_redraws > 0 || m_soak || (isMoving() && Clock::now() - m_lastFrame >= kRedrawEvery);
+    return m_redraws > 0 || (isMoving() && Clock::now() - m_lastFrame >= kRedrawEvery);
 }
 
 void Application::layOut() {
@@ -177,7 +169,7 @@ void Application::drawFrame() {
     }
     m_lastFrame = begin;
     m_places.beginFrame();
-    m_interface.begin(interval);
+    m_interface.begin(m_driver != nullptr ? Driver::kStepSeconds : interval);
     layOut();
     ImDrawData* drawn = m_interface.end();
     image::ImageRgba8 pixels;
@@ -194,12 +186,8 @@ void Application::run() {
     const auto began = Clock::now();
     while (goesOn()) {
         wait();
-        if (m_script) {
-            playScript();
-        }
-        if (m_soak) {
-            m_soak->step(m_window, pictureArea(), m_session, m_model);
-            say(m_soak->news());
+        if (m_driver != nullptr) {
+            stepDriver();
         }
         handleInput();
         for (const Action action : std::exchange(m_model.actions, {})) {
@@ -212,7 +200,7 @@ void Application::run() {
             }
             m_redraws = std::max(m_redraws, 1);
         }
-        const double seconds = secondsSince(std::exchange(m_lastUpdate, Clock::now()));
+        const double seconds = secondsOfUpdate();
         m_control.apply(pictureArea(), seconds, m_model);
         if (m_window.extent().width > 0 && m_window.extent().height > 0) {
             m_session.update(pictureArea(), m_control.cursor(), seconds, m_control.isActive());
@@ -228,9 +216,6 @@ void Application::run() {
 }
 
 void Application::finish() {
-    if (m_soak) {
-        say(m_soak->report());
-    }
     if (!m_arguments.screenshot.empty()) {
         m_capture = m_arguments.screenshot;
         constexpr int kTries = 3; // the window may just have changed its size

@@ -2,15 +2,14 @@
 
 #include "arguments.h"
 #include "camera_control.h"
+#include "driver.h"
 #include "render_device.h"
 #include "session.h"
-#include "viewer_model.h"
 
-#include <viewer/drive/script_player.h>
-#include <viewer/drive/soak.h>
 #include <viewer/panels/interface.h>
 #include <viewer/panels/item_places.h>
 #include <viewer/panels/widgets.h>
+#include <viewer/state/viewer_model.h>
 #include <viewer/window/presenter.h>
 #include <viewer/window/ui_device.h>
 #include <viewer/window/window.h>
@@ -29,7 +28,8 @@ namespace cdr::viewer {
 class Application {
   public:
     /// base::InputError for what cannot be asked for, base::RunError where there is no window system.
-    explicit Application(const Arguments& arguments);
+    /// @param driver plays input if not null; must outlive the application.
+    explicit Application(const Arguments& arguments, Driver* driver = nullptr);
     /// Until the window closes. base::RunError when something failed that no other request can mend.
     void run();
     /// What validation says of both devices, as long as they live and when they go.
@@ -41,7 +41,8 @@ class Application {
     using Clock = std::chrono::steady_clock;
     bool goesOn() const;
     void wait() const;
-    void playScript();
+    void stepDriver();
+    double secondsOfUpdate();
     void handleInput();
     /// What cannot be done, such as writing into a folder, is said and no more.
     void perform(Action action);
@@ -63,8 +64,7 @@ class Application {
 
     Arguments m_arguments;
     ViewerModel m_model;
-    std::optional<ScriptPlayer> m_script;
-    std::optional<Soak> m_soak;
+    Driver* m_driver; ///< null once it has ended, or when a person is in charge
     WindowSystem m_system;
     gpu::Instance m_renderInstance;
     RenderDevice m_renderDevice; ///< before the window, since a device that is not there needs none

@@ -1,10 +1,10 @@
 #include "application.h"
-#include "shown_picture.h"
 #include "startup.h"
 
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
 #include <cdr/image/codec.h>
+#include <viewer/state/shown_picture.h>
 
 #include <fmt/format.h>
 

@@ -12,15 +12,12 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr double kMaxSoakSeconds = 86'400.0;
-
 void addViewOptions(CLI::App& program, Arguments& arguments) {
     program
         .add_option("scene", arguments.scene,
                     fmt::format("{}, or a .gltf or .glb file", fmt::join(scenes::generatedScenes(), ", ")))
         ->capture_default_str();
-    program.add_option("--seed", arguments.seed, "Seed of a random scene, and of a soak")
-        ->capture_default_str();
+    program.add_option("--seed", arguments.seed, "Seed of a random scene")->capture_default_str();
     program
         .add_option("--technique", arguments.technique,
                     "Preset (standard, cdr, log, logcdr, reversed, anchored) or mapping/split")
@@ -48,36 +45,32 @@ void addWindowOptions(CLI::App& program, Arguments& arguments) {
         ->check(CLI::Range(0.5, 4.0));
 }
 
-void addTestOptions(CLI::App& program, Arguments& arguments) {
+void addMeasuringOptions(CLI::App& program, Arguments& arguments) {
     program.add_option("--frames", arguments.frames, "Quit after so many frames of the interface");
-    program.add_option("--script", arguments.script, "Play input from FILE, one event a line");
     program.add_option("--screenshot", arguments.screenshot, "Write the window as PNG when it quits");
-    program
-        .add_option("--soak", arguments.soakSeconds,
-                    "Play so many seconds' worth of random input, as fast as frames come, and quit")
-        ->check(CLI::Range(1.0, kMaxSoakSeconds));
     program.add_flag("--statistics", arguments.statistics, "Print frame times when it quits");
 }
 
 } // namespace
 
-ParsedArguments parseArguments(int argc, char** argv) {
-    ParsedArguments parsed;
-    CLI::App program("Look at scenes under two depth techniques at once. F1 in the window shows the keys.",
-                     "cdr-viewer");
+void addViewerOptions(CLI::App& program, Arguments& arguments) {
     const base::BuildInfo build = base::buildInfo();
-    program.set_version_flag("--version", fmt::format("cdr-viewer {} ({})", build.version, build.commit));
-    addViewOptions(program, parsed.arguments);
-    addWindowOptions(program, parsed.arguments);
-    addTestOptions(program, parsed.arguments);
+    program.set_version_flag("--version",
+                             fmt::format("{} {} ({})", program.get_name(), build.version, build.commit));
+    addViewOptions(program, arguments);
+    addWindowOptions(program, arguments);
+    addMeasuringOptions(program, arguments);
+}
+
+std::optional<int> parse(CLI::App& program, int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {
-        parsed.exitStatus = program.exit(success);
+        return program.exit(success);
     } catch (const CLI::ParseError& error) {
         throw base::InputError(error.what());
     }
-    return parsed;
+    return std::nullopt;
 }
 
 } // namespace cdr::viewer

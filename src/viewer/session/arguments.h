@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace cdr::viewer {
 
 /// The command line of cdr-viewer.
@@ -26,18 +30,15 @@ struct Arguments {
     bool waitsForDisplay = false;        ///< FIFO instead of mailbox
     double uiScale = 0.0;                ///< 0: the display's
     std::optional<std::uint64_t> frames; ///< UI frames after which to quit
-    std::filesystem::path script;
-    std::filesystem::path screenshot; ///< of the window, when it quits
-    std::optional<double> soakSeconds;
-    bool statistics = false; ///< prints frame times when it quits
+    std::filesystem::path screenshot;    ///< of the window, when it quits
+    bool statistics = false;             ///< prints frame times when it quits
 };
 
-/// Reads the command line; may print help or the version and say that the program is done.
-/// base::InputError says what is wrong.
-struct ParsedArguments {
-    Arguments arguments;
-    std::optional<int> exitStatus;
-};
-ParsedArguments parseArguments(int argc, char** argv);
+/// Adds the viewer's options to a program, which fills `arguments` when it parses a command line.
+void addViewerOptions(CLI::App& program, Arguments& arguments);
+
+/// Parses a command line. Returns an exit status when the program is done, as after --help.
+/// base::InputError for what is wrong with it.
+std::optional<int> parse(CLI::App& program, int argc, char** argv);
 
 } // namespace cdr::viewer

@@ -1,8 +1,8 @@
 #include "camera_control.h"
 
-#include <viewer/state/fly_controller.h>
-#include <viewer/state/gamepad.h>
-#include <viewer/state/lens_zoom.h>
+#include <viewer/state/camera/fly_controller.h>
+#include <viewer/state/camera/gamepad.h>
+#include <viewer/state/camera/lens_zoom.h>
 
 #include <GLFW/glfw3.h>
 #include <vulkan/vulkan.hpp>

@@ -1,29 +1,13 @@
 #pragma once
 
-#include "viewer_model.h"
-
-#include <viewer/state/camera_input.h>
+#include <viewer/state/camera/camera_input.h>
+#include <viewer/state/picture_area.h>
+#include <viewer/state/viewer_model.h>
 #include <viewer/window/input_event.h>
 
 #include <optional>
 
 namespace cdr::viewer {
-
-/// Where the picture is in the window, pixels.
-struct PictureArea {
-    int x = 0;
-    int y = 0;
-    PictureExtent extent;
-    double pixelsPerUnit = 1.0; ///< of the window's screen coordinates
-
-    /// Pixels from the picture's top left corner.
-    glm::dvec2 toPicture(double windowX, double windowY) const {
-        return {windowX * pixelsPerUnit - x, windowY * pixelsPerUnit - y};
-    }
-    bool contains(const glm::dvec2& pixel) const {
-        return pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < extent.width && pixel.y < extent.height;
-    }
-};
 
 /// Turns events over the picture into camera motion, clicks, and moves of the divider.
 class CameraControl {

@@ -1,6 +1,6 @@
 #include "render_thread.h"
 
-#include "scene_stage.h"
+#include "scene_renderer.h"
 
 #include <cdr/base/error.h>
 
@@ -11,7 +11,8 @@ namespace cdr::viewer {
 namespace {
 
 /// The stage's answer, or why there is none. What the next request cannot mend passes through.
-RenderResult answerOrExplain(SceneStage& stage, const RenderRequest& request, const std::stop_token& stop) {
+RenderResult answerOrExplain(SceneRenderer& stage, const RenderRequest& request,
+                             const std::stop_token& stop) {
     RenderResult result{.serial = request.serial, .sceneName = stage.sceneName()};
     try {
         return stage.answer(request, stop);
@@ -36,7 +37,7 @@ RenderThread::RenderThread(const gpu::Device& device, std::function<void()> noti
 
 void RenderThread::serve(const std::stop_token& stop, const gpu::Device& device) {
     try {
-        SceneStage stage(device);
+        SceneRenderer stage(device);
         while (const auto request = m_requests.wait(stop)) {
             m_notify();
             m_results.put(answerOrExplain(stage, *request, stop));

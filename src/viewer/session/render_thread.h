@@ -1,9 +1,9 @@
 #pragma once
 
 #include "mailbox.h"
-#include "render_request.h"
 
 #include <cdr/gpu/device.h>
+#include <viewer/state/render_request.h>
 
 #include <functional>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "session.h"
 
 #include <cdr/base/error.h>
-#include <viewer/state/fly_controller.h>
+#include <viewer/state/camera/fly_controller.h>
 #include <viewer/window/window.h>
 
 #include <algorithm>

@@ -3,7 +3,8 @@
 #include "camera_control.h"
 #include "render_device.h"
 #include "render_thread.h"
-#include "viewer_model.h"
+
+#include <viewer/state/viewer_model.h>
 
 #include <chrono>
 #include <cstdint>

@@ -17,7 +17,7 @@ bool fits(const render::RenderOptions& made, const render::RenderOptions& wanted
 
 } // namespace
 
-render::Frame SideRenderer::render(const StageSet& set, render::RenderOptions options,
+render::Frame SideRenderer::render(const SceneOnDevice& set, render::RenderOptions options,
                                    const scene::Camera& camera, render::FrameCopy copy, bool forgets) {
     if (m_renderer == nullptr || !fits(m_renderer->options(), options)) {
         m_renderer.reset(); // its memory goes before that of the next is asked for

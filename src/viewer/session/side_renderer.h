@@ -10,7 +10,7 @@
 namespace cdr::viewer {
 
 /// What all renderers of a stage share.
-struct StageSet {
+struct SceneOnDevice {
     const gpu::Device& device;
     const scene::Scene& scene;
     const render::GpuScene& onDevice;
@@ -20,7 +20,7 @@ struct StageSet {
 class SideRenderer {
   public:
     /// @param forgets the frames before, see render::Renderer::forgetFrames().
-    render::Frame render(const StageSet& set, render::RenderOptions options, const scene::Camera& camera,
+    render::Frame render(const SceneOnDevice& set, render::RenderOptions options, const scene::Camera& camera,
                          render::FrameCopy copy, bool forgets);
     /// Of the last frame.
     const base::Trace& trace() const { return *m_trace; }

@@ -1,7 +1,6 @@
 #include "startup.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
 #include <viewer/window/window.h>
 
 #include <fmt/format.h>
@@ -9,12 +8,6 @@
 #include <charconv>
 
 namespace cdr::viewer {
-
-namespace {
-
-constexpr std::uintmax_t kMaxScriptBytes = 1 << 20;
-
-} // namespace
 
 ViewerModel initialModel(const Arguments& arguments) {
     ViewerModel model;
@@ -59,14 +52,6 @@ PictureExtent windowSize(const Arguments& arguments) {
                                            kMaxWindowSide, text.substr(0, 60)));
     }
     return size;
-}
-
-std::optional<ScriptPlayer> loadScript(const Arguments& arguments) {
-    if (arguments.script.empty()) {
-        return std::nullopt;
-    }
-    const base::Bytes bytes = base::readFile(arguments.script, kMaxScriptBytes);
-    return ScriptPlayer(parseScript({bytes.begin(), bytes.end()}, arguments.script.string()));
 }
 
 std::filesystem::path freeName(const std::string& stem, const std::string& extension) {

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "arguments.h"
-#include "viewer_model.h"
 
-#include <viewer/drive/script_player.h>
+#include <viewer/state/viewer_model.h>
 
 #include <filesystem>
 #include <optional>
@@ -16,9 +15,6 @@ ViewerModel initialModel(const Arguments& arguments);
 
 /// Of the window, screen coordinates. base::InputError unless it is WIDTHxHEIGHT.
 PictureExtent windowSize(const Arguments& arguments);
-
-/// The script named, if any. base::InputError for one that cannot be read.
-std::optional<ScriptPlayer> loadScript(const Arguments& arguments);
 
 /// STEM-0001EXTENSION in the current folder, or the first number above that is free.
 std::filesystem::path freeName(const std::string& stem, const std::string& extension);

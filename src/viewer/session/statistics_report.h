@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viewer_model.h"
+#include <viewer/state/viewer_model.h>
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
 #include "picking.h"
 
-#include "heading.h"
+#include "camera/heading.h"
 #include "length_text.h"
 #include "technique_label.h"
 

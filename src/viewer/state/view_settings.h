@@ -1,6 +1,6 @@
 #pragma once
 
-#include "camera_input.h"
+#include "camera/camera_input.h"
 #include "finish.h"
 
 #include <cdr/render/renderer.h>

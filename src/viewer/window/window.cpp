@@ -1,7 +1,7 @@
 #include "window.h"
 
 #include <cdr/base/error.h>
-#include <viewer/session/overloaded.h>
+#include <viewer/state/overloaded.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/scene/camera.h>
-#include <viewer/state/camera_input.h>
+#include <viewer/state/camera/camera_input.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include "cameras.h"
 
 #include <cdr/base/suggest.h>
+#include <viewer/state/camera/fly_controller.h>
+#include <viewer/state/camera/lens_zoom.h>
 #include <viewer/state/command_line.h>
-#include <viewer/state/fly_controller.h>
-#include <viewer/state/lens_zoom.h>
 
 #include <random>
 #include <sstream>

@@ -10,9 +10,6 @@ namespace cdr::viewer {
 /// Empty while nothing is shown.
 image::ImageRgba8 shownPicture(const ViewerModel& model);
 
-/// What is shown in words, one line of NAME=VALUE, for scripts.
-std::string stateLine(const ViewerModel& model);
-
 /// The `cdr render` lines that draw what is shown, one for each picture, left first. Empty while nothing is.
 std::string commandLinesOf(const ViewerModel& model);
 

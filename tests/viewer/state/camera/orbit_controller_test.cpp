@@ -1,6 +1,6 @@
-#include "cameras.h"
+#include "../cameras.h"
 
-#include <viewer/state/orbit_controller.h>
+#include <viewer/state/camera/orbit_controller.h>
 
 namespace cdr::viewer {
 

@@ -1,8 +1,8 @@
-#include "cameras.h"
+#include "../cameras.h"
 
-#include <viewer/state/gamepad.h>
-#include <viewer/state/heading.h>
-#include <viewer/state/lens_zoom.h>
+#include <viewer/state/camera/gamepad.h>
+#include <viewer/state/camera/heading.h>
+#include <viewer/state/camera/lens_zoom.h>
 
 namespace cdr::viewer {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "view_settings.h"
+#include <viewer/state/view_settings.h>
 
 #include <cstdint>
 #include <optional>

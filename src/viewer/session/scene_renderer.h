@@ -1,9 +1,9 @@
 #pragma once
 
-#include "render_request.h"
 #include "side_renderer.h"
 
 #include <viewer/state/flip_window.h>
+#include <viewer/state/render_request.h>
 
 #include <array>
 #include <chrono>
@@ -15,10 +15,10 @@ namespace cdr::viewer {
 
 /// The open scene on its device, and the renderers that answer requests: left, right, and the anchored answer
 /// where a view needs it. One thread's.
-class SceneStage {
+class SceneRenderer {
   public:
     /// The device must outlive the stage.
-    explicit SceneStage(const gpu::Device& device) : m_device(device) {}
+    explicit SceneRenderer(const gpu::Device& device) : m_device(device) {}
 
     /// Opens what the request names unless it is open, and renders it. base::InputError or base::RunError say
     /// what cannot be; the scene that was open then stays.
@@ -38,7 +38,7 @@ class SceneStage {
     SideResult renderSide(const RenderRequest& request, std::size_t side, const scene::Camera& camera);
     render::Frame renderReference(const RenderRequest& request, const scene::Camera& camera);
     void paint(ViewKind view, std::size_t side, const render::Frame* reference, SideResult& result);
-    StageSet set() const;
+    SceneOnDevice set() const;
 
     const gpu::Device& m_device;
     std::string m_sceneName;

@@ -1,4 +1,4 @@
-#include <viewer/state/path_recorder.h>
+#include <viewer/state/camera/path_recorder.h>
 
 #include <gtest/gtest.h>
 

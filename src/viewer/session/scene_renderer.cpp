@@ -1,4 +1,4 @@
-#include "scene_stage.h"
+#include "scene_renderer.h"
 
 #include <cdr/scene/lod/levels.h>
 #include <viewer/state/view_picture.h>
@@ -7,7 +7,7 @@
 
 namespace cdr::viewer {
 
-void SceneStage::open(const ViewSettings& settings) {
+void SceneRenderer::open(const ViewSettings& settings) {
     const bool needsLevels = settings.finish.detail != visibility::DetailMode::none;
     if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
         (m_hasLevels || !needsLevels)) {
@@ -30,18 +30,18 @@ void SceneStage::open(const ViewSettings& settings) {
     m_hasLevels = needsLevels;
 }
 
-void SceneStage::clearFlips() {
+void SceneRenderer::clearFlips() {
     for (FlipWindow& flips : m_flips) {
         flips.clear();
     }
 }
 
-StageSet SceneStage::set() const {
+SceneOnDevice SceneRenderer::set() const {
     return {.device = m_device, .scene = m_scene->opened->setup.scene, .onDevice = m_scene->onDevice};
 }
 
-SideResult SceneStage::renderSide(const RenderRequest& request, std::size_t side,
-                                  const scene::Camera& camera) {
+SideResult SceneRenderer::renderSide(const RenderRequest& request, std::size_t side,
+                                     const scene::Camera& camera) {
     const bool readsSurfaces = request.wantsSurfaces || request.settings.view != ViewKind::shaded;
     SideResult result{};
     result.options = renderOptions(request.settings, side, request.extent);
@@ -52,13 +52,14 @@ SideResult SceneStage::renderSide(const RenderRequest& request, std::size_t side
     return result;
 }
 
-render::Frame SceneStage::renderReference(const RenderRequest& request, const scene::Camera& camera) {
+render::Frame SceneRenderer::renderReference(const RenderRequest& request, const scene::Camera& camera) {
     render::RenderOptions options = renderOptions(request.settings, 0, request.extent);
     options.technique = referenceTechnique();
     return m_reference.render(set(), options, camera, render::FrameCopy::everything, request.isAtRest);
 }
 
-void SceneStage::paint(ViewKind view, std::size_t side, const render::Frame* reference, SideResult& result) {
+void SceneRenderer::paint(ViewKind view, std::size_t side, const render::Frame* reference,
+                          SideResult& result) {
     const render::Frame& frame = *result.frame;
     if (view == ViewKind::shaded) {
         result.picture = std::shared_ptr<const image::ImageRgba8>(result.frame, &frame.color);
@@ -79,7 +80,7 @@ void SceneStage::paint(ViewKind view, std::size_t side, const render::Frame* ref
     result.picture = std::move(picture);
 }
 
-RenderResult SceneStage::answer(const RenderRequest& request, const std::stop_token& stop) {
+RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop_token& stop) {
     open(request.settings);
     const auto begin = Clock::now();
     const auto millisecondsSince = [](Clock::time_point from) {

@@ -1,7 +1,7 @@
-#include "cameras.h"
+#include "../cameras.h"
 
-#include <viewer/state/fly_controller.h>
-#include <viewer/state/heading.h>
+#include <viewer/state/camera/fly_controller.h>
+#include <viewer/state/camera/heading.h>
 
 #include <limits>
 

@@ -1,12 +1,11 @@
 #pragma once
 
+#include "camera/orbit_controller.h"
+#include "camera/path_recorder.h"
+#include "frame_statistics.h"
+#include "picking.h"
 #include "render_request.h"
-
-#include <viewer/state/frame_statistics.h>
-#include <viewer/state/orbit_controller.h>
-#include <viewer/state/path_recorder.h>
-#include <viewer/state/picking.h>
-#include <viewer/state/view_settings.h>
+#include "view_settings.h"
 
 #include <array>
 #include <chrono>

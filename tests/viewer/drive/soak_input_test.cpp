@@ -1,7 +1,7 @@
-#include <viewer/state/fly_controller.h>
-#include <viewer/state/lens_zoom.h>
-#include <viewer/state/orbit_controller.h>
-#include <viewer/state/soak_input.h>
+#include <viewer/drive/soak_input.h>
+#include <viewer/state/camera/fly_controller.h>
+#include <viewer/state/camera/lens_zoom.h>
+#include <viewer/state/camera/orbit_controller.h>
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,65 @@
+#include "allocator.h"
+#include "script_player.h"
+#include "soak.h"
+
+#include <CLI/CLI.hpp>
+#include <viewer/session/program.h>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+
+namespace {
+
+namespace viewer = cdr::viewer;
+
+constexpr double kMaxSoakSeconds = 86'400.0;
+
+/// What is asked of this program beyond the viewer's own options.
+struct DriveArguments {
+    viewer::Arguments viewer;
+    std::optional<std::filesystem::path> script;
+    std::optional<double> soakSeconds;
+};
+
+void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
+    CLI::Option* script =
+        program.add_option("--script", arguments.script, "Play input from FILE, one step a line");
+    program
+        .add_option("--soak", arguments.soakSeconds,
+                    "Play random input worth so many seconds, as fast as frames come, and quit")
+        ->check(CLI::Range(1.0, kMaxSoakSeconds))
+        ->excludes(script);
+}
+
+void run(const DriveArguments& arguments) {
+    if (arguments.soakSeconds) {
+        viewer::keepFreeMemoryLow();
+        viewer::Soak soak(*arguments.soakSeconds, arguments.viewer.seed);
+        viewer::runViewer(arguments.viewer, &soak);
+        fmt::print("{}\n", soak.report());
+    } else if (arguments.script) {
+        viewer::ScriptPlayer player(viewer::readScript(*arguments.script));
+        viewer::runViewer(arguments.viewer, &player);
+    } else {
+        viewer::runViewer(arguments.viewer);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return viewer::exitStatusOf("cdr-viewer-drive", [&] {
+        DriveArguments arguments;
+        CLI::App program("The viewer, driven by a script or by random input instead of a person: for tests.",
+                         "cdr-viewer-drive");
+        viewer::addViewerOptions(program, arguments.viewer);
+        addDriveOptions(program, arguments);
+        if (const auto status = viewer::parse(program, argc, argv)) {
+            return *status;
+        }
+        run(arguments);
+        return 0;
+    });
+}

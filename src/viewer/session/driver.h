@@ -1,0 +1,42 @@
+#pragma once
+
+#include "session.h"
+
+#include <viewer/panels/item_places.h>
+#include <viewer/state/picture_area.h>
+#include <viewer/state/viewer_model.h>
+#include <viewer/window/window.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace cdr::viewer {
+
+/// The parts of the running viewer that a driver may use.
+struct DrivenViewer {
+    Window& window;
+    Session& session;
+    ViewerModel& model;
+    const ItemPlaces& places;
+    PictureArea area;
+    std::optional<std::filesystem::path>& capture; ///< file that receives the window's pixels, next frame
+};
+
+enum class DriverState : std::uint8_t {
+    drives,
+    hasEnded, ///< the viewer goes on without it
+    quits,    ///< the viewer ends
+};
+
+/// Plays input instead of a person, one step before each frame of the interface.
+class Driver {
+  public:
+    /// How long each frame lasts for whatever moves, seconds. Fixed, so that a slow machine moves things no further.
+    static constexpr double kStepSeconds = 1.0 / 60.0;
+
+    virtual ~Driver() = default;
+    virtual DriverState step(const DrivenViewer& viewer) = 0;
+};
+
+} // namespace cdr::viewer

@@ -1,0 +1,40 @@
+#include "program.h"
+
+#include <cdr/base/error.h>
+#include <cdr/gpu/failure.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <memory>
+
+namespace cdr::viewer {
+
+void runViewer(const Arguments& arguments, Driver* driver) {
+    std::array<std::shared_ptr<const gpu::ValidationLog>, 2> logs;
+    {
+        Application application(arguments, driver);
+        logs = application.validationLogs();
+        application.run();
+    }
+    for (const auto& log : logs) {
+        if (const auto messages = log->messages(); !messages.empty()) {
+            throw base::RunError(
+                fmt::format("{} validation messages, the first: {}", messages.size(), messages.front()));
+        }
+    }
+}
+
+int exitStatusOf(const char* program, const std::function<int()>& body) {
+    try {
+        return body();
+    } catch (...) {
+        const gpu::Failure failure = gpu::failureOf(std::current_exception());
+        fmt::print(stderr, "{}: {}\n", program, failure.line);
+        return failure.status;
+    }
+}
+
+} // namespace cdr::viewer
