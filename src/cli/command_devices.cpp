@@ -18,7 +18,7 @@ nlohmann::ordered_json toJson(const gpu::DeviceInfo& info) {
             {"usable", info.missing.empty()},
             {"missing", info.missing},
             {"queues", info.queues},
-            {"depth_formats", info.depthFormats},
+            {"depth_formats", depth::namesOf(info.depthFormats)},
             {"max_image_side", info.maxImageSide},
             {"max_storage_buffer_bytes", info.maxStorageBufferBytes},
             {"timestamp_period_ns", info.timestampPeriodNs}};
@@ -32,7 +32,8 @@ void runDevices(const GlobalOptions& global, const OutputOptions& output) {
     for (const gpu::DeviceInfo& info : gpu::listDevices(instance)) {
         rows.push_back(
             {fmt::format("{} {}", info.index, info.name), info.kind, info.driver, info.api,
-             std::to_string(info.queues), fmt::format("{}", fmt::join(info.depthFormats, " ")),
+             std::to_string(info.queues),
+             fmt::format("{}", fmt::join(depth::namesOf(info.depthFormats), " ")),
              std::to_string(info.maxImageSide),
              info.missing.empty() ? "yes" : fmt::format("no: lacks {}", fmt::join(info.missing, ", "))});
         document["results"].push_back(toJson(info));

@@ -47,22 +47,23 @@ struct RenderArguments {
     OutputOptions output;
 };
 
-depth::Technique techniqueOf(const RenderArguments& arguments) {
+depth::NamedTechnique techniqueOf(const RenderArguments& arguments) {
     const bool byParts = !arguments.depth.empty() || !arguments.split.empty();
     if (byParts && !arguments.technique.empty()) {
         throw base::InputError("give either --technique, or --depth and --split");
     }
-    depth::Technique technique =
-        depth::parseTechnique(arguments.technique.empty() ? "reversed" : arguments.technique);
+    depth::NamedTechnique named =
+        depth::namedTechnique(arguments.technique.empty() ? "reversed" : arguments.technique);
     if (byParts) {
-        technique = depth::makeTechnique(
-            depth::parseMapping(arguments.depth.empty() ? "standard" : arguments.depth),
-            depth::parseSplit(arguments.split.empty() ? "none" : arguments.split), depth::DepthFormat::d32f);
+        named.technique = {.mapping =
+                               depth::parseMapping(arguments.depth.empty() ? "standard" : arguments.depth),
+                           .split = depth::parseSplit(arguments.split.empty() ? "none" : arguments.split)};
+        named.name = partsOf(named.technique);
     }
     if (!arguments.format.empty()) {
-        technique.format = depth::parseDepthFormat(arguments.format);
+        named.technique.format = depth::parseDepthFormat(arguments.format);
     }
-    return technique;
+    return named;
 }
 
 /// What can be wrong with the arguments, before anything is loaded or made.
@@ -101,7 +102,7 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, const PictureS
                                 experiments::Aov aov) {
     render::RenderOptions options{.width = size.width,
                                   .height = size.height,
-                                  .technique = techniqueOf(arguments),
+                                  .technique = techniqueOf(arguments).technique,
                                   .targets = render::parseTargets(arguments.targets),
                                   .threads = arguments.threads,
                                   .submission = render::parseSubmission(arguments.submission),
@@ -173,6 +174,7 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
         console.line("ignored: " + note);
     }
     FrameMaker maker(session, opened, options, aov == experiments::Aov::wrong, workers);
+    const std::string technique = techniqueOf(arguments).name;
     auto document = base::makeDocument("render", session.documentDevice(),
                                        optionsJson(arguments, options.technique, size));
     std::vector<std::vector<std::string>> rows;
@@ -190,8 +192,8 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
             made.write(name.at(number), aov);
         }
         const std::string hash = arguments.hash || arguments.output.json ? made.hash(aov) : "";
-        document["results"].push_back(made.toJson(options, hash));
-        rows.push_back(made.tableRow(arguments.scene, options.technique.name));
+        document["results"].push_back(made.toJson(technique, options, hash));
+        rows.push_back(made.tableRow(arguments.scene, technique));
         rows.back().push_back(arguments.hash ? hash : "");
     }
     console.endProgress();

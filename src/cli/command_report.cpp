@@ -120,22 +120,12 @@ nlohmann::ordered_json describe(const report::Section& section, const SectionOut
     return row;
 }
 
-std::string_view nameOf(report::Effort effort) {
-    switch (effort) {
-    case report::Effort::smallest:
-        return "smallest";
-    case report::Effort::quick:
-        return "quick";
-    case report::Effort::full:
-        break;
-    }
-    return "full";
-}
+constexpr base::EnumNames<report::Effort, 3> kEfforts{"effort", {"smallest", "quick", "full"}};
 
 nlohmann::ordered_json makeManifest(const Session& session, const report::PlanOptions& options) {
     nlohmann::ordered_json manifest = base::makeDocument(
         "report", session.documentDevice(),
-        {{"effort", nameOf(options.effort)}, {"threads", options.threads}, {"seed", options.seed}});
+        {{"effort", kEfforts.nameOf(options.effort)}, {"threads", options.threads}, {"seed", options.seed}});
     manifest["videos"] = options.videos;
     manifest["made_at"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     return manifest;

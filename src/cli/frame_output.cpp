@@ -26,10 +26,10 @@ void FrameOutput::write(const std::filesystem::path& path, experiments::Aov aov)
     }
 }
 
-nlohmann::ordered_json FrameOutput::toJson(const render::RenderOptions& options,
+nlohmann::ordered_json FrameOutput::toJson(const std::string& technique, const render::RenderOptions& options,
                                            const std::string& hash) const {
     const render::FrameStats& stats = m_frame.stats;
-    nlohmann::ordered_json row{{"technique", options.technique.name},
+    nlohmann::ordered_json row{{"technique", technique},
                                {"targets", nameOf(options.targets.kind)},
                                {"layers", options.targets.layers},
                                {"submission", nameOf(options.submission)},

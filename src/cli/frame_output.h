@@ -27,7 +27,8 @@ class FrameOutput {
     /// As .png, .tga or .exr.
     void write(const std::filesystem::path& path, experiments::Aov aov) const;
     std::string hash(experiments::Aov aov) const { return hashOf(m_frame, aov, truth()); }
-    nlohmann::ordered_json toJson(const render::RenderOptions& options, const std::string& hash) const;
+    nlohmann::ordered_json toJson(const std::string& technique, const render::RenderOptions& options,
+                                  const std::string& hash) const;
     /// Cells under tableHeader().
     std::vector<std::string> tableRow(const std::string& scene, const std::string& technique) const;
     static std::vector<std::string> tableHeader();

@@ -1,8 +1,8 @@
 #include "aov.h"
 
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/base/sha256.h>
-#include <cdr/base/suggest.h>
 #include <cdr/image/srgb.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 
@@ -17,8 +17,8 @@ namespace cdr::experiments {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kNames{"color",   "id",    "distance", "normal",
-                                                 "cascade", "wrong", "coverage"};
+constexpr base::EnumNames<Aov, 7> kNames{
+    "output", {"color", "id", "distance", "normal", "cascade", "wrong", "coverage"}};
 
 /// Tints told apart by most eyes (Okabe and Ito 2008), repeated beyond eight cascades.
 constexpr std::array<std::array<float, 3>, 8> kTints{{{0.90f, 0.62f, 0.00f},
@@ -149,15 +149,11 @@ std::string hashOfWords(const render::Frame& frame, std::uint32_t (*word)(const 
 } // namespace
 
 std::string_view nameOf(Aov aov) {
-    return kNames[static_cast<std::size_t>(aov)];
+    return kNames.nameOf(aov);
 }
 
 Aov parseAov(std::string_view name) {
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end()) {
-        throw base::InputError(base::unknownName("output", name, kNames));
-    }
-    return static_cast<Aov>(found - kNames.begin());
+    return kNames.parse(name);
 }
 
 image::Rgba8 cascadeTint(std::size_t cascade, std::uint8_t light) {

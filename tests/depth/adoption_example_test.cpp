@@ -1,4 +1,4 @@
-#include <cdr/depth/fitted_split.h>
+#include <cdr/depth/make_cascades.h>
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ struct Object {
 struct CascadeConstants;
 struct Pass;
 struct Engine {
-    cdr::depth::FitView view;
+    double nearView, farView, footprintSlope;
     std::vector<Object> visible;
     float projectionX = 1.0f;
     float projectionY = -1.0f;
@@ -52,7 +52,13 @@ void drawAnchored(Engine& engine, Cascades& cascades) { // keep `cascades` from 
     for (const Object& object : engine.visible) {
         occupied.push_back({-object.centre.z - object.radius, -object.centre.z + object.radius});
     }
-    cascades = fitCascades(SplitFitted{}, engine.view, occupied, cascades);
+    cascades =
+        makeCascades(SplitFitted{}, {.nearView = engine.nearView,
+                                     .farView = engine.farView,
+                                     .model = {Mapping::anchored, DepthFormat::d32f},
+                                     .footprintSlope = engine.footprintSlope, // 2 tan(fovY / 2) / height
+                                     .visible = occupied,
+                                     .previous = cascades});
     for (std::size_t i = cascades.size(); i-- > 0;) { // farthest first
         const Cascade range = clipRange(Mapping::anchored, cascades, i);
         const ClipTerms terms = clipTerms(depthRange(Mapping::anchored, cascades, i));
@@ -138,10 +144,9 @@ float depthOf(const CascadeConstants& cascade, float ahead) {
 
 /// Followed to the letter, it orders two objects a million units away and ten micrometres apart.
 TEST(AdoptionExample, OrdersWhatFloat32DistancesCannot) {
-    Engine engine{.view = {.model = {.mapping = Mapping::anchored, .format = DepthFormat::d32f},
-                           .nearView = 0.001,
-                           .farView = 2e6,
-                           .footprintSlope = 5e-8},
+    Engine engine{.nearView = 0.001,
+                  .farView = 2e6,
+                  .footprintSlope = 5e-8,
                   .visible = {{{0.0, 0.0, -0.01}, 0.002}},
                   .passes = {}};
     for (int i = 0; i < 100; ++i) {

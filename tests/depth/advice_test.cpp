@@ -57,7 +57,7 @@ AdviceQuestion question(double atView, double separationView) {
 TEST(Advice, NamesTheSimplestThatSuffices) {
     const auto simplest = [](double atView, double separationView) {
         const Advice advice = advise(question(atView, separationView));
-        return advice.simplest ? advice.rows[*advice.simplest].technique.name : "none";
+        return advice.simplest ? nameOf(advice.rows[*advice.simplest].technique) : "none";
     };
     EXPECT_EQ(simplest(1.0, 0.01), "standard");
     EXPECT_EQ(simplest(1e6, 1.0), "reversed");
@@ -75,7 +75,7 @@ TEST(Advice, EverySimplerTechniqueFallsShort) {
         for (std::size_t i = 0; i <= *advice.simplest; ++i) {
             const AdviceRow& row = advice.rows[i];
             EXPECT_EQ(row.suffices, row.forecast.resolvedView() <= separation);
-            EXPECT_TRUE(!row.suffices || row.technique.name == simplest.technique.name);
+            EXPECT_TRUE(!row.suffices || nameOf(row.technique) == nameOf(simplest.technique));
             EXPECT_TRUE(!row.suffices || row.forecast.cascades >= simplest.forecast.cascades);
         }
     }
@@ -97,10 +97,10 @@ TEST(Advice, MeasurementsDecideWhereThereAreAny) {
     const Advice predicted = advise(asked);
     const auto rowOf = [&](const Advice& advice, const char* name, DepthFormat format) {
         return std::find_if(advice.rows.begin(), advice.rows.end(), [&](const AdviceRow& row) {
-            return row.technique.name == name && row.technique.format == format;
+            return nameOf(row.technique) == name && row.technique.format == format;
         });
     };
-    ASSERT_EQ(predicted.rows[*predicted.simplest].technique.name, "reversed");
+    ASSERT_EQ(nameOf(predicted.rows[*predicted.simplest].technique), "reversed");
     std::vector<std::optional<Measurement>> measurements(predicted.rows.size());
     const auto index = [&](const char* name) {
         return static_cast<std::size_t>(rowOf(predicted, name, DepthFormat::d32f) - predicted.rows.begin());
@@ -109,7 +109,7 @@ TEST(Advice, MeasurementsDecideWhereThereAreAny) {
     measurements[index("log")] = {.resolvedView = 0.4, .largestView = 1.0, .timeRatio = 1.25};
     Advice advice = advise(asked, measurements);
     EXPECT_FALSE(rowOf(advice, "reversed", DepthFormat::d32f)->suffices);
-    EXPECT_EQ(advice.rows[*advice.simplest].technique.name, "log");
+    EXPECT_EQ(nameOf(advice.rows[*advice.simplest].technique), "log");
     EXPECT_NE(explain(asked, advice)[0].find("was measured to resolve 0.4"), std::string::npos);
     EXPECT_NE(explain(asked, advice)[1].find("+25.0 %"), std::string::npos);
 
@@ -128,7 +128,7 @@ TEST(Advice, NamesTheCost) {
     const Advice advice = advise(question(1e6, 0.5));
     const auto cost = [&](const char* name) {
         for (const AdviceRow& row : advice.rows) {
-            if (row.technique.name == name) {
+            if (nameOf(row.technique) == name) {
                 return costOf(row);
             }
         }

@@ -1,5 +1,5 @@
-#include <cdr/depth/fitted_split.h>
 #include <cdr/depth/forecast.h>
+#include <cdr/depth/make_cascades.h>
 #include <cdr/depth/separation.h>
 #include <cdr/depth/technique.h>
 
@@ -12,14 +12,14 @@ using namespace cdr::depth;
 std::size_t cascadesFor(Mapping mapping, double targetUnits, double nearView, double farView) {
     std::vector<Interval> occupied{{nearView, farView}};
     const SplitFitted split{.target = targetUnits, .unit = SplitFitted::Unit::scene, .most = 64};
-    const FitView view{.model = {mapping, DepthFormat::d32f},
-                       .nearView = nearView,
-                       .farView = farView,
-                       .footprintSlope = 1e-3};
-    return fitCascades(split, view, occupied, {}).size();
+    return makeCascades(split, {.nearView = nearView,
+                                .farView = farView,
+                                .model = {mapping, DepthFormat::d32f},
+                                .visible = occupied})
+        .size();
 }
 
-/// The step DESIGN section 3 gives anchored, mirrored: 2^-24 of the distance to the far plane, times w / f.
+/// The step of anchored, mirrored: 2^-24 of the distance to the far plane, times w / f.
 TEST(AnchoredReversed, StepsFallTowardsTheFarPlane) {
     const DepthRange range{.mapping = Mapping::anchoredReversed, .nearView = 1e6, .farView = 1e6 + 32.0};
     for (const double ahead : {-31.0, -8.0, -1.0, -0.01}) {

@@ -1,6 +1,7 @@
 #include <cdr/base/error.h>
 #include <cdr/depth/cascade_plan.h>
 #include <cdr/depth/fitted_split.h>
+#include <cdr/depth/make_cascades.h>
 #include <cdr/depth/separation.h>
 
 #include <gtest/gtest.h>
@@ -37,17 +38,20 @@ class Random {
     std::mt19937_64 m_engine;
 };
 
-FitView viewOf(Mapping mapping, DepthFormat format = DepthFormat::d32f) {
-    return {.model = {mapping, format}, .nearView = 0.1, .farView = 1e6, .footprintSlope = 0.0016};
+SplitContext viewOf(Mapping mapping, DepthFormat format = DepthFormat::d32f) {
+    return {.nearView = 0.1, .farView = 1e6, .model = {mapping, format}, .footprintSlope = 0.0016};
 }
 
-Cascades fit(const SplitFitted& split, const FitView& view, std::vector<Interval> intervals,
+Cascades fit(const SplitFitted& split, SplitContext view, std::vector<Interval> intervals,
              const Cascades& previous = {}) {
-    return fitCascades(split, view, intervals, previous);
+    view.visible = intervals;
+    view.previous = previous;
+    return makeCascades(split, view);
 }
 
 /// Every occupied distance lies in a cascade, cascades ascend, and each has an inside.
-void expectCovers(const Cascades& cascades, const FitView& view, const std::vector<Interval>& intervals) {
+void expectCovers(const Cascades& cascades, const SplitContext& view,
+                  const std::vector<Interval>& intervals) {
     ASSERT_FALSE(cascades.empty());
     for (std::size_t i = 0; i < cascades.size(); ++i) {
         EXPECT_LT(cascades[i].nearView, cascades[i].farView);
@@ -69,7 +73,7 @@ void expectCovers(const Cascades& cascades, const FitView& view, const std::vect
     }
 }
 
-double worstShare(const Cascades& cascades, const FitView& view, double target) {
+double worstShare(const Cascades& cascades, const SplitContext& view, double target) {
     double worst = 0.0;
     for (const Cascade& cascade : cascades) {
         worst = std::max(worst, worstStepShare(view.model,
@@ -167,7 +171,7 @@ TEST_P(FitOfEveryMapping, IsMinimalAgainstBruteForce) {
     int severalCascades = 0;
     int withCuts = 0;
     for (int i = 0; i < 60; ++i) {
-        const FitView view = viewOf(GetParam(), kDepthFormats[static_cast<std::size_t>(i) % 3]);
+        const SplitContext view = viewOf(GetParam(), kDepthFormats[static_cast<std::size_t>(i) % 3]);
         std::vector<Interval> intervals = random.objects(1 + i % 8, 0.2, i % 2 ? 1e2 : 1e5);
         const auto occupied =
             mergeIntervals(intervals, view.nearView, view.farView, endRounding(view.model.mapping));
@@ -207,7 +211,7 @@ TEST_P(FitOfEveryMapping, IsMinimalAgainstBruteForce) {
 TEST_P(FitOfEveryMapping, CoversWhatIsOccupiedAndMeetsTheTarget) {
     Random random(6);
     for (int i = 0; i < 200; ++i) {
-        const FitView view = viewOf(GetParam(), kDepthFormats[static_cast<std::size_t>(i) % 3]);
+        const SplitContext view = viewOf(GetParam(), kDepthFormats[static_cast<std::size_t>(i) % 3]);
         const auto intervals = random.objects(i, 0.05, 2e6);
         const SplitFitted split{.target = 0.05, .most = kMaxCascades};
         const Cascades cascades = fit(split, view, intervals);
@@ -221,7 +225,7 @@ TEST_P(FitOfEveryMapping, CoversWhatIsOccupiedAndMeetsTheTarget) {
 
 TEST_P(FitOfEveryMapping, ACapRelaxesTheTargetNoMoreThanItMust) {
     Random random(7);
-    const FitView view = viewOf(GetParam());
+    const SplitContext view = viewOf(GetParam());
     const auto intervals = random.objects(300, 0.1, 1e6);
     double previous = std::numeric_limits<double>::infinity();
     for (unsigned most = 1; most <= 6; ++most) {
@@ -246,7 +250,8 @@ TEST_P(FitOfEveryMapping, MinimaxHasTheSmallestWorstStepOfItsCount) {
     };
     Random random(8);
     for (unsigned count = 1; count <= 5; ++count) {
-        const Cascades cascades = minimaxCascades({count}, model, 0.1, 1e4);
+        const Cascades cascades =
+            makeCascades(SplitMinimax{count}, {.nearView = 0.1, .farView = 1e4, .model = model});
         ASSERT_LE(cascades.size(), count);
         EXPECT_EQ(cascades.front().nearView, 0.1);
         EXPECT_EQ(cascades.back().farView, 1e4);
@@ -257,7 +262,8 @@ TEST_P(FitOfEveryMapping, MinimaxHasTheSmallestWorstStepOfItsCount) {
                                                      : cascades[k - 1].farView * random.uniform(0.9, 1.1));
             }
             std::sort(other.boundariesView.begin(), other.boundariesView.end());
-            EXPECT_LE(worstOf(cascades), worstOf(makeCascades(other, 0.1, 1e4)) * 1.002);
+            EXPECT_LE(worstOf(cascades),
+                      worstOf(makeCascades(other, {.nearView = 0.1, .farView = 1e4})) * 1.002);
         }
     }
 }
@@ -277,7 +283,7 @@ TEST(FittedSplit, EmptySpaceCostsNothing) {
 }
 
 TEST(FittedSplit, AMillionUnitsAwayAFieldIsResolvedToMicrometres) {
-    FitView view = viewOf(Mapping::anchored);
+    SplitContext view = viewOf(Mapping::anchored);
     view.footprintSlope = 2.0 * std::tan(std::numbers::pi / 180000.0) / 720.0;
     view.farView = 2e6;
     const std::vector<Interval> intervals{{0.109, 0.111}, {999'982.0, 1'000'018.0}};
@@ -291,7 +297,7 @@ TEST(FittedSplit, AMillionUnitsAwayAFieldIsResolvedToMicrometres) {
 
 TEST(FittedSplit, DoesNotCutWhereAGapDoes) {
     // One cascade is too few and two suffice, whether cut in the gap at 20 or within the larger interval.
-    FitView view = viewOf(Mapping::standard);
+    SplitContext view = viewOf(Mapping::standard);
     const std::vector<Interval> intervals{{1.0, 19.0}, {21.0, 40.0}};
     const SplitFitted split{.target = stepBoundView(view.model, {1.0, 30.0}, 30.0),
                             .unit = SplitFitted::Unit::scene};
@@ -303,7 +309,7 @@ TEST(FittedSplit, DoesNotCutWhereAGapDoes) {
 
 TEST(FittedSplit, StaysPutUnderUlpsAndSmallSteps) {
     Random random(9);
-    const FitView view = viewOf(Mapping::anchored);
+    const SplitContext view = viewOf(Mapping::anchored);
     const auto intervals = random.objects(400, 0.2, 1e5);
     const Cascades first = fit({}, view, intervals);
     ASSERT_GT(first.size(), 2u);
@@ -322,7 +328,7 @@ TEST(FittedSplit, StaysPutUnderUlpsAndSmallSteps) {
 
 TEST(FittedSplit, FollowsAMovingCameraWithinItsSlack) {
     Random random(10);
-    const FitView view = viewOf(Mapping::anchored);
+    const SplitContext view = viewOf(Mapping::anchored);
     const auto intervals = random.objects(200, 10.0, 1e5);
     Cascades previous;
     int changes = 0;
@@ -342,7 +348,7 @@ TEST(FittedSplit, FollowsAMovingCameraWithinItsSlack) {
 }
 
 TEST(FittedSplit, TheCountDoesNotFlickerAtItsThreshold) {
-    const FitView view = viewOf(Mapping::anchored);
+    const SplitContext view = viewOf(Mapping::anchored);
     const std::vector<Interval> whole{{1.0, 100.0}};
     const double atThreshold = stepBoundView(view.model, {1.0, 100.0}, 100.0);
     for (const double side : {1.0 - 1e-9, 1.0 + 1e-9}) {
@@ -357,7 +363,7 @@ TEST(FittedSplit, DegenerateInputs) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     for (const Mapping mapping : kMappings) {
         for (const DepthFormat format : kDepthFormats) {
-            const FitView view = viewOf(mapping, format);
+            const SplitContext view = viewOf(mapping, format);
             const std::vector<std::vector<Interval>> cases{
                 {},
                 {{5.0, 5.0}},
@@ -389,12 +395,6 @@ TEST(FittedSplit, DegenerateInputs) {
             }
         }
     }
-    std::vector<Interval> none;
-    EXPECT_THROW(fitCascades({}, {.model = {}, .nearView = 1.0, .farView = 1.0}, none, {}),
-                 cdr::base::InputError);
-    EXPECT_THROW(fitCascades({}, {.model = {}, .nearView = 1.0, .farView = kNan}, none, {}),
-                 cdr::base::InputError);
-    EXPECT_THROW(minimaxCascades({2}, {}, 0.0, 1.0), cdr::base::InputError);
 }
 
 TEST(MergeIntervals, TheTwoSortsAgree) {

@@ -129,13 +129,19 @@ TEST(Names, ReadBackAndSuggest) {
     for (const DepthFormat format : kDepthFormats) {
         EXPECT_EQ(parseDepthFormat(nameOf(format)), format);
     }
-    for (const Technique& preset : presets()) {
-        EXPECT_EQ(parseTechnique(preset.name).mapping, preset.mapping);
+    for (const NamedTechnique& preset : presets()) {
+        EXPECT_EQ(parseTechnique(preset.name), preset.technique);
+        EXPECT_EQ(nameOf(preset.technique), preset.name);
+        EXPECT_EQ(namedTechnique(preset.name).name, preset.name);
+        EXPECT_EQ(namedTechnique(partsOf(preset.technique)).name, partsOf(preset.technique));
+        for (const DepthFormat format : kDepthFormats) {
+            EXPECT_EQ(nameOf(Technique{preset.technique.mapping, preset.technique.split, format}),
+                      preset.name);
+        }
     }
     for (const Mapping mapping : kMappings) {
-        const Technique made = makeTechnique(mapping, parseSplit("count:3"), DepthFormat::d32f);
-        EXPECT_EQ(parseTechnique(made.name).mapping, mapping);
-        EXPECT_EQ(parseTechnique(made.name).split, made.split);
+        const Technique made = Technique{mapping, parseSplit("count:3"), DepthFormat::d32f};
+        EXPECT_EQ(parseTechnique(nameOf(made)), made);
     }
     EXPECT_THROW(parseTechnique("anchored/fited"), cdr::base::InputError);
     EXPECT_THROW(parseTechnique("anchord/fitted"), cdr::base::InputError);

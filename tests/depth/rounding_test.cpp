@@ -98,11 +98,11 @@ TEST(Rounding, IsWhatFloatArithmeticDoes) {
 }
 
 TEST(Forecast, AGuaranteeIsWiderThanAnExpectation) {
-    for (const Technique& technique : presets()) {
+    for (const auto& [name, technique] : presets()) {
         const Forecast made =
             forecast(technique, {.nearView = 0.001, .farView = 2e3, .footprintSlope = 5e-5, .atView = 1e3});
-        EXPECT_GT(made.guaranteedView(), made.resolvedView() * 0.9) << technique.name;
-        EXPECT_GT(made.resolvedView(), made.bufferStepView) << technique.name;
+        EXPECT_GT(made.guaranteedView(), made.resolvedView() * 0.9) << nameOf(technique);
+        EXPECT_GT(made.resolvedView(), made.bufferStepView) << nameOf(technique);
     }
 }
 

@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
+#include <cdr/depth/make_cascades.h>
 #include <cdr/depth/separation.h>
-#include <cdr/depth/split.h>
 #include <cdr/depth/technique.h>
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ class ThesisTable : public testing::TestWithParam<ThesisRow> {};
 
 TEST_P(ThesisTable, IsReproducedWithinATenthOfAPercent) {
     const Technique technique = parseTechnique(GetParam().technique);
-    const Cascades cascades = makeCascades(technique.split, 0.001, 1e8);
+    const Cascades cascades = makeCascades(technique.split, {.nearView = 0.001, .farView = 1e8});
     double separation = 0.001;
     for (const double expected : GetParam().distancesView) {
         const auto crossing =

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/depth/split.h>
+#include <cdr/depth/make_cascades.h>
 
 #include <gtest/gtest.h>
 
@@ -25,6 +25,10 @@ void expectCover(const Cascades& cascades, double nearView, double farView) {
     }
 }
 
+Cascades cut(const Split& split, double nearView, double farView) {
+    return makeCascades(split, {.nearView = nearView, .farView = farView});
+}
+
 TEST(Split, CoversAnyRangeWithoutGap) {
     std::mt19937_64 engine(7);
     const auto uniform = [&](double low, double high) {
@@ -33,26 +37,25 @@ TEST(Split, CoversAnyRangeWithoutGap) {
     for (int i = 0; i < 2000; ++i) {
         const double nearView = std::pow(10.0, uniform(-6.0, 6.0));
         const double farView = nearView * (1.0 + std::pow(10.0, uniform(-9.0, 12.0)));
-        expectCover(makeCascades(SplitNone{}, nearView, farView), nearView, farView);
-        expectCover(makeCascades(SplitRatio{uniform(2.0, 5000.0)}, nearView, farView), nearView, farView);
-        expectCover(makeCascades(SplitCount{1 + static_cast<unsigned>(i) % 64}, nearView, farView), nearView,
-                    farView);
-        expectCover(makeCascades(SplitAt{{nearView * 0.5, std::sqrt(nearView * farView), farView * 2.0}},
-                                 nearView, farView),
-                    nearView, farView);
+        for (const Split& split :
+             {Split(SplitNone{}), Split(SplitRatio{uniform(2.0, 5000.0)}),
+              Split(SplitCount{1 + static_cast<unsigned>(i) % 64}),
+              Split(SplitAt{{nearView * 0.5, std::sqrt(nearView * farView), farView * 2.0}})}) {
+            expectCover(cut(split, nearView, farView), nearView, farView);
+        }
     }
 }
 
 TEST(Split, RatioFollowsListing52) {
-    const Cascades cascades = makeCascades(SplitRatio{1000.0}, 0.1, 12000.0);
+    const Cascades cascades = cut(SplitRatio{1000.0}, 0.1, 12000.0);
     ASSERT_EQ(cascades.size(), 2u);
     EXPECT_DOUBLE_EQ(cascades[0].farView, 100.0);
     // The 2AFC scene's field straddles this boundary, which is why cdr gains so little there.
-    EXPECT_DOUBLE_EQ(makeCascades(SplitRatio{1000.0}, 0.001, 2e6)[2].farView, 1e6);
+    EXPECT_DOUBLE_EQ(cut(SplitRatio{1000.0}, 0.001, 2e6)[2].farView, 1e6);
 }
 
 TEST(Split, CountHasEqualRatios) {
-    const Cascades cascades = makeCascades(SplitCount{5}, 0.1, 1e5);
+    const Cascades cascades = cut(SplitCount{5}, 0.1, 1e5);
     ASSERT_EQ(cascades.size(), 5u);
     for (const Cascade& cascade : cascades) {
         EXPECT_NEAR(cascade.farView / cascade.nearView, std::pow(1e6, 0.2), 1e-9);
@@ -79,9 +82,9 @@ TEST(Split, RefusesNonsense) {
     }
 }
 
-TEST(Split, RefusesToCutWithoutContent) {
-    EXPECT_THROW(makeCascades(SplitFitted{}, 1.0, 2.0), InputError);
-    EXPECT_THROW(makeCascades(SplitMinimax{2}, 1.0, 2.0), InputError);
+TEST(Split, RefusesToFitPixelsOfUnknownSize) {
+    EXPECT_THROW(cut(SplitFitted{}, 1.0, 2.0), InputError);
+    EXPECT_EQ(cut(SplitFitted{.unit = SplitFitted::Unit::scene}, 1.0, 2.0), (Cascades{{1.0, 2.0}}));
 }
 
 TEST(Split, RefusesUnusableRanges) {
@@ -94,11 +97,13 @@ TEST(Split, RefusesUnusableRanges) {
                                {kNan, 1.0},
                                {1.0, kNan},
                                {1.0, kInfinity},
+                               {1e-300, 1.0},
+                               {1.0, 1e160},
                                {kInfinity, kInfinity}}) {
-        EXPECT_THROW(makeCascades(SplitNone{}, n, f), InputError) << n << " " << f;
+        EXPECT_THROW(cut(SplitNone{}, n, f), InputError) << n << " " << f;
     }
-    EXPECT_THROW(makeCascades(SplitRatio{1.0000001}, 0.001, 1e8), InputError);
-    EXPECT_THROW(makeCascades(SplitRatio{0.5}, 0.001, 1e8), InputError);
+    EXPECT_THROW(cut(SplitRatio{1.0000001}, 0.001, 1e8), InputError);
+    EXPECT_THROW(cut(SplitRatio{0.5}, 0.001, 1e8), InputError);
 }
 
 } // namespace

@@ -43,7 +43,7 @@ FlickerOptions smallRun() {
     options.width = 320;
     options.height = 180;
     options.frames = 6;
-    options.techniques = {depth::parseTechnique("log"), depth::parseTechnique("anchored")};
+    options.techniques = {depth::namedTechnique("log"), depth::namedTechnique("anchored")};
     return options;
 }
 
@@ -115,8 +115,10 @@ TEST_F(FlickerTest, AResumedRunRemembersWhatFittedSplitsDo) {
     options.height = 360;
     options.frames = 24;
     options.nearObject = true;
-    options.techniques = {
-        makeTechnique(depth::Mapping::standard, depth::SplitFitted{.most = 2}, depth::DepthFormat::d16)};
+    options.techniques = {{"standard-fitted",
+                           {.mapping = depth::Mapping::standard,
+                            .split = depth::SplitFitted{.most = 2},
+                            .format = depth::DepthFormat::d16}}};
     const auto expected = runFlicker(device(), options);
     EXPECT_GT(expected[0].wrong.wrong, 0u);
     options.state = state();
@@ -151,7 +153,7 @@ TEST_F(FlickerTest, AStateOfAnotherRunIsRefused) {
     EXPECT_TRUE(refused(with([](auto& o) { o.width = 322; })));
     EXPECT_TRUE(refused(with([](auto& o) { o.nearObject = true; })));
     EXPECT_TRUE(refused(with([](auto& o) { o.techniques.pop_back(); })));
-    EXPECT_TRUE(refused(with([](auto& o) { o.techniques[0].format = depth::DepthFormat::d24; })));
+    EXPECT_TRUE(refused(with([](auto& o) { o.techniques[0].technique.format = depth::DepthFormat::d24; })));
     EXPECT_FALSE(refused(with([](auto& o) { o.threads = 2; }))); // which changes nothing
 }
 
@@ -183,7 +185,7 @@ TEST_F(FlickerTest, MovingTheBoundaryDecidesAboutCdr) {
     FlickerOptions options = smallRun();
     options.frames = 4;
     options.techniques = movedBoundaries();
-    options.techniques.push_back(depth::parseTechnique("cdr"));
+    options.techniques.push_back(depth::namedTechnique("cdr"));
     const auto results = runFlicker(device(), options);
     EXPECT_EQ(results[0].technique, "cdr-before");
     EXPECT_LT(results[0].wrong.fraction(), 0.2 * results[2].wrong.fraction());
@@ -194,7 +196,7 @@ TEST_F(FlickerTest, MovingTheBoundaryDecidesAboutCdr) {
 TEST_F(FlickerTest, ANearObjectDisturbsAFittedRangeAndNotFittedCascades) {
     FlickerOptions options = smallRun();
     options.frames = 4;
-    options.techniques = {fittedRange(), depth::parseTechnique("anchored")};
+    options.techniques = {fittedRange(), depth::namedTechnique("anchored")};
     const auto without = runFlicker(device(), options);
     options.nearObject = true;
     const auto with = runFlicker(device(), options);

@@ -72,10 +72,10 @@ TEST_F(AdversarialTest, ThousandsOfOverlappingIntervals) {
     for (const depth::Mapping mapping : {depth::Mapping::anchored, depth::Mapping::anchoredReversed}) {
         for (const char* split : {"fitted", "fitted:1e-7px", "fitted:0.001,max=64"}) {
             const auto technique =
-                depth::makeTechnique(mapping, depth::parseSplit(split), depth::DepthFormat::d32f);
+                depth::Technique{mapping, depth::parseSplit(split), depth::DepthFormat::d32f};
             const Outcome result = outcome(scene, camera, technique);
             EXPECT_GT(result.wrong.pixels, 5'000u);
-            EXPECT_EQ(result.wrong.wrong, 0u) << technique.name;
+            EXPECT_EQ(result.wrong.wrong, 0u) << nameOf(technique);
             EXPECT_GE(result.cascades, 2u);
         }
     }
@@ -100,10 +100,10 @@ TEST_F(AdversarialTest, ObjectsBehindAndAroundTheCamera) {
     addBox(scene, {0.1, 0.2, 1e3}, glm::mat3(5.0f));
     const scene::Camera camera{.fovY = 1.5, .nearView = 0.01, .farView = 1e6};
     for (const depth::Mapping mapping : {depth::Mapping::anchored, depth::Mapping::anchoredReversed}) {
-        const auto technique = depth::makeTechnique(mapping, depth::SplitFitted{}, depth::DepthFormat::d32f);
+        const auto technique = depth::Technique{mapping, depth::SplitFitted{}, depth::DepthFormat::d32f};
         const Outcome result = outcome(scene, camera, technique);
         EXPECT_GT(result.wrong.pixels, 50'000u);
-        EXPECT_EQ(result.wrong.wrong, 0u) << technique.name;
+        EXPECT_EQ(result.wrong.wrong, 0u) << nameOf(technique);
     }
 }
 
@@ -263,8 +263,8 @@ TEST_F(AdversarialTest, OfMixedDistancesOnlyAnchoredGetsAllRight) {
     const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     const auto inner = measure::innerMask(truth);
     std::map<std::string, std::array<Counts, 2>> wrong; // by technique and separation
-    for (const depth::Technique& preset : depth::presets()) {
-        render::Renderer renderer(device(), setup.scene, gpuScene, smallOptions(preset));
+    for (const depth::NamedTechnique& preset : depth::presets()) {
+        render::Renderer renderer(device(), setup.scene, gpuScene, smallOptions(preset.technique));
         const image::ImageU32 ids = renderer.render(camera).ids();
         std::array<Counts, 2> pixels{};
         wrong[preset.name] = {};

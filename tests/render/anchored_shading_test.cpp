@@ -81,7 +81,7 @@ class AnchoredShadingTest : public RenderTest {
 
 TEST_F(AnchoredShadingTest, LightOnACubeAMillionUnitsAwayHasNoBands) {
     for (const depth::Mapping mapping : {depth::Mapping::anchored, depth::Mapping::anchoredReversed}) {
-        const auto technique = depth::makeTechnique(mapping, depth::SplitFitted{}, depth::DepthFormat::d32f);
+        const auto technique = depth::Technique{mapping, depth::SplitFitted{}, depth::DepthFormat::d32f};
         const Error error = errorOf(draw(m_scene, camera(), smallOptions(technique)));
         EXPECT_GT(error.pixels, 60'000u);
         EXPECT_LE(error.worst, 1.0) << nameOf(mapping); // half of it is the picture's own rounding

@@ -14,7 +14,7 @@ namespace {
 class AnchoredTargetsTest : public RenderTest {
   protected:
     static depth::Technique technique(depth::Mapping mapping, depth::DepthFormat format) {
-        return depth::makeTechnique(mapping, depth::SplitFitted{}, format);
+        return depth::Technique{mapping, depth::SplitFitted{}, format};
     }
 
     /// One image from single, accumulate, pool and layers on any number of threads, and no wrong pixel in
@@ -32,7 +32,7 @@ class AnchoredTargetsTest : public RenderTest {
                         render::Renderer renderer(device(), scene, gpuScene, options);
                         const render::Frame frame = renderer.render(camera);
                         EXPECT_GE(frame.cascades.size(), leastCascades);
-                        const std::string where = options.technique.name + " " + targets;
+                        const std::string where = nameOf(options.technique) + " " + targets;
                         if (std::string(targets) == "one-pass") {
                             const auto wrong = wrongIn(frame, scene, camera);
                             EXPECT_GT(wrong.pixels, 10'000u);

@@ -15,7 +15,7 @@ class AnchoredTest : public RenderTest {
   protected:
     static depth::Technique technique(depth::Mapping mapping, const char* split = "fitted",
                                       depth::DepthFormat format = depth::DepthFormat::d32f) {
-        return depth::makeTechnique(mapping, depth::parseSplit(split), format);
+        return depth::Technique{mapping, depth::parseSplit(split), format};
     }
 };
 
@@ -55,7 +55,7 @@ TEST_F(AnchoredTest, FittedSplitsDrawRightUnderEveryMapping) {
             render::Renderer renderer(device(), setup.scene, gpuScene, options);
             const auto wrong = measure::countWrong(renderer.render(camera).ids(), truth);
             EXPECT_GT(wrong.pixels, 5000u);
-            EXPECT_EQ(wrong.wrong, 0u) << options.technique.name;
+            EXPECT_EQ(wrong.wrong, 0u) << nameOf(options.technique);
         }
     }
 }
@@ -88,8 +88,8 @@ TEST_F(AnchoredTest, ObjectsScatteredOverTenDecadesAreRightUnderAnchoredAlone) {
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.001, .farView = 1e9};
     for (const double share : {1e-6, 1e-7}) {
         const scene::Scene scene = scatteredScene(share);
-        for (const depth::Technique& preset : depth::presets()) {
-            const Frame frame = draw(scene, camera, smallOptions(preset));
+        for (const depth::NamedTechnique& preset : depth::presets()) {
+            const Frame frame = draw(scene, camera, smallOptions(preset.technique));
             const auto wrong = wrongIn(frame, scene, camera);
             EXPECT_GT(wrong.pixels, 10'000u);
             if (preset.name == "anchored") {

@@ -35,8 +35,8 @@ scene::SceneSetup smallBoulders() {
 render::RenderOptions optionsOf(const char* split, const Detail& detail) {
     return {.width = 320,
             .height = 180,
-            .technique = depth::makeTechnique(depth::Mapping::standard, depth::parseSplit(split),
-                                              depth::DepthFormat::d32f),
+            .technique = depth::Technique{depth::Mapping::standard, depth::parseSplit(split),
+                                          depth::DepthFormat::d32f},
             .detail = detail};
 }
 
@@ -147,7 +147,7 @@ TEST_F(DetailRenderTest, TheGpuDrivenPathChoosesAlikeWithEveryTechnique) {
     // Neighbours that have nothing to choose stay one run among those that do.
     setup.scene.meshes[1].levels.clear();
     const render::GpuScene gpuScene(device(), setup.scene);
-    for (const depth::Technique& technique : depth::presets()) {
+    for (const auto& [name, technique] : depth::presets()) {
         for (const Detail& detail : {kByObject, kByCascade}) {
             render::RenderOptions options = optionsOf("none", detail);
             options.technique = technique;
@@ -157,7 +157,7 @@ TEST_F(DetailRenderTest, TheGpuDrivenPathChoosesAlikeWithEveryTechnique) {
             for (const std::uint32_t frame : {0u, 150u}) {
                 const scene::Camera camera = setup.path.at(frame);
                 EXPECT_EQ(hashOf(onDevice.render(camera)), hashOf(host.render(camera)))
-                    << technique.name << " " << nameOf(detail);
+                    << nameOf(technique) << " " << nameOf(detail);
             }
         }
     }

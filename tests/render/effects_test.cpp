@@ -61,7 +61,7 @@ std::size_t differing(const image::ImageRgba8& a, const image::ImageRgba8& b, in
 }
 
 depth::Technique technique(depth::Mapping mapping, const char* split) {
-    return depth::makeTechnique(mapping, depth::parseSplit(split), depth::DepthFormat::d32f);
+    return depth::Technique{mapping, depth::parseSplit(split), depth::DepthFormat::d32f};
 }
 
 class EffectsTest : public RenderTest {};
@@ -107,7 +107,7 @@ TEST_F(EffectsTest, OcclusionAndFogAreTheSameWhateverTheTechnique) {
             options.technique = technique(mapping, split.c_str());
             const Frame frame = draw(scene, kCamera, options);
             EXPECT_LT(differing(frame.color, first.color, 2), first.color.pixels.size() / 1000)
-                << options.technique.name;
+                << nameOf(options.technique);
         }
     }
 }

@@ -53,7 +53,7 @@ constexpr Focus kBlended{.distance = 10.0, .aperture = 0.3, .blend = true};
 RenderOptions focused(const Focus& focus, const char* split = "at:5,7.5,15,30",
                       depth::Mapping mapping = depth::Mapping::reversed) {
     RenderOptions options =
-        smallOptions(depth::makeTechnique(mapping, depth::parseSplit(split), depth::DepthFormat::d32f));
+        smallOptions(depth::Technique{mapping, depth::parseSplit(split), depth::DepthFormat::d32f});
     options.targets = render::TargetsKind::layers;
     options.focus = focus;
     return options;

@@ -50,7 +50,7 @@ TEST_F(FrameTest, DistanceIsMetricWhateverTheTechnique) {
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:4"}) {
             const auto technique =
-                depth::makeTechnique(mapping, depth::parseSplit(split), depth::DepthFormat::d32f);
+                depth::Technique{mapping, depth::parseSplit(split), depth::DepthFormat::d32f};
             const Frame frame = draw(setup.scene, camera, smallOptions(technique));
             std::size_t compared = 0;
             for (std::uint32_t y = 0; y < frame.height(); ++y) {
@@ -58,11 +58,11 @@ TEST_F(FrameTest, DistanceIsMetricWhateverTheTechnique) {
                     if (frame.id(x, y) != 0 && frame.id(x, y) == truth.at(x, y).id) {
                         ++compared;
                         ASSERT_NEAR(frame.distanceView(x, y) / truth.at(x, y).distanceView, 1.0, 2e-2)
-                            << technique.name << " " << x << " " << y;
+                            << nameOf(technique) << " " << x << " " << y;
                     }
                 }
             }
-            EXPECT_GT(compared, 10'000u) << technique.name;
+            EXPECT_GT(compared, 10'000u) << nameOf(technique);
         }
     }
 }

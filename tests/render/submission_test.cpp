@@ -20,9 +20,12 @@ render::RenderOptions tinyOptions(const depth::Technique& technique) {
 }
 
 std::vector<depth::Technique> techniques() {
-    std::vector<depth::Technique> all(depth::presets().begin(), depth::presets().end());
-    all.push_back(depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("count:7"),
-                                       depth::DepthFormat::d16));
+    std::vector<depth::Technique> all;
+    for (const depth::NamedTechnique& preset : depth::presets()) {
+        all.push_back(preset.technique);
+    }
+    all.push_back(
+        depth::Technique{depth::Mapping::standard, depth::parseSplit("count:7"), depth::DepthFormat::d16});
     return all;
 }
 
@@ -65,7 +68,7 @@ class SubmissionTest : public RenderTest {
                         render::Renderer renderer(device(), scene, gpuScene, options);
                         const render::Frame frame = renderer.render(camera);
                         EXPECT_EQ(hashOf(frame), hashOf(wanted))
-                            << technique.name << " " << nameOf(targets) << " " << nameOf(submission);
+                            << nameOf(technique) << " " << nameOf(targets) << " " << nameOf(submission);
                         EXPECT_EQ(frame.stats.draws, wanted.stats.draws) << nameOf(submission);
                         EXPECT_EQ(frame.stats.visible, wanted.stats.visible) << nameOf(submission);
                     }
@@ -113,8 +116,8 @@ TEST_F(SubmissionTest, GpuDrivenDrawsAgainWhenItsRecordsRunOut) {
         return made;
     }();
     const render::GpuScene gpuScene(device(), scene);
-    render::RenderOptions options = tinyOptions(depth::makeTechnique(
-        depth::Mapping::standard, depth::parseSplit("count:40"), depth::DepthFormat::d32f));
+    render::RenderOptions options = tinyOptions(
+        depth::Technique{depth::Mapping::standard, depth::parseSplit("count:40"), depth::DepthFormat::d32f});
     render::Renderer host(device(), scene, gpuScene, options);
     const render::Frame wanted = host.render(camera);
     ASSERT_GT(wanted.stats.draws, 2 * scene.instances.size());
@@ -138,7 +141,7 @@ TEST_F(SubmissionTest, BatchingChangesNoBit) {
             render::Renderer renderer(device(), setup.scene, gpuScene, options);
             const std::string hash = hashOf(renderer.render(setup.path.at(90)));
             first = first.empty() ? hash : first;
-            EXPECT_EQ(hash, first) << technique.name << " " << nameOf(batching);
+            EXPECT_EQ(hash, first) << nameOf(technique) << " " << nameOf(batching);
         }
     }
 }
@@ -176,7 +179,7 @@ TEST_F(SubmissionTest, AnEmptySceneIsDrawnHoweverSubmitted) {
                 EXPECT_EQ(frame.stats.draws, 0u);
                 const std::vector<std::uint32_t>& ids = frame.ids().pixels;
                 EXPECT_EQ(std::count(ids.begin(), ids.end(), 0u), std::ptrdiff_t(ids.size()))
-                    << technique.name << " " << nameOf(submission) << " " << nameOf(targets);
+                    << nameOf(technique) << " " << nameOf(submission) << " " << nameOf(targets);
             }
         }
     }

@@ -27,11 +27,9 @@ class OnePassTest : public RenderTest {
 };
 
 TEST_F(OnePassTest, SlicesShareNoValueAndTheNearestComesFirst) {
-    for (const vk::Format format :
-         {vk::Format::eD32Sfloat, device().depthFormat(24), vk::Format::eD16Unorm}) {
-        const double step = format == vk::Format::eD32Sfloat  ? 0.0
-                            : format == vk::Format::eD16Unorm ? 0x1p-16
-                                                              : 0x1p-24;
+    for (const depth::DepthFormat format : depth::kDepthFormats) {
+        const depth::DepthFormatTraits& traits = traitsOf(format);
+        const double step = traits.isFloat ? 0.0 : std::exp2(-traits.bits);
         for (const bool reversed : {false, true}) {
             const auto targets =
                 render::makeTargets(device(), TargetsKind::onePass,
@@ -61,13 +59,13 @@ TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
         const scene::Camera camera = setup.path.at(20);
         base::WorkerPool workers(2);
         const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
-        for (const depth::Technique& technique : depth::presets()) {
+        for (const depth::NamedTechnique& preset : depth::presets()) {
             const auto wrong = [&](TargetsKind targets) {
-                const Frame frame = drawWith(setup.scene, gpuScene, camera, technique, targets);
+                const Frame frame = drawWith(setup.scene, gpuScene, camera, preset.technique, targets);
                 return measure::countWrong(frame.ids(), truth);
             };
             EXPECT_LE(wrong(TargetsKind::onePass).wrong, wrong(TargetsKind::single).wrong)
-                << setup.scene.name << " " << technique.name;
+                << setup.scene.name << " " << preset.name;
         }
     }
 }
@@ -81,8 +79,9 @@ TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
     const scene::Camera camera = setup.path.at(20);
     base::WorkerPool workers(2);
     const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
-    for (depth::Technique technique : depth::presets()) {
+    for (const depth::NamedTechnique& preset : depth::presets()) {
         const auto wrong = [&](depth::DepthFormat format, TargetsKind targets) {
+            depth::Technique technique = preset.technique;
             technique.format = format;
             const Frame frame = drawWith(setup.scene, gpuScene, camera, technique, targets);
             return measure::countWrong(frame.ids(), truth).wrong;
@@ -90,7 +89,7 @@ TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
         EXPECT_LE(wrong(depth::DepthFormat::d24, TargetsKind::onePass),
                   std::max(wrong(depth::DepthFormat::d24, TargetsKind::single),
                            wrong(depth::DepthFormat::d16, TargetsKind::single)))
-            << technique.name;
+            << preset.name;
     }
 }
 
@@ -105,11 +104,11 @@ TEST_F(OnePassTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:7", "count:40", "at:50,120"}) {
             for (const auto format : {depth::DepthFormat::d24, depth::DepthFormat::d32f}) {
-                const auto technique = depth::makeTechnique(mapping, depth::parseSplit(split), format);
+                const auto technique = depth::Technique{mapping, depth::parseSplit(split), format};
                 const Frame frame = drawWith(setup.scene, gpuScene, camera, technique);
                 const auto wrong = measure::countWrong(frame.ids(), truth);
                 EXPECT_GT(wrong.pixels, 3000u);
-                EXPECT_EQ(wrong.wrong, 0u) << technique.name << " " << nameOf(format);
+                EXPECT_EQ(wrong.wrong, 0u) << nameOf(technique) << " " << nameOf(format);
             }
         }
     }
@@ -149,11 +148,11 @@ scene::Scene pairsScene(const depth::Technique& technique, const depth::Cascades
 TEST_F(OnePassTest, IntegerSlicesCostTheBitsTheySay) {
     const scene::Camera camera{.fovY = 0.3, .nearView = 1.0, .farView = 1e4};
     for (const char* split : {"count:4", "count:16"}) {
-        const depth::Cascades cascades =
-            depth::makeCascades(depth::parseSplit(split), camera.nearView, camera.farView);
+        const depth::Cascades cascades = depth::makeCascades(
+            depth::parseSplit(split), {.nearView = camera.nearView, .farView = camera.farView});
         for (const auto format : {depth::DepthFormat::d16, depth::DepthFormat::d24}) {
             for (const depth::Mapping mapping : depth::kMappings) {
-                const auto technique = depth::makeTechnique(mapping, depth::parseSplit(split), format);
+                const auto technique = depth::Technique{mapping, depth::parseSplit(split), format};
                 // Beside 24 bits, float32 vertices and viewports round by as much again.
                 const double steps = format == depth::DepthFormat::d16 ? 1.2 : 3.0;
                 const scene::Scene scene =
@@ -161,7 +160,7 @@ TEST_F(OnePassTest, IntegerSlicesCostTheBitsTheySay) {
                 const render::GpuScene gpuScene(device(), scene);
                 const auto wrong = wrongIn(drawWith(scene, gpuScene, camera, technique), scene, camera);
                 EXPECT_GT(wrong.pixels, 1000u);
-                EXPECT_EQ(wrong.wrong, 0u) << technique.name << " " << nameOf(format);
+                EXPECT_EQ(wrong.wrong, 0u) << nameOf(technique) << " " << nameOf(format);
             }
         }
     }
@@ -173,9 +172,10 @@ TEST_F(OnePassTest, FloatSlicesCostTheBitsTheySay) {
     const scene::Camera camera{.fovY = 0.3, .nearView = 1.0, .farView = 1e4};
     for (const auto& [text, cost] : {std::pair{"count:5", 1.0}, {"count:16", 2.0}}) {
         const depth::Split split = depth::parseSplit(text);
-        const depth::Cascades cascades = depth::makeCascades(split, camera.nearView, camera.farView);
+        const depth::Cascades cascades =
+            depth::makeCascades(split, {.nearView = camera.nearView, .farView = camera.farView});
         for (const depth::Mapping mapping : depth::kMappings) {
-            const auto technique = depth::makeTechnique(mapping, split, depth::DepthFormat::d32f);
+            const auto technique = depth::Technique{mapping, split, depth::DepthFormat::d32f};
             const auto wrong = [&](double steps, TargetsKind targets) {
                 const scene::Scene scene = pairsScene(technique, cascades, steps);
                 const render::GpuScene gpuScene(device(), scene);
@@ -183,7 +183,7 @@ TEST_F(OnePassTest, FloatSlicesCostTheBitsTheySay) {
             };
             for (const double steps : {0.5, 3.0, 8.0}) {
                 EXPECT_LE(wrong(steps * cost, TargetsKind::onePass), wrong(steps, TargetsKind::single))
-                    << technique.name << " " << steps;
+                    << nameOf(technique) << " " << steps;
             }
         }
     }

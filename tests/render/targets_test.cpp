@@ -25,9 +25,12 @@ render::RenderOptions tinyOptions(const depth::Technique& technique, const Targe
 
 /// The presets, and one that cuts everything in view into many cascades.
 std::vector<depth::Technique> techniques() {
-    std::vector<depth::Technique> all(depth::presets().begin(), depth::presets().end());
-    all.push_back(depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("count:7"),
-                                       depth::DepthFormat::d32f));
+    std::vector<depth::Technique> all;
+    for (const depth::NamedTechnique& preset : depth::presets()) {
+        all.push_back(preset.technique);
+    }
+    all.push_back(
+        depth::Technique{depth::Mapping::standard, depth::parseSplit("count:7"), depth::DepthFormat::d32f});
     return all;
 }
 
@@ -48,7 +51,7 @@ class TargetsTest : public RenderTest {
                                               tinyOptions(technique, choice, threads));
                     const std::string hash = hashOf(renderer.render(camera));
                     first = first.empty() ? hash : first;
-                    EXPECT_EQ(hash, first) << technique.name << " " << targets << " " << threads;
+                    EXPECT_EQ(hash, first) << nameOf(technique) << " " << targets << " " << threads;
                 }
             }
         }
@@ -78,8 +81,8 @@ TEST_F(TargetsTest, GltfIsOneImageWhateverTheTargetsAndThreads) {
 TEST_F(TargetsTest, FiftyFramesByEightThreadsAreOneImage) {
     const scene::SceneSetup setup = scenes::makeRotation(7, 20'000);
     const render::GpuScene gpuScene(device(), setup.scene);
-    const auto technique = depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("count:5"),
-                                                depth::DepthFormat::d32f);
+    const auto technique =
+        depth::Technique{depth::Mapping::standard, depth::parseSplit("count:5"), depth::DepthFormat::d32f};
     const scene::Camera camera = setup.path.at(90);
     render::Renderer renderer(device(), setup.scene, gpuScene,
                               tinyOptions(technique, TargetsChoice::pool(3), 8));
@@ -95,7 +98,7 @@ TEST_F(TargetsTest, TheNumberOfCascadesMayChangeBetweenFrames) {
     const scene::SceneSetup setup = scenes::makeRotation(3, 4000);
     const render::GpuScene gpuScene(device(), setup.scene);
     const auto technique =
-        depth::makeTechnique(depth::Mapping::log, depth::parseSplit("ratio:10"), depth::DepthFormat::d32f);
+        depth::Technique{depth::Mapping::log, depth::parseSplit("ratio:10"), depth::DepthFormat::d32f};
     for (const char* targets : {"single", "accumulate", "pool:2", "pool:5", "layers", "one-pass"}) {
         const TargetsChoice choice = render::parseTargets(targets);
         render::Renderer warm(device(), setup.scene, gpuScene, tinyOptions(technique, choice, 2));
@@ -128,7 +131,7 @@ TEST_F(TargetsTest, ValidationIsSilentOverPresetsTargetsAndThreads) {
                 renderer.draw(setup.path.at(0));
                 EXPECT_GT(renderer.render(setup.path.at(180)).stats.draws, 0u);
                 EXPECT_EQ(instance().validation().count(), 0u)
-                    << technique.name << " " << nameOf(kind) << " " << threads;
+                    << nameOf(technique) << " " << nameOf(kind) << " " << threads;
             }
         }
     }
@@ -143,7 +146,7 @@ std::uint32_t sideTooLargeFor(const gpu::Device& device, std::uint32_t layers) {
 /// What a pool of 16 layers is told on a device that has no room for it.
 TEST_F(TargetsTest, APoolThatDoesNotFitIsRefusedWithBothFigures) {
     const std::uint32_t side = sideTooLargeFor(device(), render::kMaxPoolLayers);
-    const render::TargetsOptions options{.extent = {side, side}, .depthFormat = vk::Format::eD32Sfloat};
+    const render::TargetsOptions options{.extent = {side, side}, .depthFormat = depth::DepthFormat::d32f};
     const std::uint64_t free = gpu::freeDeviceBytes(device());
     try {
         render::makeTargets(device(), TargetsChoice::pool(render::kMaxPoolLayers), options);
@@ -165,8 +168,8 @@ TEST_F(TargetsTest, APoolThatDoesNotFitIsRefusedWithBothFigures) {
 TEST_F(TargetsTest, AFrameOfTooManyLayersIsRefusedAndTheNextIsDrawn) {
     const scene::SceneSetup setup = scenes::makeRotation(5, 100);
     const render::GpuScene gpuScene(device(), setup.scene);
-    const auto technique = depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("ratio:1.2"),
-                                                depth::DepthFormat::d32f);
+    const auto technique =
+        depth::Technique{depth::Mapping::standard, depth::parseSplit("ratio:1.2"), depth::DepthFormat::d32f};
     auto options = tinyOptions(technique, TargetsKind::layers, 1);
     options.width = options.height = sideTooLargeFor(device(), 60);
     render::Renderer renderer(device(), setup.scene, gpuScene, options);

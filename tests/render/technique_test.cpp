@@ -24,9 +24,9 @@ TEST_F(TechniqueTest, AfcWrongPixelsComeInTheThesisOrder) {
         const scene::Camera camera = setup.path.at(number);
         base::WorkerPool workers(2);
         const auto truth = measure::castTruth(setup.scene, camera, 1280, 720, workers);
-        for (const depth::Technique& technique : depth::presets()) {
+        for (const auto& [name, technique] : depth::presets()) {
             render::Renderer renderer(device(), setup.scene, gpuScene, {.technique = technique});
-            wrong[technique.name] += measure::countWrong(renderer.render(camera).ids(), truth);
+            wrong[nameOf(technique)] += measure::countWrong(renderer.render(camera).ids(), truth);
         }
     }
     EXPECT_GT(wrong["standard"].fraction(), 0.20);
@@ -43,13 +43,13 @@ TEST_F(TechniqueTest, AfcWrongPixelsComeInTheThesisOrder) {
 TEST_F(TechniqueTest, CubesFailUnderStandardAlone) {
     const scene::SceneSetup setup = scenes::makeCubes(2013);
     const scene::Camera camera = setup.path.at(0);
-    for (const depth::Technique& technique : depth::presets()) {
+    for (const auto& [name, technique] : depth::presets()) {
         const Frame frame = draw(setup.scene, camera, smallOptions(technique));
         const auto wrong = wrongIn(frame, setup.scene, camera);
-        if (technique.name == "standard") {
+        if (nameOf(technique) == "standard") {
             EXPECT_GT(wrong.overlapFraction(), 0.6);
         } else {
-            EXPECT_LT(wrong.fraction(), 0.01) << technique.name;
+            EXPECT_LT(wrong.fraction(), 0.01) << nameOf(technique);
         }
     }
 }
@@ -67,14 +67,14 @@ TEST_F(TechniqueTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:3", "count:7", "at:50,120"}) {
             for (const depth::DepthFormat format : depth::kDepthFormats) {
-                const auto technique = depth::makeTechnique(mapping, depth::parseSplit(split), format);
+                const auto technique = depth::Technique{mapping, depth::parseSplit(split), format};
                 render::Renderer renderer(device(), setup.scene, gpuScene, smallOptions(technique));
                 const Frame frame = renderer.render(camera);
                 const auto wrong = measure::countWrong(frame.ids(), truth);
                 EXPECT_GT(wrong.pixels, 5000u);
                 // 16 bits over a ratio of 500 do fail here and there.
                 const double allowed = format == depth::DepthFormat::d16 ? 0.01 : 0.0;
-                EXPECT_LE(wrong.fraction(), allowed) << technique.name << " " << nameOf(format);
+                EXPECT_LE(wrong.fraction(), allowed) << nameOf(technique) << " " << nameOf(format);
             }
         }
     }
@@ -114,10 +114,10 @@ TEST_F(TechniqueTest, CascadesLeaveNoCracks) {
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"count:5", "count:16", "ratio:3"}) {
             const auto technique =
-                depth::makeTechnique(mapping, depth::parseSplit(split), depth::DepthFormat::d32f);
+                depth::Technique{mapping, depth::parseSplit(split), depth::DepthFormat::d32f};
             const auto wrong = measure::countWrong(draw(scene, camera, smallOptions(technique)).ids(), truth);
             EXPECT_GT(wrong.pixels, 40'000u);
-            EXPECT_EQ(wrong.wrong, 0u) << technique.name;
+            EXPECT_EQ(wrong.wrong, 0u) << nameOf(technique);
         }
     }
 }
@@ -125,7 +125,7 @@ TEST_F(TechniqueTest, CascadesLeaveNoCracks) {
 TEST_F(TechniqueTest, ThreadsAndBatchingChangeNoBit) {
     const scene::SceneSetup setup = scenes::makeRotation(1, 20'000);
     const render::GpuScene gpuScene(device(), setup.scene);
-    for (const depth::Technique& technique : depth::presets()) {
+    for (const auto& [name, technique] : depth::presets()) {
         std::string first;
         for (const std::size_t threads : {1u, 2u, 3u, 8u}) {
             auto options = smallOptions(technique);
@@ -136,7 +136,7 @@ TEST_F(TechniqueTest, ThreadsAndBatchingChangeNoBit) {
                 render::Renderer renderer(device(), setup.scene, gpuScene, options);
                 const std::string hash = hashOf(renderer.render(setup.path.at(33)));
                 first = first.empty() ? hash : first;
-                EXPECT_EQ(hash, first) << technique.name << " " << threads;
+                EXPECT_EQ(hash, first) << nameOf(technique) << " " << threads;
             }
         }
     }

@@ -15,12 +15,15 @@ constexpr std::uint32_t kWidth = 192;
 constexpr std::uint32_t kHeight = 108;
 
 depth::Technique countOf(depth::Mapping mapping, unsigned cascades) {
-    return depth::makeTechnique(mapping, depth::SplitCount{cascades}, depth::DepthFormat::d32f);
+    return depth::Technique{mapping, depth::SplitCount{cascades}, depth::DepthFormat::d32f};
 }
 
 /// Every preset, and both anchored mappings over four even cascades.
 std::vector<depth::Technique> techniques() {
-    std::vector<depth::Technique> all(depth::presets().begin(), depth::presets().end());
+    std::vector<depth::Technique> all;
+    for (const depth::NamedTechnique& preset : depth::presets()) {
+        all.push_back(preset.technique);
+    }
     all.push_back(countOf(depth::Mapping::anchored, 4));
     all.push_back(countOf(depth::Mapping::anchoredReversed, 4));
     return all;
@@ -55,7 +58,7 @@ class TranslucencyTest : public RenderTest {
             measure::compareLayers(frame.color, frame.fragmentCounts, m_truth);
         EXPECT_GT(difference.translucent, kWidth * kHeight / 5);
         EXPECT_EQ(difference.miscounted, 0u)
-            << options.technique.name << " " << nameOf(options.targets) << " "
+            << nameOf(options.technique) << " " << nameOf(options.targets) << " "
             << nameOf(options.translucency.method) << " " << frame.cascades.size();
     }
 
@@ -101,7 +104,7 @@ TEST_F(TranslucencyTest, SortedIsTheTruthToOneStep) {
         const measure::LayerDifference difference =
             measure::compareLayers(frame.color, frame.fragmentCounts, truth);
         EXPECT_GT(difference.translucent, 20'000u);
-        EXPECT_GE(difference.withinFraction(), 0.9999) << technique.name;
+        EXPECT_GE(difference.withinFraction(), 0.9999) << nameOf(technique);
     }
 }
 

@@ -1,4 +1,4 @@
-#include <cdr/depth/split.h>
+#include <cdr/depth/make_cascades.h>
 #include <cdr/visibility/blended.h>
 #include <cdr/visibility/cull.h>
 #include <scenes/sheets.h>
@@ -67,8 +67,8 @@ TEST(Sheets, CrossEveryBoundary) {
     const Camera camera = setup.path.at(0);
     const Instances sheets = blendedInstances(setup.scene).instances;
     for (unsigned count = 2; count <= 8; ++count) {
-        const depth::Cascades cascades =
-            depth::makeCascades(depth::SplitCount{count}, camera.nearView, camera.farView);
+        const depth::Cascades cascades = depth::makeCascades(
+            depth::SplitCount{count}, {.nearView = camera.nearView, .farView = camera.farView});
         for (std::size_t boundary = 1; boundary < count; ++boundary) {
             int crossings = 0;
             for (std::size_t i = 0; i < sheets.size(); ++i) {

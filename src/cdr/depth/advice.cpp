@@ -20,10 +20,10 @@ constexpr std::array kSimplestFirst{"standard", "reversed", "log", "cdr", "logcd
 constexpr double kStepsPerSeparation = 5.0;
 
 Technique anchoredFor(double separationView, DepthFormat format) {
-    return makeTechnique(
+    return Technique{
         Mapping::anchored,
         SplitFitted{.target = separationView / kStepsPerSeparation, .unit = SplitFitted::Unit::scene},
-        format);
+        format};
 }
 
 bool resolves(const Technique& technique, const ForecastScene& scene, double separationView) {
@@ -45,18 +45,23 @@ double widestSpan(const AdviceQuestion& question) {
     if (fits(high)) {
         return high;
     }
-    while (high > 1.01 * low) {
+    constexpr int kMostBisections = 64; // more than float64's whole range takes
+    for (int i = 0; i < kMostBisections && high > 1.01 * low; ++i) {
         const double middle = std::sqrt(low * high);
         (fits(middle) ? low : high) = middle;
     }
     return low;
 }
 
+bool isSameInAnyFormat(const Technique& a, const Technique& b) {
+    return a.mapping == b.mapping && a.split == b.split;
+}
+
 /// The first technique that suffices, in the format that takes it the fewest cascades.
 std::optional<std::size_t> simplestOf(const std::vector<AdviceRow>& rows) {
     std::optional<std::size_t> simplest;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const bool better = !simplest || (rows[i].technique.name == rows[*simplest].technique.name &&
+        const bool better = !simplest || (isSameInAnyFormat(rows[i].technique, rows[*simplest].technique) &&
                                           rows[i].forecast.cascades < rows[*simplest].forecast.cascades);
         if (rows[i].suffices && better) {
             simplest = i;
@@ -81,7 +86,7 @@ std::string limitOf(const AdviceRow& row) {
 std::string describe(const AdviceRow& row) {
     const std::string cascades =
         row.forecast.cascades == 1 ? "one cascade" : fmt::format("{} cascades", row.forecast.cascades);
-    return fmt::format("{} with {} in {}", row.technique.name, nameOf(row.technique.format), cascades);
+    return fmt::format("{} with {} in {}", nameOf(row.technique), nameOf(row.technique.format), cascades);
 }
 
 /// What the row costs over standard.

@@ -8,20 +8,20 @@
 
 namespace cdr::depth {
 
-/// "Which technique do I need?"
+/// What to find a technique for.
 struct AdviceQuestion {
     ForecastScene scene;
     double separationView = 0.01; ///< smallest gap to tell apart at scene.atView; > 0
     std::vector<DepthFormat> formats{kDepthFormats.begin(), kDepthFormats.end()};
 };
 
-/// What a device showed of a technique at the distance asked for.
+/// What was measured of a technique on a device, at the distance of the question.
 struct Measurement {
-    /// The smallest separation that, with all larger ones, came out right; empty when the largest tried did
-    /// not.
+    /// The smallest separation that came out right together with all larger ones; empty when the largest
+    /// tried did not.
     std::optional<double> resolvedView;
     double largestView = 0.0; ///< tried
-    /// Frame time over that of standard: median of the ratios and their 95 % interval.
+    /// Frame time relative to standard: median of the ratios and its 95 % interval.
     double timeRatio = 1.0;
     double timeRatioLow = 1.0;
     double timeRatioHigh = 1.0;
@@ -31,34 +31,34 @@ struct AdviceRow {
     Technique technique;
     Forecast forecast;
     std::optional<Measurement> measured;
-    bool suffices = false; ///< by what was measured, else by what is predicted
+    bool suffices = false; ///< as measured, else as predicted
 
-    /// The smallest separation it resolves: measured where a measurement tells, else predicted.
+    /// The smallest separation it resolves: as measured where there is a measurement, else as predicted.
     double resolvedView() const;
 };
 
 struct Advice {
     std::vector<AdviceRow> rows;         ///< simplest first
     std::optional<std::size_t> simplest; ///< the first technique that suffices, with the fewest cascades
-    /// How deep the content around the distance may be for anchored to resolve the separation in its at most
-    /// eight cascades; 0 when it cannot be resolved at all.
+    /// How deep the content around the distance may be so that anchored resolves the separation in at most
+    /// eight cascades; 0 when it cannot.
     double widestSpanView = 0.0;
 };
 
-/// Forecasts every preset in every format, from the one projection matrix that standard takes to cascades
-/// anchored in float64, and where the preset anchored is too coarse, anchored with its target set to the
-/// separation. base::InputError for an unusable range, distance, content or separation.
+/// Forecasts every preset in every format, and anchored with its target set to the separation, simplest
+/// first.
+/// base::InputError for an unusable range, distance, content or separation.
 Advice advise(const AdviceQuestion& question);
 
-/// The advice where a device has the last word.
+/// The same, with measurements in place of predictions.
 /// @param measurements one per row of advise(question), empty where there is none; base::InputError for
-/// another number.
+///        another number.
 Advice advise(const AdviceQuestion& question, const std::vector<std::optional<Measurement>>& measurements);
 
-/// What a technique asks of an engine and a device, in plain words.
+/// What a technique needs from an engine and a device, in words.
 std::string costOf(const AdviceRow& row);
 
-/// The advice in plain words, one sentence per line.
+/// The advice in words, one sentence per line.
 std::vector<std::string> explain(const AdviceQuestion& question, const Advice& advice);
 
 } // namespace cdr::depth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace cdr::depth {
@@ -16,7 +17,15 @@ struct Cascade {
 /// Nearest first; each begins at or beyond the end of the one before.
 using Cascades = std::vector<Cascade>;
 
-/// Most cascades a split may give; the id buffer keeps the cascade in one byte.
+/// Most cascades that a split may give; the id buffer keeps the cascade in one byte.
 inline constexpr std::size_t kMaxCascades = 64;
+
+/// The range of near and far planes. float32 in the shaders holds no more, and within it no formula of this
+/// library overflows or underflows float64.
+inline constexpr double kLeastView = 1e-40;
+inline constexpr double kMostView = 1e40;
+
+/// base::InputError unless kLeastView <= near < far <= kMostView.
+void requireRange(double nearView, double farView);
 
 } // namespace cdr::depth

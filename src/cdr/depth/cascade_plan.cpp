@@ -8,6 +8,9 @@ namespace cdr::depth {
 
 namespace {
 
+/// Every bisection ends by its own tolerance long before; this bounds it whatever the numbers are.
+constexpr int kMostBisections = 200;
+
 /// Where a cascade begins: at a view distance within an occupied interval.
 struct Start {
     std::size_t interval = 0;
@@ -64,7 +67,10 @@ struct Problem {
         const double begin = low;
         double high = interval.farView;
         // A millionth of the cascade is nothing to what follows, and half the time of the last bit.
-        while (high - low > 1e-12 * high && high - low > 1e-6 * (low - from.nearView)) {
+        const auto isFine = [&] {
+            return !(high - low > 1e-12 * high && high - low > 1e-6 * (low - from.nearView));
+        };
+        for (int i = 0; i < kMostBisections && !isFine(); ++i) {
             const double middle = 0.5 * (low + high);
             (meets(from.nearView, middle) ? low : high) = middle;
         }
@@ -168,7 +174,7 @@ StepTarget relaxToMeet(const StepModel& model, const StepTarget& target, std::sp
     const Cascade all{occupied.front().nearView, occupied.back().farView};
     double low = 0.0;
     double high = std::log2(worstStepShare(model, bare, all)) + 1e-9;
-    while (high - low > 1e-3) {
+    for (int i = 0; i < kMostBisections && high - low > 1e-3; ++i) {
         const double middle = 0.5 * (low + high);
         (canMeet(model, target.scaled(std::exp2(middle)), occupied, most) ? high : low) = middle;
     }

@@ -11,17 +11,17 @@
 namespace cdr::depth {
 
 /// The fewest cascades that meet a target over what is occupied, and among those plans one that cuts the
-/// fewest occupied intervals. Each cascade begins and ends on something occupied; two of them touch where an
-/// interval is cut. Empty when more than `most` would be needed.
+/// fewest intervals. Each cascade begins and ends on something occupied; two of them touch where an interval
+/// is cut. Empty when more than `most` would be needed.
 ///
-/// Steps never fall as a cascade grows (stepBoundView()), so of all ways to cover a beginning with k
-/// cascades, c of them ending in a gap, the one that comes farthest leaves no more to do than any other.
-/// Keeping that one for every (k, c) is exact.
-/// @param occupied as mergeIntervals() gives them, not empty.
+/// This is exact. Steps never fall as a cascade grows (stepBoundView()). So among all ways to cover a
+/// beginning with k cascades, c of which end in a gap, the one that reaches farthest leaves the least to do;
+/// one such way is kept for every (k, c).
+/// @param occupied as mergeIntervals() returns them, not empty.
 std::optional<Cascades> planCascades(const StepModel& model, const StepTarget& target,
                                      std::span<const Interval> occupied, std::size_t most);
 
-/// Whether planCascades() would find a plan; several times faster.
+/// Whether planCascades() finds a plan; several times faster.
 bool canMeet(const StepModel& model, const StepTarget& target, std::span<const Interval> occupied,
              std::size_t most);
 

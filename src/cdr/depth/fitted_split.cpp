@@ -10,24 +10,35 @@ namespace {
 
 constexpr double kMargin = 1.0 / 128.0;
 
+/// No step is as small a share of its distance, so a finer target asks for the same. Above 0, so that a
+/// target can be relaxed by a factor.
+constexpr double kLeastShare = 1e-30;
+
 /// Turning a float32 vertex loses about this share of the object's size, a few roundings of its radius.
 constexpr double kVertexRounding = 0x1p-22;
 
-StepTarget targetOf(const SplitFitted& split, const FitView& view, double thinnestView) {
+StepTarget targetOf(const SplitFitted& split, const SplitContext& view, double thinnestView) {
     StepTarget target{.leastUnitsView = kVertexRounding * thinnestView,
                       .leastShareView = distanceRounding(view.model.mapping)};
     if (split.unit == SplitFitted::Unit::pixels) {
-        target.shareView = split.target * view.footprintSlope;
+        target.shareView = std::max(split.target * view.footprintSlope, kLeastShare);
     } else {
-        target.unitsView = split.target;
+        target.unitsView = std::max(split.target, kLeastShare * view.nearView);
     }
     return target;
+}
+
+/// The plan for a target that was relaxed to be met; one cascade over everything if rounding still breaks it.
+Cascades planOrOne(const StepModel& model, const StepTarget& target, const std::vector<Interval>& occupied,
+                   std::size_t most) {
+    return planCascades(model, target, occupied, most)
+        .value_or(Cascades{{occupied.front().nearView, occupied.back().farView}});
 }
 
 /// Plans for one target, or for one a slack away if that keeps the previous count.
 Cascades planNear(const StepModel& model, const StepTarget& target, const std::vector<Interval>& occupied,
                   std::size_t most, std::size_t previousCount) {
-    Cascades plan = *planCascades(model, target, occupied, most);
+    Cascades plan = planOrOne(model, target, occupied, most);
     if (previousCount == 0 || previousCount == plan.size()) {
         return plan;
     }
@@ -36,14 +47,14 @@ Cascades planNear(const StepModel& model, const StepTarget& target, const std::v
     return other && other->size() == previousCount ? *other : plan;
 }
 
-bool touches(const Cascades& cascades, std::size_t boundary) {
+bool touches(std::span<const Cascade> cascades, std::size_t boundary) {
     return boundary > 0 && boundary < cascades.size() &&
            cascades[boundary - 1].farView == cascades[boundary].nearView;
 }
 
 /// One fit: what is common to placing its bounds.
 struct Fit {
-    const FitView& view;
+    const SplitContext& view;
     const StepTarget& target;
     const Cascades& plan; ///< tight
 
@@ -92,7 +103,7 @@ Cascades withMargins(const Fit& fit) {
 }
 
 /// Previous bounds where they still enclose the plan closely, and previous cuts.
-Cascades keepBounds(const Fit& fit, const Cascades& fresh, const Cascades& previous) {
+Cascades keepBounds(const Fit& fit, const Cascades& fresh, std::span<const Cascade> previous) {
     Cascades kept = fresh;
     for (std::size_t i = 0; i < kept.size(); ++i) {
         const Cascade least = fit.widened(i, kLeast);
@@ -122,7 +133,7 @@ bool isSound(const Fit& fit, const Cascades& cascades) {
 
 /// A camera that sees nothing, or a single point as thin as float64 can tell, still gets cascades with an
 /// inside.
-void thicken(Cascades& cascades, const FitView& view) {
+void thicken(Cascades& cascades, const SplitContext& view) {
     for (Cascade& cascade : cascades) {
         if (!(cascade.farView > cascade.nearView)) {
             const double least = cascade.farView * 1e-12;
@@ -134,35 +145,32 @@ void thicken(Cascades& cascades, const FitView& view) {
 
 } // namespace
 
-Cascades fitCascades(const SplitFitted& split, const FitView& view, std::vector<Interval>& intervals,
-                     const Cascades& previous) {
-    requireRange(view.nearView, view.farView);
-    const StepTarget wanted = targetOf(split, view, thinnest(intervals));
-    const std::vector<Interval> occupied =
-        mergeIntervals(intervals, view.nearView, view.farView, endRounding(view.model.mapping));
+Cascades fitCascades(const SplitFitted& split, const SplitContext& context) {
+    const StepTarget wanted = targetOf(split, context, thinnest(context.visible));
+    const std::vector<Interval> occupied = mergeIntervals(context.visible, context.nearView, context.farView,
+                                                          endRounding(context.model.mapping));
     if (occupied.empty()) {
-        return {{view.nearView, view.farView}}; // nothing to see
+        return {{context.nearView, context.farView}}; // nothing to see
     }
     const std::size_t most = std::clamp<std::size_t>(split.most, 1, kMaxCascades);
-    const StepTarget target = relaxToMeet(view.model, wanted, occupied, most);
-    const Cascades plan = planNear(view.model, target, occupied, most, previous.size());
-    const Fit fit{view, target, plan};
+    const StepTarget target = relaxToMeet(context.model, wanted, occupied, most);
+    const Cascades plan = planNear(context.model, target, occupied, most, context.previous.size());
+    const Fit fit{context, target, plan};
     Cascades cascades = withMargins(fit);
-    if (previous.size() == plan.size()) {
-        const Cascades kept = keepBounds(fit, cascades, previous);
+    if (context.previous.size() == plan.size()) {
+        const Cascades kept = keepBounds(fit, cascades, context.previous);
         cascades = isSound(fit, kept) ? kept : cascades;
     }
-    thicken(cascades, view);
+    thicken(cascades, context);
     return cascades;
 }
 
-Cascades minimaxCascades(const SplitMinimax& split, const StepModel& model, double nearView, double farView) {
-    requireRange(nearView, farView);
-    const std::vector<Interval> whole{{nearView, farView}};
+Cascades minimaxCascades(const SplitMinimax& split, const SplitContext& context) {
+    const std::vector<Interval> whole{{context.nearView, context.farView}};
     // Far below any step, so that relaxing alone decides.
-    const StepTarget target{.unitsView = 1e-30 * nearView};
+    const StepTarget target{.unitsView = kLeastShare * context.nearView};
     const std::size_t count = std::clamp<std::size_t>(split.count, 1, kMaxCascades);
-    return *planCascades(model, relaxToMeet(model, target, whole, count), whole, count);
+    return planOrOne(context.model, relaxToMeet(context.model, target, whole, count), whole, count);
 }
 
 } // namespace cdr::depth

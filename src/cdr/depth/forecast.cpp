@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
-#include <cdr/depth/fitted_split.h>
 #include <cdr/depth/forecast.h>
+#include <cdr/depth/make_cascades.h>
 #include <cdr/depth/separation.h>
 
 #include <fmt/format.h>
@@ -29,27 +29,16 @@ void requireUsable(const ForecastScene& scene) {
 
 Cascades forecastCascades(const Technique& technique, const ForecastScene& scene) {
     requireUsable(scene);
-    const StepModel model{technique.mapping, technique.format};
-    if (const auto* minimax = std::get_if<SplitMinimax>(&technique.split)) {
-        return minimaxCascades(*minimax, model, scene.nearView, scene.farView);
-    }
-    const auto* fitted = std::get_if<SplitFitted>(&technique.split);
-    if (fitted == nullptr) {
-        return makeCascades(technique.split, scene.nearView, scene.farView);
-    }
-    if (fitted->unit == SplitFitted::Unit::pixels && !(scene.footprintSlope > 0.0)) {
-        throw base::InputError("a split fitted to pixels needs to know what a pixel covers");
-    }
     const double half = 0.5 * scene.spanView;
     std::vector<Interval> content{{scene.atView - half, scene.atView + half}};
     if (scene.somethingNear) {
         content.push_back({scene.nearView, scene.nearView * 1.1});
     }
-    const FitView view{.model = model,
-                       .nearView = scene.nearView,
-                       .farView = scene.farView,
-                       .footprintSlope = scene.footprintSlope};
-    return fitCascades(*fitted, view, content, {});
+    return makeCascades(technique.split, {.nearView = scene.nearView,
+                                          .farView = scene.farView,
+                                          .model = {technique.mapping, technique.format},
+                                          .footprintSlope = scene.footprintSlope,
+                                          .visible = content});
 }
 
 double Forecast::resolvedView() const {

@@ -8,8 +8,8 @@
 
 namespace cdr::depth {
 
-/// What a forecast is made for: a camera, content around one distance, and, unless told otherwise, something
-/// at the near plane, which keeps near where it is and takes fitted cascades of its own.
+/// What a forecast is for: a camera and content around one distance. By default there is also something at
+/// the near plane. It keeps the near plane where it is, and takes a fitted cascade of its own.
 struct ForecastScene {
     double nearView = 0.1;       ///< > 0
     double farView = 1e5;        ///< > nearView
@@ -25,8 +25,8 @@ struct Forecast {
     double bufferStepView = 0.0; ///< of the depth buffer, in the cascade that holds the distance
     DepthRounding rounding;      ///< of one surface, before the buffer sees it
 
-    /// Surfaces this far apart come out in order but for a pixel here and there: a step of the buffer, and
-    /// what float32 takes from two surfaces, at two deviations.
+    /// Surfaces this far apart come out in order except for single pixels: a step of the buffer, and two
+    /// standard deviations of what float32 rounds of two surfaces.
     double resolvedView() const;
     /// Surfaces this far apart come out in order everywhere: a step of the buffer, and every rounding of both
     /// surfaces at its worst.

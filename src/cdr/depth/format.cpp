@@ -1,37 +1,44 @@
-#include <cdr/base/error.h>
-#include <cdr/base/suggest.h>
+#include <cdr/base/enum_names.h>
 #include <cdr/depth/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace cdr::depth {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kNames{"d16", "d24", "d32f"};
+/// The table's own order and names.
+constexpr auto kNames = [] {
+    base::EnumNames<DepthFormat, kDepthFormats.size()> names{"depth format", {}};
+    for (const DepthFormat format : kDepthFormats) {
+        names.names[static_cast<std::size_t>(format)] = nameOf(format);
+    }
+    return names;
+}();
 
+/// The largest stored integer.
 double steps(DepthFormat format) {
-    return format == DepthFormat::d16 ? 65535.0 : 16777215.0;
+    return std::exp2(traitsOf(format).bits) - 1.0;
 }
 
 } // namespace
 
-std::string_view nameOf(DepthFormat format) {
-    return kNames[static_cast<std::size_t>(format)];
+std::vector<std::string_view> namesOf(std::span<const DepthFormat> formats) {
+    std::vector<std::string_view> names;
+    std::transform(formats.begin(), formats.end(), std::back_inserter(names),
+                   [](DepthFormat format) { return nameOf(format); });
+    return names;
 }
 
 DepthFormat parseDepthFormat(std::string_view name) {
-    for (const DepthFormat format : kDepthFormats) {
-        if (nameOf(format) == name) {
-            return format;
-        }
-    }
-    throw base::InputError(base::unknownName("depth format", name, kNames));
+    return kNames.parse(name);
 }
 
 double depthStep(DepthFormat format, double zNdc) {
-    if (format != DepthFormat::d32f) {
+    if (!traitsOf(format).isFloat) {
         return 1.0 / steps(format);
     }
     const auto z = static_cast<float>(zNdc);
@@ -42,7 +49,7 @@ double depthStep(DepthFormat format, double zNdc) {
 }
 
 double quantize(DepthFormat format, double zNdc) {
-    if (format == DepthFormat::d32f) {
+    if (traitsOf(format).isFloat) {
         return static_cast<double>(static_cast<float>(zNdc));
     }
     return std::round(zNdc * steps(format)) / steps(format);

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace cdr::depth {
 
@@ -11,8 +13,28 @@ enum class DepthFormat : std::uint8_t { d16, d24, d32f };
 
 inline constexpr std::array kDepthFormats{DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f};
 
+/// What is known of each format, by DepthFormat.
+struct DepthFormatTraits {
+    std::string_view name;
+    int bits = 0;
+    bool isFloat = false;
+};
+inline constexpr std::array<DepthFormatTraits, kDepthFormats.size()> kDepthFormatTraits{{
+    {.name = "d16", .bits = 16, .isFloat = false},
+    {.name = "d24", .bits = 24, .isFloat = false},
+    {.name = "d32f", .bits = 32, .isFloat = true},
+}};
+constexpr const DepthFormatTraits& traitsOf(DepthFormat format) {
+    return kDepthFormatTraits[static_cast<std::size_t>(format)];
+}
+
 /// "d16", "d24" or "d32f".
-std::string_view nameOf(DepthFormat format);
+constexpr std::string_view nameOf(DepthFormat format) {
+    return traitsOf(format).name;
+}
+
+/// Their names, for lists in messages and in JSON.
+std::vector<std::string_view> namesOf(std::span<const DepthFormat> formats);
 
 /// base::InputError with a suggestion for any other name.
 DepthFormat parseDepthFormat(std::string_view name);

@@ -1,5 +1,4 @@
-#include <cdr/base/error.h>
-#include <cdr/base/suggest.h>
+#include <cdr/base/enum_names.h>
 #include <cdr/depth/mapping.h>
 
 #include <cmath>
@@ -8,22 +7,17 @@ namespace cdr::depth {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kNames{"standard",     "reversed", "log",
-                                                 "log-fragment", "anchored", "anchored-reversed"};
+constexpr base::EnumNames<Mapping, kMappings.size()> kNames{
+    "depth mapping", {"standard", "reversed", "log", "log-fragment", "anchored", "anchored-reversed"}};
 
 } // namespace
 
 std::string_view nameOf(Mapping mapping) {
-    return kNames[static_cast<std::size_t>(mapping)];
+    return kNames.nameOf(mapping);
 }
 
 Mapping parseMapping(std::string_view name) {
-    for (const Mapping mapping : kMappings) {
-        if (nameOf(mapping) == name) {
-            return mapping;
-        }
-    }
-    throw base::InputError(base::unknownName("depth mapping", name, kNames));
+    return kNames.parse(name);
 }
 
 Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index) {

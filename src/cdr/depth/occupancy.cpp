@@ -25,7 +25,7 @@ std::size_t digitOf(const Interval& interval, std::size_t digit) {
 }
 
 /// Least significant digit first; digits that all share are skipped, as the exponent's often is.
-void radixSort(std::vector<Interval>& intervals) {
+void radixSort(std::span<Interval> intervals) {
     std::vector<std::array<std::uint32_t, kDigitValues>> counts(kDigits);
     for (const Interval& interval : intervals) {
         for (std::size_t digit = 0; digit < kDigits; ++digit) {
@@ -44,11 +44,11 @@ void radixSort(std::vector<Interval>& intervals) {
         for (const Interval& interval : intervals) {
             sorted[counts[digit][digitOf(interval, digit)]++] = interval;
         }
-        intervals.swap(sorted);
+        std::copy(sorted.begin(), sorted.end(), intervals.begin());
     }
 }
 
-void sortByNear(std::vector<Interval>& intervals) {
+void sortByNear(std::span<Interval> intervals) {
     if (intervals.size() < kRadixSmallest) {
         std::sort(intervals.begin(), intervals.end(),
                   [](const Interval& a, const Interval& b) { return a.nearView < b.nearView; });
@@ -59,7 +59,7 @@ void sortByNear(std::vector<Interval>& intervals) {
 
 } // namespace
 
-double thinnest(const std::vector<Interval>& intervals) {
+double thinnest(std::span<const Interval> intervals) {
     double least = std::numeric_limits<double>::infinity();
     for (const Interval& interval : intervals) {
         const double thickness = interval.farView - interval.nearView;
@@ -68,7 +68,7 @@ double thinnest(const std::vector<Interval>& intervals) {
     return std::isfinite(least) ? least : 0.0;
 }
 
-std::vector<Interval> mergeIntervals(std::vector<Interval>& intervals, double nearView, double farView,
+std::vector<Interval> mergeIntervals(std::span<Interval> intervals, double nearView, double farView,
                                      double rounding) {
     std::size_t kept = 0;
     for (const Interval& interval : intervals) {
@@ -78,10 +78,10 @@ std::vector<Interval> mergeIntervals(std::vector<Interval>& intervals, double ne
             intervals[kept++] = {std::max(interval.nearView, nearView), std::min(interval.farView, farView)};
         }
     }
-    intervals.resize(kept);
-    sortByNear(intervals);
+    const std::span<Interval> inside = intervals.first(kept);
+    sortByNear(inside);
     std::vector<Interval> merged;
-    for (const Interval& interval : intervals) {
+    for (const Interval& interval : inside) {
         if (!merged.empty() && interval.nearView <= merged.back().farView * (1.0 + 2.0 * rounding)) {
             merged.back().farView = std::max(merged.back().farView, interval.farView);
         } else {

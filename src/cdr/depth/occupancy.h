@@ -2,6 +2,7 @@
 
 #include <cdr/depth/mapping.h>
 
+#include <span>
 #include <vector>
 
 namespace cdr::depth {
@@ -13,19 +14,20 @@ struct Interval {
 };
 
 /// The thickness of the thinnest interval that is not a point; 0 when there is none.
-double thinnest(const std::vector<Interval>& intervals);
+double thinnest(std::span<const Interval> intervals);
 
-/// Sorts intervals, cuts them to [nearView, farView] and merges those that overlap or lie closer together
-/// than their ends round: the result ascends, with a gap between any two. Intervals outside the range or not
-/// a number are left out. Radix-sorted, so that 100,000 intervals cost about a millisecond.
-/// @param intervals scratch: reordered.
-/// @param rounding share of a view distance by which ends may be off.
-std::vector<Interval> mergeIntervals(std::vector<Interval>& intervals, double nearView, double farView,
+/// Sorts intervals, cuts them to [nearView, farView], and merges those that overlap or lie closer together
+/// than their ends round. The result ascends, with a gap between any two. Intervals outside the range, or
+/// with an end that is not a number, are left out. A radix sort takes about a millisecond for 100,000
+/// intervals.
+/// @param intervals reordered.
+/// @param rounding by which share of a view distance ends may be wrong.
+std::vector<Interval> mergeIntervals(std::span<Interval> intervals, double nearView, double farView,
                                      double rounding);
 
-/// By how much, as a share of the view distance, a rendered surface may lie off its interval's end before any
-/// cascade is known: float32 view distances for the mappings that form them in the vertex shader, float64 for
-/// anchored ones.
+/// By which share of the view distance a rendered surface may lie beyond the end of its interval, before any
+/// cascade is known. float32 for mappings that form view distances in the vertex shader, float64 for
+/// anchored.
 double endRounding(Mapping mapping);
 
 } // namespace cdr::depth

@@ -9,30 +9,29 @@
 namespace cdr::depth {
 
 /// The view-distance gap beyond `distanceView` over which a depth buffer of this format moves by one step:
-/// what the buffer alone resolves, vertex rounding left out. Infinity where no farther value exists. Source:
-/// the table of DESIGN section 3, exact instead of first order.
+/// what the buffer alone resolves, without the rounding of vertices. Infinity where no farther value exists.
+/// Exact, not to first order.
 double separationView(const DepthRange& range, DepthFormat format, double distanceView);
 
-/// The same for whichever cascade holds `distanceView`; the ranges do not overlap. Infinity outside all of
-/// them.
+/// The same in the cascade that holds `distanceView`; ranges do not overlap. Infinity outside all of them.
 double separationView(Mapping mapping, const Cascades& cascades, DepthFormat format, double distanceView);
 
-/// The thesis' own arithmetic (Listing A.2) for an integer buffer: after Baker 1999 with 2^bits steps for
-/// standard, after Ulrich 2011 with 2^bits - 1 steps for log. Baker looks towards the camera,
-/// separationView() away from it, so the two part where a step spans a large share of the distance.
-/// @param mapping standard or log; base::InputError for others, which the thesis does not know.
+/// The formulas of the thesis (Listing A.2) for an integer buffer: Baker 1999 with 2^bits steps for standard,
+/// Ulrich 2011 with 2^bits - 1 steps for log. Baker measures towards the camera and separationView() away
+/// from it, so they differ where a step spans a large share of the distance.
+/// @param mapping standard or log; base::InputError for others, which the thesis does not have.
 double thesisSeparationView(Mapping mapping, const Cascades& cascades, int bits, double distanceView);
 
 /// Where a separation curve over view distance meets a value.
 struct Crossing {
     /// The first distance at which the separation reaches the value: the thesis' Table 4.1.
     double reachedFirstView = 0.0;
-    /// The last distance at which the separation is still below the value. Cascades make the curve saw, so
-    /// this may lie beyond the first.
+    /// The last distance at which the separation is still below the value. With cascades the curve falls at
+    /// each boundary, so this may lie beyond the first.
     double heldLastView = 0.0;
 };
 
-/// Finds both crossings of `curve` with `separation` on [nearView, farView] by a logarithmic scan and
+/// Finds both crossings of `curve` with `separation` on [nearView, farView], by a logarithmic scan and
 /// bisection. Empty when the curve never reaches the value.
 std::optional<Crossing> findCrossing(const std::function<double(double)>& curve, double separation,
                                      double nearView, double farView);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <string_view>
 
 namespace cdr::depth {
@@ -59,54 +60,6 @@ std::vector<double> parseBoundaries(const std::string& list) {
     }
     return boundaries;
 }
-
-[[noreturn]] void throwTooMany(const Split& split, double cascades) {
-    throw base::InputError(fmt::format("split {} gives {:.0f} cascades, at most {} are allowed",
-                                       nameOf(split), cascades, kMaxCascades));
-}
-
-/// The inner boundaries of each split, ascending, strictly within (nearView, farView).
-struct InnerBoundaries {
-    double nearView;
-    double farView;
-
-    std::vector<double> operator()(const SplitNone&) const { return {}; }
-
-    std::vector<double> operator()(const SplitRatio& split) const {
-        const double cascades = std::ceil(std::log(farView / nearView) / std::log(split.ratio));
-        if (!(split.ratio > 1.0) || cascades > static_cast<double>(kMaxCascades)) {
-            throwTooMany(split, cascades);
-        }
-        std::vector<double> boundaries;
-        for (double b = nearView * split.ratio; b < farView; b *= split.ratio) {
-            boundaries.push_back(b);
-        }
-        return boundaries;
-    }
-
-    std::vector<double> operator()(const SplitCount& split) const {
-        std::vector<double> boundaries;
-        for (unsigned i = 1; i < split.count; ++i) {
-            boundaries.push_back(nearView *
-                                 std::pow(farView / nearView, static_cast<double>(i) / split.count));
-        }
-        return boundaries;
-    }
-
-    std::vector<double> operator()(const SplitAt& split) const {
-        std::vector<double> boundaries;
-        std::copy_if(split.boundariesView.begin(), split.boundariesView.end(), std::back_inserter(boundaries),
-                     [this](double b) { return b > nearView && b < farView; });
-        return boundaries;
-    }
-
-    std::vector<double> operator()(const SplitFitted& split) const { return refuse(split); }
-    std::vector<double> operator()(const SplitMinimax& split) const { return refuse(split); }
-
-    [[noreturn]] static std::vector<double> refuse(const Split& split) {
-        throw base::InputError(fmt::format("split {} depends on more than near and far", nameOf(split)));
-    }
-};
 
 } // namespace
 
@@ -160,36 +113,6 @@ std::string nameOf(const Split& split) {
         }
     };
     return std::visit(Name{}, split);
-}
-
-bool needsTechnique(const Split& split) {
-    return std::holds_alternative<SplitFitted>(split) || std::holds_alternative<SplitMinimax>(split);
-}
-
-void requireRange(double nearView, double farView) {
-    if (!std::isfinite(nearView) || !std::isfinite(farView) || nearView <= 0.0 || farView <= nearView) {
-        throw base::InputError(
-            fmt::format("a split needs 0 < near < far, both finite, not near {} far {}", nearView, farView));
-    }
-}
-
-Cascades makeCascades(const Split& split, double nearView, double farView) {
-    requireRange(nearView, farView);
-    const std::vector<double> boundaries = std::visit(InnerBoundaries{nearView, farView}, split);
-    if (boundaries.size() + 1 > kMaxCascades) {
-        throwTooMany(split, static_cast<double>(boundaries.size() + 1));
-    }
-    Cascades cascades;
-    double begin = nearView;
-    for (const double boundary : boundaries) {
-        // Rounding may make a boundary meet its neighbour; an empty cascade would divide by zero.
-        if (boundary > begin && boundary < farView) {
-            cascades.push_back({begin, boundary});
-            begin = boundary;
-        }
-    }
-    cascades.push_back({begin, farView});
-    return cascades;
 }
 
 } // namespace cdr::depth

@@ -31,16 +31,15 @@ struct SplitAt {
     bool operator==(const SplitAt&) const = default;
 };
 
-/// Fitted to what is visible: the fewest cascades whose steps stay below a target, and none over empty space
-/// (fitCascades()).
+/// Fitted to what is visible: the fewest cascades whose steps stay below a target, and none over empty space.
 struct SplitFitted {
     enum class Unit { pixels, scene };
-    /// Largest step: a share of what a pixel covers at its distance, or scene units. A thousandth of a pixel
-    /// lets a cascade span a ratio of about 30 under a 60 degree lens, so that a scene that fills everything
+    /// Largest step: a share of what a pixel covers at its distance, or scene units. With a thousandth of a
+    /// pixel and a 60 degree lens, one cascade spans a ratio of about 30, so a scene that fills everything
     /// from 0.1 to 100,000 takes four.
     double target = 0.001; ///< > 0
     Unit unit = Unit::pixels;
-    unsigned most = 8; ///< 1 to kMaxCascades; a target that asks for more gives way
+    unsigned most = 8; ///< 1 to kMaxCascades; a target that needs more is relaxed
     bool operator==(const SplitFitted&) const = default;
 };
 
@@ -53,22 +52,11 @@ struct SplitMinimax {
 /// How the view-distance range is cut into cascades.
 using Split = std::variant<SplitNone, SplitRatio, SplitCount, SplitAt, SplitFitted, SplitMinimax>;
 
-/// Whether cutting needs more than the range: the mapping and format, and for SplitFitted what is visible.
-bool needsTechnique(const Split& split);
-
 /// Reads "none", "ratio:R", "count:K", "at:a,b,...", "minimax:K" or "fitted[:TARGET[px][,max=K]]", TARGET in
 /// scene units, or in pixels with "px". base::InputError says what is wrong.
 Split parseSplit(const std::string& text);
 
 /// The text parseSplit() reads.
 std::string nameOf(const Split& split);
-
-/// base::InputError unless 0 < near < far, both finite.
-void requireRange(double nearView, double farView);
-
-/// Cuts [nearView, farView] without gap or overlap, nearest first.
-/// base::InputError unless requireRange() holds, the split gives at most kMaxCascades, and it is not one that
-/// needsTechnique(): those are cut by fitCascades() and minimaxCascades().
-Cascades makeCascades(const Split& split, double nearView, double farView);
 
 } // namespace cdr::depth

@@ -8,14 +8,14 @@
 
 namespace cdr::depth {
 
-/// What turns a cascade into steps.
+/// What the step between two stored depths depends on, beside the cascade.
 struct StepModel {
     Mapping mapping = Mapping::standard;
     DepthFormat format = DepthFormat::d32f;
 };
 
-/// The largest step to allow, in scene units and as a share of the view distance, whichever is wider.
-/// The least ones stay when a target is scaled: no step need be finer.
+/// The largest step to allow: the wider of scene units and a share of the view distance. The least ones bound
+/// it from below, since a finer step gains nothing, and stay when the target is scaled.
 struct StepTarget {
     double unitsView = 0.0;
     double shareView = 0.0;      ///< as a pixel's footprint is
@@ -28,14 +28,14 @@ struct StepTarget {
     StepTarget scaled(double factor) const;
 };
 
-/// What the arithmetic before the depth buffer rounds away, as a share of the view distance: steps below gain
+/// What arithmetic before the depth buffer rounds away, as a share of the view distance; a finer step gains
 /// nothing. float32 for mappings that form w in the vertex shader, float64 for anchored ones.
 double distanceRounding(Mapping mapping);
 
-/// An upper bound of the step at view distance w in a cascade: what separationView() saws below, to first
-/// order, and for anchored mappings what float32 rounds away of the distance to the anchor plane
-/// (2^-24 of it). It never falls as the cascade grows, which is what makes greedy fitting optimal;
-/// separationView() itself saws by a factor of two with float32's binades. Reversed counts as closed at far.
+/// An upper bound, to first order, of the step at view distance w in a cascade (separationView()). For
+/// anchored mappings also of what float32 rounds away of the distance to the anchor plane, 2^-24 of it. The
+/// bound never falls as the cascade grows, so greedy fitting is optimal. separationView() itself jumps by a
+/// factor of two where float32's exponent changes. Reversed counts as closed at far.
 double stepBoundView(const StepModel& model, const Cascade& cascade, double distanceView);
 
 /// The largest share that stepBoundView() takes of the target in a cascade; at most 1 where the target is met

@@ -4,40 +4,53 @@
 
 #include <fmt/format.h>
 
-#include <utility>
+#include <algorithm>
+#include <vector>
 
 namespace cdr::depth {
 
-std::span<const Technique> presets() {
-    static const std::vector<Technique> kPresets{
-        {.name = "standard", .mapping = Mapping::standard, .split = SplitNone{}},
-        {.name = "cdr", .mapping = Mapping::standard, .split = SplitRatio{1000.0}},
-        {.name = "log", .mapping = Mapping::log, .split = SplitNone{}},
-        {.name = "logcdr", .mapping = Mapping::log, .split = SplitRatio{1000.0}},
-        {.name = "reversed", .mapping = Mapping::reversed, .split = SplitNone{}},
-        {.name = "anchored", .mapping = Mapping::anchored, .split = SplitFitted{}},
+std::span<const NamedTechnique> presets() {
+    static const std::vector<NamedTechnique> kPresets{
+        {"standard", {.mapping = Mapping::standard, .split = SplitNone{}}},
+        {"cdr", {.mapping = Mapping::standard, .split = SplitRatio{1000.0}}},
+        {"log", {.mapping = Mapping::log, .split = SplitNone{}}},
+        {"logcdr", {.mapping = Mapping::log, .split = SplitRatio{1000.0}}},
+        {"reversed", {.mapping = Mapping::reversed, .split = SplitNone{}}},
+        {"anchored", {.mapping = Mapping::anchored, .split = SplitFitted{}}},
     };
     return kPresets;
 }
 
+std::string nameOf(const Technique& technique) {
+    const auto all = presets();
+    const auto preset = std::find_if(all.begin(), all.end(), [&](const NamedTechnique& each) {
+        return each.technique.mapping == technique.mapping && each.technique.split == technique.split;
+    });
+    return preset != all.end() ? preset->name : partsOf(technique);
+}
+
+std::string partsOf(const Technique& technique) {
+    return fmt::format("{}/{}", nameOf(technique.mapping), nameOf(technique.split));
+}
+
 Technique parseTechnique(std::string_view name) {
+    return namedTechnique(name).technique;
+}
+
+NamedTechnique namedTechnique(std::string_view name) {
     std::vector<std::string_view> names;
-    for (const Technique& preset : presets()) {
+    for (const NamedTechnique& preset : presets()) {
         if (preset.name == name) {
             return preset;
         }
         names.push_back(preset.name);
     }
     if (const std::size_t slash = name.find('/'); slash != std::string_view::npos) {
-        return makeTechnique(parseMapping(name.substr(0, slash)),
-                             parseSplit(std::string(name.substr(slash + 1))), DepthFormat::d32f);
+        const Technique technique{.mapping = parseMapping(name.substr(0, slash)),
+                                  .split = parseSplit(std::string(name.substr(slash + 1)))};
+        return {partsOf(technique), technique};
     }
     throw base::InputError(base::unknownName("technique", name, names));
-}
-
-Technique makeTechnique(Mapping mapping, Split split, DepthFormat format) {
-    std::string name = fmt::format("{}/{}", nameOf(mapping), nameOf(split));
-    return {.name = std::move(name), .mapping = mapping, .split = std::move(split), .format = format};
 }
 
 } // namespace cdr::depth

@@ -12,9 +12,9 @@
 
 namespace cdr::gpu {
 
-/// A command pool of one thread and one frame slot. Buffers are handed out in turn and taken back all at once
-/// by reset(): resetting a pool whole costs little, freeing buffers one by one does not (Khronos
-/// Vulkan-Samples, command_buffer_usage).
+/// A command pool of one thread and one frame slot. next() hands out buffers in turn, and reset() takes all
+/// of them back at once: that is much cheaper than freeing buffers one by one (Khronos Vulkan-Samples,
+/// command_buffer_usage).
 class CommandPool {
   public:
     CommandPool(const Device& device, vk::CommandBufferLevel level, const std::string& name);

@@ -143,13 +143,14 @@ void Device::finish(vk::Instance instance, bool hasDebugNames) {
     m_allocator.reset(allocator);
 }
 
-vk::Format Device::depthFormat(int bits) const {
-    const auto format = findDepthFormat(m_physical, bits);
-    if (!format) {
-        throw base::InputError(fmt::format("{} has no {}-bit depth buffer; it has {}", m_info.name, bits,
-                                           fmt::join(m_info.depthFormats, ", ")));
+vk::Format Device::depthFormat(depth::DepthFormat format) const {
+    const auto found = findDepthFormat(m_physical, format);
+    if (!found) {
+        throw base::InputError(fmt::format("{} has no {}-bit depth buffer; it has {}", m_info.name,
+                                           traitsOf(format).bits,
+                                           fmt::join(depth::namesOf(m_info.depthFormats), ", ")));
     }
-    return *format;
+    return *found;
 }
 
 void Device::setObjectName(vk::ObjectType type, std::uint64_t handle, const std::string& name) const {

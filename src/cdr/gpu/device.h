@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/depth/format.h>
 #include <cdr/gpu/instance.h>
 
 #include <vulkan/vulkan.hpp>
@@ -13,17 +14,17 @@ struct VmaAllocator_T;
 
 namespace cdr::gpu {
 
-/// What a device is and how it fits, for people and for JSON.
+/// What a device is, and whether cdr can use it.
 struct DeviceInfo {
     std::string name;
-    std::string driver;                        ///< driver name and its version text
-    std::string api;                           ///< "1.3.230"
-    std::string kind;                          ///< "cpu", "integrated", "discrete", "virtual" or "other"
-    std::uint32_t index = 0;                   ///< as --device takes it
-    std::vector<std::string> missing;          ///< why cdr cannot use it; empty when it can
-    std::vector<std::string> gpuDrivenMissing; ///< why it cannot cull and bin; empty when it can
-    std::vector<std::string> depthFormats;     ///< of d16, d24, d32f
-    std::uint32_t queues = 0;                  ///< in the family cdr would use
+    std::string driver;                           ///< driver name and its version text
+    std::string api;                              ///< "1.3.230"
+    std::string kind;                             ///< "cpu", "integrated", "discrete", "virtual" or "other"
+    std::uint32_t index = 0;                      ///< as --device takes it
+    std::vector<std::string> missing;             ///< why cdr cannot use it; empty when it can
+    std::vector<std::string> gpuDrivenMissing;    ///< why it cannot cull and bin; empty when it can
+    std::vector<depth::DepthFormat> depthFormats; ///< that it can draw to
+    std::uint32_t queues = 0;                     ///< in the family cdr would use
     std::uint32_t maxImageSide = 0;
     std::uint64_t maxStorageBufferBytes = 0;
     bool hasFragmentStores = false; ///< fragment shaders may write buffers (fragmentStoresAndAtomics)
@@ -33,10 +34,10 @@ struct DeviceInfo {
 /// Every device of the instance, in the loader's order.
 std::vector<DeviceInfo> listDevices(const Instance& instance);
 
-/// Handles of a device that somebody else made and keeps.
+/// Handles of a device that another program part created and owns.
 ///
 /// It must have been created for Vulkan 1.3 with dynamicRendering, synchronization2, depthClamp and
-/// shaderClipDistance on, and the queue must do graphics and compute. The maker destroys it after the
+/// shaderClipDistance on, and the queue must support graphics and compute. The owner destroys it after the
 /// gpu::Device that borrows it.
 struct BorrowedDevice {
     vk::Instance instance;
@@ -50,12 +51,12 @@ struct BorrowedDevice {
     bool hasFragmentStores = false; ///< fragmentStoresAndAtomics is on too
 };
 
-/// A logical device with one queue and a memory allocator. Frees what it made itself, and borrows the rest.
+/// A logical device with one queue and a memory allocator. Frees what it created; what it borrowed stays.
 class Device {
   public:
-    /// @param choice index ("0") or part of a name, case aside; empty takes the best usable one: discrete,
-    /// integrated,
-    ///        virtual, then CPU. base::InputError, naming each device and why it was refused, when none fits.
+    /// @param choice index ("0") or part of a name in any case. Empty takes the best usable device: discrete,
+    ///        integrated, virtual, then CPU.
+    /// base::InputError, with each device and why it was refused, when none fits.
     Device(const Instance& instance, const std::string& choice);
     explicit Device(const BorrowedDevice& borrowed);
 
@@ -66,9 +67,9 @@ class Device {
     VmaAllocator_T* allocator() const { return m_allocator.get(); }
     const DeviceInfo& info() const { return m_info; }
 
-    /// The Vulkan format for optimally tiled depth attachments that holds `bits` (16, 24 or 32 for float).
+    /// The Vulkan format of optimally tiled depth attachments for `format`.
     /// base::InputError, naming what the device has, when it lacks one.
-    vk::Format depthFormat(int bits) const;
+    vk::Format depthFormat(depth::DepthFormat format) const;
 
     /// Names an object for captures and validation messages; does nothing without VK_EXT_debug_utils.
     template <typename Handle>

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace cdr::gpu {
@@ -12,6 +14,13 @@ namespace {
 /// What shaders/binning.glsl binds, and its workgroups' size.
 constexpr std::uint32_t kGpuDrivenStorageBuffers = 14;
 constexpr std::uint32_t kGpuDrivenInvocations = 256;
+
+/// By depth::DepthFormat, the preferred one first.
+constexpr std::array<std::array<vk::Format, 2>, depth::kDepthFormats.size()> kVulkanFormats{{
+    {vk::Format::eD16Unorm, vk::Format::eUndefined},
+    {vk::Format::eX8D24UnormPack32, vk::Format::eD24UnormS8Uint},
+    {vk::Format::eD32Sfloat, vk::Format::eUndefined},
+}};
 
 std::string kindOf(vk::PhysicalDeviceType type) {
     switch (type) {
@@ -98,19 +107,14 @@ std::optional<std::uint32_t> findQueueFamily(vk::PhysicalDevice physical) {
     return std::nullopt;
 }
 
-std::optional<vk::Format> findDepthFormat(vk::PhysicalDevice physical, int bits) {
-    using Candidates = std::vector<vk::Format>;
-    const Candidates candidates = bits == 16 ? Candidates{vk::Format::eD16Unorm}
-                                  : bits == 24
-                                      ? Candidates{vk::Format::eX8D24UnormPack32, vk::Format::eD24UnormS8Uint}
-                                      : Candidates{vk::Format::eD32Sfloat};
-    for (const vk::Format format : candidates) {
-        if (physical.getFormatProperties(format).optimalTilingFeatures &
-            vk::FormatFeatureFlagBits::eDepthStencilAttachment) {
-            return format;
-        }
-    }
-    return std::nullopt;
+std::optional<vk::Format> findDepthFormat(vk::PhysicalDevice physical, depth::DepthFormat format) {
+    const auto& candidates = kVulkanFormats[static_cast<std::size_t>(format)];
+    const auto found = std::find_if(candidates.begin(), candidates.end(), [&](vk::Format candidate) {
+        const bool isDepth(physical.getFormatProperties(candidate).optimalTilingFeatures &
+                           vk::FormatFeatureFlagBits::eDepthStencilAttachment);
+        return candidate != vk::Format::eUndefined && isDepth;
+    });
+    return found == candidates.end() ? std::nullopt : std::optional(*found);
 }
 
 DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
@@ -126,11 +130,9 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     info.index = index;
     info.missing = missingFrom(physical);
     info.gpuDrivenMissing = missingForGpuDriven(physical);
-    for (const auto& [bits, name] : {std::pair{16, "d16"}, std::pair{24, "d24"}, std::pair{32, "d32f"}}) {
-        if (findDepthFormat(physical, bits)) {
-            info.depthFormats.emplace_back(name);
-        }
-    }
+    std::copy_if(depth::kDepthFormats.begin(), depth::kDepthFormats.end(),
+                 std::back_inserter(info.depthFormats),
+                 [&](depth::DepthFormat format) { return findDepthFormat(physical, format).has_value(); });
     if (const auto family = findQueueFamily(physical)) {
         info.queues = physical.getQueueFamilyProperties()[*family].queueCount;
     }

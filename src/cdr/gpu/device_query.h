@@ -9,8 +9,8 @@ namespace cdr::gpu {
 /// The first queue family that does graphics and compute.
 std::optional<std::uint32_t> findQueueFamily(vk::PhysicalDevice physical);
 
-/// The depth attachment format of 16, 24 or 32 (float) bits, if the device has one.
-std::optional<vk::Format> findDepthFormat(vk::PhysicalDevice physical, int bits);
+/// The Vulkan format of depth attachments for `format`, if the device has one.
+std::optional<vk::Format> findDepthFormat(vk::PhysicalDevice physical, depth::DepthFormat format);
 
 DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index);
 

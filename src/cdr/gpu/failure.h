@@ -5,17 +5,17 @@
 
 namespace cdr::gpu {
 
-/// What ends a program: what it says on standard error and what it returns.
+/// How a program ends: its line on standard error and its exit status.
 struct Failure {
     static constexpr int kFailed = 1;   ///< while running
-    static constexpr int kBadInput = 2; ///< nothing was begun
+    static constexpr int kBadInput = 2; ///< before any work
 
     int status = kFailed;
-    std::string line; ///< one, whatever the error's text holds
+    std::string line; ///< a single one, even if the error's text has several
 };
 
-/// Of an exception that nothing on the way could mend: base::InputError is bad input, all else, Vulkan's
-/// errors and exhausted memory among it, a failure.
+/// The failure that an uncaught exception stands for: base::InputError is bad input; all else, such as errors
+/// of Vulkan and exhausted memory, is a failed run.
 /// @param error not null.
 Failure failureOf(const std::exception_ptr& error);
 

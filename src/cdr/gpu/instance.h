@@ -10,7 +10,7 @@
 
 namespace cdr::gpu {
 
-/// Collects what the validation layers say; any thread may report. A test that renders fails unless it stays
+/// Collects the messages of the validation layers, from any thread. A test that renders fails unless it stays
 /// empty.
 class ValidationLog {
   public:
@@ -38,9 +38,9 @@ class Instance {
 
     vk::Instance handle() const { return *m_instance; }
     bool hasDebugNames() const { return m_hasDebugUtils; }
-    /// Empty unless validation is on and has something to say.
+    /// Empty unless validation is on and reported something.
     const ValidationLog& validation() const { return *m_validation; }
-    /// The same, for whoever wants to know what is said when the instance itself goes.
+    /// The same, for messages while the instance itself is destroyed.
     std::shared_ptr<const ValidationLog> validationLog() const { return m_validation; }
 
   private:

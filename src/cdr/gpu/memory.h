@@ -13,7 +13,7 @@ struct VmaAllocation_T;
 
 namespace cdr::gpu {
 
-/// Where a buffer lives and who touches it.
+/// Where a buffer's memory is, and who reads and writes it.
 enum class MemoryUse {
     deviceOnly, ///< written by transfers and shaders
     hostWrites, ///< mapped, written once and in order by the CPU, read by the device
@@ -44,7 +44,8 @@ class Buffer {
     std::span<T> as(std::size_t count) const {
         return {static_cast<T*>(m_mapped), count};
     }
-    /// Makes host writes visible to the device, or device writes to the host, where memory is not coherent.
+    /// flush() makes host writes visible to the device, invalidate() device writes to the host, where memory
+    /// is not coherent.
     void flush() const;
     void invalidate() const;
 
@@ -78,10 +79,10 @@ class Image {
     vk::UniqueImageView m_view;
 };
 
-/// Device-local bytes that are still free, as the driver budgets them.
+/// Device-local bytes that are still free, by the driver's budget.
 std::uint64_t freeDeviceBytes(const Device& device);
 
-/// base::RunError, naming both figures, when `bytes` for `what` exceed what is free. Call before allocating.
+/// base::RunError with both figures when `bytes` for `what` exceed what is free. Call before allocating.
 void requireDeviceBytes(const Device& device, std::uint64_t bytes, const std::string& what);
 
 } // namespace cdr::gpu

@@ -11,11 +11,11 @@
 
 namespace cdr::gpu {
 
-/// How a pipeline's colours meet what its attachments hold.
+/// How a pipeline's colour is combined with the attachment's.
 enum class Blend : std::uint8_t {
-    none,       ///< they replace it
-    accumulate, ///< colour is added; alpha multiplies what is there by 1 - alpha
-    over,       ///< colour is added to what is there times alpha, which therefore is transmittance
+    none,       ///< replaces it
+    accumulate, ///< colour is added; the attachment's alpha is multiplied by 1 - alpha
+    over,       ///< the attachment times alpha, plus colour; alpha is transmittance
 };
 
 /// What a graphics pipeline is made from; viewport, scissor, cull mode and front face stay dynamic.
@@ -29,8 +29,8 @@ struct GraphicsPipelineOptions {
     std::vector<vk::VertexInputBindingDescription> bindings;
     std::vector<vk::VertexInputAttributeDescription> attributes;
     std::vector<vk::Format> colorFormats;
-    vk::Format depthFormat =
-        vk::Format::eUndefined; ///< undefined: no depth test; else depth is tested, written and clamped
+    /// eUndefined: no depth test. Otherwise depth is tested, written and clamped.
+    vk::Format depthFormat = vk::Format::eUndefined;
     vk::CompareOp depthCompare = vk::CompareOp::eLessOrEqual;
     Blend blend = Blend::none; ///< of every attachment
 };
@@ -40,7 +40,7 @@ vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipe
 vk::UniquePipeline makeComputePipeline(const Device& device, std::span<const std::uint32_t> spirv,
                                        vk::PipelineLayout layout, const std::string& name);
 
-/// Binds a pipeline whose vertex shader covers the picture with one triangle, and all that it leaves dynamic.
+/// Binds a pipeline whose vertex shader covers the picture with one triangle, and sets its dynamic state.
 void bindFullscreenPipeline(vk::CommandBuffer commands, vk::Pipeline pipeline, vk::Extent2D extent);
 
 vk::UniquePipelineLayout makePipelineLayout(const Device& device,

@@ -1,5 +1,5 @@
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/base/suggest.h>
 #include <cdr/render/effects.h>
 
 #include <fmt/format.h>
@@ -11,8 +11,7 @@ namespace cdr::render {
 
 namespace {
 
-/// By Antialias.
-constexpr std::array<std::string_view, kAntialiases.size()> kNames{"none", "edges"};
+constexpr base::EnumNames<Antialias, kAntialiases.size()> kNames{"antialiasing", {"none", "edges"}};
 
 void requireLength(const char* what, double length) {
     if (!std::isfinite(length) || length < 0.0) {
@@ -23,15 +22,11 @@ void requireLength(const char* what, double length) {
 } // namespace
 
 std::string_view nameOf(Antialias antialias) {
-    return kNames[static_cast<std::size_t>(antialias)];
+    return kNames.nameOf(antialias);
 }
 
 Antialias parseAntialias(std::string_view name) {
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end()) {
-        throw base::InputError(base::unknownName("antialiasing", name, kNames));
-    }
-    return kAntialiases[static_cast<std::size_t>(found - kNames.begin())];
+    return kNames.parse(name);
 }
 
 double Fog::extinction() const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/depth/fitted_split.h>
+#include <cdr/depth/make_cascades.h>
 #include <cdr/depth/technique.h>
 #include <cdr/scene/camera.h>
 #include <cdr/visibility/cull.h>
@@ -23,7 +23,7 @@ class FrameSplit {
     depth::Cascades cut(const scene::Camera& camera, const visibility::VisibleList& visible);
 
     /// The next frame is cut as a first one is.
-    void forget() { m_fitted.clear(); }
+    void forget() { m_previous.clear(); }
 
     /// Whether cut() reads the visible list.
     bool needsVisible() const { return std::holds_alternative<depth::SplitFitted>(m_technique.split); }
@@ -32,12 +32,9 @@ class FrameSplit {
     depth::FarEnd farEnd() const { return needsVisible() ? depth::FarEnd::closed : depth::FarEnd::open; }
 
   private:
-    const depth::Cascades& fit(const depth::SplitFitted& split, const scene::Camera& camera,
-                               const visibility::VisibleList& visible);
-
     depth::Technique m_technique;
     std::uint32_t m_height;
-    depth::Cascades m_fitted;                 ///< the last frame's
+    depth::Cascades m_previous;               ///< the last frame's
     std::vector<depth::Interval> m_intervals; ///< kept so that a warm frame allocates little
 };
 

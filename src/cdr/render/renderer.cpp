@@ -65,9 +65,7 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
                     : nullptr),
       m_picture(device, pictureOptions(m_extent, options, m_opaque.has_value())),
       m_focus(options.focus.isOn() ? makeFocusLayers() : nullptr),
-      m_plain(m_focus ? nullptr
-                      : makeTargets(device, options.targets,
-                                    targetsOptions(m_extent, m_geometry.pipelines().depthFormat(), options))),
+      m_plain(m_focus ? nullptr : makeTargets(device, options.targets, targetsOptions(m_extent, options))),
       m_targets(m_focus ? *m_focus : *m_plain),
       m_shading(device, m_targets.gbuffer(), m_picture.lit(), options.effects, m_shiny),
       m_translucent(m_opaque ? std::make_unique<TranslucentPass>(device, scene, gpuScene, m_targets.gbuffer(),
@@ -96,9 +94,9 @@ Renderer::~Renderer() {
 }
 
 std::unique_ptr<FocusLayers> Renderer::makeFocusLayers() const {
-    return std::make_unique<FocusLayers>(
-        m_device, targetsOptions(m_extent, m_geometry.pipelines().depthFormat(), m_options), m_picture.lit(),
-        m_options.effects, m_scene.background, m_options.focus.blend, m_shiny);
+    return std::make_unique<FocusLayers>(m_device, targetsOptions(m_extent, m_options), m_picture.lit(),
+                                         m_options.effects, m_scene.background, m_options.focus.blend,
+                                         m_shiny);
 }
 
 std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {

@@ -14,7 +14,7 @@ namespace cdr::render {
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended);
 
 PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended);
-TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format depthFormat, const RenderOptions& options);
+TargetsOptions targetsOptions(vk::Extent2D extent, const RenderOptions& options);
 
 /// Why shiny surfaces are drawn matt, though some shine; empty when they are not.
 std::string noteOnShine(const GpuScene& scene, const RenderOptions& options);

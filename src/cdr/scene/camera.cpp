@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/depth/cascade.h>
 #include <cdr/scene/camera.h>
 
 #include <fmt/format.h>
@@ -147,6 +148,7 @@ void requireUsable(const Camera& camera) {
         throw base::InputError(
             fmt::format("far must be finite and beyond near ({}), not {}", camera.nearView, camera.farView));
     }
+    depth::requireRange(camera.nearView, camera.farView);
     if (!std::isfinite(camera.fovY) || camera.fovY <= 0.0 || camera.fovY >= std::numbers::pi) {
         throw base::InputError(fmt::format("field of view must lie between 0 and 180 degrees, not {}",
                                            camera.fovY * 180.0 / std::numbers::pi));

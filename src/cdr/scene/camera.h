@@ -20,32 +20,36 @@ struct Camera {
         return {glm::dot(right, d), glm::dot(up, d), glm::dot(back, d)};
     }
     double viewDistance(const glm::dvec3& world) const { return glm::dot(back, position - world); }
+
+    bool operator==(const Camera&) const = default;
 };
 
 /// Turns `camera` to look from `eye` at `target`, keeping its lens. World y is up, or world z when the view
 /// is along y. base::InputError when eye and target coincide or are not finite.
 Camera lookAt(Camera camera, const glm::dvec3& eye, const glm::dvec3& target);
 
-/// Turns `camera` to look from `eye` along `forward`, keeping its lens. A unit vector is taken as it is, to
-/// the bit, so lookAlong(c, c.position, -c.back) gives back a camera that came from lookAt(), wherever it
-/// stands. Without `up`, that is as in lookAt(); with it, the camera's up is what of it is across the view.
+/// Turns `camera` to look from `eye` along `forward`, keeping its lens. A unit vector is used exactly, to the
+/// bit. So lookAlong(c, c.position, -c.back) returns a camera that came from lookAt() unchanged, however far
+/// out it stands. Without `up`, up is as in lookAt(). With it, the camera's up is the part of `up` across the
+/// view.
 /// base::InputError when a vector is zero or not finite, or `up` lies along the view.
 Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward);
 Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward, const glm::dvec3& up);
 
-/// The camera that words can say: the nearest that lookAlong() and radiansOf() give for it. Differs by
-/// roundings alone where its axes are orthonormal; the same camera, to the bit, when applied again.
+/// The nearest camera that command line options can express, through lookAlong() and radiansOf(). If the axes
+/// are orthonormal, it differs by roundings only. Applied to its own result it changes nothing.
 /// base::InputError as lookAlong().
 Camera canonical(const Camera& camera);
-/// Whether the camera is what lookAlong() makes of its eye and forward alone, to the bit.
+/// Whether lookAlong() gives this camera, to the bit, from its eye and forward vector without `up`.
 bool isLevel(const Camera& camera);
 
-/// Radians of an angle in degrees, the way every option of the command line is read.
+/// Radians of an angle in degrees, as every option of the command line is read.
 double radiansOf(double degrees);
-/// The degrees whose radiansOf() is `radians`, or comes nearest.
+/// The degrees whose radiansOf() is `radians` or nearest to it.
 double degreesOf(double radians);
 
-/// base::InputError, naming the value, unless the lens is usable: finite, 0 < near < far, 0 < fovY < pi.
+/// base::InputError with the value unless the camera is usable: finite, depth::kLeastView <= near < far <=
+/// depth::kMostView, 0 < fovY < pi.
 void requireUsable(const Camera& camera);
 
 } // namespace cdr::scene

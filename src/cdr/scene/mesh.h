@@ -21,29 +21,29 @@ struct Vertex {
 /// A coarser form of a mesh, over the mesh's own vertices.
 struct MeshLevel {
     std::vector<std::uint32_t> indices; ///< three per triangle, each below the mesh's vertices.size()
-    /// Object space: how far the two surfaces lie apart where they lie farthest apart (Hausdorff distance).
+    /// Object space: the Hausdorff distance between this surface and the mesh's own.
     float error = 0.0f;
 };
 
-/// An indexed triangle list. Front faces are counter-clockwise in object space; under an instance that
+/// An indexed triangle list. Front faces are counter-clockwise in object space. Under an instance that
 /// mirrors they stay the front faces (glTF 2.0, section 3.7.4), though they are clockwise in world space.
 ///
-/// Vertices are stored about the centre of their bounding sphere: that keeps float32 positions small, which
-/// is what bounds the smallest separation far away (DESIGN: why anchored works).
+/// Vertices are stored relative to the centre of their bounding sphere. That keeps float32 positions small,
+/// and their rounding limits the smallest separation that can be resolved far away.
 struct Mesh {
     std::string name;
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices; ///< three per triangle, each below vertices.size()
     float boundingRadius = 0.0f;        ///< object space, about the origin
-    /// Levels of detail, coarser and coarser; the mesh itself is level 0, levels[k] is level k + 1. At most
-    /// kMaxLevels; empty where nobody made any (levels.h).
+    /// Levels of detail, each coarser than the one before. The mesh itself is level 0, levels[k] is level k +
+    /// 1. At most kMaxLevels; empty unless makeLevels() was called (lod/levels.h).
     std::vector<MeshLevel> levels;
-    /// Half the sides when the mesh is exactly an axis-aligned box about its origin; lets the truth use
-    /// slabs.
+    /// Half the sides, if the mesh is exactly an axis-aligned box about its origin. Ray casts then need no
+    /// triangles.
     std::optional<glm::vec3> boxHalfSides;
 };
 
-/// Most levels beside the mesh itself: a level's number fits a byte.
+/// Most levels beside the mesh itself; a level's number must fit a byte.
 inline constexpr std::size_t kMaxLevels = 32;
 
 struct Texture {
@@ -55,10 +55,10 @@ struct Texture {
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
-/// How a surface shines: glTF 2.0's metallic-roughness material, both in [0, 1].
+/// The metallic-roughness material of glTF 2.0; both in [0, 1].
 struct Shine {
-    float metallic = 1.0f;  ///< 0 is a dielectric, 1 a metal, whose base colour is what it mirrors
-    float roughness = 1.0f; ///< perceptual: the microfacets' alpha is its square
+    float metallic = 1.0f;  ///< 0 is a dielectric, 1 a metal, which reflects in its base colour
+    float roughness = 1.0f; ///< perceptual: its square is the alpha of the microfacet distribution
 
     bool operator==(const Shine&) const = default;
 };
@@ -67,7 +67,7 @@ struct Material {
     std::string name;
     glm::vec4 baseColorFactor{1.0f};                 ///< linear
     std::optional<std::uint32_t> baseColorTexture{}; ///< index into Scene::textures
-    std::optional<Shine> shine{}; ///< empty is matt: Lambert's law alone, without a highlight
+    std::optional<Shine> shine{};                    ///< empty: Lambert's law alone
     bool doubleSided = false;
     bool unlit = false;
     AlphaMode alphaMode = AlphaMode::opaque;
@@ -77,8 +77,8 @@ struct Material {
 /// A box of the given half sides about the origin, 24 vertices, flat normals, 12 triangles.
 Mesh makeBox(const glm::vec3& halfSides);
 
-/// The same triangles with three vertices of their own each, as a mesh without an index buffer has them.
-/// Without levels.
+/// The same triangles, each with three vertices of its own, as in a mesh without an index buffer. Without
+/// levels.
 Mesh unshareVertices(const Mesh& mesh);
 
 } // namespace cdr::scene

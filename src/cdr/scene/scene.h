@@ -11,9 +11,9 @@
 
 namespace cdr::scene {
 
-/// What the renderer draws, one entry per (object, primitive), as structure of arrays: culling and binning
-/// stream through the first four alone. Positions are world space, float64, and are the centres of the
-/// bounding spheres.
+/// What the renderer draws, one entry per (object, primitive). A structure of arrays, since culling and
+/// binning read only the first four. Positions are in world space, float64, at the centres of the bounding
+/// spheres.
 struct Instances {
     std::vector<double> x;
     std::vector<double> y;
@@ -33,12 +33,12 @@ struct Instances {
 struct PointLight {
     glm::dvec3 position{0.0}; ///< world space
     glm::vec3 color{1.0f};    ///< linear
-    /// Distance at which the light has fallen to half, in scene units; falls as 1 / (1 + (d /
+    /// Distance at which the light is half as strong, in scene units. It falls as 1 / (1 + (d /
     /// halfDistance)^2).
     double halfDistance = 1.0;
 };
 
-/// Everything that is drawn, and nothing about who looks at it.
+/// Everything that is drawn; cameras are not part of it.
 struct Scene {
     std::string name;
     std::vector<Mesh> meshes;
@@ -53,16 +53,15 @@ struct Scene {
     std::uint32_t objectCount() const;
 };
 
-/// Most objects a scene may hold: ids are written as three bytes, 0 being background.
+/// Most objects in a scene: ids are written as three bytes, and 0 is the background.
 inline constexpr std::uint32_t kMaxObjects = (1u << 24) - 2;
 
-/// Appends one instance; the radius follows from the mesh's and the basis' largest singular value (bounded
-/// above).
-/// @param position world space, where the mesh's origin (its bounding centre) goes.
+/// Appends one instance. Its radius is the mesh's times an upper bound of the basis' largest singular value.
+/// @param position of the mesh's origin, which is its bounding centre, in world space.
 void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::uint32_t object,
                  const glm::dvec3& position, const glm::mat3& basis);
 
-/// Exchanges two instances, so that they are drawn in each other's turn; they stay the objects they are.
+/// Exchanges two instances in the order of drawing. Their objects stay the same.
 void swapInstances(Instances& instances, std::size_t a, std::size_t b);
 
 } // namespace cdr::scene

@@ -1,3 +1,4 @@
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/visibility/level_choice.h>
@@ -5,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace cdr::visibility {
@@ -13,8 +13,7 @@ namespace cdr::visibility {
 namespace {
 
 constexpr std::size_t kJobDraws = 16'384;
-/// By DetailMode.
-constexpr std::array<std::string_view, 3> kNames{"none", "object", "cascade"};
+constexpr base::EnumNames<DetailMode, kDetailModes.size()> kNames{"detail", {"none", "object", "cascade"}};
 
 /// View distance of an instance's centre, by cullSpheres()' operations in their order.
 double distanceOf(const scene::Instances& instances, std::uint32_t instance, const scene::Camera& camera) {
@@ -39,19 +38,18 @@ std::uint8_t levelAt(const scene::Mesh& mesh, double radius, double distanceView
 
 } // namespace
 
+std::string_view nameOf(DetailMode mode) {
+    return kNames.nameOf(mode);
+}
+
 std::string nameOf(const Detail& detail) {
-    const std::string_view name = kNames[static_cast<std::size_t>(detail.mode)];
+    const std::string_view name = nameOf(detail.mode);
     return detail.mode == DetailMode::none ? std::string(name) : fmt::format("{}:{}", name, detail.pixels);
 }
 
 Detail parseDetail(std::string_view text) {
     const std::size_t colon = text.find(':');
-    const std::string_view name = text.substr(0, colon);
-    const auto* const found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end()) {
-        throw base::InputError(base::unknownName("detail", name, kNames));
-    }
-    Detail detail{.mode = static_cast<DetailMode>(found - kNames.begin())};
+    Detail detail{.mode = kNames.parse(text.substr(0, colon))};
     if (colon != std::string_view::npos) {
         if (detail.mode == DetailMode::none) {
             throw base::InputError("detail none takes no pixels");

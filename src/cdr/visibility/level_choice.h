@@ -6,6 +6,7 @@
 #include <cdr/scene/scene.h>
 #include <cdr/visibility/bin.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -20,10 +21,17 @@ enum class DetailMode : std::uint8_t {
                 ///< crack
 };
 
+inline constexpr std::array kDetailModes{DetailMode::none, DetailMode::perObject, DetailMode::perCascade};
+
+/// "none", "object" or "cascade".
+std::string_view nameOf(DetailMode mode);
+
 /// Level of detail by projected error.
 struct Detail {
     DetailMode mode = DetailMode::none;
     double pixels = 0.5; ///< largest error of a level on screen, in pixels at the middle of the picture, > 0
+
+    bool operator==(const Detail&) const = default;
 };
 
 /// "none", "object:0.5" or "cascade:0.5".

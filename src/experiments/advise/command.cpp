@@ -53,7 +53,7 @@ nlohmann::ordered_json finiteOrNull(double value) {
 }
 
 nlohmann::ordered_json toJson(const depth::AdviceRow& row) {
-    nlohmann::ordered_json json{{"technique", row.technique.name},
+    nlohmann::ordered_json json{{"technique", nameOf(row.technique)},
                                 {"mapping", nameOf(row.technique.mapping)},
                                 {"split", nameOf(row.technique.split)},
                                 {"format", nameOf(row.technique.format)},
@@ -92,7 +92,7 @@ std::string timeText(const depth::Measurement& measured) {
 void printTable(const Console& console, const depth::Advice& advice, bool measured) {
     std::vector<std::vector<std::string>> rows;
     for (const depth::AdviceRow& row : advice.rows) {
-        rows.push_back({row.technique.name, std::string(nameOf(row.technique.format)),
+        rows.push_back({nameOf(row.technique), std::string(nameOf(row.technique.format)),
                         std::to_string(row.forecast.cascades), stepText(row.forecast.bufferStepView),
                         stepText(row.forecast.rounding.distanceGapView),
                         stepText(row.forecast.resolvedView())});

@@ -11,20 +11,21 @@ namespace cdr::experiments {
 namespace {
 
 /// Each technique once, in the order of the rows.
-std::vector<depth::Technique> techniquesOf(const depth::Advice& advice) {
-    std::vector<depth::Technique> techniques;
+std::vector<depth::NamedTechnique> techniquesOf(const depth::Advice& advice) {
+    std::vector<depth::NamedTechnique> techniques;
     for (const depth::AdviceRow& row : advice.rows) {
+        const std::string name = nameOf(row.technique);
         const bool known = std::any_of(techniques.begin(), techniques.end(),
-                                       [&](const auto& other) { return other.name == row.technique.name; });
+                                       [&](const auto& other) { return other.name == name; });
         if (!known) {
-            techniques.push_back(row.technique);
+            techniques.push_back({name, row.technique});
         }
     }
     return techniques;
 }
 
 std::vector<ProbeResult> probe(const gpu::Device& device, const depth::AdviceQuestion& question,
-                               const std::vector<depth::Technique>& techniques,
+                               const std::vector<depth::NamedTechnique>& techniques,
                                const MeasuredAdviceOptions& options, const AdviceProgress& progress) {
     const ProbeOptions probing{.distancesView = {question.scene.atView},
                                .techniques = techniques,
@@ -38,18 +39,21 @@ std::vector<ProbeResult> probe(const gpu::Device& device, const depth::AdviceQue
     return runProbe(device, probing, progress);
 }
 
-std::vector<TimingResult> time(const gpu::Device& device, const std::vector<depth::Technique>& techniques,
+std::vector<TimingResult> time(const gpu::Device& device,
+                               const std::vector<depth::NamedTechnique>& techniques,
                                const MeasuredAdviceOptions& options, const AdviceProgress& progress) {
     TimingOptions timing{.width = options.width,
                          .height = options.height,
                          .frames = options.frames,
                          .threads = options.threads,
                          .seed = options.seed};
-    timing.modes = {{.name = "baseline", .technique = techniques.front(), .thesisPercent = {}}};
-    timing.modes.front().technique = depth::parseTechnique("standard");
-    timing.modes.front().technique.format = techniques.front().format;
-    for (const depth::Technique& technique : techniques) {
-        timing.modes.push_back({.name = technique.name, .technique = technique, .thesisPercent = {}});
+    timing.modes = {{.name = "baseline",
+                     .preset = "standard",
+                     .technique = depth::parseTechnique("standard"),
+                     .thesisPercent = {}}};
+    timing.modes.front().technique.format = techniques.front().technique.format;
+    for (const auto& [name, technique] : techniques) {
+        timing.modes.push_back({.name = name, .preset = name, .technique = technique, .thesisPercent = {}});
     }
     return runTiming(device, timing,
                      [&](std::size_t done, std::size_t all) { progress(done, all, "what they cost"); });
@@ -58,9 +62,9 @@ std::vector<TimingResult> time(const gpu::Device& device, const std::vector<dept
 } // namespace
 
 depth::AdviceQuestion onDevice(const gpu::Device& device, depth::AdviceQuestion question) {
-    const std::vector<std::string>& has = device.info().depthFormats;
+    const std::vector<depth::DepthFormat>& has = device.info().depthFormats;
     std::erase_if(question.formats, [&](depth::DepthFormat format) {
-        return std::find(has.begin(), has.end(), nameOf(format)) == has.end();
+        return std::find(has.begin(), has.end(), format) == has.end();
     });
     if (question.formats.empty()) {
         throw base::InputError(device.info().name + " has none of the depth formats asked for");
@@ -71,17 +75,17 @@ depth::AdviceQuestion onDevice(const gpu::Device& device, depth::AdviceQuestion 
 depth::Advice measureAdvice(const gpu::Device& device, const depth::AdviceQuestion& question,
                             const MeasuredAdviceOptions& options, const AdviceProgress& progress) {
     const depth::Advice predicted = depth::advise(question);
-    const std::vector<depth::Technique> techniques = techniquesOf(predicted);
+    const std::vector<depth::NamedTechnique> techniques = techniquesOf(predicted);
     const std::vector<ProbeResult> probed = probe(device, question, techniques, options, progress);
     const std::vector<TimingResult> timed = time(device, techniques, options, progress);
     std::vector<std::optional<depth::Measurement>> measurements;
     for (const depth::AdviceRow& row : predicted.rows) {
         const auto result = std::find_if(probed.begin(), probed.end(), [&](const ProbeResult& candidate) {
-            return candidate.technique == row.technique.name &&
+            return candidate.technique == nameOf(row.technique) &&
                    candidate.format == nameOf(row.technique.format);
         });
         const auto cost = std::find_if(timed.begin(), timed.end(), [&](const TimingResult& candidate) {
-            return candidate.mode.name == row.technique.name;
+            return candidate.mode.name == nameOf(row.technique);
         });
         const auto ratio = [](double percent) { return 1.0 + 0.01 * percent; };
         measurements.emplace_back(depth::Measurement{.resolvedView = result->resolvedView,

@@ -47,8 +47,8 @@ void printTable(const Console& console, const experiments::DetailReport& report)
 
 void run(const GlobalOptions& global, DetailArguments& arguments) {
     experiments::DetailOptions& options = arguments.options;
-    options.technique = depth::makeTechnique(depth::parseMapping(arguments.depth),
-                                             depth::parseSplit(arguments.split), depth::DepthFormat::d32f);
+    options.technique = depth::Technique{depth::parseMapping(arguments.depth),
+                                         depth::parseSplit(arguments.split), depth::DepthFormat::d32f};
     visibility::requireUsable(
         visibility::Detail{.mode = visibility::DetailMode::perObject, .pixels = options.pixels});
     begin(arguments.common, options);

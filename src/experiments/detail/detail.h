@@ -24,7 +24,7 @@ struct DetailOptions {
     std::uint32_t frames = 24; ///< spread over the scene's camera path
     std::size_t threads = 1;
     depth::Technique technique =
-        depth::makeTechnique(depth::Mapping::standard, depth::SplitCount{5}, depth::DepthFormat::d32f);
+        depth::Technique{depth::Mapping::standard, depth::SplitCount{5}, depth::DepthFormat::d32f};
     double pixels = 0.5; ///< visibility::Detail::pixels
 };
 

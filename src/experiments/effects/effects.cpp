@@ -22,7 +22,7 @@ constexpr std::uint32_t kWarmUpFrames = 2;
 
 /// Twelve cascades, so that boundaries run through what is near.
 depth::Technique shownTechnique() {
-    return depth::makeTechnique(depth::Mapping::anchored, depth::SplitCount{12}, depth::DepthFormat::d32f);
+    return depth::Technique{depth::Mapping::anchored, depth::SplitCount{12}, depth::DepthFormat::d32f};
 }
 
 render::Effects effectsOf(std::size_t mode, const EffectsOptions& options) {
@@ -91,11 +91,11 @@ class Comparison {
                              .ratio95 = measure::bootstrapMedian(ratios, m_options.seed + mode),
                              .leastAlike = {},
                              .picture = m_renderers[mode]->render(m_camera).color};
-        for (const depth::Technique& preset : depth::presets()) {
+        for (const auto& [name, technique] : depth::presets()) {
             const double share =
-                shareApart(makeRenderer(mode, preset)->render(m_camera).color, result.picture, false);
+                shareApart(makeRenderer(mode, technique)->render(m_camera).color, result.picture, false);
             if (result.leastAlike.empty() || share > result.differing) {
-                result.leastAlike = preset.name;
+                result.leastAlike = name;
                 result.differing = share;
             }
         }

@@ -96,10 +96,10 @@ void printTables(const Console& console, const std::vector<experiments::FlickerR
                   rows);
 }
 
-std::vector<depth::Technique> techniquesOf(const FlickerArguments& arguments) {
-    std::vector<depth::Technique> techniques;
+std::vector<depth::NamedTechnique> techniquesOf(const FlickerArguments& arguments) {
+    std::vector<depth::NamedTechnique> techniques;
     for (const std::string& name : arguments.techniques) {
-        techniques.push_back(depth::parseTechnique(name));
+        techniques.push_back(depth::namedTechnique(name));
     }
     if (techniques.empty()) {
         techniques.assign(depth::presets().begin(), depth::presets().end());
@@ -111,9 +111,9 @@ std::vector<depth::Technique> techniquesOf(const FlickerArguments& arguments) {
     if (arguments.fittedRange) {
         techniques.push_back(experiments::fittedRange());
     }
-    for (depth::Technique& technique : techniques) {
-        technique.format =
-            arguments.format.empty() ? technique.format : depth::parseDepthFormat(arguments.format);
+    for (depth::NamedTechnique& named : techniques) {
+        named.technique.format =
+            arguments.format.empty() ? named.technique.format : depth::parseDepthFormat(arguments.format);
     }
     return techniques;
 }
@@ -122,7 +122,7 @@ std::vector<experiments::FlickerResult> measure(const Session& session, const Co
                                                 const FlickerArguments& arguments) {
     const experiments::FlickerOptions& options = arguments.options;
     std::vector<std::string> names;
-    for (const depth::Technique& technique : options.techniques) {
+    for (const depth::NamedTechnique& technique : options.techniques) {
         names.push_back(technique.name);
     }
     std::optional<experiments::PairVideos> videos;

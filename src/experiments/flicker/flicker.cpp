@@ -42,7 +42,7 @@ class Flicker {
           m_setup(scenes::openScene(options.nearObject ? "afc-near" : "afc", options.seed).setup),
           m_gpuScene(device, m_setup.scene),
           m_caster(m_setup.scene, m_workers) {
-        for (const depth::Technique& technique : options.techniques) {
+        for (const auto& [name, technique] : options.techniques) {
             m_lanes.push_back({.renderer = std::make_unique<render::Renderer>(
                                    device, m_setup.scene, m_gpuScene,
                                    render::RenderOptions{.width = options.width,
@@ -53,7 +53,7 @@ class Flicker {
                                .idsBefore = {}});
             FlickerResult result;
             result.scene = m_setup.scene.name;
-            result.technique = technique.name;
+            result.technique = name;
             result.format = nameOf(technique.format);
             m_state.results.push_back(std::move(result));
         }
@@ -195,22 +195,16 @@ std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOp
     return Flicker(device, complete, hooks).run(file ? &*file : nullptr);
 }
 
-std::vector<depth::Technique> movedBoundaries() {
+std::vector<depth::NamedTechnique> movedBoundaries() {
     // The field reaches 28 units to either side of 10^6, where ratio:1000 from 0.001 puts its last boundary.
-    depth::Technique before = depth::parseTechnique("cdr");
-    before.name = "cdr-before";
-    before.split = depth::SplitAt{{1.0, 1e3, 1e6 - 1000.0}};
-    depth::Technique behind = before;
-    behind.name = "cdr-behind";
-    behind.split = depth::SplitAt{{1.0, 1e3, 1e6 + 1000.0}};
-    return {before, behind};
+    const auto cut = [](const char* name, double lastView) -> depth::NamedTechnique {
+        return {name, {.mapping = depth::Mapping::standard, .split = depth::SplitAt{{1.0, 1e3, lastView}}}};
+    };
+    return {cut("cdr-before", 1e6 - 1000.0), cut("cdr-behind", 1e6 + 1000.0)};
 }
 
-depth::Technique fittedRange() {
-    depth::Technique technique = depth::parseTechnique("standard");
-    technique.name = "standard-fitted";
-    technique.split = depth::SplitFitted{.most = 1};
-    return technique;
+depth::NamedTechnique fittedRange() {
+    return {"standard-fitted", {.mapping = depth::Mapping::standard, .split = depth::SplitFitted{.most = 1}}};
 }
 
 } // namespace cdr::experiments

@@ -23,7 +23,7 @@ struct FlickerOptions {
     std::uint32_t frames = 360; ///< spread evenly over one turn of the camera
     std::size_t threads = 1;
     std::uint64_t seed = 2013;
-    std::vector<depth::Technique> techniques; ///< all presets when empty
+    std::vector<depth::NamedTechnique> techniques; ///< all presets when empty
     /// Puts a tiny object beside the camera (scene afc-near), so that fitting near and far does not help.
     bool nearObject = false;
     std::uint32_t flipEvery = 1; ///< FLIP is taken of every so-many-th frame; at least 1
@@ -65,10 +65,10 @@ std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOp
 
 /// cdr with its last boundary moved off the field, which it straddles: `cdr-before` cuts nearer than the
 /// field, `cdr-behind` farther.
-std::vector<depth::Technique> movedBoundaries();
+std::vector<depth::NamedTechnique> movedBoundaries();
 
 /// standard with near and far fitted to what is visible, one cascade: what engines do first,
 /// `standard-fitted`. Something near takes it all back.
-depth::Technique fittedRange();
+depth::NamedTechnique fittedRange();
 
 } // namespace cdr::experiments

@@ -29,9 +29,9 @@ std::string digestOf(const FlickerOptions& options, const gpu::DeviceInfo& devic
                                  {"seed", options.seed},
                                  {"near_object", options.nearObject},
                                  {"flip_every", options.flipEvery}};
-    for (const depth::Technique& technique : options.techniques) {
-        parts["techniques"].push_back({technique.name, depth::nameOf(technique.mapping),
-                                       depth::nameOf(technique.split), depth::nameOf(technique.format)});
+    for (const auto& [name, technique] : options.techniques) {
+        parts["techniques"].push_back({name, depth::nameOf(technique.mapping), depth::nameOf(technique.split),
+                                       depth::nameOf(technique.format)});
     }
     return base::sha256Of(parts.dump());
 }

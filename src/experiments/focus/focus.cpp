@@ -133,7 +133,7 @@ class Comparison {
         render::RenderOptions options{
             .width = m_options.width,
             .height = m_options.height,
-            .technique = depth::makeTechnique(m_options.mapping, split, depth::DepthFormat::d32f),
+            .technique = depth::Technique{m_options.mapping, split, depth::DepthFormat::d32f},
             .targets = mode.targets,
             .threads = m_options.threads};
         if (mode.isFocused) {

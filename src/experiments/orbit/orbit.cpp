@@ -47,7 +47,7 @@ OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, con
     base::WorkerPool workers(options.threads);
     const measure::TruthCaster caster(setup.scene, workers);
     std::vector<std::unique_ptr<render::Renderer>> renderers;
-    for (const depth::Technique& technique : options.techniques) {
+    for (const auto& [name, technique] : options.techniques) {
         renderers.push_back(
             std::make_unique<render::Renderer>(device, setup.scene, gpuScene,
                                                render::RenderOptions{.width = options.width,
@@ -62,13 +62,13 @@ OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, con
         const scene::Camera camera = setup.path.at(number);
         const measure::TruthImage truth = caster.cast(camera, options.width, options.height, workers);
         const image::Raster<std::uint8_t> inner = measure::innerMask(truth);
-        for (const auto& renderer : renderers) {
-            const depth::Technique& technique = renderer->options().technique;
-            progress(run.results.size(), all, technique.name);
-            const render::Frame frame = renderer->render(camera);
+        for (std::size_t i = 0; i < renderers.size(); ++i) {
+            const std::string& name = options.techniques[i].name;
+            progress(run.results.size(), all, name);
+            const render::Frame frame = renderers[i]->render(camera);
             run.results.push_back({.frame = number,
                                    .fovYDegrees = camera.fovY * 180.0 / std::numbers::pi,
-                                   .technique = technique.name,
+                                   .technique = name,
                                    .cascades = frame.cascades.size(),
                                    .wrong = measure::countWrong(frame.ids(), truth, inner)});
             if (number == numbers.back()) {

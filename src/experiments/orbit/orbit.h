@@ -19,7 +19,7 @@ struct OrbitOptions {
     std::uint32_t height = 720;
     std::uint32_t frames = 25; ///< spread evenly over the path, its last among them
     std::size_t threads = 1;
-    std::vector<depth::Technique> techniques; ///< all presets when empty
+    std::vector<depth::NamedTechnique> techniques; ///< all presets when empty
 };
 
 /// One technique in one frame.

@@ -61,7 +61,7 @@ void run(const GlobalOptions& global, PicturesArguments& arguments) {
     arguments.options.width = size.width;
     arguments.options.height = size.height;
     for (const std::string& name : arguments.techniques) {
-        arguments.options.techniques.push_back(depth::parseTechnique(name));
+        arguments.options.techniques.push_back(depth::namedTechnique(name));
     }
     requireJsonWritable(arguments.output);
     base::makeFolder(arguments.folder);

@@ -39,7 +39,7 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
     std::vector<std::unique_ptr<render::Renderer>> renderers;
     std::vector<PictureResult> results;
     std::vector<std::optional<measure::IdFrame>> before(options.techniques.size());
-    for (const depth::Technique& technique : options.techniques) {
+    for (const auto& [name, technique] : options.techniques) {
         renderers.push_back(
             std::make_unique<render::Renderer>(device, setup.scene, gpuScene,
                                                render::RenderOptions{.width = options.width,
@@ -49,7 +49,7 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
                                                                      .threads = options.threads}));
         PictureResult result;
         result.scene = setup.scene.name;
-        result.technique = technique.name;
+        result.technique = name;
         result.fovYDegrees = setup.path.at(0).fovY * 180.0 / std::numbers::pi;
         results.push_back(std::move(result));
     }

@@ -20,7 +20,7 @@ struct PicturesOptions {
     std::size_t threads = 1;
     std::uint64_t seed = 2013;
     std::vector<std::string> scenes{"cubes", "afc"};
-    std::vector<depth::Technique> techniques; ///< all presets when empty
+    std::vector<depth::NamedTechnique> techniques; ///< all presets when empty
 };
 
 /// One technique over one scene.

@@ -64,7 +64,8 @@ std::optional<Curve> thesisCurve(const depth::Technique& technique, const Precis
     if (mapping != depth::Mapping::standard && mapping != depth::Mapping::log) {
         return std::nullopt;
     }
-    const depth::Cascades cascades = depth::makeCascades(technique.split, options.nearView, options.farView);
+    const depth::Cascades cascades =
+        depth::makeCascades(technique.split, {.nearView = options.nearView, .farView = options.farView});
     return [=](double w) { return depth::thesisSeparationView(mapping, cascades, kThesisBits, w); };
 }
 
@@ -75,7 +76,7 @@ Curve exactCurve(const depth::Technique& technique, depth::DepthFormat format,
     const depth::Mapping mapping = technique.mapping;
     if (!std::holds_alternative<depth::SplitFitted>(technique.split)) {
         const depth::Cascades cascades =
-            depth::makeCascades(technique.split, options.nearView, options.farView);
+            depth::makeCascades(technique.split, {.nearView = options.nearView, .farView = options.farView});
         return [=](double w) { return depth::separationView(mapping, cascades, format, w); };
     }
     return [=](double w) {
@@ -84,11 +85,11 @@ Curve exactCurve(const depth::Technique& technique, depth::DepthFormat format,
     };
 }
 
-void addTable(const depth::Technique& technique, const Curve& curve, const PrecisionOptions& options,
+void addTable(const std::string& technique, const Curve& curve, const PrecisionOptions& options,
               PrecisionResult& result) {
     for (const double separation : options.separations) {
-        PrecisionCell cell = makeCell(technique.name, "d24", separation, curve, options);
-        cell.thesisView = thesisValue(technique.name, separation, options);
+        PrecisionCell cell = makeCell(technique, "d24", separation, curve, options);
+        cell.thesisView = thesisValue(technique, separation, options);
         result.table.push_back(cell);
     }
 }
@@ -108,18 +109,18 @@ std::vector<double> figureGrid(const PrecisionOptions& options) {
 PrecisionResult runPrecision(const PrecisionOptions& options) {
     PrecisionResult result;
     std::vector<Curve> curves;
-    for (const depth::Technique& technique : depth::presets()) {
+    for (const auto& [name, technique] : depth::presets()) {
         for (const depth::DepthFormat format : depth::kDepthFormats) {
             for (const double separation : options.separations) {
-                result.byFormat.push_back(makeCell(technique.name, std::string(nameOf(format)), separation,
+                result.byFormat.push_back(makeCell(name, std::string(nameOf(format)), separation,
                                                    exactCurve(technique, format, options), options));
             }
         }
         const std::optional<Curve> thesis = thesisCurve(technique, options);
         if (thesis) {
-            addTable(technique, *thesis, options, result);
+            addTable(name, *thesis, options, result);
         }
-        result.curveNames.push_back(technique.name);
+        result.curveNames.push_back(name);
         curves.push_back(thesis ? *thesis : exactCurve(technique, depth::DepthFormat::d32f, options));
     }
     for (const double w : figureGrid(options)) {

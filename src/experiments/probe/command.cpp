@@ -64,7 +64,7 @@ void run(const GlobalOptions& global, ProbeArguments& arguments) {
     arguments.options.width = size.width;
     arguments.options.height = size.height;
     for (const std::string& name : arguments.techniques) {
-        arguments.options.techniques.push_back(depth::parseTechnique(name));
+        arguments.options.techniques.push_back(depth::namedTechnique(name));
     }
     if (!arguments.formats.empty()) {
         arguments.options.formats.clear();

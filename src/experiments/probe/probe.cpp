@@ -96,7 +96,7 @@ depth::ForecastScene forecastScene(const scene::SceneSetup& setup, const scenes:
 
 std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions& options,
                                   const ProbeProgress& progress) {
-    const std::vector<depth::Technique> techniques =
+    const std::vector<depth::NamedTechnique> techniques =
         options.techniques.empty() ? std::vector(depth::presets().begin(), depth::presets().end())
                                    : options.techniques;
     for (const double distanceView : options.distancesView) {
@@ -112,10 +112,10 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
         const render::GpuScene gpuScene(device, setup.scene);
         const measure::TruthImage truth =
             measure::castTruth(setup.scene, camera, options.width, options.height, workers);
-        for (depth::Technique technique : techniques) {
+        for (auto [name, technique] : techniques) {
             for (const depth::DepthFormat format : options.formats) {
                 technique.format = format;
-                progress(results.size(), all, fmt::format("{} at {}", technique.name, distanceView));
+                progress(results.size(), all, fmt::format("{} at {}", name, distanceView));
                 render::Renderer renderer(device, setup.scene, gpuScene,
                                           {.width = options.width,
                                            .height = options.height,
@@ -124,7 +124,7 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
                 const render::Frame frame = renderer.render(camera);
                 const auto forecast =
                     depth::forecast(technique, forecastScene(setup, ladder, options.height));
-                results.push_back({.technique = technique.name,
+                results.push_back({.technique = name,
                                    .format = std::string(nameOf(format)),
                                    .distanceView = distanceView,
                                    .resolvedView = smallestResolved(frame.ids(), truth, ladder),

@@ -19,7 +19,7 @@ namespace cdr::experiments {
 /// units all of it shrinks, cubes, grid and separations alike, to a thousandth of the distance per unit.
 struct ProbeOptions {
     std::vector<double> distancesView{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
-    std::vector<depth::Technique> techniques; ///< all presets when empty
+    std::vector<depth::NamedTechnique> techniques; ///< all presets when empty
     std::optional<double> nearView;
     std::optional<double>
         farView; ///< at least 1.02 times the distance is taken, so that the field is before it

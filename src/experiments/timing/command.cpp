@@ -36,7 +36,7 @@ nlohmann::ordered_json toJson(const experiments::TimingResult& result) {
                             : nlohmann::ordered_json(nullptr);
     };
     using Parts = experiments::TimingParts;
-    return {{"mode", result.mode.technique.name},
+    return {{"mode", result.mode.preset},
             {"name", result.mode.name},
             {"targets", nameOf(result.mode.targets)},
             {"submission", nameOf(result.mode.submission)},
@@ -84,11 +84,11 @@ void writeCsv(const std::filesystem::path& path, const Results& results) {
             return r.parts ? fmt::format("{}", (*r.parts).*value) : std::string();
         };
         using Parts = experiments::TimingParts;
-        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.mode.name,
-                           r.mode.technique.name, nameOf(r.mode.targets), r.cascades, r.medianUs, r.lowUs,
-                           r.highUs, part(&Parts::cullAndBinUs), part(&Parts::recordUs),
-                           part(&Parts::executeUs), part(&Parts::draws), r.overheadPercent,
-                           r.overheadPercent95.low, r.overheadPercent95.high,
+        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.mode.name, r.mode.preset,
+                           nameOf(r.mode.targets), r.cascades, r.medianUs, r.lowUs, r.highUs,
+                           part(&Parts::cullAndBinUs), part(&Parts::recordUs), part(&Parts::executeUs),
+                           part(&Parts::draws), r.overheadPercent, r.overheadPercent95.low,
+                           r.overheadPercent95.high,
                            r.mode.thesisPercent ? fmt::format("{}", *r.mode.thesisPercent) : "");
     }
     base::writeText(path, csv);

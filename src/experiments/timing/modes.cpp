@@ -20,11 +20,11 @@ constexpr double kThesisCdr[] = {3.4, 4.6, 5.7, 7.1};
 constexpr double kThesisLog = 4.4;
 constexpr double kThesisLogCdr[] = {8.0, 8.2, 8.4, 10.4};
 
-TimingMode makeMode(std::string name, const depth::Technique& technique,
-                    std::optional<double> thesisPercent) {
+TimingMode makeMode(std::string name, const char* preset, std::optional<double> thesisPercent) {
     TimingMode mode;
     mode.name = std::move(name);
-    mode.technique = technique;
+    mode.preset = preset;
+    mode.technique = depth::parseTechnique(preset);
     mode.thesisPercent = thesisPercent;
     return mode;
 }
@@ -32,19 +32,9 @@ TimingMode makeMode(std::string name, const depth::Technique& technique,
 void addCascaded(const char* preset, const double (&thesis)[kMostCascades - kLeastCascades + 1],
                  std::vector<TimingMode>& modes) {
     for (unsigned count = kLeastCascades; count <= kMostCascades; ++count) {
-        depth::Technique technique = depth::parseTechnique(preset);
-        technique.split = depth::SplitCount{count};
-        modes.push_back(makeMode(technique.name + "-" + std::to_string(count), technique,
+        modes.push_back(makeMode(std::string(preset) + "-" + std::to_string(count), preset,
                                  thesis[count - kLeastCascades]));
-    }
-}
-
-/// The preset, unless this build has none of that name.
-void addPresetIfKnown(std::string_view preset, std::vector<TimingMode>& modes) {
-    for (const depth::Technique& technique : depth::presets()) {
-        if (technique.name == preset) {
-            modes.push_back(makeMode(technique.name, technique, std::nullopt));
-        }
+        modes.back().technique.split = depth::SplitCount{count};
     }
 }
 
@@ -60,14 +50,14 @@ std::optional<render::TargetsChoice> targetsIfKnown(std::string_view name) {
 } // namespace
 
 std::vector<TimingMode> timingModes() {
-    const TimingMode standard = makeMode("standard", depth::parseTechnique("standard"), std::nullopt);
+    const TimingMode standard = makeMode("standard", "standard", std::nullopt);
     std::vector<TimingMode> modes{standard, standard};
     modes[1].name = "standard-again";
     addCascaded("cdr", kThesisCdr, modes);
-    modes.push_back(makeMode("log", depth::parseTechnique("log"), kThesisLog));
+    modes.push_back(makeMode("log", "log", kThesisLog));
     addCascaded("logcdr", kThesisLogCdr, modes);
-    addPresetIfKnown("reversed", modes);
-    addPresetIfKnown("anchored", modes);
+    modes.push_back(makeMode("reversed", "reversed", std::nullopt));
+    modes.push_back(makeMode("anchored", "anchored", std::nullopt));
     if (const auto onePass = targetsIfKnown("one-pass")) {
         std::vector<TimingMode> again(modes.begin() + 1, modes.end());
         again.front() = standard;
@@ -84,7 +74,7 @@ std::vector<TimingMode> timingModes() {
 std::vector<TimingMode> extraTimingModes() {
     std::vector<TimingMode> modes;
     const auto add = [&](const std::string& name, const char* technique, auto change) {
-        TimingMode mode = makeMode(name, depth::parseTechnique(technique), std::nullopt);
+        TimingMode mode = makeMode(name, technique, std::nullopt);
         change(mode);
         modes.push_back(std::move(mode));
     };
@@ -93,8 +83,8 @@ std::vector<TimingMode> extraTimingModes() {
         mode.meshes = TimingMeshes::unshared;
     });
     add("log-fragment", "log", [](TimingMode& mode) {
-        mode.technique =
-            depth::makeTechnique(depth::Mapping::logFragment, depth::SplitNone{}, mode.technique.format);
+        mode.technique.mapping = depth::Mapping::logFragment;
+        mode.preset = partsOf(mode.technique);
     });
     for (const char* technique : {"standard", "reversed", "anchored"}) {
         const std::string prefix = std::string(technique) + "/";

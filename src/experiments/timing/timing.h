@@ -23,7 +23,8 @@ enum class TimingMeshes : std::uint8_t {
 
 /// One way to render that Figure 6.4 compares.
 struct TimingMode {
-    std::string name; ///< of no other mode, such as "cdr-3" or "cdr-3/one-pass"
+    std::string name;   ///< of no other mode, such as "cdr-3" or "cdr-3/one-pass"
+    std::string preset; ///< that it derives from: "cdr" for all numbers of cascades
     depth::Technique technique;
     render::TargetsChoice targets = render::TargetsKind::single;
     render::Submission submission = render::Submission::secondaries;

@@ -25,8 +25,7 @@ render::RenderOptions optionsFor(const TranslucencyExperiment& experiment, unsig
                                  render::Translucency method) {
     return {.width = experiment.width,
             .height = experiment.height,
-            .technique =
-                depth::makeTechnique(experiment.mapping, splitOf(cascades), depth::DepthFormat::d32f),
+            .technique = depth::Technique{experiment.mapping, splitOf(cascades), depth::DepthFormat::d32f},
             .threads = experiment.threads,
             .translucency = {.method = method, .mostBytes = experiment.mostBytes}};
 }
@@ -39,7 +38,7 @@ TranslucencyResult compare(const gpu::Device& device, const scene::SceneSetup& s
     render::Renderer renderer(device, setup.scene, gpuScene, options);
     render::Frame frame = renderer.render(setup.path.at(0));
     TranslucencyResult result;
-    result.technique = options.technique.name;
+    result.technique = partsOf(options.technique);
     result.cascades = static_cast<unsigned>(frame.cascades.size());
     result.stats = frame.stats.translucency;
     result.difference = measure::compareLayers(frame.color, frame.fragmentCounts, truth);

@@ -76,7 +76,7 @@ void SoakInput::changeSettings() {
     ViewSettings& s = m_settings;
     depth::Technique& technique = s.second && chance(0.5) ? *s.second : s.technique;
     const auto remake = [&](depth::Mapping mapping, const depth::Split& split, depth::DepthFormat format) {
-        technique = depth::makeTechnique(mapping, split, format);
+        technique = depth::Technique{mapping, split, format};
     };
     switch (pick(12)) {
     case 0:

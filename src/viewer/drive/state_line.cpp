@@ -9,17 +9,7 @@ namespace cdr::viewer {
 
 namespace {
 
-std::string_view nameOf(Motion motion) {
-    switch (motion) {
-    case Motion::scenePath:
-        return "scene-path";
-    case Motion::recording:
-        return "recording";
-    case Motion::free:
-        break;
-    }
-    return "free";
-}
+constexpr base::EnumNames<Motion, 3> kMotions{"motion", {"free", "scene-path", "recording"}};
 
 } // namespace
 
@@ -31,7 +21,7 @@ std::string stateLine(const ViewerModel& model) {
         settings.scene, techniqueName(settings.technique),
         settings.second ? techniqueName(*settings.second) : "none", nameOf(settings.view),
         nameOf(settings.targets), settings.threads, settings.divider, scene::degreesOf(model.camera.fovY),
-        model.orbits ? 1 : 0, nameOf(model.motion), exactText(model.camera.position));
+        model.orbits ? 1 : 0, kMotions.nameOf(model.motion), exactText(model.camera.position));
     if (model.shown != nullptr && !model.shown->sides.empty()) {
         const SideResult& side = model.shown->sides.front();
         line += fmt::format(" shown={} size={}x{} cascades={} draws={}", model.shown->sceneName,

@@ -12,10 +12,6 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr std::array kDetails{visibility::DetailMode::none, visibility::DetailMode::perObject,
-                              visibility::DetailMode::perCascade};
-constexpr std::array<std::string_view, kDetails.size()> kDetailNames{"none", "object", "cascade"};
-
 /// Scene units, for a radius or a visibility; 0 for none.
 constexpr std::array kLengths{0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6};
 constexpr std::array<std::string_view, kLengths.size()> kLengthNames{
@@ -40,10 +36,11 @@ void chooseLength(const Widgets& widgets, std::string_view name, double& length)
 void drawFinishPanel(const Widgets& widgets, ViewerModel& model) {
     widgets.heading("Finish");
     Finish& finish = model.settings.finish;
-    const std::size_t detail = widgets.combo("detail", kDetailNames[static_cast<std::size_t>(finish.detail)],
-                                             kDetails.size(), [](std::size_t i) { return kDetailNames[i]; });
-    if (detail < kDetails.size()) {
-        finish.detail = kDetails[detail];
+    const std::size_t detail =
+        widgets.combo("detail", nameOf(finish.detail), visibility::kDetailModes.size(),
+                      [](std::size_t i) { return nameOf(visibility::kDetailModes[i]); });
+    if (detail < visibility::kDetailModes.size()) {
+        finish.detail = visibility::kDetailModes[detail];
     }
     widgets.sentence(explain(finish.detail));
     const std::size_t method =

@@ -154,7 +154,7 @@ void drawTimeline(const Widgets& widgets, const ViewerModel& model) {
     }
     for (const SideResult& side : model.shown->sides) {
         widgets.sentence(fmt::format("{}, {:.1f} ms; jobs in their cascades' colours",
-                                     side.options.technique.name, side.timeline.lengthMs));
+                                     nameOf(side.options.technique), side.timeline.lengthMs));
         drawTracks(side.timeline);
     }
 }

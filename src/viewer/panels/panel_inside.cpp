@@ -71,7 +71,7 @@ void drawCascadesPanel(const Widgets& widgets, const ViewerModel& model) {
     for (const SideResult& side : model.shown->sides) {
         const render::FrameStats& stats = side.frame->stats;
         widgets.sentence(fmt::format("{}: {} visible, {} draws, each {:.3f} times",
-                                     side.options.technique.name, stats.visible, stats.draws,
+                                     nameOf(side.options.technique), stats.visible, stats.draws,
                                      stats.duplication));
         ImGui::PushID(&side);
         drawCascades(side);

@@ -26,8 +26,8 @@ void choosePresets(const Widgets& widgets, std::string_view prefix, depth::Techn
             widgets.beside();
         }
         if (widgets.button(fmt::format("{}/{}", prefix, presets[i].name),
-                           isSameTechnique(technique, presets[i]))) {
-            technique = presets[i];
+                           technique == presets[i].technique)) {
+            technique = presets[i].technique;
         }
     }
 }
@@ -39,14 +39,13 @@ void chooseTechnique(const Widgets& widgets, std::string_view prefix, depth::Tec
         widgets.combo(fmt::format("{}/mapping", prefix), nameOf(technique.mapping), depth::kMappings.size(),
                       [](std::size_t i) { return nameOf(depth::kMappings[i]); });
     if (mapping < depth::kMappings.size()) {
-        wanted = depth::makeTechnique(depth::kMappings[mapping], technique.split, technique.format);
+        wanted.mapping = depth::kMappings[mapping];
     }
     widgets.sentence(explain(technique.mapping));
     const std::size_t split = widgets.combo(fmt::format("{}/split", prefix), nameOf(technique.split),
                                             kSplits.size(), [](std::size_t i) { return kSplits[i]; });
     if (split < kSplits.size()) {
-        wanted = depth::makeTechnique(technique.mapping, depth::parseSplit(std::string(kSplits[split])),
-                                      technique.format);
+        wanted.split = depth::parseSplit(std::string(kSplits[split]));
     }
     widgets.sentence(explain(technique.split));
     const std::size_t format =

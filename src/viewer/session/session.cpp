@@ -17,15 +17,8 @@ namespace {
 constexpr std::chrono::milliseconds kSurfacesEvery{100};
 constexpr std::chrono::seconds kRateWindow{1};
 
-bool isSameCamera(const scene::Camera& a, const scene::Camera& b) {
-    return a.position == b.position && a.right == b.right && a.up == b.up && a.back == b.back &&
-           a.fovY == b.fovY && a.nearView == b.nearView && a.farView == b.farView;
-}
-
 bool asksTheSame(const RenderRequest& a, const RenderRequest& b) {
-    const bool sameCamera =
-        a.camera.has_value() == b.camera.has_value() && (!a.camera || isSameCamera(*a.camera, *b.camera));
-    return sameCamera && a.settings == b.settings && a.extent == b.extent;
+    return a.camera == b.camera && a.settings == b.settings && a.extent == b.extent;
 }
 
 } // namespace

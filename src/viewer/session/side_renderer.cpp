@@ -1,18 +1,15 @@
 #include "side_renderer.h"
 
-#include <viewer/state/view_settings.h>
-
 namespace cdr::viewer {
 
 namespace {
 
 bool fits(const render::RenderOptions& made, const render::RenderOptions& wanted) {
-    return made.width == wanted.width && made.height == wanted.height &&
-           isSameTechnique(made.technique, wanted.technique) && made.targets == wanted.targets &&
-           made.threads == wanted.threads && made.submission == wanted.submission &&
-           made.batching == wanted.batching && made.detail.mode == wanted.detail.mode &&
-           made.translucency.method == wanted.translucency.method && made.effects == wanted.effects &&
-           made.focus == wanted.focus;
+    return made.width == wanted.width && made.height == wanted.height && made.technique == wanted.technique &&
+           made.targets == wanted.targets && made.threads == wanted.threads &&
+           made.submission == wanted.submission && made.batching == wanted.batching &&
+           made.detail.mode == wanted.detail.mode && made.translucency.method == wanted.translucency.method &&
+           made.effects == wanted.effects && made.focus == wanted.focus;
 }
 
 } // namespace

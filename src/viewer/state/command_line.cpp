@@ -73,12 +73,8 @@ void addFinish(Words& words, const ViewSettings& settings) {
 }
 
 void addTechnique(Words& words, const ViewSettings& settings, const depth::Technique& technique) {
-    const auto presets = depth::presets();
-    const auto preset = std::find_if(presets.begin(), presets.end(), [&](const depth::Technique& p) {
-        return p.mapping == technique.mapping && p.split == technique.split;
-    });
-    if (preset != presets.end()) {
-        words.add("--technique", preset->name);
+    if (const std::string name = depth::nameOf(technique); name != depth::partsOf(technique)) {
+        words.add("--technique", name);
     } else {
         words.add("--depth", depth::nameOf(technique.mapping));
         words.add("--split", depth::nameOf(technique.split));

@@ -1,5 +1,7 @@
 #include "frame_statistics.h"
 
+#include <cdr/base/enum_names.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -7,6 +9,9 @@
 namespace cdr::viewer {
 
 namespace {
+
+constexpr base::EnumNames<FrameStage, kFrameStages.size()> kNames{
+    "stage", {"cull", "split", "bin", "record", "execute", "composite", "present"}};
 
 /// As measure::percentile(), of samples in ascending order, without an allocation.
 float percentileOfSorted(const std::vector<float>& sorted, double percent) {
@@ -20,9 +25,7 @@ float percentileOfSorted(const std::vector<float>& sorted, double percent) {
 } // namespace
 
 std::string_view nameOf(FrameStage stage) {
-    constexpr std::array<std::string_view, kFrameStages.size()> kNames{
-        "cull", "split", "bin", "record", "execute", "composite", "present"};
-    return kNames[static_cast<std::size_t>(stage)];
+    return kNames.nameOf(stage);
 }
 
 FrameStatistics::FrameStatistics(std::size_t window) : m_window(std::max<std::size_t>(window, 1)) {

@@ -14,7 +14,7 @@
 namespace cdr::viewer {
 
 std::string techniqueName(const depth::Technique& technique) {
-    return fmt::format("{}, {}", technique.name, depth::nameOf(technique.format));
+    return fmt::format("{}, {}", depth::nameOf(technique), depth::nameOf(technique.format));
 }
 
 double techniqueStepView(const depth::Technique& technique, const depth::Cascades& cascades,

@@ -1,21 +1,20 @@
 #include "view_settings.h"
 
+#include <cdr/base/enum_names.h>
+
 #include <algorithm>
 
 namespace cdr::viewer {
 
 namespace {
 
-bool isSame(const std::optional<depth::Technique>& a, const std::optional<depth::Technique>& b) {
-    return a.has_value() == b.has_value() && (!a || isSameTechnique(*a, *b));
-}
+constexpr base::EnumNames<ViewKind, kViewKinds.size()> kNames{
+    "view", {"shaded", "cascades", "distance", "ids", "wrong", "flips"}};
 
 } // namespace
 
 std::string_view nameOf(ViewKind view) {
-    constexpr std::array<std::string_view, kViewKinds.size()> kNames{"shaded", "cascades", "distance",
-                                                                     "ids",    "wrong",    "flips"};
-    return kNames[static_cast<std::size_t>(view)];
+    return kNames.nameOf(view);
 }
 
 bool needsReference(ViewKind view) {
@@ -24,20 +23,7 @@ bool needsReference(ViewKind view) {
 
 depth::Technique referenceTechnique() {
     // A hundred times finer than the preset's, which a crowded scene may relax again.
-    return depth::makeTechnique(depth::Mapping::anchored,
-                                depth::SplitFitted{.target = 1e-5, .unit = depth::SplitFitted::Unit::pixels},
-                                depth::DepthFormat::d32f);
-}
-
-bool isSameTechnique(const depth::Technique& a, const depth::Technique& b) {
-    return a.mapping == b.mapping && a.split == b.split && a.format == b.format;
-}
-
-bool ViewSettings::operator==(const ViewSettings& other) const {
-    return scene == other.scene && seed == other.seed && isSameTechnique(technique, other.technique) &&
-           isSame(second, other.second) && divider == other.divider && targets == other.targets &&
-           submission == other.submission && batching == other.batching && threads == other.threads &&
-           view == other.view && finish == other.finish;
+    return {.mapping = depth::Mapping::anchored, .split = depth::SplitFitted{.target = 1e-5}};
 }
 
 bool remembersFrames(const ViewSettings& settings) {
@@ -55,10 +41,10 @@ Rework reworkOf(const ViewSettings& before, const ViewSettings& after) {
         (needsLevels(after) && !needsLevels(before))) {
         return Rework::scene;
     }
-    if (!isSameTechnique(before.technique, after.technique) || !isSame(before.second, after.second) ||
-        !(before.targets == after.targets) || before.submission != after.submission ||
+    if (before.technique != after.technique || before.second != after.second ||
+        before.targets != after.targets || before.submission != after.submission ||
         before.batching != after.batching || before.threads != after.threads ||
-        !(before.finish == after.finish) || needsReference(before.view) != needsReference(after.view)) {
+        before.finish != after.finish || needsReference(before.view) != needsReference(after.view)) {
         return Rework::renderer;
     }
     return before.view == after.view ? Rework::nothing : Rework::picture;
@@ -79,7 +65,7 @@ render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t si
 }
 
 depth::Technique presetOfKey(std::size_t key) {
-    return depth::presets()[std::clamp<std::size_t>(key, 1, kPresetKeys) - 1];
+    return depth::presets()[std::clamp<std::size_t>(key, 1, kPresetKeys) - 1].technique;
 }
 
 ViewSettings withPreset(ViewSettings settings, std::size_t side, std::size_t key) {

@@ -41,11 +41,8 @@ struct ViewSettings {
     ViewKind view = ViewKind::shaded;
     Finish finish{};
 
-    bool operator==(const ViewSettings&) const;
+    bool operator==(const ViewSettings&) const = default;
 };
-
-/// Whether two techniques draw alike; their names do not count.
-bool isSameTechnique(const depth::Technique& a, const depth::Technique& b);
 
 /// Whether what is drawn depends on the frames before, as fitted splits do.
 bool remembersFrames(const ViewSettings& settings);

@@ -30,7 +30,7 @@ std::string textOf(const SoakStep& step) {
                             step.click.has_value(), step.resize.has_value()}) {
         text += flag ? '1' : '0';
     }
-    return text + (step.settings ? step.settings->technique.name + step.settings->scene : "");
+    return text + (step.settings ? nameOf(step.settings->technique) + step.settings->scene : "");
 }
 
 TEST(SoakInput, IsTheSameForTheSameSeed) {

@@ -65,8 +65,8 @@ TEST(RenderCommand, LeavesOutWhatIsTheScenesOwn) {
 TEST(RenderCommand, SaysEverythingThatIsChosen) {
     ReproducedView view = viewWith(kOwn);
     view.settings.scene = "my scene.glb";
-    view.settings.technique = depth::makeTechnique(
-        depth::Mapping::anchoredReversed, depth::parseSplit("fitted:0.5px,max=3"), depth::DepthFormat::d24);
+    view.settings.technique = depth::Technique{
+        depth::Mapping::anchoredReversed, depth::parseSplit("fitted:0.5px,max=3"), depth::DepthFormat::d24};
     view.settings.targets = render::TargetsChoice::pool(4);
     view.settings.submission = render::Submission::primaries;
     view.settings.batching = render::Batching::perObject;

@@ -1,5 +1,5 @@
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/base/suggest.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/targets/gbuffer.h>
@@ -22,7 +22,8 @@ namespace cdr::render {
 namespace {
 
 /// By Batching.
-constexpr std::array<std::string_view, kBatchings.size()> kNames{"per-object", "push-constants", "instanced"};
+constexpr base::EnumNames<Batching, kBatchings.size()> kNames{"batching",
+                                                              {"per-object", "push-constants", "instanced"}};
 
 /// A logarithm set at the vertices of a triangle that spans the share e of its distance errs by up to e^2 / 8
 /// of that distance in between; 2 % keeps that below the overlap of cascades (1e-4), so no triangle opens a
@@ -31,18 +32,6 @@ constexpr double kLogWideSpan = 0.02;
 
 /// Clipping rounds to about 1e-7 of the triangle's own span, which must stay below the overlap of 1e-6.
 constexpr double kLinearWideSpan = 4.0;
-
-int bitsOf(depth::DepthFormat format) {
-    switch (format) {
-    case depth::DepthFormat::d16:
-        return 16;
-    case depth::DepthFormat::d24:
-        return 24;
-    case depth::DepthFormat::d32f:
-        return 32;
-    }
-    return 0;
-}
 
 std::uint32_t depthForm(depth::Mapping mapping) {
     switch (mapping) {
@@ -108,22 +97,18 @@ std::vector<vk::VertexInputAttributeDescription> attributesFor(Batching batching
 } // namespace
 
 std::string_view nameOf(Batching batching) {
-    return kNames[static_cast<std::size_t>(batching)];
+    return kNames.nameOf(batching);
 }
 
 Batching parseBatching(std::string_view name) {
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end()) {
-        throw base::InputError(base::unknownName("batching", name, kNames));
-    }
-    return kBatchings[static_cast<std::size_t>(found - kNames.begin())];
+    return kNames.parse(name);
 }
 
 GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& scene,
                                      const depth::Technique& technique, Batching batching, bool shiny)
     : m_mapping(technique.mapping),
       m_shiny(shiny),
-      m_depthFormat(device.depthFormat(bitsOf(technique.format))),
+      m_depthFormat(device.depthFormat(technique.format)),
       m_layout(
           gpu::makePipelineLayout(device, {scene.textureLayout()}, {pushRange(batching)}, "geometry layout")),
       m_compact(make(device, scene, batching, false)),

@@ -1,5 +1,4 @@
-#include <cdr/base/error.h>
-#include <cdr/base/suggest.h>
+#include <cdr/base/enum_names.h>
 #include <cdr/render/submit/draw_path.h>
 
 #include <fmt/format.h>
@@ -10,13 +9,13 @@ namespace cdr::render {
 
 namespace {
 
-/// By Submission.
-constexpr std::array<std::string_view, kSubmissions.size()> kNames{"secondaries", "primaries", "gpu-driven"};
+constexpr base::EnumNames<Submission, kSubmissions.size()> kNames{"submission",
+                                                                  {"secondaries", "primaries", "gpu-driven"}};
 
 } // namespace
 
 std::string_view nameOf(Submission submission) {
-    return kNames[static_cast<std::size_t>(submission)];
+    return kNames.nameOf(submission);
 }
 
 std::string labelOf(base::IndexRange cascades) {
@@ -25,11 +24,7 @@ std::string labelOf(base::IndexRange cascades) {
 }
 
 Submission parseSubmission(std::string_view name) {
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end()) {
-        throw base::InputError(base::unknownName("submission", name, kNames));
-    }
-    return kSubmissions[static_cast<std::size_t>(found - kNames.begin())];
+    return kNames.parse(name);
 }
 
 } // namespace cdr::render

@@ -76,7 +76,7 @@ FocusLayers::FocusLayers(const gpu::Device& device, const TargetsOptions& option
                          .filter = vk::Filter::eLinear}),
       m_merged(makeGBuffer(device, options.extent, "G-buffer")) {}
 
-std::uint64_t FocusLayers::predictLayerBytes(vk::Extent2D extent, vk::Format depthFormat) {
+std::uint64_t FocusLayers::predictLayerBytes(vk::Extent2D extent, depth::DepthFormat depthFormat) {
     return predictGBufferBytes(extent) + predictDepthBytes(extent, depthFormat) +
            std::uint64_t{extent.width} * extent.height * vk::blockSize(kLitFormat);
 }

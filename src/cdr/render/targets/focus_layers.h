@@ -40,7 +40,7 @@ class FocusLayers final : public Targets {
     void light(vk::CommandBuffer primary, const ShadingInputs& shading, FocusInputs& inputs) const;
 
     /// Device bytes of one layer.
-    static std::uint64_t predictLayerBytes(vk::Extent2D extent, vk::Format depthFormat);
+    static std::uint64_t predictLayerBytes(vk::Extent2D extent, depth::DepthFormat depthFormat);
 
   private:
     struct Layer {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/depth/format.h>
 #include <cdr/gpu/memory.h>
 
 #include <vulkan/vulkan.hpp>
@@ -27,11 +28,11 @@ gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std
 /// Device bytes of one geometry buffer.
 std::uint64_t predictGBufferBytes(vk::Extent2D extent);
 
-/// A depth attachment of the technique's format.
-gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, vk::Format format,
+/// A depth attachment. base::InputError where the device lacks the format.
+gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format,
                            const std::string& name);
 
 /// Device bytes of one depth buffer.
-std::uint64_t predictDepthBytes(vk::Extent2D extent, vk::Format format);
+std::uint64_t predictDepthBytes(vk::Extent2D extent, depth::DepthFormat format);
 
 } // namespace cdr::render

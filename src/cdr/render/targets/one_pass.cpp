@@ -40,18 +40,13 @@ DepthSlice integerSlice(std::size_t slice, std::size_t slices, int bits) {
 OnePassTargets::OnePassTargets(const gpu::Device& device, const TargetsOptions& options)
     : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer")),
       m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth")),
+      m_depthFormat(options.depthFormat),
       m_reversedDepth(options.reversedDepth) {}
 
 DepthSlice OnePassTargets::depthSlice(std::size_t cascade, std::size_t cascades) const {
     const std::size_t slice = m_reversedDepth ? cascades - 1 - cascade : cascade;
-    switch (m_depth.options().format) {
-    case vk::Format::eD32Sfloat:
-        return floatSlice(slice, cascades);
-    case vk::Format::eD16Unorm:
-        return integerSlice(slice, cascades, 16);
-    default:
-        return integerSlice(slice, cascades, 24);
-    }
+    const depth::DepthFormatTraits& format = traitsOf(m_depthFormat);
+    return format.isFloat ? floatSlice(slice, cascades) : integerSlice(slice, cascades, format.bits);
 }
 
 void OnePassTargets::record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) {

@@ -32,6 +32,7 @@ class OnePassTargets final : public Targets {
   private:
     gpu::Image m_gbuffer;
     gpu::Image m_depth;
+    depth::DepthFormat m_depthFormat;
     bool m_reversedDepth;
 };
 

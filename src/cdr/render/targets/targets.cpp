@@ -4,8 +4,8 @@
 #include "pool.h"
 #include "single.h"
 
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/base/suggest.h>
 
 #include <fmt/format.h>
 
@@ -16,17 +16,8 @@ namespace cdr::render {
 
 namespace {
 
-/// By TargetsKind.
-constexpr std::array<std::string_view, kTargetsKinds.size()> kNames{"single", "accumulate", "pool", "layers",
-                                                                    "one-pass"};
-
-TargetsKind parseKind(std::string_view name) {
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end()) {
-        throw base::InputError(base::unknownName("targets", name, kNames));
-    }
-    return static_cast<TargetsKind>(found - kNames.begin());
-}
+constexpr base::EnumNames<TargetsKind, kTargetsKinds.size()> kNames{
+    "targets", {"single", "accumulate", "pool", "layers", "one-pass"}};
 
 std::uint32_t parseLayers(std::string_view text) {
     std::uint32_t layers = 0;
@@ -41,7 +32,7 @@ std::uint32_t parseLayers(std::string_view text) {
 } // namespace
 
 std::string_view nameOf(TargetsKind kind) {
-    return kNames[static_cast<std::size_t>(kind)];
+    return kNames.nameOf(kind);
 }
 
 bool hasLayers(TargetsKind kind) {
@@ -69,7 +60,7 @@ std::string nameOf(const TargetsChoice& choice) {
 
 TargetsChoice parseTargets(std::string_view text) {
     const std::size_t colon = text.find(':');
-    const TargetsKind kind = parseKind(text.substr(0, colon));
+    const TargetsKind kind = kNames.parse(text.substr(0, colon));
     if (colon == std::string_view::npos) {
         return kind;
     }

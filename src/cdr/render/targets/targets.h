@@ -54,7 +54,7 @@ TargetsChoice parseTargets(std::string_view text);
 /// What every kind of targets is made from.
 struct TargetsOptions {
     vk::Extent2D extent;
-    vk::Format depthFormat = vk::Format::eUndefined;
+    depth::DepthFormat depthFormat = depth::DepthFormat::d32f;
     bool reversedDepth = false; ///< clear to 0 instead of 1
     /// Of ambient occlusion that each layer works out for itself before it is merged; 0 for none.
     double occlusionRadius = 0.0;

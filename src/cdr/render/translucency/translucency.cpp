@@ -1,5 +1,4 @@
-#include <cdr/base/error.h>
-#include <cdr/base/suggest.h>
+#include <cdr/base/enum_names.h>
 #include <cdr/render/translucency/translucency.h>
 
 #include <algorithm>
@@ -8,21 +7,17 @@ namespace cdr::render {
 
 namespace {
 
-/// By Translucency.
-constexpr std::array<std::string_view, kTranslucencies.size()> kNames{"weighted", "sorted"};
+constexpr base::EnumNames<Translucency, kTranslucencies.size()> kNames{"translucency",
+                                                                       {"weighted", "sorted"}};
 
 } // namespace
 
 std::string_view nameOf(Translucency translucency) {
-    return kNames[static_cast<std::size_t>(translucency)];
+    return kNames.nameOf(translucency);
 }
 
 Translucency parseTranslucency(std::string_view name) {
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end()) {
-        throw base::InputError(base::unknownName("translucency", name, kNames));
-    }
-    return kTranslucencies[static_cast<std::size_t>(found - kNames.begin())];
+    return kNames.parse(name);
 }
 
 } // namespace cdr::render

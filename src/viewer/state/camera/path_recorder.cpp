@@ -4,15 +4,6 @@
 
 namespace cdr::viewer {
 
-namespace {
-
-bool isSame(const scene::Camera& a, const scene::Camera& b) {
-    return a.position == b.position && a.right == b.right && a.up == b.up && a.back == b.back &&
-           a.fovY == b.fovY && a.nearView == b.nearView && a.farView == b.farView;
-}
-
-} // namespace
-
 void PathRecorder::begin(std::string scene) {
     m_recording = {.scene = std::move(scene), .cameras = {}};
     m_last.reset();
@@ -34,9 +25,9 @@ bool PathRecorder::add(double seconds, const scene::Camera& camera) {
     const scene::RecordedCamera now{.seconds = m_seconds, .camera = camera};
     if (m_recording.cameras.empty()) {
         keep(now);
-    } else if (!isSame(m_last->camera, camera)) {
+    } else if (m_last->camera != camera) {
         const double kept = m_recording.seconds();
-        if (isSame(m_last->camera, m_recording.cameras.back().camera)) {
+        if (m_last->camera == m_recording.cameras.back().camera) {
             keep(*m_last); // it rested until then
         }
         if (m_seconds - kept >= 1.0 / kCamerasPerSecond) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace cdr::base {
+
+/// The names of an enumeration whose values count from 0: one table, read in both directions.
+template <typename Enum, std::size_t kCount>
+struct EnumNames {
+    std::string_view what;                      ///< what messages call a value: "depth mapping"
+    std::array<std::string_view, kCount> names; ///< by value
+
+    constexpr std::string_view nameOf(Enum value) const { return names[static_cast<std::size_t>(value)]; }
+
+    /// InputError with a suggestion for an unknown name.
+    Enum parse(std::string_view name) const {
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end()) {
+            throw InputError(unknownName(what, name, names));
+        }
+        return static_cast<Enum>(found - names.begin());
+    }
+};
+
+} // namespace cdr::base
