@@ -2,6 +2,7 @@
 #include "console.h"
 
 #include <cdr/base/child_process.h>
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
 #include <cdr/base/worker_pool.h>

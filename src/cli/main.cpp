@@ -1,12 +1,12 @@
 #include "commands.h"
 
 #include <cdr/base/error.h>
+#include <cdr/base/standard_streams.h>
 #include <cdr/base/suggest.h>
 #include <cdr/gpu/failure.h>
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -59,10 +59,12 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
-        return run(argc, argv);
+        const int status = run(argc, argv);
+        cdr::base::flushStandardOutput();
+        return status;
     } catch (...) {
         const cdr::gpu::Failure failure = cdr::gpu::failureOf(std::current_exception());
-        fmt::print(stderr, "cdr: {}\n", failure.line);
+        cdr::base::printError("cdr: " + failure.line);
         return failure.status;
     }
 }

@@ -1,21 +1,30 @@
+#include <cdr/base/document.h>
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
 #include <cdr/base/sha256.h>
 #include <cdr/base/suggest.h>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <stdexcept>
+#include <string>
+#include <thread>
 
 namespace {
 
 namespace fs = std::filesystem;
 using cdr::base::Bytes;
 using cdr::base::InputError;
+using cdr::base::RunError;
 
 class FileTest : public testing::Test {
   protected:
@@ -66,6 +75,89 @@ TEST_F(FileTest, TellsWhetherAPathCanBeWritten) {
     EXPECT_THROW(cdr::base::writeFile(path("no/such/folder.png"), Bytes{1}), InputError);
 }
 
+TEST_F(FileTest, WritesIntoDevicesAndLeavesThem) {
+    ASSERT_TRUE(fs::is_character_file("/dev/null"));
+    cdr::base::requireWritable("/dev/null");
+    cdr::base::writeFile("/dev/null", Bytes{1, 2, 3});
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    try {
+        cdr::base::writeFile("/dev/full", Bytes{1, 2, 3});
+        ADD_FAILURE() << "was written";
+    } catch (const RunError& error) {
+        EXPECT_EQ(std::string(error.what()), "/dev/full: write failed: No space left on device");
+    }
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST_F(FileTest, WritesIntoAFifoAndLeavesIt) {
+    ASSERT_EQ(::mkfifo(path("fifo").c_str(), 0600), 0);
+    cdr::base::requireWritable(path("fifo"));
+    std::string read;
+    std::thread reader([&] { std::getline(std::ifstream(path("fifo")), read); });
+    cdr::base::writeText(path("fifo"), "through\n");
+    reader.join();
+    EXPECT_EQ(read, "through");
+    EXPECT_TRUE(fs::is_fifo(path("fifo")));
+    EXPECT_EQ(filesInFolder(), 1u);
+}
+
+TEST_F(FileTest, WritesWhereALinkPointsAndKeepsTheLink) {
+    fs::create_directories(path("folder"));
+    fs::create_symlink("folder/new.bin", path("link"));
+    cdr::base::writeFile(path("link"), Bytes{1});
+    cdr::base::writeFile(path("link"), Bytes{2});
+    EXPECT_TRUE(fs::is_symlink(path("link")));
+    EXPECT_EQ(cdr::base::readFile(path("folder/new.bin"), 9), Bytes{2});
+    EXPECT_EQ(filesInFolder(), 2u);
+    fs::create_symlink("loop", path("loop"));
+    EXPECT_THROW(cdr::base::writeFile(path("loop"), Bytes{1}), InputError);
+    fs::create_symlink("folder", path("link to a folder"));
+    EXPECT_THROW(cdr::base::writeFile(path("link to a folder"), Bytes{1}), InputError);
+}
+
+TEST_F(FileTest, WritesIntoAnOpenDescriptorWhereItStands) {
+    const int file = ::open(path("a.txt").c_str(), O_RDWR | O_CREAT, 0600);
+    ASSERT_GE(file, 0);
+    ASSERT_EQ(::write(file, "before ", 7), 7);
+    cdr::base::writeText("/dev/fd/" + std::to_string(file), "within");
+    ASSERT_EQ(::write(file, " after", 6), 6);
+    ::close(file);
+    const Bytes bytes = cdr::base::readFile(path("a.txt"), 99);
+    EXPECT_EQ(std::string(bytes.begin(), bytes.end()), "before within after");
+    EXPECT_THROW(cdr::base::writeText("/dev/fd/" + std::to_string(file), "closed"), InputError);
+}
+
+TEST_F(FileTest, KeepsTheModeOfTheFileItReplaces) {
+    cdr::base::writeFile(path("a.bin"), Bytes{1});
+    fs::permissions(path("a.bin"), fs::perms::owner_read | fs::perms::owner_write);
+    cdr::base::writeFile(path("a.bin"), Bytes{2});
+    EXPECT_EQ(fs::status(path("a.bin")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+/// Nobody can plant a link under a name that they cannot foresee, and the file exists before it is written.
+TEST_F(FileTest, TemporaryNamesAreRandomAndTaken) {
+    std::set<fs::path> names;
+    for (int i = 0; i < 50; ++i) {
+        const cdr::base::PendingFile file(path("a.png"));
+        EXPECT_EQ(file.temporary().extension(), ".png");
+        EXPECT_EQ(file.temporary().parent_path(), path("a.png").parent_path());
+        EXPECT_TRUE(fs::is_regular_file(file.temporary()));
+        EXPECT_EQ(file.temporary().string().find(std::to_string(::getpid()) + "."), std::string::npos);
+        names.insert(file.temporary());
+    }
+    EXPECT_EQ(names.size(), 50u);
+    EXPECT_EQ(filesInFolder(), 0u);
+}
+
+TEST_F(FileTest, RefusesNamesThatAreTooLong) {
+    EXPECT_THROW(cdr::base::requireWritable(path(std::string(300, 'x').c_str())), InputError);
+}
+
+TEST(Document, KeepsTextThatIsNotUtf8) {
+    const auto json = nlohmann::ordered_json::parse(cdr::base::textOf({{"scene", "a\xff.glb"}}, 2));
+    EXPECT_EQ(json.at("scene"), "a\xEF\xBF\xBD.glb");
+}
+
 TEST(Sha256, MatchesPublishedVectors) {
     // FIPS 180-4 example and the empty message.
     const std::string abc = "abc";
@@ -80,6 +172,20 @@ TEST(UnknownName, SuggestsTheClosest) {
     EXPECT_EQ(cdr::base::unknownName("technique", "zzzzzzzzzzzzz", kKnown).find("did you mean"),
               std::string::npos);
     EXPECT_LT(cdr::base::unknownName("technique", std::string(100000, 'x'), kKnown).size(), 200u);
+}
+
+TEST(EnumNames, ReadInBothDirections) {
+    enum class Colour : std::uint8_t { red, green };
+    constexpr cdr::base::EnumNames<Colour, 2> kColours{"colour", {"red", "green"}};
+    static_assert(kColours.nameOf(Colour::green) == "green");
+    EXPECT_EQ(kColours.parse("green"), Colour::green);
+    try {
+        kColours.parse("gren");
+        ADD_FAILURE() << "was read";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "unknown colour 'gren'; did you mean 'green'? (known: red, green)");
+    }
 }
 
 TEST(ParseNumber, TakesFiniteNumbersOnly) {

@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/depth/make_cascades.h>
 #include <experiments/scaling/scaling.h>
 #include <experiments/timing/timing.h>
 

@@ -13,8 +13,8 @@
 
 namespace cdr::base {
 
-/// Another program that runs beside this one, started from an argument vector without a shell. It inherits no
-/// open file but the three standard ones, and its standard error is kept to be quoted.
+/// Another program, started from an argument vector without a shell. It inherits only the three standard
+/// files. Its standard error is kept, to be quoted in messages.
 class ChildProcess {
   public:
     /// Where its standard output goes.
@@ -25,17 +25,17 @@ class ChildProcess {
     /// @param arguments the program, looked up in PATH, then its arguments.
     /// base::InputError when there is no such program, base::RunError when it cannot be started.
     ChildProcess(std::vector<std::string> arguments, const Output& output);
-    /// Ends a child that was not waited for: its input closes, and it is killed.
+    /// Closes the input of a child that was not waited for, and kills it.
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Sends bytes to its standard input; blocks while it is busy. base::RunError, with its own words, when
-    /// it no longer reads.
+    /// Sends bytes to its standard input; blocks while it is busy. RunError with the end of its standard
+    /// error when it no longer reads.
     void write(std::span<const std::uint8_t> bytes);
 
-    /// Closes its standard input and waits for it to end. base::RunError, with its own words, unless it exits
-    /// with status 0.
+    /// Closes its standard input and waits for it to end. RunError with the end of its standard error unless
+    /// it exits with status 0.
     void finish();
 
   private:
@@ -47,7 +47,7 @@ class ChildProcess {
     int wait();
 
     std::string m_name;
-    std::unique_ptr<std::FILE, CloseFile> m_errors; ///< without a name, gone when closed
+    std::unique_ptr<std::FILE, CloseFile> m_errors; ///< has no name, removed when closed
     int m_input = -1;
     pid_t m_child = -1;
 };

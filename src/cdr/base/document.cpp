@@ -2,6 +2,7 @@
 
 #include <cdr/base/document.h>
 #include <cdr/base/file.h>
+#include <cdr/base/standard_streams.h>
 
 #include <iostream>
 #include <thread>
@@ -28,13 +29,18 @@ nlohmann::ordered_json& addSection(nlohmann::ordered_json& document, const std::
     return document[name] = nlohmann::ordered_json::array();
 }
 
+std::string textOf(const nlohmann::ordered_json& json, int indent) {
+    return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_json& document) {
-    const std::string text = document.dump(2) + "\n";
+    const std::string text = textOf(document, 2);
     if (path == "-") {
-        std::cout << text << std::flush;
+        std::cout << text;
+        flushStandardOutput();
         return;
     }
-    writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    writeText(path, text);
 }
 
 } // namespace cdr::base

@@ -14,23 +14,30 @@ struct BuildInfo {
 };
 BuildInfo buildInfo();
 
-/// What a command's JSON says of the device it ran on. Empty texts for commands that need none.
+/// The device that a command ran on, for its JSON. Empty texts for commands that need none.
 struct DocumentDevice {
     std::string name;
     std::string driver;
     std::string api;
 };
 
-/// The envelope every command's JSON shares: command, version, commit, device, host, options, results
-/// (empty).
+/// What the JSON of every command begins with: command, version, commit, device, host, options and empty
+/// results.
 nlohmann::ordered_json makeDocument(const std::string& command, const DocumentDevice& device,
                                     nlohmann::ordered_json options);
 
-/// Adds a section of its own behind the results, an empty array, for what is not one row per result: pairs of
-/// them, fits through them. Not a name of the envelope.
+/// Adds an empty array of that name after the results, for what is not one row per result, such as pairs of
+/// them.
+/// @param name none of makeDocument()'s.
 nlohmann::ordered_json& addSection(nlohmann::ordered_json& document, const std::string& name);
 
-/// Writes a document, indented, whole or not at all; "-" is standard output.
+/// JSON as text with a final line break. Bytes of texts that are not UTF-8, as file names may hold, become
+/// U+FFFD.
+/// @param indent spaces a level; -1 for one line.
+std::string textOf(const nlohmann::ordered_json& json, int indent);
+
+/// Writes a document whole or not at all, indented; "-" is standard output.
+/// InputError or RunError when that fails.
 void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_json& document);
 
 } // namespace cdr::base

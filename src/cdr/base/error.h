@@ -5,14 +5,13 @@
 
 namespace cdr::base {
 
-/// The caller asked for something that cannot be: an argument, a file or a limit. Programs exit with
-/// status 2.
+/// The caller's fault: an argument, a file, or a limit that was exceeded. Programs exit with status 2.
 class InputError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// A sound request failed while running: device lost, disk full, out of memory. Programs exit with status 1.
+/// A valid request failed while running: device lost, disk full, out of memory. Programs exit with status 1.
 class RunError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -1,10 +1,18 @@
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
 
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
 #include <fstream>
+#include <limits>
+#include <random>
+#include <string>
 #include <system_error>
 
 namespace cdr::base {
@@ -13,26 +21,99 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A name beside `path` that no other process and no other thread of this one uses.
-fs::path temporaryBeside(const fs::path& path) {
-    static std::atomic<unsigned> counter{0};
-    fs::path temporary = path;
-    temporary.replace_filename("." + path.stem().string() + "." + std::to_string(::getpid()) + "." +
-                               std::to_string(counter++) + path.extension().string());
-    return temporary;
+constexpr int kMostLinks = 40; // as Linux has it
+
+/// The descriptor that a name such as /dev/fd/1 or /proc/self/fd/1 stands for.
+std::optional<int> descriptorOf(const fs::path& path) {
+    const std::string folder = path.parent_path().lexically_normal().string();
+    if (folder != "/dev/fd" && folder != "/proc/self/fd" &&
+        folder != fmt::format("/proc/{}/fd", ::getpid())) {
+        return std::nullopt;
+    }
+    const std::string name = path.filename().string();
+    int descriptor = -1;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), descriptor);
+    const bool isNumber = error == std::errc() && end == name.data() + name.size();
+    return isNumber && descriptor >= 0 ? std::optional(descriptor) : std::nullopt;
 }
 
-void writeStream(const fs::path& path, std::span<const std::uint8_t> bytes) {
-    std::ofstream stream(path, std::ios::binary);
-    if (!stream) {
-        const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
-        throw InputError(folder.string() + ": cannot create a file in this folder");
+/// The path with links followed, up to a name that stands for a descriptor.
+fs::path withLinksFollowed(const fs::path& path) {
+    fs::path target = path;
+    std::error_code error;
+    for (int i = 0; i < kMostLinks; ++i) {
+        if (descriptorOf(target) || !fs::is_symlink(fs::symlink_status(target, error))) {
+            return target;
+        }
+        target = target.parent_path() / fs::read_symlink(target, error); // an absolute link replaces the rest
     }
-    stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    stream.flush();
-    if (!stream) {
-        throw RunError(path.string() + ": write failed, is the disk full?");
+    throw InputError(path.string() + ": too many links");
+}
+
+/// 64 random bits from the system, in hexadecimal digits.
+std::string randomName() {
+    std::random_device device;
+    return fmt::format("{:08x}{:08x}", device(), device());
+}
+
+/// Creates an empty file in `folder` that nobody else has; its mode is what the process' umask leaves.
+fs::path createTemporary(const fs::path& folder, const std::string& extension) {
+    constexpr int kTries = 16;
+    for (int i = 0; i < kTries; ++i) {
+        fs::path temporary = folder / ("." + randomName() + extension);
+        const int file =
+            ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (file >= 0) {
+            ::close(file);
+            return temporary;
+        }
+        if (errno != EEXIST) {
+            break;
+        }
     }
+    return {};
+}
+
+/// Writes all bytes to a descriptor; the error number, 0 when it succeeds.
+int writeAll(int descriptor, std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) {
+            return errno;
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    }
+    return 0;
+}
+
+[[noreturn]] void throwWriteFailed(const fs::path& path, int error) {
+    throw RunError(path.string() + ": write failed: " + std::generic_category().message(error));
+}
+
+/// An existing file that is open for writing, and closed with its owner.
+class OutputFile {
+  public:
+    explicit OutputFile(const fs::path& path)
+        : m_descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC)),
+          m_error(m_descriptor < 0 ? errno : 0) {}
+    ~OutputFile() { ::close(m_descriptor); }
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    /// The error number, 0 when all bytes were written.
+    int write(std::span<const std::uint8_t> bytes) const {
+        return m_error != 0 ? m_error : writeAll(m_descriptor, bytes);
+    }
+
+  private:
+    int m_descriptor;
+    int m_error;
+};
+
+/// Whether the descriptor is open for writing.
+bool isWritable(int descriptor) {
+    const int flags = ::fcntl(descriptor, F_GETFL);
+    return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
 }
 
 } // namespace
@@ -63,9 +144,30 @@ Bytes readFile(const fs::path& path, std::uintmax_t maxBytes) {
     return bytes;
 }
 
-PendingFile::PendingFile(fs::path path) : m_path(std::move(path)), m_temporary(temporaryBeside(m_path)) {
-    if (m_path.filename().empty() || fs::is_directory(m_path)) {
+PendingFile::PendingFile(fs::path path) : m_path(std::move(path)), m_target(withLinksFollowed(m_path)) {
+    std::error_code error;
+    const fs::file_status status = fs::status(m_target, error);
+    if (m_path.filename().empty() || fs::is_directory(status)) {
         throw InputError(m_path.string() + ": names a folder, not a file to write");
+    }
+    m_descriptor = descriptorOf(m_target);
+    m_isCopied = m_descriptor || (fs::exists(status) && !fs::is_regular_file(status));
+    if (error == std::errc::filename_too_long) {
+        throw InputError(m_path.string() + ": cannot be written, its name is too long");
+    }
+    const bool isRefused =
+        m_descriptor ? !isWritable(*m_descriptor) : m_isCopied && ::access(m_target.c_str(), W_OK) != 0;
+    if (isRefused) {
+        throw InputError(m_path.string() + ": cannot be written");
+    }
+    const fs::path beside = m_target.has_parent_path() ? m_target.parent_path() : ".";
+    m_temporary =
+        createTemporary(m_isCopied ? fs::temp_directory_path() : beside, m_path.extension().string());
+    if (m_temporary.empty()) {
+        throw InputError(m_path.string() + ": cannot be written, its folder is missing or read-only");
+    }
+    if (fs::is_regular_file(status)) {
+        fs::permissions(m_temporary, status.permissions(), error);
     }
 }
 
@@ -75,8 +177,17 @@ PendingFile::~PendingFile() {
 }
 
 void PendingFile::commit() const {
+    if (m_isCopied) {
+        const Bytes bytes = readFile(m_temporary, std::numeric_limits<std::uintmax_t>::max());
+        std::fflush(stdout); // what was printed before comes first
+        const int error = m_descriptor ? writeAll(*m_descriptor, bytes) : OutputFile(m_target).write(bytes);
+        if (error != 0) {
+            throwWriteFailed(m_path, error);
+        }
+        return;
+    }
     std::error_code error;
-    fs::rename(m_temporary, m_path, error);
+    fs::rename(m_temporary, m_target, error);
     if (error) {
         throw InputError(m_path.string() + ": cannot be written: " + error.message());
     }
@@ -89,7 +200,11 @@ void writeBesideThenRename(const fs::path& path, const std::function<void(const 
 }
 
 void writeFile(const fs::path& path, std::span<const std::uint8_t> bytes) {
-    writeBesideThenRename(path, [&](const fs::path& temporary) { writeStream(temporary, bytes); });
+    writeBesideThenRename(path, [&](const fs::path& temporary) {
+        if (const int error = OutputFile(temporary).write(bytes); error != 0) {
+            throwWriteFailed(path, error);
+        }
+    });
 }
 
 void writeText(const fs::path& path, std::string_view text) {
@@ -98,9 +213,6 @@ void writeText(const fs::path& path, std::string_view text) {
 
 void requireWritable(const fs::path& path) {
     const PendingFile probe(path);
-    if (!std::ofstream(probe.temporary(), std::ios::binary)) {
-        throw InputError(path.string() + ": cannot be written, its folder is missing or read-only");
-    }
 }
 
 void makeFolder(const fs::path& path) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -14,43 +15,50 @@ using Bytes = std::vector<std::uint8_t>;
 /// Reads a whole regular file. InputError when it is missing, not a regular file, or larger than `maxBytes`.
 Bytes readFile(const std::filesystem::path& path, std::uintmax_t maxBytes);
 
-/// A file in the making: written under a temporary name beside `path`, and put in place whole by commit(). It
-/// is removed when it goes out of scope before that.
+/// A file that is being written. Bytes go to a temporary file, and commit() puts them in place whole. Without
+/// commit() the temporary file is removed and `path` stays as it was.
+///
+/// The temporary file has a random name, and is created only if nothing of that name exists.
+/// - A regular file, or nothing, at `path`: the temporary file lies beside it and is renamed over it. The
+///   mode of a file that was there is kept.
+/// - A link: the same for what it points at; the link stays.
+/// - A device, a FIFO or an open descriptor, such as /dev/stdout: commit() copies the bytes into it.
 class PendingFile {
   public:
-    /// base::InputError when `path` names a folder.
+    /// InputError when `path` names a folder or cannot be written.
     explicit PendingFile(std::filesystem::path path);
     ~PendingFile();
     PendingFile(const PendingFile&) = delete;
     PendingFile& operator=(const PendingFile&) = delete;
 
-    /// Where to write; it has the extension of the path.
+    /// Where to write: an empty file with the extension of the path.
     const std::filesystem::path& temporary() const { return m_temporary; }
 
-    /// Renames the temporary file over the path. base::InputError when that fails.
+    /// Puts what was written in place. InputError when a rename fails, RunError when a copy does.
     void commit() const;
 
   private:
-    std::filesystem::path m_path;
+    std::filesystem::path m_path;    ///< as given, for messages
+    std::filesystem::path m_target;  ///< with links followed
+    bool m_isCopied = false;         ///< into the target, which is no regular file
+    std::optional<int> m_descriptor; ///< that the target stands for
     std::filesystem::path m_temporary;
 };
 
-/// Lets `write` fill a temporary file beside `path`, then renames it over `path`: either the whole file
-/// appears or nothing does. InputError when the folder is missing or not writable; whatever `write` throws
-/// passes through.
+/// Lets `write` fill a PendingFile and commits it. Whatever `write` throws passes through.
 void writeBesideThenRename(const std::filesystem::path& path,
                            const std::function<void(const std::filesystem::path& temporary)>& write);
 
-/// writeBesideThenRename() of bytes in memory.
+/// writeBesideThenRename() of bytes in memory. RunError when they cannot all be written.
 void writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
-/// writeFile() of a text as it is.
+/// writeFile() of a text.
 void writeText(const std::filesystem::path& path, std::string_view text);
 
-/// InputError unless a file can be created at `path`. Leaves nothing behind; call before long work.
+/// InputError unless `path` can be written. Changes nothing; call it before long work.
 void requireWritable(const std::filesystem::path& path);
 
-/// Makes a folder and those above it where they are missing. base::InputError when that fails.
+/// Makes a folder and those above it where they are missing. InputError when that fails.
 void makeFolder(const std::filesystem::path& path);
 
 } // namespace cdr::base

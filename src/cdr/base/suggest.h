@@ -6,12 +6,12 @@
 
 namespace cdr::base {
 
-/// "unknown WHAT 'GIVEN'; did you mean 'CLOSEST'? (known: a, b, c)", the closest by edit distance, left out
-/// when nothing is near.
+/// "unknown WHAT 'GIVEN'; did you mean 'CLOSEST'? (known: a, b, c)". The closest is by edit distance, and
+/// left out when nothing is similar.
 std::string unknownName(std::string_view what, std::string_view given,
                         std::span<const std::string_view> known);
 
-/// Finite decimal number or InputError naming `what`.
+/// A finite decimal number. InputError with `what` for anything else.
 double parseNumber(std::string_view what, const std::string& text);
 
 } // namespace cdr::base

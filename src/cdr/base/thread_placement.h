@@ -7,18 +7,18 @@ namespace cdr::base {
 
 /// Which CPUs a pool's threads run on.
 enum class Placement {
-    free,   ///< wherever the kernel puts them; it may leave two on one CPU for milliseconds
-    pinned, ///< worker i on the i-th CPU this process may use, counted round: for measuring
+    free,   ///< chosen by the kernel, which may leave two on one CPU for milliseconds
+    pinned, ///< worker i on the i-th CPU that this process may use, modulo their number: for measuring
 };
 
-/// CPUs the calling thread may run on, ascending; empty where the system does not say.
+/// CPUs that the calling thread may run on, ascending. Empty where the system cannot tell.
 std::vector<std::size_t> allowedCpus();
 
-/// Keeps the calling thread on one CPU, until it is destroyed by the same thread. Does nothing where the
-/// system has no such call.
+/// Keeps the calling thread on one CPU until the object is destroyed, by the same thread. Does nothing where
+/// the system has no such call.
 class PinnedThread {
   public:
-    /// @param number of the CPU among `cpus`, counted round; nothing happens when there are none.
+    /// @param number of the CPU among `cpus`, modulo their number. Without CPUs nothing happens.
     PinnedThread(std::size_t number, const std::vector<std::size_t>& cpus);
     ~PinnedThread();
     PinnedThread(const PinnedThread&) = delete;

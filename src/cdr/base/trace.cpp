@@ -1,3 +1,4 @@
+#include <cdr/base/document.h>
 #include <cdr/base/file.h>
 #include <cdr/base/trace.h>
 
@@ -189,7 +190,7 @@ nlohmann::ordered_json Trace::toJson() const {
 }
 
 void Trace::write(const std::filesystem::path& path) const {
-    writeText(path, toJson().dump() + "\n");
+    writeText(path, textOf(toJson(), -1));
 }
 
 } // namespace cdr::base

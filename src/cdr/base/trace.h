@@ -12,12 +12,12 @@
 
 namespace cdr::base {
 
-/// Records who worked on what and when, for the Chrome and Perfetto trace viewers (Google, "Trace Event
+/// Records which worker did what and when, for the Chrome and Perfetto trace viewers (Google, "Trace Event
 /// Format").
 ///
-/// Each worker adds to a track of its own, so an event takes no lock; frames and stages come from the one
-/// thread that drives the frame. What can be traced takes a pointer, null for no trace, and asks it per job,
-/// never per draw.
+/// Each worker adds to a track of its own, so an event takes no lock. Frames and stages come from the one
+/// thread that drives the frame. Code that can be traced takes a pointer, null for no trace, and uses it once
+/// per job, never per draw.
 class Trace {
   public:
     using Clock = std::chrono::steady_clock;
@@ -28,15 +28,15 @@ class Trace {
     /// Later events belong to this frame. Driving thread only.
     void beginFrame(std::string name);
 
-    /// A stage that the driving thread just ended, such as "cull". Workers' jobs bear the name of the stage
-    /// around them; "execute" is the device's.
+    /// A stage that the driving thread just ended, such as "cull". The jobs of workers take the name of the
+    /// stage around them. "execute" is the device's.
     /// @param name must outlive the trace.
     void addStage(const char* name, Clock::time_point begin, Clock::time_point end);
 
     struct Job {
         std::size_t index = 0; ///< within its batch
-        std::optional<std::size_t>
-            cascade; ///< which it draws: that cascade's track spans its jobs of a frame
+        /// Which cascade it draws. The track of a cascade spans its jobs of a frame.
+        std::optional<std::size_t> cascade;
         std::size_t draws = 0;
         Clock::time_point begin;
         Clock::time_point end;
@@ -61,8 +61,8 @@ class Trace {
     std::size_t workers() const { return m_workers.size(); }
     std::span<const FramedJob> jobs(std::size_t worker) const { return m_workers.at(worker).jobs; }
 
-    /// Forgets all that was recorded, so that a trace that is read frame by frame can go on for ever. Keeps
-    /// its memory. Driving thread, between batches.
+    /// Forgets everything recorded and keeps the memory, for a trace that is read frame by frame. Driving
+    /// thread, between batches.
     void forget();
 
     /// Ignores everything from now on. Driving thread, between batches.
@@ -73,11 +73,11 @@ class Trace {
     /// Writes toJson() whole or not at all. base::InputError when the file cannot be made.
     void write(const std::filesystem::path& path) const;
 
-    /// Events a track keeps; the rest are counted only, so that a long run cannot fill the memory.
+    /// Most events in a track. The rest are only counted, so that a long run cannot fill the memory.
     static constexpr std::size_t kMaxEventsPerTrack = 300'000;
 
   private:
-    /// On cache lines of its own, since its neighbours belong to other workers.
+    /// On a cache line of its own, since its neighbours belong to other workers.
     struct alignas(64) WorkerTrack {
         std::vector<FramedJob> jobs;
         std::size_t dropped = 0;
@@ -92,7 +92,7 @@ class Trace {
     bool m_stopped = false;
 };
 
-/// Traces one job from construction to destruction; nothing at all without a trace.
+/// Traces one job from construction to destruction. Does nothing without a trace.
 class JobSpan {
   public:
     JobSpan(Trace* trace, std::size_t worker, std::size_t index,

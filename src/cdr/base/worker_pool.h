@@ -19,8 +19,7 @@ namespace cdr::base {
 /// results must be stored by job index, never in completion order.
 class WorkerPool {
   public:
-    /// @param threads workers, the caller included; at least 1 and at most kMaxThreads, else
-    /// base::InputError.
+    /// @param threads workers, the caller included: 1 to kMaxThreads, else InputError.
     /// @param placement of the threads it starts; the caller, worker 0, stays as it is.
     explicit WorkerPool(std::size_t threads, Placement placement = Placement::free);
     ~WorkerPool();

@@ -15,9 +15,9 @@ inline constexpr std::uint32_t kMaxDecodedSide = 16384;
 /// Most pixels of a picture this library decodes: 4 bytes each, so 256 MiB.
 inline constexpr std::uint64_t kMaxDecodedPixels = 64ull << 20;
 
-/// Decodes a PNG or JPEG, told apart by its first bytes, to 8-bit RGBA (alpha 255 where the file has none).
-/// base::InputError for anything else, a damaged file, or one over the limits above; `name` starts the
-/// message.
+/// Decodes a PNG or JPEG, recognised by its first bytes, to 8-bit RGBA. Alpha is 255 where the file has none.
+/// base::InputError for anything else, a damaged file, or one over the limits above.
+/// @param name of the file, which the message begins with.
 ImageRgba8 decodeImage(std::span<const std::uint8_t> encoded, const std::string& name);
 
 /// A named 32-bit float channel of an EXR file.

@@ -7,10 +7,10 @@
 
 namespace cdr::image {
 
-/// How far a picture may stray from another and still pass as the same.
+/// How much a picture may differ from another and still pass.
 struct Tolerance {
-    int channel = 5;           ///< of 255, in either direction, in any of red, green, blue and alpha
-    double pixelShare = 0.001; ///< of the pixels that may go beyond
+    int channel = 5;           ///< of 255, in either direction, in each of red, green, blue and alpha
+    double pixelShare = 0.001; ///< of the pixels that may differ by more
 };
 
 /// How two pictures differ.

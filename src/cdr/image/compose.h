@@ -6,15 +6,16 @@
 
 namespace cdr::image {
 
-/// `source` shrunk by a whole factor, each pixel the mean of a factor x factor block in linear light. What
-/// does not fill a block is left out. base::InputError when factor is 0 or larger than a side.
+/// `source` made smaller by a whole factor: each pixel is the mean of a factor x factor block in linear
+/// light. Pixels that do not fill a block are left out. base::InputError when factor is 0 or larger than a
+/// side.
 ImageRgba8 shrink(const ImageRgba8& source, std::uint32_t factor);
 
-/// Copies `source` into `target` with its top left corner at (x, y); what lies outside is left out.
+/// Copies `source` into `target` with its top left corner at (x, y). Pixels outside are left out.
 void paste(ImageRgba8& target, const ImageRgba8& source, std::uint32_t x, std::uint32_t y);
 
-/// Draws ASCII text with its top left corner at (x, y), glyphs about 8 * scale pixels high; what lies outside
-/// is left out.
+/// Draws ASCII text with its top left corner at (x, y), glyphs about 8 * scale pixels high. Pixels outside
+/// are left out.
 void drawText(ImageRgba8& target, const std::string& text, std::uint32_t x, std::uint32_t y,
               std::uint32_t scale, const Rgba8& color);
 

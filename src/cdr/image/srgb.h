@@ -8,7 +8,7 @@ namespace cdr::image {
 /// Linear light, 0 to 1, of each 8-bit sRGB value (IEC 61966-2-1).
 const std::array<double, 256>& linearOfSrgb();
 
-/// The nearest 8-bit sRGB value of linear light; what lies outside 0 to 1 is clamped.
+/// The nearest 8-bit sRGB value of linear light, which is clamped to 0 to 1 first.
 std::uint8_t srgbOfLinear(double linear);
 
 } // namespace cdr::image

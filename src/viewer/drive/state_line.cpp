@@ -1,5 +1,6 @@
 #include "state_line.h"
 
+#include <cdr/base/enum_names.h>
 #include <viewer/state/command_line.h>
 #include <viewer/state/technique_label.h>
 

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace cdr::base {
+
+/// Writes out what was printed on standard output. RunError when some of it could not be written, now or
+/// before.
+void flushStandardOutput();
+
+/// Prints a line on standard error. Does nothing where that fails, since nobody could be told.
+void printError(const std::string& line) noexcept;
+
+} // namespace cdr::base

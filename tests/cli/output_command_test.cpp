@@ -1,0 +1,61 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace cdr::cli_test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs the program with a redirection of its own, such as ">/dev/full".
+ProgramResult runRedirected(const std::string& arguments, const std::string& redirection,
+                            const fs::path& folder) {
+    return runProgram(arguments, folder, "sh -c '\"$0\" \"$@\" " + redirection + "'");
+}
+
+TEST(Outputs, WhatStandardOutputCannotTakeIsAFailure) {
+    const TemporaryFolder folder;
+    for (const char* arguments : {"precision --json", "precision", "--version", "precision --help"}) {
+        const ProgramResult result = runRedirected(arguments, ">/dev/full", folder.path());
+        EXPECT_EQ(result.status, 1) << arguments;
+        EXPECT_EQ(result.err, "cdr: standard output: write failed: No space left on device\n") << arguments;
+    }
+}
+
+TEST(Outputs, AFullStandardErrorChangesNoStatus) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(runRedirected("render nosuch", "2>/dev/full", folder.path()).status, 2);
+    EXPECT_EQ(runRedirected("precision --json /dev/full", "2>/dev/full", folder.path()).status, 1);
+}
+
+TEST(Outputs, GoIntoDevicesAndWhatALinkPointsAt) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("--quiet precision --json /dev/stdout", folder.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(result.out).at("command"), "precision");
+    EXPECT_EQ(runProgram("precision --json /dev/full", folder.path()).err,
+              "cdr: /dev/full: write failed: No space left on device\n");
+    fs::create_symlink("to.json", folder.path() / "link.json");
+    EXPECT_EQ(runProgram("precision --json link.json", folder.path()).status, 0);
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "link.json"));
+    EXPECT_EQ(nlohmann::json::parse(readText(folder.path() / "to.json")).at("command"), "precision");
+}
+
+TEST(Advise, EndsForTheSmallestNumbers) {
+    const TemporaryFolder folder;
+    for (const char* arguments : {"advise --separation 4.9e-324", "advise --separation 1e-310",
+                                  "advise --separation 1 --fov 1e-300"}) {
+        const ProgramResult result = runProgram(arguments, folder.path());
+        EXPECT_EQ(result.status, 0) << arguments << ": " << result.err;
+        EXPECT_FALSE(result.out.empty()) << arguments;
+    }
+}
+
+} // namespace
+
+} // namespace cdr::cli_test
