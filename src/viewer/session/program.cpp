@@ -1,12 +1,12 @@
 #include "program.h"
 
 #include <cdr/base/error.h>
+#include <cdr/base/standard_streams.h>
 #include <cdr/gpu/failure.h>
 
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdio>
 #include <exception>
 #include <memory>
 
@@ -29,10 +29,12 @@ void runViewer(const Arguments& arguments, Driver* driver) {
 
 int exitStatusOf(const char* program, const std::function<int()>& body) {
     try {
-        return body();
+        const int status = body();
+        base::flushStandardOutput();
+        return status;
     } catch (...) {
         const gpu::Failure failure = gpu::failureOf(std::current_exception());
-        fmt::print(stderr, "{}: {}\n", program, failure.line);
+        base::printError(fmt::format("{}: {}", program, failure.line));
         return failure.status;
     }
 }
