@@ -32,8 +32,8 @@ struct CullFixture {
 
     explicit CullFixture(const benchmark::State& state)
         : setup(static_cast<Field>(state.range(2)) == Field::rotation
-                     ? scenes::makeRotation(2013, static_cast<std::uint32_t>(state.range(0)))
-                     : scenes::makeCrowd(2013, static_cast<std::uint32_t>(state.range(0)))),
+                    ? scenes::makeRotation(2013, static_cast<std::uint32_t>(state.range(0)))
+                    : scenes::makeCrowd(2013, static_cast<std::uint32_t>(state.range(0)))),
           camera(setup.path.at(30)),
           cascades(depth::makeCascades(depth::SplitCount{kCascades},
                                        {.nearView = camera.nearView, .farView = camera.farView})),
