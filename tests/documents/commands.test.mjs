@@ -9,6 +9,7 @@ import { after, test } from "node:test";
 import { blocks, pages, prose, read, root } from "./documents.mjs";
 
 const programs = { cdr: process.env.CDR_PROGRAM, "cdr-viewer": process.env.CDR_VIEWER_PROGRAM };
+assert.ok(programs.cdr, "CDR_PROGRAM must name the built cdr; CTest sets it");
 const kLine = /^(?:\$ )?(?:build\/release\/bin\/)?(cdr|cdr-viewer)((?: .*)?)$/;
 
 /** Commands in a page's code blocks, fenced or indented: the line, its program and its arguments. */
