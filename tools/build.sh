@@ -1,15 +1,23 @@
 #!/usr/bin/env bash
 # Configures and builds one preset of CMakePresets.json; programs land in build/PRESET/bin.
-# Usage: tools/build.sh [PRESET] [CMAKE_CONFIGURE_ARGUMENT...] [-- CMAKE_BUILD_ARGUMENT...]
+# Usage: tools/build.sh [--in-batches] [PRESET] [CMAKE_CONFIGURE_ARGUMENT...] [-- CMAKE_BUILD_ARGUMENT...]
+# --in-batches compiles many sources at once where the build folder is new: that is the shortest way to a whole build, and
+# a long one after each edit. A build folder that is there keeps what it was configured with.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+configure_arguments=()
+in_batches=false
+if [[ ${1-} == --in-batches ]]; then
+    in_batches=true
+    shift
+fi
 preset=release
 if (($#)) && [[ $1 != -* ]]; then
     preset=$1
     shift
 fi
-configure_arguments=()
+if $in_batches && [[ ! -e build/$preset/CMakeCache.txt ]]; then configure_arguments+=(-DCDR_UNITY_BUILD=ON); fi
 while (($#)) && [[ $1 != -- ]]; do
     configure_arguments+=("$1")
     shift

@@ -4,6 +4,9 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 tools/setup.sh
-tools/build.sh release -- --target cdr
+start=$SECONDS
+tools/build.sh --in-batches release -- --target cdr
+built=$SECONDS
 build/release/bin/cdr pictures --out out
 echo "Open $PWD/out/contact_sheet.png"
+echo "Seconds: $((built - start)) to build, $((SECONDS - built)) to render"

@@ -4,11 +4,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# A finished build, because sources include headers that it generates and clang-tidy needs its compile commands; those
-# without GCC's precompiled headers, which Clang cannot read.
-tools/build.sh release
-mkdir -p build/tidy
-sed -E 's/ -Winvalid-pch -include [^ ]+//' build/release/compile_commands.json >build/tidy/compile_commands.json
+# The headers that the build generates, and compile commands without GCC's precompiled headers, which Clang cannot read.
+tools/build.sh tidy
 
 files=("$@")
 if ((${#files[@]} == 0)); then
