@@ -1,3 +1,4 @@
+#include "../support/shared_device.h"
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
@@ -21,21 +22,12 @@ namespace fs = std::filesystem;
 using namespace cdr;
 using namespace cdr::experiments;
 
-class FlickerTest : public testing::Test {
+class FlickerTest : public cdr::test::DeviceTest {
   protected:
-    void TearDown() override {
-        for (const std::string& message : m_instance.validation().messages()) {
-            ADD_FAILURE() << message;
-        }
-    }
-
-    const gpu::Device& device() const { return m_device; }
     fs::path state() const { return m_folder.path() / "state.json"; }
 
   private:
     cdr::test::TemporaryFolder m_folder;
-    gpu::Instance m_instance{{.validate = true, .extensions = {}}};
-    gpu::Device m_device{m_instance, ""};
 };
 
 FlickerOptions smallRun() {

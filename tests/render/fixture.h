@@ -1,5 +1,7 @@
 #pragma once
 
+#include "../support/shared_device.h"
+
 #include <cdr/base/sha256.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
@@ -11,22 +13,12 @@
 
 namespace cdr::render_test {
 
-/// A validated device for one test; any validation message fails the test at its end.
-class RenderTest : public testing::Test {
+class RenderTest : public test::DeviceTest {
   protected:
-    void TearDown() override {
-        for (const std::string& message : m_instance.validation().messages()) {
-            ADD_FAILURE() << message;
-        }
-    }
-
-    const gpu::Device& device() const { return m_device; }
-    const gpu::Instance& instance() const { return m_instance; }
-
     render::Frame draw(const scene::Scene& scene, const scene::Camera& camera,
                        const render::RenderOptions& options) {
-        const render::GpuScene gpuScene(m_device, scene);
-        render::Renderer renderer(m_device, scene, gpuScene, options);
+        const render::GpuScene gpuScene(device(), scene);
+        render::Renderer renderer(device(), scene, gpuScene, options);
         return renderer.render(camera);
     }
 
@@ -36,10 +28,6 @@ class RenderTest : public testing::Test {
         return measure::countWrong(frame.ids(),
                                    measure::castTruth(scene, camera, frame.width(), frame.height(), workers));
     }
-
-  private:
-    gpu::Instance m_instance{{.validate = true, .extensions = {}}};
-    gpu::Device m_device{m_instance, ""};
 };
 
 inline render::RenderOptions smallOptions(const depth::Technique& technique) {
