@@ -47,7 +47,7 @@ TEST(DetailCommand, ComparesEveryModeWithNone) {
 TEST(DetailCommand, RenderTakesADetailHoweverSubmitted) {
     const TemporaryFolder folder;
     std::set<std::string> hashes;
-    for (const char* how : {"none", "object", "object --submission gpu-driven", "object:0.5 --threads 3"}) {
+    for (const char* how : {"none", "object --submission gpu-driven", "object:0.5 --threads 3"}) {
         const ProgramResult result =
             runProgram(std::string("--validate render boulders --size 96x54 --split count:3 --json r.json "
                                    "--detail ") +

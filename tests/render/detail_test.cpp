@@ -177,10 +177,10 @@ TEST_F(DetailRenderTest, LevelsNobodyAsksForChangeNoBit) {
 
 TEST_F(DetailRenderTest, OneLevelPerObjectOpensNoCrack) {
     const scene::SceneSetup setup = smallBoulders();
-    EXPECT_EQ(hunt(setup.scene, camerasAlong(setup.path, 16), kByObject), 0u);
+    EXPECT_EQ(hunt(setup.scene, camerasAlong(setup.path, 8), kByObject), 0u);
     const scene::Scene large = largeBoulder();
     for (const double pixels : {2.0, 4.0}) {
-        EXPECT_EQ(hunt(large, camerasAround(16), {.mode = DetailMode::perObject, .pixels = pixels}), 0u);
+        EXPECT_EQ(hunt(large, camerasAround(8), {.mode = DetailMode::perObject, .pixels = pixels}), 0u);
     }
 }
 

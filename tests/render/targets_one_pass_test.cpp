@@ -54,7 +54,7 @@ TEST_F(OnePassTest, SlicesShareNoValueAndTheNearestComesFirst) {
 
 TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
     for (const scene::SceneSetup& setup :
-         {scenes::makeAfc(2013), scenes::makeRotation(2013, 20'000), scenes::makeCubes(2013)}) {
+         {scenes::makeAfc(2013), scenes::makeRotation(2013, 8000), scenes::makeCubes(2013)}) {
         const render::GpuScene gpuScene(device(), setup.scene);
         const scene::Camera camera = setup.path.at(20);
         base::WorkerPool workers(2);
@@ -94,7 +94,7 @@ TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
 }
 
 TEST_F(OnePassTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
-    const scene::SceneSetup setup = scenes::makeRotation(5, 20'000);
+    const scene::SceneSetup setup = scenes::makeRotation(5, 8000);
     const render::GpuScene gpuScene(device(), setup.scene);
     scene::Camera camera = setup.path.at(0);
     camera.nearView = 1.0;

@@ -71,21 +71,22 @@ class TranslucencyTest : public RenderTest {
 TEST_F(TranslucencyTest, EveryFragmentIsInExactlyOneOf1To8Cascades) {
     for (unsigned cascades = 1; cascades <= 8; ++cascades) {
         for (const Translucency method : render::kTranslucencies) {
-            for (const depth::Mapping mapping : {depth::Mapping::reversed, depth::Mapping::anchored}) {
-                render::RenderOptions options = optionsFor(countOf(mapping, cascades), method);
-                options.targets = render::kTargetsKinds[cascades % render::kTargetsKinds.size()];
-                expectCounted(options);
-            }
+            const bool even = cascades % 2 == (method == Translucency::sorted ? 1 : 0);
+            const depth::Mapping mapping = even ? depth::Mapping::reversed : depth::Mapping::anchored;
+            render::RenderOptions options = optionsFor(countOf(mapping, cascades), method);
+            options.targets = render::kTargetsKinds[cascades % render::kTargetsKinds.size()];
+            expectCounted(options);
         }
     }
 }
 
 /// With d32f each technique resolves the cubes, so what occludes is right, and so must the counts be.
 TEST_F(TranslucencyTest, FragmentCountIsTheSameForAllTargetsAndTechniques) {
+    std::size_t turn = 0;
     for (const depth::Technique& technique : techniques()) {
-        for (const render::TargetsKind targets : render::kTargetsKinds) {
-            render::RenderOptions options = optionsFor(technique, Translucency::weighted);
-            options.targets = targets;
+        render::RenderOptions options = optionsFor(technique, Translucency::weighted);
+        for (int i = 0; i < 2; ++i) {
+            options.targets = render::kTargetsKinds[turn++ % render::kTargetsKinds.size()];
             expectCounted(options);
         }
     }
@@ -174,15 +175,12 @@ TEST_F(TranslucencyTest, ThreadsTargetsAndSubmissionsChangeNoBit) {
 TEST_F(TranslucencyTest, TheNumberOfCascadesChangesNoBitWhenSorted) {
     std::string wanted;
     for (unsigned cascades = 1; cascades <= 8; ++cascades) {
-        for (const render::TargetsKind targets :
-             {render::TargetsKind::single, render::TargetsKind::onePass}) {
-            render::RenderOptions options =
-                optionsFor(countOf(depth::Mapping::reversed, cascades), Translucency::sorted);
-            options.targets = targets;
-            const std::string hash = base::sha256Of(draw(m_sheets.scene, m_camera, options).color.pixels);
-            wanted = wanted.empty() ? hash : wanted;
-            EXPECT_EQ(hash, wanted) << cascades << " " << nameOf(targets);
-        }
+        render::RenderOptions options =
+            optionsFor(countOf(depth::Mapping::reversed, cascades), Translucency::sorted);
+        options.targets = cascades % 2 == 1 ? render::TargetsKind::single : render::TargetsKind::onePass;
+        const std::string hash = base::sha256Of(draw(m_sheets.scene, m_camera, options).color.pixels);
+        wanted = wanted.empty() ? hash : wanted;
+        EXPECT_EQ(hash, wanted) << cascades << " " << nameOf(options.targets);
     }
 }
 

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, mkdirSync } from "node:fs";
+import { cpSync, mkdtempSync, mkdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -15,8 +15,14 @@ export const program = process.env.CDR_PROGRAM;
 export const folder = mkdtempSync(join(tmpdir(), "cdr_report_"));
 const screenshots = process.env.CDR_SCREENSHOTS;
 
-/** The smallest report there is, made by the program under test. */
-export function makeReport(name = "report", environment = process.env) {
+/** A copy of the report that the test Report.Made wrote. */
+export function copyReport() {
+    cpSync(process.env.CDR_REPORT, join(folder, "report"), { recursive: true });
+    return join(folder, "report");
+}
+
+/** The smallest report there is, made by the program under test in another environment. */
+export function makeReport(name, environment) {
     execFileSync(program, ["report", "--smallest", "-o", join(folder, name)], { env: environment, stdio: "pipe" });
     return join(folder, name);
 }
@@ -32,7 +38,7 @@ export function launch() {
 export async function open(browser, path, options = {}) {
     const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
     const page = await context.newPage();
-    page.setDefaultTimeout(20_000);
+    page.setDefaultTimeout(600_000); // a slow machine is no reason to fail
     page.faults = [];
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.faults.push(message.text()));
     page.on("pageerror", (error) => page.faults.push(error.message));

@@ -3,12 +3,12 @@ import { copyFileSync, mkdirSync, readFileSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { makeTrials, toCsv, makeAnswer, fromCsv } from "../../../src/page/logic/trials.js";
-import { assertNoSidewaysScroll, close, folder, launch, makeReport, open, screenshot } from "./browser.mjs";
+import { assertNoSidewaysScroll, close, copyReport, folder, launch, open, screenshot } from "./browser.mjs";
 
 let browser;
 let report;
 before(async () => {
-    report = makeReport();
+    report = copyReport();
     browser = await launch();
 });
 after(async () => {
@@ -39,7 +39,7 @@ async function start(page, name) {
 /** Plays the video to its end. */
 async function watch(page, how) {
     await how();
-    await page.waitForFunction(() => !document.getElementById("left").disabled, null, { timeout: 30_000 });
+    await page.waitForFunction(() => !document.getElementById("left").disabled, null, { timeout: 600_000 });
 }
 
 async function savedBy(page, button) {

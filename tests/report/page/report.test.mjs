@@ -5,12 +5,12 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { binomialP, chiSquared, chiSquaredP } from "../../../src/page/logic/statistics.js";
 import { figure64, pairs, table41 } from "../../../src/page/logic/thesis.js";
-import { assertNoSidewaysScroll, close, contrast, folder, launch, makeReport, open, program, screenshot } from "./browser.mjs";
+import { assertNoSidewaysScroll, close, contrast, copyReport, folder, launch, makeReport, open, program, screenshot } from "./browser.mjs";
 
 let browser;
 let report;
 before(async () => {
-    report = makeReport();
+    report = copyReport();
     browser = await launch();
 });
 after(async () => {
