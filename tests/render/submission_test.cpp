@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace cdr::render_test {
 
@@ -54,23 +55,22 @@ class SubmissionTest : public RenderTest {
   protected:
     /// Renders with every submission over one kind of targets and expects one image.
     void expectOneImage(const scene::Scene& scene, const render::GpuScene& gpuScene,
-                        const scene::Camera& camera, const depth::Technique& technique,
-                        TargetsKind targets) {
+                        const scene::Camera& camera, const depth::Technique& technique, TargetsKind targets) {
         render::RenderOptions options = tinyOptions(technique);
         options.targets = targets;
         render::Renderer first(device(), scene, gpuScene, options);
         const render::Frame wanted = first.render(camera);
-        for (const Submission submission : {Submission::primaries, Submission::gpuDriven}) {
-            for (const std::size_t threads : {1u, 3u}) {
-                options.submission = submission;
-                options.threads = threads;
-                render::Renderer renderer(device(), scene, gpuScene, options);
-                const render::Frame frame = renderer.render(camera);
-                EXPECT_EQ(hashOf(frame), hashOf(wanted))
-                    << nameOf(technique) << " " << nameOf(targets) << " " << nameOf(submission);
-                EXPECT_EQ(frame.stats.draws, wanted.stats.draws) << nameOf(submission);
-                EXPECT_EQ(frame.stats.visible, wanted.stats.visible) << nameOf(submission);
-            }
+        for (const auto& [submission, threads] : {std::pair{Submission::primaries, 1u},
+                                                  {Submission::primaries, 3u},
+                                                  {Submission::gpuDriven, 3u}}) {
+            options.submission = submission;
+            options.threads = threads;
+            render::Renderer renderer(device(), scene, gpuScene, options);
+            const render::Frame frame = renderer.render(camera);
+            EXPECT_EQ(hashOf(frame), hashOf(wanted))
+                << nameOf(technique) << " " << nameOf(targets) << " " << nameOf(submission);
+            EXPECT_EQ(frame.stats.draws, wanted.stats.draws) << nameOf(submission);
+            EXPECT_EQ(frame.stats.visible, wanted.stats.visible) << nameOf(submission);
         }
     }
 

@@ -94,7 +94,7 @@ TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
 }
 
 TEST_F(OnePassTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
-    const scene::SceneSetup setup = scenes::makeRotation(5, 8000);
+    const scene::SceneSetup setup = scenes::makeRotation(5, 20'000);
     const render::GpuScene gpuScene(device(), setup.scene);
     scene::Camera camera = setup.path.at(0);
     camera.nearView = 1.0;

@@ -63,7 +63,7 @@ TEST_F(TargetsTest, AfcIsOneImageWhateverTheTargetsAndThreads) {
 
 TEST_F(TargetsTest, RotationIsOneImageWhateverTheTargetsAndThreads) {
     const scene::SceneSetup setup = scenes::makeRotation(2013, 2000);
-    expectOneImage(setup.scene, setup.path.at(40), {1, 2, 3, 8, 16});
+    expectOneImage(setup.scene, setup.path.at(40), {1, 3, 16});
 }
 
 TEST_F(TargetsTest, GltfIsOneImageWhateverTheTargetsAndThreads) {
@@ -128,8 +128,7 @@ TEST_F(TargetsTest, ValidationIsSilentOverPresetsTargetsAndThreads) {
                                           tinyOptions(technique, kind, threads));
                 renderer.draw(setup.path.at(0));
                 EXPECT_GT(renderer.render(setup.path.at(180)).stats.draws, 0u);
-                EXPECT_EQ(messageCount(), 0u)
-                    << nameOf(technique) << " " << nameOf(kind) << " " << threads;
+                EXPECT_EQ(messageCount(), 0u) << nameOf(technique) << " " << nameOf(kind) << " " << threads;
             }
         }
     }

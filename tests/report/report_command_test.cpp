@@ -41,7 +41,8 @@ class ReportCommand : public testing::Test {
     }
     /// Copies the report that the test Report.Made wrote, so that each test need not wait for its own.
     void copyReport() const {
-        ASSERT_TRUE(fs::exists(CDR_REPORT "/made")) << "run the tests through CTest: it makes the report first";
+        ASSERT_TRUE(fs::exists(CDR_REPORT "/made"))
+            << "run the tests through CTest: it makes the report first";
         fs::copy(CDR_REPORT, m_folder.path(), fs::copy_options::recursive);
     }
     fs::path path(const std::string& name) const { return m_folder.path() / name; }

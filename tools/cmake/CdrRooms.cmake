@@ -54,6 +54,8 @@ function(cdr_test name)
     target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main cdr_options cdr_quick_compile)
     target_compile_definitions(${name} PRIVATE
         CDR_ASSETS_DIR="${PROJECT_SOURCE_DIR}/../shared/assets" CDR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    # For `ctest -L NAME`.
+    set_property(DIRECTORY PROPERTY LABELS ${name})
     # Long, since a slow machine is no reason to fail.
     set(properties TIMEOUT 1500)
     if(TEST_DRIVER)

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Reports includes that nothing in their file needs, after include-what-you-use (package iwyu). What it would add is left
+# out: it names headers inside libraries, and what a room's own header promises to bring along. Any finding fails.
+# Usage: tools/includes.sh [FILE...]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+command -v iwyu_tool >/dev/null || {
+    echo "tools/includes.sh: skipped, include-what-you-use is missing (package iwyu)" >&2
+    exit 0
+}
+tools/build.sh tidy >/dev/null
+
+files=("$@")
+if ((${#files[@]} == 0)); then
+    mapfile -t files < <(git ls-files --cached --others --exclude-standard -- 'src/*.cpp')
+fi
+echo "include-what-you-use: ${#files[@]} files"
+findings=$(iwyu_tool -p build/tidy -j "$(nproc)" "${files[@]}" -- -w 2>/dev/null | awk -v root="$PWD/" '
+    / should remove these lines:$/ { file = $1; sub(root, "", file); removing = 1; next }
+    /^$/ { removing = 0 }
+    removing && /^- #include/ { sub(/^- /, ""); sub(/ *\/\/ lines /, " line "); sub(/-[0-9]+$/, ""); print file ": " $0 }' |
+    sort --unique)
+if [[ -n $findings ]]; then
+    echo "$findings"
+    exit 1
+fi
