@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <scenes/boulders.h>
+#include <scenes/degree.h>
 #include <scenes/random.h>
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace cdr::scenes {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::uint32_t kMostSubdivisions = 8;
 constexpr double kNearest = 8.0;
 constexpr double kFarthest = 4000.0;

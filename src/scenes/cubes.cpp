@@ -1,18 +1,16 @@
 #include <cdr/base/error.h>
 #include <scenes/cube_scene.h>
 #include <scenes/cubes.h>
+#include <scenes/degree.h>
 #include <scenes/random.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace cdr::scenes {
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Centres of 1000 unit cubes that lie wholly within the 32^3 field of the 2AFC scene.
 std::vector<glm::dvec3> afcField(std::uint64_t seed) {

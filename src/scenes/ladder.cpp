@@ -1,17 +1,11 @@
 #include <scenes/cube_scene.h>
+#include <scenes/degree.h>
 #include <scenes/ladder.h>
 #include <scenes/random.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace cdr::scenes {
-
-namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-} // namespace
 
 double ladderSeparation(const LadderOptions& options, std::uint32_t pair) {
     const double share = static_cast<double>(pair) / (kLadderPairs - 1);

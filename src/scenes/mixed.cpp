@@ -1,3 +1,4 @@
+#include <scenes/degree.h>
 #include <scenes/mixed.h>
 #include <scenes/scene_builder.h>
 
@@ -7,8 +8,6 @@
 namespace cdr::scenes {
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Turned about y, then about x.
 glm::dmat3 turnedBy(double yaw, double pitch) {

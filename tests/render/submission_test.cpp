@@ -20,13 +20,10 @@ render::RenderOptions tinyOptions(const depth::Technique& technique) {
     return {.width = 240, .height = 135, .technique = technique};
 }
 
-std::vector<depth::Technique> techniques() {
-    std::vector<depth::Technique> all;
-    for (const depth::NamedTechnique& preset : depth::presets()) {
-        all.push_back(preset.technique);
-    }
-    all.push_back(
-        depth::Technique{depth::Mapping::standard, depth::parseSplit("count:7"), depth::DepthFormat::d16});
+std::vector<depth::Technique> techniquesToSubmit() {
+    std::vector<depth::Technique> all(depth::presets().begin(), depth::presets().end());
+    all.push_back(depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("count:7"),
+                                       depth::DepthFormat::d16));
     return all;
 }
 
@@ -79,7 +76,7 @@ class SubmissionTest : public RenderTest {
     void expectOneImageInTurn(const scene::Scene& scene, const scene::Camera& camera) {
         const render::GpuScene gpuScene(device(), scene);
         std::size_t turn = 0;
-        for (const depth::Technique& technique : techniques()) {
+        for (const depth::Technique& technique : techniquesToSubmit()) {
             expectOneImage(scene, gpuScene, camera, technique,
                            render::kTargetsKinds[turn++ % render::kTargetsKinds.size()]);
         }
@@ -99,7 +96,7 @@ TEST_F(SubmissionTest, RotationIsOneImageHoweverSubmitted) {
 TEST_F(SubmissionTest, ManyKindsAreOneImageHoweverSubmitted) {
     const scene::SceneSetup setup = patchwork(600);
     const render::GpuScene gpuScene(device(), setup.scene);
-    for (const depth::Technique& technique : techniques()) {
+    for (const depth::Technique& technique : techniquesToSubmit()) {
         for (const TargetsKind targets : render::kTargetsKinds) {
             expectOneImage(setup.scene, gpuScene, setup.path.at(90), technique, targets);
         }
@@ -145,7 +142,7 @@ TEST_F(SubmissionTest, GpuDrivenDrawsAgainWhenItsRecordsRunOut) {
 TEST_F(SubmissionTest, BatchingChangesNoBit) {
     const scene::SceneSetup setup = patchwork(600);
     const render::GpuScene gpuScene(device(), setup.scene);
-    for (const depth::Technique& technique : techniques()) {
+    for (const depth::Technique& technique : techniquesToSubmit()) {
         std::string first;
         for (const Batching batching : render::kBatchings) {
             render::RenderOptions options = tinyOptions(technique);
@@ -182,7 +179,7 @@ TEST_F(SubmissionTest, FramesInFlightLeaveTheNextFrameAsItIs) {
 TEST_F(SubmissionTest, AnEmptySceneIsDrawnHoweverSubmitted) {
     const scene::Scene scene = boxScene();
     const scene::Camera camera = scenes::makeRotation(1, 1).path.at(0);
-    for (const depth::Technique& technique : techniques()) {
+    for (const depth::Technique& technique : techniquesToSubmit()) {
         for (const Submission submission : render::kSubmissions) {
             for (const TargetsKind targets : render::kTargetsKinds) {
                 render::RenderOptions options = tinyOptions(technique);

@@ -19,11 +19,8 @@ depth::Technique countOf(depth::Mapping mapping, unsigned cascades) {
 }
 
 /// Every preset, and both anchored mappings over four even cascades.
-std::vector<depth::Technique> techniques() {
-    std::vector<depth::Technique> all;
-    for (const depth::NamedTechnique& preset : depth::presets()) {
-        all.push_back(preset.technique);
-    }
+std::vector<depth::Technique> techniquesToBlend() {
+    std::vector<depth::Technique> all(depth::presets().begin(), depth::presets().end());
     all.push_back(countOf(depth::Mapping::anchored, 4));
     all.push_back(countOf(depth::Mapping::anchoredReversed, 4));
     return all;
@@ -83,7 +80,7 @@ TEST_F(TranslucencyTest, EveryFragmentIsInExactlyOneOf1To8Cascades) {
 /// With d32f each technique resolves the cubes, so what occludes is right, and so must the counts be.
 TEST_F(TranslucencyTest, FragmentCountIsTheSameForAllTargetsAndTechniques) {
     std::size_t turn = 0;
-    for (const depth::Technique& technique : techniques()) {
+    for (const depth::Technique& technique : techniquesToBlend()) {
         render::RenderOptions options = optionsFor(technique, Translucency::weighted);
         for (int i = 0; i < 2; ++i) {
             options.targets = render::kTargetsKinds[turn++ % render::kTargetsKinds.size()];

@@ -11,7 +11,7 @@ namespace cdr::scene {
 
 namespace {
 
-void expectSame(const Camera& a, const Camera& b) {
+void expectSameView(const Camera& a, const Camera& b) {
     EXPECT_EQ(a.position, b.position);
     EXPECT_EQ(a.right, b.right);
     EXPECT_EQ(a.up, b.up);
@@ -41,7 +41,7 @@ TEST(LookAlong, GivesLookAtCamerasBackToTheBit) {
         const double scale = cameras.scale();
         const glm::dvec3 eye = cameras.point(scale);
         const Camera camera = lookAt({}, eye, eye + cameras.point(scale));
-        expectSame(lookAlong(camera, camera.position, -camera.back), camera);
+        expectSameView(lookAlong(camera, camera.position, -camera.back), camera);
         ASSERT_TRUE(isLevel(camera));
     }
 }
@@ -78,7 +78,7 @@ TEST(LookAlong, StaysOrthonormalWhereUpIsAllButTheView) {
         EXPECT_NEAR(glm::dot(camera.up, camera.back), 0.0, 1e-15) << sine;
         EXPECT_NEAR(glm::dot(camera.right, camera.back), 0.0, 1e-15) << sine;
         EXPECT_NEAR(glm::length(camera.right), 1.0, 1e-15) << sine;
-        expectSame(canonical(camera), camera);
+        expectSameView(canonical(camera), camera);
     }
 }
 
@@ -101,7 +101,7 @@ TEST(Canonical, IsIdempotentOrthonormalAndNear) {
         rolled.up = std::cos(roll) * level.up - std::sin(roll) * level.right;
         rolled.fovY = std::pow(10.0, -2.5 + 2.5 * cameras.uniform());
         const Camera once = canonical(rolled);
-        expectSame(canonical(once), once);
+        expectSameView(canonical(once), once);
         EXPECT_EQ(radiansOf(degreesOf(once.fovY)), once.fovY);
         EXPECT_NEAR(glm::distance(once.up, rolled.up), 0.0, 1e-15);
         EXPECT_NEAR(glm::distance(once.right, rolled.right), 0.0, 1e-15);
@@ -114,7 +114,7 @@ TEST(Canonical, IsIdempotentOrthonormalAndNear) {
 TEST(Canonical, LeavesLevelCamerasAlone) {
     Camera camera = lookAt({}, {1e7, 3.0, -2.0}, {0.0, 1.0, 5.0});
     camera.fovY = radiansOf(0.002);
-    expectSame(canonical(camera), camera);
+    expectSameView(canonical(camera), camera);
 }
 
 TEST(Degrees, ComeBack) {

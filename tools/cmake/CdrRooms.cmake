@@ -7,6 +7,9 @@ target_compile_options(cdr_options INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off
     # GCC 12 warns of overlapping copies inside std::string's own operator+ (GCC bug 105651).
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+    # In a batch one file sees the file-local names of another, and GCC takes the files for headers.
+    $<$<BOOL:${CDR_UNITY_BUILD}>:-Wno-shadow>
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CDR_UNITY_BUILD}>>:-Wno-subobject-linkage>
     $<$<BOOL:${CDR_WARNINGS_AS_ERRORS}>:-Werror>)
 if(CDR_SANITIZE)
     target_compile_options(cdr_options INTERFACE -fsanitize=${CDR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -18,6 +21,18 @@ add_library(cdr_quick_compile INTERFACE)
 if(CDR_UNITY_BUILD)
     target_compile_options(cdr_quick_compile INTERFACE $<$<CONFIG:Release>:-O1>)
 endif()
+
+# cdr_batches(TARGET SOURCE...): with CDR_UNITY_BUILD the sources of a folder are compiled as one. Those of other folders may
+# then still use the same file-local names.
+function(cdr_batches target)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+    foreach(source IN LISTS ARGN)
+        cmake_path(GET source PARENT_PATH folder)
+        file(RELATIVE_PATH folder "${CMAKE_CURRENT_SOURCE_DIR}" "${folder}")
+        string(MAKE_C_IDENTIFIER "batch_${folder}" group)
+        set_source_files_properties("${source}" PROPERTIES UNITY_GROUP ${group})
+    endforeach()
+endfunction()
 
 # cdr_room(NAME [EXCLUDE REGEX] [PUBLIC target...] [PRIVATE target...])
 # The folder and its subfolders become the library cdr::NAME. Its headers are included by their path below src, by the
@@ -31,6 +46,7 @@ function(cdr_room name)
         list(FILTER sources EXCLUDE REGEX "${ROOM_EXCLUDE}")
     endif()
     add_library(cdr_${name} STATIC ${sources})
+    cdr_batches(cdr_${name} ${sources})
     add_library(cdr::${name} ALIAS cdr_${name})
     file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}/src" "${CMAKE_CURRENT_SOURCE_DIR}")
     set(include_root "${PROJECT_BINARY_DIR}/include/${name}")
@@ -53,6 +69,7 @@ function(cdr_test name)
         list(FILTER sources EXCLUDE REGEX "${TEST_EXCLUDE}")
     endif()
     add_executable(${name} ${sources})
+    cdr_batches(${name} ${sources})
     target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main cdr_options cdr_quick_compile)
     target_compile_definitions(${name} PRIVATE
         CDR_ASSETS_DIR="${PROJECT_SOURCE_DIR}/../shared/assets" CDR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

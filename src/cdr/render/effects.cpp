@@ -1,23 +1,17 @@
-#include <cdr/base/enum_names.h>
+#include "require_length.h"
+
 #include <cdr/base/error.h>
 #include <cdr/render/effects.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace cdr::render {
 
 namespace {
 
 constexpr base::EnumNames<Antialias, kAntialiases.size()> kNames{"antialiasing", {"none", "edges"}};
-
-void requireLength(const char* what, double length) {
-    if (!std::isfinite(length) || length < 0.0) {
-        throw base::InputError(fmt::format("{} must be finite and not negative, not {}", what, length));
-    }
-}
 
 } // namespace
 

@@ -1,7 +1,6 @@
-#include <cdr/base/error.h>
-#include <cdr/render/focus.h>
+#include "require_length.h"
 
-#include <fmt/format.h>
+#include <cdr/render/focus.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +11,6 @@ namespace {
 
 /// How much earlier overlapping cascades begin, as a share of their near plane.
 constexpr double kOverlap = 0.2;
-
-void requireLength(const char* what, double length) {
-    if (!std::isfinite(length) || length < 0.0) {
-        throw base::InputError(fmt::format("{} must be finite and not negative, not {}", what, length));
-    }
-}
 
 } // namespace
 

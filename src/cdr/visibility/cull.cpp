@@ -10,9 +10,9 @@ namespace {
 
 /// Instances tested together: the working set stays in the first-level cache and the loop over it is
 /// vectorised.
-constexpr std::size_t kBlock = 512;
+constexpr std::size_t kTestBlock = 512;
 /// Instances per job where threads share them: enough work to be worth a hand-off.
-constexpr std::size_t kJobInstances = 16'384;
+constexpr std::size_t kTestJobInstances = 16'384;
 
 /// A camera as the test wants it. The frustum is symmetric, so two side planes each stand for two.
 struct SphereTest {
@@ -35,14 +35,14 @@ struct SphereTest {
     }
 };
 
-struct Block {
-    std::array<double, kBlock> distanceView;
-    std::array<double, kBlock> margin; ///< below 0: outside one of the planes
+struct TestBlock {
+    std::array<double, kTestBlock> distanceView;
+    std::array<double, kTestBlock> margin; ///< below 0: outside one of the planes
 };
 
 /// The hot loop: straight-line arithmetic over arrays, no branch, so compilers vectorise it.
 void testBlock(const SphereTest& test, const scene::Instances& instances, std::size_t begin,
-               std::size_t count, Block& block) {
+               std::size_t count, TestBlock& block) {
     const double* x = instances.x.data() + begin;
     const double* y = instances.y.data() + begin;
     const double* z = instances.z.data() + begin;
@@ -65,10 +65,10 @@ void testBlock(const SphereTest& test, const scene::Instances& instances, std::s
 /// Appends the survivors of a range to arrays sized for all of it; returns how many.
 std::size_t cullRange(const SphereTest& test, const scene::Instances& instances, base::IndexRange range,
                       VisibleList& visible) {
-    Block block;
+    TestBlock block;
     std::size_t kept = range.begin;
-    for (std::size_t begin = range.begin; begin < range.end; begin += kBlock) {
-        const std::size_t count = std::min(kBlock, range.end - begin);
+    for (std::size_t begin = range.begin; begin < range.end; begin += kTestBlock) {
+        const std::size_t count = std::min(kTestBlock, range.end - begin);
         testBlock(test, instances, begin, count, block);
         for (std::size_t i = 0; i < count; ++i) {
             // Written always, kept or overwritten: cheaper than a branch nobody can predict.
@@ -100,7 +100,7 @@ void cullSpheres(const scene::Instances& instances, const scene::Camera& camera,
     visible.distanceView.resize(count);
     visible.radius.resize(count);
     // One thread takes all in one job, which leaves no gap to close.
-    const std::size_t jobs = workers.threads() == 1 ? 1 : (count + kJobInstances - 1) / kJobInstances;
+    const std::size_t jobs = workers.threads() == 1 ? 1 : (count + kTestJobInstances - 1) / kTestJobInstances;
     std::vector<std::size_t> kept(jobs);
     workers.run(jobs, [&](std::size_t job, std::size_t) {
         kept[job] = cullRange(test, instances, base::evenRange(count, job, jobs), visible);

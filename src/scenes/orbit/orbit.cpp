@@ -1,18 +1,17 @@
 #include <cdr/scene/gltf/gltf.h>
+#include <scenes/degree.h>
 #include <scenes/orbit/airport.h>
 #include <scenes/orbit/orbit.h>
 #include <scenes/orbit/path.h>
 #include <scenes/solids.h>
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace cdr::scenes {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kSunDistance = 149.6e9;
 constexpr double kFarView = 4.5e8; ///< beyond the Moon
 /// Below level, degrees: the first aim has horizon and Earth in the picture, the Moon stands over the

@@ -1,15 +1,13 @@
+#include <scenes/degree.h>
 #include <scenes/orbit/station.h>
 #include <scenes/solids.h>
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace cdr::scenes {
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Half angles of the window's opening, as the eye sees it.
 const double kHalfWidth = kWindowDistance * std::tan(41.0 * kDegree);

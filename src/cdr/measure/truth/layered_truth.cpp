@@ -1,5 +1,4 @@
 #include <cdr/base/error.h>
-#include <cdr/image/srgb.h>
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/measure/truth/surface_hit.h>
 #include <cdr/measure/truth/truth_light.h>
@@ -112,10 +111,6 @@ void forEachPixel(std::uint32_t width, std::uint32_t height, base::WorkerPool& w
             function(x, static_cast<std::uint32_t>(row));
         }
     });
-}
-
-image::Rgba8 encode(const glm::dvec3& linear) {
-    return {image::srgbOfLinear(linear.r), image::srgbOfLinear(linear.g), image::srgbOfLinear(linear.b), 255};
 }
 
 } // namespace

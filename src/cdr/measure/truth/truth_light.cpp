@@ -1,3 +1,4 @@
+#include <cdr/image/srgb.h>
 #include <cdr/measure/truth/truth_light.h>
 #include <cdr/measure/truth/truth_shine.h>
 
@@ -41,6 +42,10 @@ glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, con
         scene, camera, surface.fromCamera, ambientShare(point),
         [&](const glm::dvec3& toLight, double distance) { return pointShare(point, toLight / distance); });
     return glm::min(light, kBrightest);
+}
+
+image::Rgba8 encode(const glm::dvec3& linear) {
+    return {image::srgbOfLinear(linear.r), image::srgbOfLinear(linear.g), image::srgbOfLinear(linear.b), 255};
 }
 
 } // namespace cdr::measure

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/image/image.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
@@ -20,5 +21,8 @@ struct LitSurface {
 /// Ambient and point light that a surface sends to the camera, linear, in float64, as the shading pass has
 /// it.
 glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface);
+
+/// Linear light as sRGB, opaque.
+image::Rgba8 encode(const glm::dvec3& linear);
 
 } // namespace cdr::measure

@@ -1,5 +1,4 @@
 #include <cdr/base/error.h>
-#include <cdr/image/srgb.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/truth_light.h>
 #include <cdr/measure/truth/truth_shading.h>
@@ -73,10 +72,6 @@ glm::dvec3 normalAt(const Box& box, const glm::dvec3& point) {
     glm::dvec3 normal(0.0);
     normal[face] = std::copysign(1.0, point[face]);
     return glm::normalize(glm::transpose(box.worldToObject) * normal);
-}
-
-image::Rgba8 encode(const glm::dvec3& linear) {
-    return {image::srgbOfLinear(linear.r), image::srgbOfLinear(linear.g), image::srgbOfLinear(linear.b), 255};
 }
 
 image::Rgba8 shade(const scene::Scene& scene, const scene::Camera& camera, const Box& box,

@@ -22,7 +22,6 @@ namespace {
 using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
-constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
 /// Invocations a workgroup of bin_commands.comp.
 constexpr std::size_t kCommandInvocations = 64;
 
@@ -71,7 +70,7 @@ BinningPass::BinningPass(const gpu::Device& device, const scene::Instances& inst
                          const GpuScene& gpuScene, visibility::DetailMode detail)
     : m_device(checked(device, instances)),
       m_instances(instances.size()),
-      m_setLayout(gpu::makeSetLayout(device, std::vector(kBindings, kStorage),
+      m_setLayout(gpu::makeSetLayout(device, std::vector(kBindings, vk::DescriptorType::eStorageBuffer),
                                      vk::ShaderStageFlagBits::eCompute, "binning set")),
       m_layout(gpu::makePipelineLayout(device, {*m_setLayout}, {}, "binning layout")),
       m_count(makePipeline(kBinCountComp, "bin, count")),
@@ -142,7 +141,8 @@ void BinningPass::uploadInstances(const scene::Instances& instances, const GpuSc
 
 void BinningPass::bindScene(vk::DescriptorSet set) const {
     for (std::uint32_t i = 0; i < kSceneBuffers; ++i) {
-        gpu::writeBufferBinding(m_device, set, 1 + i, kStorage, m_sceneBuffers[i].handle());
+        gpu::writeBufferBinding(m_device, set, 1 + i, vk::DescriptorType::eStorageBuffer,
+                                m_sceneBuffers[i].handle());
     }
 }
 

@@ -6,7 +6,6 @@ namespace cdr::render {
 namespace {
 
 constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
-constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
 
 /// The extent, once the memory for the images is known to be there.
 vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent, bool countsFragments) {
@@ -39,7 +38,8 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const scene::Scene& 
       m_options(options),
       m_blended(visibility::blendedInstances(scene)),
       m_sampler(device.handle().createSamplerUnique({})),
-      m_surroundingsLayout(gpu::makeSetLayout(device, {kImage, kStorage}, vk::ShaderStageFlagBits::eFragment,
+      m_surroundingsLayout(gpu::makeSetLayout(device, {kImage, vk::DescriptorType::eStorageBuffer},
+                                              vk::ShaderStageFlagBits::eFragment,
                                               "translucent surroundings")),
       m_weighted(device, gpuScene, *m_surroundingsLayout,
                  checkedExtent(device, m_lit.options().extent, options.countsFragments),
@@ -55,13 +55,14 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const scene::Scene& 
 
 TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) const {
     Slot slot{.draws = TranslucentDraws(m_device, m_gpuScene, m_blended),
-              .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kImage, kStorage}),
+              .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kImage, vk::DescriptorType::eStorageBuffer}),
               .surroundings = {},
               .list = {},
               .note = {}};
     slot.surroundings = gpu::allocateSet(m_device, *slot.pool, *m_surroundingsLayout);
     gpu::writeImageBinding(m_device, slot.surroundings, 0, kImage, m_gbuffer.view(), *m_sampler);
-    gpu::writeBufferBinding(m_device, slot.surroundings, 1, kStorage, shading.lights().handle());
+    gpu::writeBufferBinding(m_device, slot.surroundings, 1, vk::DescriptorType::eStorageBuffer,
+                            shading.lights().handle());
     if (m_sorted != nullptr) {
         slot.list.emplace(m_device, m_sorted->listLayout(), m_lit.options().extent, m_options.mostBytes);
     }

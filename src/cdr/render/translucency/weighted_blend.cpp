@@ -15,7 +15,6 @@ namespace cdr::render {
 
 namespace {
 
-constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
 /// Vulkan requires every device to blend these.
 constexpr auto kSumFormat = vk::Format::eR16G16B16A16Sfloat;
 constexpr auto kWeightFormat = vk::Format::eR16Sfloat;
@@ -58,7 +57,8 @@ WeightedBlend::WeightedBlend(const gpu::Device& device, const GpuScene& scene,
       m_pipelines(device, scene, drawOptions(surroundings, countsFragments)),
       m_resolve(device, {.name = "weighted resolve",
                          .fragmentSpirv = kTranslucentWeightedResolveFrag,
-                         .bindings = {kImage, kImage},
+                         .bindings = {vk::DescriptorType::eCombinedImageSampler,
+                                      vk::DescriptorType::eCombinedImageSampler},
                          .format = kLitFormat,
                          .constants = {},
                          .blend = gpu::Blend::over}),

@@ -49,6 +49,9 @@ struct PictureExtent {
     bool operator==(const PictureExtent&) const = default;
 };
 
+/// Seconds of input that one frame may apply, so that a frame that took long does not throw the camera far away.
+inline constexpr double kLongestStep = 0.25;
+
 /// What a person asked of the camera during one frame. Nothing in it is of a window system.
 struct CameraInput {
     CameraKeys keys{};

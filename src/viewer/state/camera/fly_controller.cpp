@@ -9,9 +9,6 @@ namespace cdr::viewer {
 
 namespace {
 
-/// A hitch must not fling the camera away.
-constexpr double kLongestStep = 0.25;
-
 double amount(const CameraKeys& keys, CameraKey more, CameraKey less, double axis) {
     const double held = (keys.has(more) ? 1.0 : 0.0) - (keys.has(less) ? 1.0 : 0.0);
     return std::clamp(held + axis, -1.0, 1.0);

@@ -9,8 +9,6 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr double kLongestStep = 0.25;
-
 double held(const CameraKeys& keys, CameraKey more, CameraKey less) {
     return (keys.has(more) ? 1.0 : 0.0) - (keys.has(less) ? 1.0 : 0.0);
 }
