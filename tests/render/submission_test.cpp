@@ -21,9 +21,12 @@ render::RenderOptions tinyOptions(const depth::Technique& technique) {
 }
 
 std::vector<depth::Technique> techniquesToSubmit() {
-    std::vector<depth::Technique> all(depth::presets().begin(), depth::presets().end());
-    all.push_back(depth::makeTechnique(depth::Mapping::standard, depth::parseSplit("count:7"),
-                                       depth::DepthFormat::d16));
+    std::vector<depth::Technique> all;
+    for (const depth::NamedTechnique& preset : depth::presets()) {
+        all.push_back(preset.technique);
+    }
+    all.push_back(
+        depth::Technique{depth::Mapping::standard, depth::parseSplit("count:7"), depth::DepthFormat::d16});
     return all;
 }
 

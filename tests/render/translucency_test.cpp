@@ -20,7 +20,10 @@ depth::Technique countOf(depth::Mapping mapping, unsigned cascades) {
 
 /// Every preset, and both anchored mappings over four even cascades.
 std::vector<depth::Technique> techniquesToBlend() {
-    std::vector<depth::Technique> all(depth::presets().begin(), depth::presets().end());
+    std::vector<depth::Technique> all;
+    for (const depth::NamedTechnique& preset : depth::presets()) {
+        all.push_back(preset.technique);
+    }
     all.push_back(countOf(depth::Mapping::anchored, 4));
     all.push_back(countOf(depth::Mapping::anchoredReversed, 4));
     return all;

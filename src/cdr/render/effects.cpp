@@ -1,5 +1,6 @@
 #include "require_length.h"
 
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/render/effects.h>
 
