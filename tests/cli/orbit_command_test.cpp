@@ -8,7 +8,7 @@
 namespace cdr::cli_test {
 namespace {
 
-TEST(OrbitCommand, missingMapsAreOneLineAndLeaveNothing) {
+TEST(OrbitCommand, MissingMapsAreOneLineAndLeaveNothing) {
     const TemporaryFolder folder;
     const ProgramResult orbit = runProgram("orbit --data nowhere --out pictures", folder.path());
     EXPECT_EQ(orbit.status, 2);
@@ -20,7 +20,7 @@ TEST(OrbitCommand, missingMapsAreOneLineAndLeaveNothing) {
     EXPECT_NE(render.err.find("nowhere/earth-blue-marble.jpg"), std::string::npos) << render.err;
 }
 
-TEST(OrbitCommand, measuresTheZoom) {
+TEST(OrbitCommand, MeasuresTheZoom) {
     if (!std::filesystem::exists(CDR_SOURCE_DIR "/.cache/orbit-data")) {
         GTEST_SKIP() << "the Earth of the scene orbit is not installed; tools/setup.sh fetches it";
     }

@@ -7,7 +7,7 @@ namespace {
 
 using Frames = std::vector<std::uint32_t>;
 
-TEST(OrbitFrames, areSpreadEvenlyAndEndWithTheLast) {
+TEST(OrbitFrames, AreSpreadEvenlyAndEndWithTheLast) {
     EXPECT_EQ(zoomFrames(240, 1), (Frames{239}));
     EXPECT_EQ(zoomFrames(240, 3), (Frames{0, 119, 239}));
     EXPECT_EQ(zoomFrames(3, 5), (Frames{0, 1, 2}));
@@ -15,7 +15,7 @@ TEST(OrbitFrames, areSpreadEvenlyAndEndWithTheLast) {
     EXPECT_EQ(zoomFrames(240, 240).at(100), 100u);
 }
 
-TEST(OrbitPlot, drawsALinePerTechniqueAndNoneAsTheFloor) {
+TEST(OrbitPlot, DrawsALinePerTechniqueAndNoneAsTheFloor) {
     std::vector<OrbitResult> results;
     for (const char* technique : {"reversed", "anchored"}) {
         OrbitResult result{

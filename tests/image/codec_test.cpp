@@ -79,22 +79,22 @@ class Folder : public testing::Test {
     fs::path m_path;
 };
 
-TEST(Png, comesBackAsItWas) {
+TEST(Png, ComesBackAsItWas) {
     for (const auto& [width, height] : {std::pair{1u, 1u}, {3u, 5u}, {257u, 64u}}) {
         const ImageRgba8 image = noise(width, height);
         EXPECT_EQ(decodeImage(encodePng(image), "picture"), image);
     }
 }
 
-TEST(Png, isTheSameBytesEachTime) {
+TEST(Png, IsTheSameBytesEachTime) {
     EXPECT_EQ(encodePng(noise(64, 48)), encodePng(noise(64, 48)));
 }
 
-TEST(Png, withoutPixelsIsRefused) {
+TEST(Png, WithoutPixelsIsRefused) {
     EXPECT_THROW(encodePng(ImageRgba8()), base::InputError);
 }
 
-TEST(Png, cutAnywhereIsRefused) {
+TEST(Png, CutAnywhereIsRefused) {
     const std::vector<std::uint8_t> png = encodePng(noise(16, 16));
     // libspng does not read the checksum of the empty end marker, the last four bytes.
     for (std::size_t size = 0; size < png.size() - 4; ++size) {
@@ -102,7 +102,7 @@ TEST(Png, cutAnywhereIsRefused) {
     }
 }
 
-TEST(Png, oneWrongByteOfItsDataIsRefused) {
+TEST(Png, OneWrongByteOfItsDataIsRefused) {
     const std::vector<std::uint8_t> png = encodePng(noise(16, 16));
     for (std::size_t at = 45; at < png.size() - 16; at += 7) {
         std::vector<std::uint8_t> damaged = png;
@@ -111,7 +111,7 @@ TEST(Png, oneWrongByteOfItsDataIsRefused) {
     }
 }
 
-TEST(Png, overTheLimitsIsRefusedByItsHeader) {
+TEST(Png, OverTheLimitsIsRefusedByItsHeader) {
     const std::vector<std::uint8_t> png = encodePng(noise(16, 16));
     EXPECT_EQ(withPngSize(png, 16, 16), png) << "the helper must keep the checksum right";
     EXPECT_NE(refusal(withPngSize(png, kMaxDecodedSide + 1, 1)).find("over the limit"), std::string::npos);
@@ -120,18 +120,18 @@ TEST(Png, overTheLimitsIsRefusedByItsHeader) {
     EXPECT_NE(refusal(withPngSize(png, 0xffffffff, 0xffffffff)), "decoded");
 }
 
-TEST(Png, thatCannotHoldItsPixelsIsRefusedBeforeAllocation) {
+TEST(Png, ThatCannotHoldItsPixelsIsRefusedBeforeAllocation) {
     const std::string message = refusal(withPngSize(encodePng(noise(16, 16)), 8192, 8192));
     EXPECT_NE(message.find("cannot hold"), std::string::npos) << message;
 }
 
-TEST(Png, ofOneColourIsNotTakenForDamaged) {
+TEST(Png, OfOneColourIsNotTakenForDamaged) {
     // The most compressible picture there is: the plausibility check must let it through.
     const ImageRgba8 image(2048, 2048, {9, 9, 9, 255});
     EXPECT_EQ(decodeImage(encodePng(image), "picture"), image);
 }
 
-TEST(Image, ofAnotherFormatIsRefused) {
+TEST(Image, OfAnotherFormatIsRefused) {
     expectOneLineRefusal({});
     expectOneLineRefusal({'G', 'I', 'F', '8', '9', 'a', 1, 0, 1, 0});
 }
@@ -148,7 +148,7 @@ class Jpeg : public testing::Test {
     std::vector<std::uint8_t> m_bytes;
 };
 
-TEST_F(Jpeg, decodesOpaque) {
+TEST_F(Jpeg, DecodesOpaque) {
     const ImageRgba8 image = decodeImage(m_bytes, "picture");
     EXPECT_EQ(image.width, 1024u);
     EXPECT_EQ(image.height, 1024u);
@@ -158,14 +158,14 @@ TEST_F(Jpeg, decodesOpaque) {
         std::any_of(image.pixels.begin(), image.pixels.end(), [](const Rgba8& p) { return p[0] > 100; }));
 }
 
-TEST_F(Jpeg, cutOffIsRefused) {
+TEST_F(Jpeg, CutOffIsRefused) {
     for (const std::size_t size :
          {std::size_t{3}, std::size_t{200}, m_bytes.size() / 2, m_bytes.size() - 100}) {
         expectOneLineRefusal({m_bytes.begin(), m_bytes.begin() + static_cast<std::ptrdiff_t>(size)});
     }
 }
 
-TEST_F(Jpeg, overTheLimitsIsRefusedByItsHeader) {
+TEST_F(Jpeg, OverTheLimitsIsRefusedByItsHeader) {
     // Start-of-frame marker: FF C0 or C2, length, precision, height, width.
     const auto isFrame = [](std::uint8_t a, std::uint8_t b) { return a == 0xff && (b == 0xc0 || b == 0xc2); };
     const auto frame = std::adjacent_find(m_bytes.begin(), m_bytes.end(), isFrame);
@@ -180,7 +180,7 @@ TEST_F(Jpeg, overTheLimitsIsRefusedByItsHeader) {
     EXPECT_NE(refusal(m_bytes).find("cannot hold"), std::string::npos) << refusal(m_bytes);
 }
 
-TEST(Tga, hasTheHeaderAndPixelsOfTheFormat) {
+TEST(Tga, HasTheHeaderAndPixelsOfTheFormat) {
     ImageRgba8 image(258, 3);
     image.at(0, 0) = {1, 2, 3, 4};
     image.at(257, 2) = {5, 6, 7, 8};
@@ -193,13 +193,13 @@ TEST(Tga, hasTheHeaderAndPixelsOfTheFormat) {
     EXPECT_EQ((std::vector<std::uint8_t>{tga.end() - 3, tga.end()}), (std::vector<std::uint8_t>{7, 6, 5}));
 }
 
-TEST(Tga, refusesSizesItsHeaderCannotHold) {
+TEST(Tga, RefusesSizesItsHeaderCannotHold) {
     EXPECT_THROW(encodeTga(ImageRgba8()), base::InputError);
     EXPECT_THROW(encodeTga(ImageRgba8(65536, 1)), base::InputError);
     EXPECT_NO_THROW(encodeTga(ImageRgba8(65535, 1)));
 }
 
-TEST_F(Folder, writeImageGoesByTheExtension) {
+TEST_F(Folder, WriteImageGoesByTheExtension) {
     const ImageRgba8 image = noise(8, 4);
     writeImage(file("a.png"), image);
     writeImage(file("a.TGA"), image);

@@ -52,7 +52,7 @@ ImageFloat readChannel(const fs::path& path, const std::string& name) {
     return values;
 }
 
-TEST_F(Exr, channelsComeBackBitForBit) {
+TEST_F(Exr, ChannelsComeBackBitForBit) {
     const fs::path path = m_folder / "a.exr";
     std::vector<ExrChannel> channels{ramp("R", 37, 21, 1.0f / 3.0f), ramp("distance", 37, 21, 1e7f)};
     channels[1].values.at(5, 7) = std::numeric_limits<float>::infinity();
@@ -70,7 +70,7 @@ TEST_F(Exr, channelsComeBackBitForBit) {
     }
 }
 
-TEST_F(Exr, isZipCompressedFloat32) {
+TEST_F(Exr, IsZipCompressedFloat32) {
     const fs::path path = m_folder / "a.exr";
     writeExr(path, std::vector{ramp("Z", 64, 64, 1.0f)});
     const Imf::InputFile file(path.c_str());
@@ -80,13 +80,13 @@ TEST_F(Exr, isZipCompressedFloat32) {
     EXPECT_EQ(channel->type, Imf::FLOAT);
 }
 
-TEST_F(Exr, isTheSameBytesEachTime) {
+TEST_F(Exr, IsTheSameBytesEachTime) {
     writeExr(m_folder / "a.exr", std::vector{ramp("Z", 64, 64, 0.7f)});
     writeExr(m_folder / "b.exr", std::vector{ramp("Z", 64, 64, 0.7f)});
     EXPECT_EQ(base::readFile(m_folder / "a.exr", 1u << 20), base::readFile(m_folder / "b.exr", 1u << 20));
 }
 
-TEST_F(Exr, refusesWhatItCannotWriteAndLeavesNothing) {
+TEST_F(Exr, RefusesWhatItCannotWriteAndLeavesNothing) {
     const fs::path path = m_folder / "a.exr";
     EXPECT_THROW(writeExr(path, {}), base::InputError);
     EXPECT_THROW(writeExr(path, std::vector{ramp("Z", 0, 0, 1.0f)}), base::InputError);

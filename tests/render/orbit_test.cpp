@@ -19,7 +19,7 @@ class Orbit : public RenderTest {
 };
 
 /// 5 mm of paint 430 km away: 1.2e-8 of the distance, past what a float32 of it holds.
-TEST_F(Orbit, onlyAnchoredReadsTheNumbers) {
+TEST_F(Orbit, OnlyAnchoredReadsTheNumbers) {
     const measure::WrongPixels anchored = wrongAt(239, "anchored");
     EXPECT_GT(anchored.pixels, 40'000u);
     EXPECT_EQ(anchored.wrong, 0u);
@@ -28,7 +28,7 @@ TEST_F(Orbit, onlyAnchoredReadsTheNumbers) {
     }
 }
 
-TEST_F(Orbit, anchoredIsRightFromTheWindowOn) {
+TEST_F(Orbit, AnchoredIsRightFromTheWindowOn) {
     for (const std::uint32_t frame : {0u, 60u, 120u, 180u, 210u}) {
         const measure::WrongPixels wrong = wrongAt(frame, "anchored");
         EXPECT_GT(wrong.pixels, 30'000u) << frame;

@@ -50,7 +50,7 @@ std::size_t triangles(const Scene& scene) {
     return count;
 }
 
-TEST_F(RealAsset, retroUfo) {
+TEST_F(RealAsset, RetroUfo) {
     const std::optional<GltfImport> asset = load("retro_ufo.glb");
     if (!asset) {
         GTEST_SKIP() << "retro_ufo.glb is absent from " << CDR_ASSETS_DIR;
@@ -62,7 +62,7 @@ TEST_F(RealAsset, retroUfo) {
     EXPECT_EQ(asset->scene.instances.size(), 77u);
 }
 
-TEST_F(RealAsset, cesiumMan) {
+TEST_F(RealAsset, CesiumMan) {
     const std::optional<GltfImport> asset = load("cesium_man.glb");
     if (!asset) {
         GTEST_SKIP() << "cesium_man.glb is absent from " << CDR_ASSETS_DIR;
@@ -77,7 +77,7 @@ TEST_F(RealAsset, cesiumMan) {
     EXPECT_TRUE(anySays(asset->ignored, "animations are not played"));
 }
 
-TEST_F(RealAsset, flightHelmet) {
+TEST_F(RealAsset, FlightHelmet) {
     const std::optional<GltfImport> asset = load("flight_helmet/flight_helmet.gltf");
     if (!asset) {
         GTEST_SKIP() << "flight_helmet is absent from " << CDR_ASSETS_DIR;

@@ -27,7 +27,7 @@ Document withCamera() {
     return document;
 }
 
-TEST_F(GltfFolder, camerasStandWhereTheirNodesPutThem) {
+TEST_F(GltfFolder, CamerasStandWhereTheirNodesPutThem) {
     const GltfImport result = load(withCamera());
     ASSERT_EQ(result.cameras.size(), 2u);
     const Camera& camera = result.cameras[0].camera;
@@ -47,7 +47,7 @@ TEST_F(GltfFolder, camerasStandWhereTheirNodesPutThem) {
     EXPECT_FALSE(anySays(result.ignored, "eye"));
 }
 
-TEST_F(GltfFolder, anotherSceneOfTheFileIsChosen) {
+TEST_F(GltfFolder, AnotherSceneOfTheFileIsChosen) {
     const std::filesystem::path path = write("a.glb", withCamera().glb());
     const GltfImport second = loadGltf(path, {}, 1);
     ASSERT_EQ(second.cameras.size(), 1u);
@@ -61,7 +61,7 @@ TEST_F(GltfFolder, anotherSceneOfTheFileIsChosen) {
     }
 }
 
-TEST_F(GltfFolder, stagingLooksThroughTheCameraThatIsChosen) {
+TEST_F(GltfFolder, StagingLooksThroughTheCameraThatIsChosen) {
     const std::filesystem::path path = write("a.glb", withCamera().glb());
     const OpenedScene framed = openGltf(path);
     EXPECT_TRUE(anySays(framed.notes, "2 cameras, which --camera 0 to 1 looks through"));
@@ -78,7 +78,7 @@ TEST_F(GltfFolder, stagingLooksThroughTheCameraThatIsChosen) {
     }
 }
 
-TEST_F(GltfFolder, camerasThatANodeFlattensAreSaid) {
+TEST_F(GltfFolder, CamerasThatANodeFlattensAreSaid) {
     Document document = withCamera();
     document.root["nodes"][2]["scale"] = {1, 0, 1};
     const GltfImport result = load(document);
@@ -86,7 +86,7 @@ TEST_F(GltfFolder, camerasThatANodeFlattensAreSaid) {
     EXPECT_TRUE(anySays(result.ignored, "node 2: a camera is not used, its transform flattens it"));
 }
 
-TEST_F(GltfFolder, unsoundCamerasAreRefused) {
+TEST_F(GltfFolder, UnsoundCamerasAreRefused) {
     const auto withLens = [&](const json& perspective) {
         Document document = withCamera();
         document.root["cameras"][0]["perspective"] = perspective;

@@ -7,7 +7,7 @@ using GltfComponent = GltfFolder;
 
 /// Texture coordinates of every component type there is, as glTF 2.0 (3.6.2.2) and KHR_mesh_quantization have
 /// them.
-TEST_F(GltfComponent, everyComponentTypePlainAndNormalized) {
+TEST_F(GltfComponent, EveryComponentTypePlainAndNormalized) {
     Document document = square();
     const auto uvOfVertex1 = [&](int accessor, bool normalized) {
         document.root["accessors"].back()["normalized"] = normalized;
@@ -32,7 +32,7 @@ TEST_F(GltfComponent, everyComponentTypePlainAndNormalized) {
         glm::vec2(0.25f, -7));
 }
 
-TEST_F(GltfComponent, quantizedNormals) {
+TEST_F(GltfComponent, QuantizedNormals) {
     Document document = square();
     document.root["extensionsRequired"] = {"KHR_mesh_quantization"};
     const auto normal = [&](int accessor) {

@@ -15,7 +15,7 @@ std::string withBufferUri(const std::string& uri) {
     return document.root.dump();
 }
 
-TEST_F(Gltf, buffersBesideTheFile) {
+TEST_F(Gltf, BuffersBesideTheFile) {
     write("data.bin", square().bin);
     fs::create_directories(folder() / "sub dir");
     write("sub dir/data+1.bin", square().bin);
@@ -30,7 +30,7 @@ TEST_F(Gltf, buffersBesideTheFile) {
     fs::current_path(before);
 }
 
-TEST_F(Gltf, buffersAsDataUri) {
+TEST_F(Gltf, BuffersAsDataUri) {
     Document document = triangle();
     // 36 bytes: (0, 0, 0) (1, 0, 0) (0, 1, 0)
     const std::string floats = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
@@ -43,7 +43,7 @@ TEST_F(Gltf, buffersAsDataUri) {
     expectSays(refusal(write("a.gltf", document.root.dump())), "data URI 'data:audio/wav;base64,");
 }
 
-TEST_F(Gltf, filesOutsideTheFolderAreRefused) {
+TEST_F(Gltf, FilesOutsideTheFolderAreRefused) {
     const Bytes bin = square().bin;
     write("../secret.bin", bin);
     write("data.bin", bin);
@@ -71,7 +71,7 @@ TEST_F(Gltf, filesOutsideTheFolderAreRefused) {
     EXPECT_EQ(tryUri("inside.bin"), "loaded");
 }
 
-TEST_F(Gltf, filesThatCannotBeReadAreRefused) {
+TEST_F(Gltf, FilesThatCannotBeReadAreRefused) {
     const auto tryUri = [&](const std::string& uri) { return refusal(write("a.gltf", withBufferUri(uri))); };
     expectSays(tryUri("missing.bin"), "no such file");
     fs::create_directories(folder() / "folder.bin");
@@ -87,7 +87,7 @@ TEST_F(Gltf, filesThatCannotBeReadAreRefused) {
     expectSays(refusal(write("a.gltf", withBufferUri("a\nb\x01.bin"))), "a b .bin");
 }
 
-TEST_F(Gltf, oneFileNamedOftenDoesNotFillMemory) {
+TEST_F(Gltf, OneFileNamedOftenDoesNotFillMemory) {
     Document document = square();
     write("data.bin", document.bin);
     for (int i = 0; i < 20; ++i) {
@@ -107,7 +107,7 @@ TEST_F(Gltf, oneFileNamedOftenDoesNotFillMemory) {
     expectSays(refusal(write("a.gltf", document.root.dump()), limits), "over the limit of 0");
 }
 
-TEST_F(Gltf, unsoundContainersAreRefused) {
+TEST_F(Gltf, UnsoundContainersAreRefused) {
     const Bytes good = square().glb();
     const auto withByte = [&](std::size_t at, std::uint8_t value) {
         Bytes bytes = good;
@@ -128,7 +128,7 @@ TEST_F(Gltf, unsoundContainersAreRefused) {
     }
 }
 
-TEST_F(Gltf, binChunkIsCheckedToItsLastByte) {
+TEST_F(Gltf, BinChunkIsCheckedToItsLastByte) {
     // tinygltf 2.7.0 forgets the chunk's own header here and reads 8 bytes past the file.
     Document document = square();
     Bytes bytes = document.glb();
@@ -139,7 +139,7 @@ TEST_F(Gltf, binChunkIsCheckedToItsLastByte) {
     expectSays(refusal(document), "buffer 0 says it has");
 }
 
-TEST_F(Gltf, otherChunksAreSkipped) {
+TEST_F(Gltf, OtherChunksAreSkipped) {
     Bytes bytes = square().glb();
     bytes.insert(bytes.end(), {4, 0, 0, 0, 'A', 'B', 'C', 'D', 1, 2, 3, 4});
     bytes[8] = static_cast<std::uint8_t>(bytes.size() & 0xff);
@@ -147,7 +147,7 @@ TEST_F(Gltf, otherChunksAreSkipped) {
     EXPECT_EQ(refusal(write("a.glb", bytes)), "loaded");
 }
 
-TEST_F(Gltf, whatIsNotGltf2IsRefused) {
+TEST_F(Gltf, WhatIsNotGltf2IsRefused) {
     const auto tryText = [&](const std::string& text) { return refusal(write("a.gltf", text)); };
     expectSays(tryText(""), "not valid JSON");
     expectSays(tryText("[]"), "not an object");
@@ -165,7 +165,7 @@ TEST_F(Gltf, whatIsNotGltf2IsRefused) {
         << "with a byte order mark";
 }
 
-TEST_F(Gltf, extensionsItRequiresAreNamed) {
+TEST_F(Gltf, ExtensionsItRequiresAreNamed) {
     Document document = square();
     for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_texture_basisu"}) {
         document.root["extensionsRequired"] = {"KHR_materials_unlit", name};
@@ -179,7 +179,7 @@ TEST_F(Gltf, extensionsItRequiresAreNamed) {
     expectSays(refusal(document), "'extensionsRequired' is not a string");
 }
 
-TEST_F(Gltf, deepJsonDoesNotExhaustTheStack) {
+TEST_F(Gltf, DeepJsonDoesNotExhaustTheStack) {
     for (const std::size_t depth : {200u, 2'000'000u}) {
         const std::string text = R"({"asset": {"version": "2.0"}, "extras": )" + std::string(depth, '[') +
                                  std::string(depth, ']') + "}";

@@ -30,7 +30,7 @@ json& baseColorTexture(Document& document) {
     return document.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
 }
 
-TEST_F(Gltf, materialsKeepWhatWeDraw) {
+TEST_F(Gltf, MaterialsKeepWhatWeDraw) {
     Document document = square();
     document.root["materials"] = {{{"name", "glass"},
                                    {"alphaMode", "MASK"},
@@ -56,7 +56,7 @@ TEST_F(Gltf, materialsKeepWhatWeDraw) {
     expectSays(refusal(document), "alpha mode 'GLOW' does not exist");
 }
 
-TEST_F(Gltf, withoutAMaterialTheDefaultOneIsMade) {
+TEST_F(Gltf, WithoutAMaterialTheDefaultOneIsMade) {
     Document document = square();
     document.root["meshes"][0]["primitives"].push_back(document.primitive());
     const Scene scene = load(document).scene;
@@ -66,7 +66,7 @@ TEST_F(Gltf, withoutAMaterialTheDefaultOneIsMade) {
     EXPECT_FALSE(scene.materials[0].doubleSided);
 }
 
-TEST_F(Gltf, picturesInTheBuffer) {
+TEST_F(Gltf, PicturesInTheBuffer) {
     const Scene scene = load(textured()).scene;
     ASSERT_EQ(scene.textures.size(), 1u);
     EXPECT_EQ(scene.materials[0].baseColorTexture, 0u);
@@ -76,7 +76,7 @@ TEST_F(Gltf, picturesInTheBuffer) {
     EXPECT_EQ(scene.meshes[0].vertices[2].uv, glm::vec2(1, 1));
 }
 
-TEST_F(Gltf, picturesBesideTheFileAndAsDataUri) {
+TEST_F(Gltf, PicturesBesideTheFileAndAsDataUri) {
     Document document = textured();
     image::writeImage(folder() / "a picture.png", image::ImageRgba8(3, 3, {1, 2, 3, 4}));
     document.root["images"] = {{{"uri", "a%20picture.png"}}};
@@ -90,7 +90,7 @@ TEST_F(Gltf, picturesBesideTheFileAndAsDataUri) {
     expectSays(refusal(document), "cannot be decoded");
 }
 
-TEST_F(Gltf, onePictureOfManyMaterialsIsDecodedOnce) {
+TEST_F(Gltf, OnePictureOfManyMaterialsIsDecodedOnce) {
     Document document = textured();
     document.root["materials"].push_back(document.root["materials"][0]);
     document.root["textures"].push_back({{"source", 0}});
@@ -103,7 +103,7 @@ TEST_F(Gltf, onePictureOfManyMaterialsIsDecodedOnce) {
     EXPECT_EQ(scene.textures.size(), 1u);
 }
 
-TEST_F(Gltf, onePictureWrappedInTwoWaysIsTwoTextures) {
+TEST_F(Gltf, OnePictureWrappedInTwoWaysIsTwoTextures) {
     Document document = textured();
     document.root["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33071}}};
     document.root["textures"].push_back({{"source", 0}, {"sampler", 0}});
@@ -118,7 +118,7 @@ TEST_F(Gltf, onePictureWrappedInTwoWaysIsTwoTextures) {
     EXPECT_FALSE(scene.textures[scene.materials[1].baseColorTexture.value()].repeatU);
 }
 
-TEST_F(Gltf, wrappingOfSamplers) {
+TEST_F(Gltf, WrappingOfSamplers) {
     Document document = textured();
     document.root["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
     document.root["textures"][0]["sampler"] = 0;
@@ -132,7 +132,7 @@ TEST_F(Gltf, wrappingOfSamplers) {
     expectSays(refusal(document), "sampler 1 does not exist");
 }
 
-TEST_F(Gltf, textureTransformIsBakedIntoTheUvs) {
+TEST_F(Gltf, TextureTransformIsBakedIntoTheUvs) {
     Document document = textured();
     // The example of KHR_texture_transform: the lower left quadrant, turned a quarter.
     baseColorTexture(document)["extensions"]["KHR_texture_transform"] = {
@@ -149,7 +149,7 @@ TEST_F(Gltf, textureTransformIsBakedIntoTheUvs) {
     EXPECT_EQ(load(document).scene.meshes[0].vertices[2].uv, glm::vec2(1, 0));
 }
 
-TEST_F(Gltf, textureCoordinateSetsAreChosen) {
+TEST_F(Gltf, TextureCoordinateSetsAreChosen) {
     Document document = textured();
     document.primitive()["attributes"]["TEXCOORD_1"] =
         document.addAccessor(std::vector<float>{5, 5, 6, 5, 6, 6, 5, 6}, "VEC2", kFloat);
@@ -162,7 +162,7 @@ TEST_F(Gltf, textureCoordinateSetsAreChosen) {
     EXPECT_EQ(load(document).scene.meshes[0].vertices[2].uv, glm::vec2(0, 0));
 }
 
-TEST_F(Gltf, unsoundTextureTransformsAreRefused) {
+TEST_F(Gltf, UnsoundTextureTransformsAreRefused) {
     const auto withTransform = [&](const json& transform) {
         Document document = textured();
         baseColorTexture(document)["extensions"]["KHR_texture_transform"] = transform;
@@ -174,7 +174,7 @@ TEST_F(Gltf, unsoundTextureTransformsAreRefused) {
     expectSays(withTransform({{"texCoord", -1}}), "'texCoord' is not an index");
 }
 
-TEST_F(Gltf, unsoundMaterialReferencesAreRefused) {
+TEST_F(Gltf, UnsoundMaterialReferencesAreRefused) {
     Document document = textured();
     document.primitive()["material"] = 1;
     expectSays(refusal(document), "material 1 does not exist");
@@ -198,7 +198,7 @@ TEST_F(Gltf, unsoundMaterialReferencesAreRefused) {
     expectSays(refusal(document), "one of 'uri' and 'bufferView'");
 }
 
-TEST_F(Gltf, partsThatAreNotDrawnAreSaid) {
+TEST_F(Gltf, PartsThatAreNotDrawnAreSaid) {
     Document document = textured();
     document.root["materials"][0]["normalTexture"] = {{"index", 0}};
     document.root["materials"][0]["emissiveTexture"] = {{"index", 0}};
@@ -222,7 +222,7 @@ TEST_F(Gltf, partsThatAreNotDrawnAreSaid) {
     EXPECT_EQ(ignored.size(), 8u);
 }
 
-TEST_F(Gltf, pictureThatOnlyAnExtensionSuppliesIsSaid) {
+TEST_F(Gltf, PictureThatOnlyAnExtensionSuppliesIsSaid) {
     Document document = textured();
     document.root["textures"] = {{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};
     const GltfImport result = load(document);

@@ -26,7 +26,7 @@ void expectNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-
     EXPECT_NEAR(glm::length(a - b), 0.0, tolerance) << a.x << " " << a.y << " " << a.z;
 }
 
-TEST_F(Gltf, triangleWithoutNormalsGetsFlatOnes) {
+TEST_F(Gltf, TriangleWithoutNormalsGetsFlatOnes) {
     const GltfImport result = load(triangle());
     ASSERT_EQ(result.scene.meshes.size(), 1u);
     ASSERT_EQ(result.scene.instances.size(), 1u);
@@ -42,7 +42,7 @@ TEST_F(Gltf, triangleWithoutNormalsGetsFlatOnes) {
     expectNear(worldCorners(result.scene)[2], {2, 4, 0});
 }
 
-TEST_F(Gltf, flatNormalsUnshareVertices) {
+TEST_F(Gltf, FlatNormalsUnshareVertices) {
     Document document = square();
     document.primitive()["attributes"].erase("NORMAL");
     const Scene scene = load(document).scene;
@@ -50,7 +50,7 @@ TEST_F(Gltf, flatNormalsUnshareVertices) {
     expectNear(worldCorners(scene)[5], {0, 4, 0});
 }
 
-TEST_F(Gltf, meshIsStoredAboutItsCentre) {
+TEST_F(Gltf, MeshIsStoredAboutItsCentre) {
     const Scene scene = load(square()).scene;
     const Mesh& mesh = scene.meshes[0];
     EXPECT_EQ(mesh.vertices.size(), 4u);
@@ -61,7 +61,7 @@ TEST_F(Gltf, meshIsStoredAboutItsCentre) {
     expectNear(scene.instances.position(0), {1, 2, 0}, 0.0);
 }
 
-TEST_F(Gltf, onlyVerticesThatAreDrawnCount) {
+TEST_F(Gltf, OnlyVerticesThatAreDrawnCount) {
     Document document = square();
     std::vector<float> positions = corners(true);
     positions.insert(positions.end(), {1e6f, 0, 0});
@@ -73,7 +73,7 @@ TEST_F(Gltf, onlyVerticesThatAreDrawnCount) {
     EXPECT_LT(mesh.boundingRadius, 3.0f);
 }
 
-TEST_F(Gltf, primitivesMayShareOneLargeVertexBuffer) {
+TEST_F(Gltf, PrimitivesMayShareOneLargeVertexBuffer) {
     Document document = square();
     json second = document.primitive();
     second["indices"] = document.addAccessor(std::vector<std::uint8_t>{1, 2, 3}, "SCALAR", kUByte);
@@ -86,7 +86,7 @@ TEST_F(Gltf, primitivesMayShareOneLargeVertexBuffer) {
         << "primitives share their node's object";
 }
 
-TEST_F(Gltf, farVerticesKeepTheirPrecision) {
+TEST_F(Gltf, FarVerticesKeepTheirPrecision) {
     Document document = triangle();
     document.primitive()["attributes"]["POSITION"] =
         document.addAccessor(std::vector<float>{1e6f, 0, 0, 1e6f + 2, 0, 0, 1e6f + 2, 4, 0}, "VEC3", kFloat);
@@ -96,7 +96,7 @@ TEST_F(Gltf, farVerticesKeepTheirPrecision) {
     expectNear(scene.instances.position(0), {1e9 + 1e6 + 1, 2, 0.001}, 0.0);
 }
 
-TEST_F(Gltf, indicesOfAllSizes) {
+TEST_F(Gltf, IndicesOfAllSizes) {
     Document document = square();
     const auto expectSquare = [&](int accessor) {
         document.primitive()["indices"] = accessor;
@@ -108,7 +108,7 @@ TEST_F(Gltf, indicesOfAllSizes) {
     expectSquare(document.addAccessor(std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}, "SCALAR", kUInt));
 }
 
-TEST_F(Gltf, stripsAndFansFaceTheSameWay) {
+TEST_F(Gltf, StripsAndFansFaceTheSameWay) {
     Document document = square();
     document.primitive()["mode"] = kStrip;
     document.primitive()["indices"] =
@@ -133,7 +133,7 @@ TEST_F(Gltf, stripsAndFansFaceTheSameWay) {
     expectFronts();
 }
 
-TEST_F(Gltf, pointsAndLinesAreNotDrawnButSaid) {
+TEST_F(Gltf, PointsAndLinesAreNotDrawnButSaid) {
     Document document = square();
     json lines = document.primitive();
     lines["mode"] = kLines;
@@ -148,7 +148,7 @@ TEST_F(Gltf, pointsAndLinesAreNotDrawnButSaid) {
     expectSays(refusal(document), "mode 7 does not exist");
 }
 
-TEST_F(Gltf, indicesThatAreNoAccessorAreRefused) {
+TEST_F(Gltf, IndicesThatAreNoAccessorAreRefused) {
     Document document = square();
     for (const json& unsound :
          {json::object(), json{{"bufferView", 0}}, json::array(), json("0"), json(-1)}) {
@@ -157,7 +157,7 @@ TEST_F(Gltf, indicesThatAreNoAccessorAreRefused) {
     }
 }
 
-TEST_F(Gltf, restOfATriangleListIsDropped) {
+TEST_F(Gltf, RestOfATriangleListIsDropped) {
     Document document = square();
     document.primitive()["indices"] =
         document.addAccessor(std::vector<std::uint8_t>{0, 1, 2, 0, 2}, "SCALAR", kUByte);
@@ -169,7 +169,7 @@ TEST_F(Gltf, restOfATriangleListIsDropped) {
     EXPECT_TRUE(anySays(result.ignored, "has no triangles"));
 }
 
-TEST_F(Gltf, normalsAreMadeUnitLength) {
+TEST_F(Gltf, NormalsAreMadeUnitLength) {
     Document document = square();
     document.primitive()["attributes"]["NORMAL"] = document.addAccessor(
         std::vector<float>{0, 9, 0, 0, 0, 0, std::nanf(""), 0, 0, 0, 0, -2}, "VEC3", kFloat);
@@ -181,7 +181,7 @@ TEST_F(Gltf, normalsAreMadeUnitLength) {
     EXPECT_TRUE(anySays(result.ignored, "a normal has no direction"));
 }
 
-TEST_F(Gltf, coloursOfAllTypes) {
+TEST_F(Gltf, ColoursOfAllTypes) {
     Document document = square();
     const auto colour = [&](int accessor) {
         document.primitive()["attributes"]["COLOR_0"] = accessor;
@@ -200,7 +200,7 @@ TEST_F(Gltf, coloursOfAllTypes) {
     EXPECT_EQ(colour(shorts), glm::u8vec4(255, 128, 1, 255));
 }
 
-TEST_F(Gltf, quantizedPositionsAndUvs) {
+TEST_F(Gltf, QuantizedPositionsAndUvs) {
     Document document = square();
     document.root["extensionsRequired"] = {"KHR_mesh_quantization"};
     document.primitive()["attributes"]["POSITION"] = document.addAccessor(
@@ -215,7 +215,7 @@ TEST_F(Gltf, quantizedPositionsAndUvs) {
     EXPECT_EQ(scene.meshes[0].vertices[2].uv.x, -1.0f);
 }
 
-TEST_F(Gltf, interleavedAttributesAtAnyAlignment) {
+TEST_F(Gltf, InterleavedAttributesAtAnyAlignment) {
     Document document = triangle();
     // 2 bytes in front, then 12 of position and 4 of something else, so that floats lie at odd addresses.
     Bytes bytes(2);
@@ -234,7 +234,7 @@ TEST_F(Gltf, interleavedAttributesAtAnyAlignment) {
     expectSays(refusal(document), "do not fit its buffer view");
 }
 
-TEST_F(Gltf, sparseAccessors) {
+TEST_F(Gltf, SparseAccessors) {
     Document document = square();
     json& accessor = document.root["accessors"][0];
     accessor["sparse"] = {
@@ -249,7 +249,7 @@ TEST_F(Gltf, sparseAccessors) {
     expectNear(worldCorners(load(document).scene)[5], {0, 0, 0});
 }
 
-TEST_F(Gltf, unsoundSparseAccessorsAreRefused) {
+TEST_F(Gltf, UnsoundSparseAccessorsAreRefused) {
     const auto tryIndices = [&](const std::vector<std::uint16_t>& indices, int count) {
         Document document = square();
         document.root["accessors"][0]["sparse"] = {
@@ -265,7 +265,7 @@ TEST_F(Gltf, unsoundSparseAccessorsAreRefused) {
     expectSays(tryIndices({0, 1}, 0), "its sparse part has 0 elements");
 }
 
-TEST_F(Gltf, positionsThatAreNotFiniteAreRefused) {
+TEST_F(Gltf, PositionsThatAreNotFiniteAreRefused) {
     for (const float bad : {std::nanf(""), std::numeric_limits<float>::infinity()}) {
         Document document = triangle();
         document.primitive()["attributes"]["POSITION"] =
@@ -274,7 +274,7 @@ TEST_F(Gltf, positionsThatAreNotFiniteAreRefused) {
     }
 }
 
-TEST_F(Gltf, extentOverFloat32IsRefused) {
+TEST_F(Gltf, ExtentOverFloat32IsRefused) {
     Document document = triangle();
     const float big = std::numeric_limits<float>::max();
     document.primitive()["attributes"]["POSITION"] =
@@ -282,7 +282,7 @@ TEST_F(Gltf, extentOverFloat32IsRefused) {
     expectSays(refusal(document), "over what a float32 holds");
 }
 
-TEST_F(Gltf, primitiveWithoutExtentIsNotDrawn) {
+TEST_F(Gltf, PrimitiveWithoutExtentIsNotDrawn) {
     Document document = triangle();
     document.primitive()["attributes"]["POSITION"] =
         document.addAccessor(std::vector<float>(9, 5.0f), "VEC3", kFloat);
@@ -291,13 +291,13 @@ TEST_F(Gltf, primitiveWithoutExtentIsNotDrawn) {
     EXPECT_TRUE(anySays(result.ignored, "has no extent"));
 }
 
-TEST_F(Gltf, morphTargetsAreSaid) {
+TEST_F(Gltf, MorphTargetsAreSaid) {
     Document document = triangle();
     document.primitive()["targets"] = {{{"POSITION", 0}}};
     EXPECT_TRUE(anySays(load(document).ignored, "morph targets are not applied"));
 }
 
-TEST_F(Gltf, unsoundAttributesAreRefused) {
+TEST_F(Gltf, UnsoundAttributesAreRefused) {
     Document document = square();
     document.primitive()["attributes"].erase("POSITION");
     expectSays(refusal(document), "has no positions");

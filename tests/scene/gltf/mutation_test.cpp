@@ -135,7 +135,7 @@ bool loads(const Bytes& file) {
     }
 }
 
-TEST(GltfMutation, loadsOrRefusesAndNothingElse) {
+TEST(GltfMutation, LoadsOrRefusesAndNothingElse) {
     const Document document = everything();
     Document text = document;
     text.root["buffers"] = {{{"byteLength", 36},
@@ -161,7 +161,7 @@ TEST(GltfMutation, loadsOrRefusesAndNothingElse) {
     EXPECT_LT(loaded, kRounds * 9 / 10);
 }
 
-TEST(GltfMutation, everyNumberOfTheDocumentMayBeWrong) {
+TEST(GltfMutation, EveryNumberOfTheDocumentMayBeWrong) {
     const Document document = everything();
     const json flat = document.root.flatten();
     for (const auto& [pointer, value] : flat.items()) {

@@ -7,7 +7,7 @@ namespace {
 
 using Gltf = GltfFolder;
 
-TEST_F(Gltf, objectsFollowTheNodeArray) {
+TEST_F(Gltf, ObjectsFollowTheNodeArray) {
     Document document = square();
     document.root["meshes"].push_back(document.root["meshes"][0]);
     document.root["meshes"][1]["name"] = "mesh one";
@@ -23,7 +23,7 @@ TEST_F(Gltf, objectsFollowTheNodeArray) {
     EXPECT_EQ(load(document).scene.objectNames[0], "node 0");
 }
 
-TEST_F(Gltf, theSceneIsTheDefaultElseTheFirstElseEverything) {
+TEST_F(Gltf, TheSceneIsTheDefaultElseTheFirstElseEverything) {
     Document document = square();
     document.root["nodes"] = {
         {{"mesh", 0}, {"name", "a"}}, {{"mesh", 0}, {"name", "b"}}, {{"mesh", 0}, {"name", "c"}}};
@@ -38,7 +38,7 @@ TEST_F(Gltf, theSceneIsTheDefaultElseTheFirstElseEverything) {
     expectSays(refusal(document), "scene 0 does not exist");
 }
 
-TEST_F(Gltf, meshOfSeveralNodesIsImportedOnce) {
+TEST_F(Gltf, MeshOfSeveralNodesIsImportedOnce) {
     Document document = square();
     document.root["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {10, 0, 0}}}};
     document.root["scenes"] = {{{"nodes", {0, 1}}}};
@@ -48,7 +48,7 @@ TEST_F(Gltf, meshOfSeveralNodesIsImportedOnce) {
     EXPECT_EQ(scene.instances.position(1), glm::dvec3(11, 2, 0));
 }
 
-TEST_F(Gltf, transformsComposeInFloat64) {
+TEST_F(Gltf, TransformsComposeInFloat64) {
     Document document = square();
     const double half = std::sqrt(0.5);
     document.root["nodes"] = {
@@ -66,14 +66,14 @@ TEST_F(Gltf, transformsComposeInFloat64) {
     EXPECT_NEAR(scene.instances.radius[0], 2.0f * std::sqrt(5.0f), 1e-4f);
 }
 
-TEST_F(Gltf, rotationsAreMadeUnitLength) {
+TEST_F(Gltf, RotationsAreMadeUnitLength) {
     Document document = square();
     document.root["nodes"][0]["rotation"] = {0, 0, 3, 3};
     EXPECT_NEAR(load(document).scene.instances.basis[0][0].y, 1.0f, 1e-6f);
 }
 
 /// Instances may mirror (mesh.h), so a mirroring node needs no mesh of its own.
-TEST_F(Gltf, mirroringNodesShareTheirMesh) {
+TEST_F(Gltf, MirroringNodesShareTheirMesh) {
     Document document = square();
     document.root["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"scale", {-1, 1, 1}}}};
     document.root["scenes"] = {{{"nodes", {0, 1}}}};
@@ -84,7 +84,7 @@ TEST_F(Gltf, mirroringNodesShareTheirMesh) {
     EXPECT_LT(glm::determinant(scene.instances.basis[1]), 0.0f);
 }
 
-TEST_F(Gltf, flatteningTransformsAreNotDrawnButKeepTheirObject) {
+TEST_F(Gltf, FlatteningTransformsAreNotDrawnButKeepTheirObject) {
     Document document = square();
     for (const json& scale : {json{0, 1, 1}, json{0, 0, 0}, json{1e-200, 1, 1}, json{1e-60, 1e-60, 1e-60}}) {
         document.root["nodes"] = {{{"mesh", 0}, {"scale", scale}}, {{"mesh", 0}}};
@@ -104,7 +104,7 @@ TEST_F(Gltf, flatteningTransformsAreNotDrawnButKeepTheirObject) {
     EXPECT_EQ(load(document).scene.instances.size(), 1u);
 }
 
-TEST_F(Gltf, unsoundGraphsAreRefused) {
+TEST_F(Gltf, UnsoundGraphsAreRefused) {
     const auto withNodes = [&](const json& nodes, const json& roots) {
         Document document = square();
         document.root["nodes"] = nodes;
@@ -123,7 +123,7 @@ TEST_F(Gltf, unsoundGraphsAreRefused) {
     expectSays(withNodes({{{"mesh", 0}, {"children", 1}}}, {0}), "'children' is not an array");
 }
 
-TEST_F(Gltf, unsoundTransformsAreRefused) {
+TEST_F(Gltf, UnsoundTransformsAreRefused) {
     const auto withNode = [&](const char* key, const json& value) {
         Document document = square();
         document.root["nodes"][0][key] = value;
@@ -146,7 +146,7 @@ TEST_F(Gltf, unsoundTransformsAreRefused) {
     expectSays(refusal(document), "its transform is not finite");
 }
 
-TEST_F(Gltf, depthIsLimited) {
+TEST_F(Gltf, DepthIsLimited) {
     Document document = square();
     GltfLimits limits;
     limits.maxNodeDepth = 20;
@@ -160,7 +160,7 @@ TEST_F(Gltf, depthIsLimited) {
     EXPECT_EQ(refusal(document, limits), "loaded");
 }
 
-TEST_F(Gltf, countsAreLimited) {
+TEST_F(Gltf, CountsAreLimited) {
     Document document = square();
     GltfLimits limits;
     limits.maxNodes = 2;
@@ -176,7 +176,7 @@ TEST_F(Gltf, countsAreLimited) {
     expectSays(refusal(document, limits), "over the limit of 100");
 }
 
-TEST_F(Gltf, countsThatNoBytesBackAreRefusedBeforeAllocation) {
+TEST_F(Gltf, CountsThatNoBytesBackAreRefusedBeforeAllocation) {
     Document document = triangle();
     document.root["accessors"][0]["count"] = 2147483647;
     expectSays(refusal(document), "do not fit its buffer view");

@@ -20,7 +20,7 @@ image::ImageRgba8 flatTopography() {
     return image::ImageRgba8(8, 4, {0, 0, 0, 255});
 }
 
-TEST(EarthSurface, isTheEllipsoid) {
+TEST(EarthSurface, IsTheEllipsoid) {
     const image::ImageRgba8 flat = flatTopography();
     const EarthSurface surface(flat, kHere, {.centre = {}, .radius = 1.0});
     const glm::dvec3 centre = surface.earthCentre();
@@ -31,7 +31,7 @@ TEST(EarthSurface, isTheEllipsoid) {
                 111'259.0, 10.0);
 }
 
-TEST(EarthSurface, hasItsOriginAndAxesAtThePlace) {
+TEST(EarthSurface, HasItsOriginAndAxesAtThePlace) {
     const image::ImageRgba8 flat = flatTopography();
     const EarthSurface surface(flat, kHere, {.centre = {}, .radius = 1.0});
     EXPECT_LT(glm::length(surface.toWorld(kHere, 0.0)), 1e-8);
@@ -40,7 +40,7 @@ TEST(EarthSurface, hasItsOriginAndAxesAtThePlace) {
     EXPECT_GT(surface.toWorld({kHere.latitude - 0.1, kHere.longitude}, 0.0).z, 11'000.0); // south
 }
 
-TEST(EarthSurface, readsHeightsBetweenTexels) {
+TEST(EarthSurface, ReadsHeightsBetweenTexels) {
     image::ImageRgba8 topography = flatTopography();
     topography.at(4, 1) = {40, 40, 40, 255}; // middle at 22.5 N, 22.5 E
     const EarthSurface surface(topography, {-40.0, 100.0}, {.centre = {}, .radius = 1.0});
@@ -53,7 +53,7 @@ TEST(EarthSurface, readsHeightsBetweenTexels) {
     EXPECT_DOUBLE_EQ(surface.topographyAt({22.5, -180.0}), 500.0);
 }
 
-TEST(EarthSurface, isLevelOnThePadAndAsItWasBeyond) {
+TEST(EarthSurface, IsLevelOnThePadAndAsItWasBeyond) {
     const EarthMaps maps = cdr::test::syntheticEarth();
     const EarthSurface surface(maps.topography, kHere, {.centre = {1000.0, 500.0}, .radius = 2000.0});
     const EarthSurface wild(maps.topography, kHere, {.centre = {1e7, 0.0}, .radius = 1.0});
@@ -79,7 +79,7 @@ TEST(EarthSurface, isLevelOnThePadAndAsItWasBeyond) {
     EXPECT_GT(beyond, 50u);
 }
 
-TEST(EarthSurface, normalsPointAwayFromTheEarth) {
+TEST(EarthSurface, NormalsPointAwayFromTheEarth) {
     const EarthMaps maps = cdr::test::syntheticEarth();
     const EarthSurface surface(maps.topography, kHere, {.centre = {}, .radius = 1.0});
     for (const Geodetic& place : {Geodetic{90.0, 0.0}, Geodetic{-90.0, 10.0}, Geodetic{12.0, 180.0},
@@ -91,7 +91,7 @@ TEST(EarthSurface, normalsPointAwayFromTheEarth) {
     }
 }
 
-TEST(OrbitData, missingMapsNameTheScriptThatFetchesThem) {
+TEST(OrbitData, MissingMapsNameTheScriptThatFetchesThem) {
     try {
         loadEarthMaps("/nonexistent");
         FAIL() << "loaded";
@@ -102,7 +102,7 @@ TEST(OrbitData, missingMapsNameTheScriptThatFetchesThem) {
 }
 
 /// Known elevations, which kMetresPerGrey rests on.
-TEST(OrbitData, realHeightsAreThoseOfTheWorld) {
+TEST(OrbitData, RealHeightsAreThoseOfTheWorld) {
     const std::filesystem::path folder = orbitFiles().folder;
     if (!std::filesystem::exists(folder)) {
         GTEST_SKIP() << "the Earth of the scene orbit is not in " << folder << "; tools/setup.sh fetches it";

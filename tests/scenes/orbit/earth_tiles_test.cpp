@@ -26,7 +26,7 @@ class EarthTiles : public testing::Test {
     EarthQuadtree m_tree = refineEarth(m_surface, m_detail);
 };
 
-TEST_F(EarthTiles, coverTheEarthOnce) {
+TEST_F(EarthTiles, CoverTheEarthOnce) {
     double area = 0.0;
     for (const EarthTile& leaf : m_tree.leaves()) {
         area += std::pow(0.25, leaf.level);
@@ -38,7 +38,7 @@ TEST_F(EarthTiles, coverTheEarthOnce) {
 
 /// Every edge of the ground, by the exact float64 places of its ends, belongs to two triangles: no crack, no
 /// T-junction, no hole at a pole or at 180 degrees.
-TEST_F(EarthTiles, shareEveryEdgeExactly) {
+TEST_F(EarthTiles, ShareEveryEdgeExactly) {
     using Edge = std::array<double, 6>;
     std::vector<Edge> edges;
     std::size_t stitched = 0;
@@ -73,7 +73,7 @@ TEST_F(EarthTiles, shareEveryEdgeExactly) {
     EXPECT_EQ(alone, 0u) << "of " << edges.size() / 2;
 }
 
-TEST_F(EarthTiles, areSmallForTheirDistance) {
+TEST_F(EarthTiles, AreSmallForTheirDistance) {
     double finest = 1e9;
     for (const EarthTile& leaf : m_tree.leaves()) {
         double nearest = 1e12;
@@ -90,7 +90,7 @@ TEST_F(EarthTiles, areSmallForTheirDistance) {
     EXPECT_GE(finest, 0.5 * m_detail.leastWidth);
 }
 
-TEST_F(EarthTiles, faceOutwardsAndHangTheirSkirtsInwards) {
+TEST_F(EarthTiles, FaceOutwardsAndHangTheirSkirtsInwards) {
     const SourceMesh mesh = tileMesh(m_surface, m_tree, m_tree.leaves().at(m_tree.leaves().size() / 2));
     const glm::dvec3 centre = m_surface.earthCentre();
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -109,7 +109,7 @@ TEST_F(EarthTiles, faceOutwardsAndHangTheirSkirtsInwards) {
     EXPECT_LT(glm::distance(mesh.positions[kTileCorners], centre), glm::distance(mesh.positions[0], centre));
 }
 
-TEST(EarthQuadtree, knowsCoarserNeighboursRoundTheBackAndNoneBeyondPoles) {
+TEST(EarthQuadtree, KnowsCoarserNeighboursRoundTheBackAndNoneBeyondPoles) {
     // One tile of the west quartered twice, the rest of level 0.
     const EarthQuadtree tree([](const EarthTile& tile) {
         return tile == EarthTile{0, 0, 0} || tile == EarthTile{1, 0, 0};

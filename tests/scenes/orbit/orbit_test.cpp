@@ -31,7 +31,7 @@ double volumeOf(const SourceMesh& mesh) {
     return volume / 6.0;
 }
 
-TEST(Solids, areClosedAndFaceOutwards) {
+TEST(Solids, AreClosedAndFaceOutwards) {
     EXPECT_NEAR(volumeOf(sphereMesh("ball", 2.0, 256)), 4.0 / 3.0 * std::numbers::pi * 8.0, 0.01);
     const std::array<glm::dvec2, 4> rod{{{-1.0, 0.0}, {-1.0, 0.5}, {1.0, 0.5}, {1.0, 0.0}}};
     EXPECT_NEAR(volumeOf(turnedSolid("rod", rod, 256)), 0.5 * std::numbers::pi, 1e-3);
@@ -40,7 +40,7 @@ TEST(Solids, areClosedAndFaceOutwards) {
     EXPECT_DOUBLE_EQ(volumeOf(hexahedron("box", box)), 6.0);
 }
 
-TEST(RunwayMarking, facesUpAndFillsItsHeight) {
+TEST(RunwayMarking, FacesUpAndFillsItsHeight) {
     MarkingPaint paint("09L");
     paint.text("0927RL", 9.0);
     const SourceMesh& mesh = paint.mesh();
@@ -68,7 +68,7 @@ double areaOf(const SourceMesh& mesh) {
     return area;
 }
 
-TEST(RunwayMarking, strokesAreAsWideAtTheirBendsAsBetweenThem) {
+TEST(RunwayMarking, StrokesAreAsWideAtTheirBendsAsBetweenThem) {
     // Mitred, a closed stroke covers its width times its length, whatever its angles.
     const std::array<glm::dvec2, 5> ring{{{0.0, 0.0}, {4.0, 0.0}, {5.0, 2.0}, {2.0, 5.0}, {0.0, 3.0}}};
     double length = 0.0;
@@ -103,7 +103,7 @@ class OrbitScene : public testing::Test {
     }
 };
 
-TEST_F(OrbitScene, separationsAreThoseOfTheSpecification) {
+TEST_F(OrbitScene, SeparationsAreThoseOfTheSpecification) {
     EXPECT_NEAR(topOf("runway 09L/27R"), 0.02, 1e-9);
     EXPECT_NEAR(topOf("numbers 09L") - topOf("runway 09L/27R"), 0.005, 1e-9);
     EXPECT_NEAR(topOf("numbers 27R") - topOf("runway 09L/27R"), 0.005, 1e-9);
@@ -111,7 +111,7 @@ TEST_F(OrbitScene, separationsAreThoseOfTheSpecification) {
     EXPECT_NEAR(topOf("hangar 2 cladding") - topOf("hangar 2"), 0.01, 1e-8);
 }
 
-TEST_F(OrbitScene, groundBelowTheAirportIsLevel) {
+TEST_F(OrbitScene, GroundBelowTheAirportIsLevel) {
     const Scene& scene = setup().scene;
     const EarthSurface::Pad pad = airportPad();
     std::size_t level = 0;
@@ -132,7 +132,7 @@ TEST_F(OrbitScene, groundBelowTheAirportIsLevel) {
     EXPECT_GT(level, 5u * kTileCorners); // skirts hang below
 }
 
-TEST_F(OrbitScene, theAirportLiesOnItsPad) {
+TEST_F(OrbitScene, TheAirportLiesOnItsPad) {
     const Scene& scene = setup().scene;
     const EarthSurface::Pad pad = airportPad();
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -146,7 +146,7 @@ TEST_F(OrbitScene, theAirportLiesOnItsPad) {
     }
 }
 
-TEST_F(OrbitScene, holdsWhatIsPromisedAtItsSize) {
+TEST_F(OrbitScene, HoldsWhatIsPromisedAtItsSize) {
     const Scene& scene = setup().scene;
     for (const char* name : {"window frame", "handrail", "solar panel", "earth", "moon", "runway 09L/27R",
                              "hangar 1", "aircraft"}) {
@@ -171,7 +171,7 @@ TEST_F(OrbitScene, holdsWhatIsPromisedAtItsSize) {
     }
 }
 
-TEST_F(OrbitScene, float64StepsAreFineAtBothEnds) {
+TEST_F(OrbitScene, Float64StepsAreFineAtBothEnds) {
     const glm::dvec3 eye = setup().path.at(0).position;
     for (const double coordinate : {eye.x, eye.y, eye.z}) {
         EXPECT_LE(std::nextafter(std::abs(coordinate), 1e30) - std::abs(coordinate), 1e-9);
@@ -180,7 +180,7 @@ TEST_F(OrbitScene, float64StepsAreFineAtBothEnds) {
     EXPECT_NEAR(glm::length(eye), 430e3, 5e3);
 }
 
-TEST_F(OrbitScene, theLensNarrowsByOneFactorAndEndsOnTheNumbers) {
+TEST_F(OrbitScene, TheLensNarrowsByOneFactorAndEndsOnTheNumbers) {
     const CameraPath& path = setup().path;
     ASSERT_EQ(path.frames, 240u);
     const double factor = path.at(1).fovY / path.at(0).fovY;
@@ -209,7 +209,7 @@ TEST_F(OrbitScene, theLensNarrowsByOneFactorAndEndsOnTheNumbers) {
     EXPECT_EQ(path.at(240).fovY, path.at(0).fovY);
 }
 
-TEST_F(OrbitScene, theHorizonIsInTheFirstPicture) {
+TEST_F(OrbitScene, TheHorizonIsInTheFirstPicture) {
     const Camera camera = setup().path.at(0);
     const EarthMaps maps = cdr::test::syntheticEarth();
     const EarthSurface surface(maps.topography, kOrbitAirport, airportPad());
@@ -221,7 +221,7 @@ TEST_F(OrbitScene, theHorizonIsInTheFirstPicture) {
     EXPECT_NEAR((kEarthRadius + kStationHeight) * std::sin(dip), 2.35e6, 0.05e6);
 }
 
-TEST(OrbitModel, isParkedOnTheSlab) {
+TEST(OrbitModel, IsParkedOnTheSlab) {
     Scene model;
     model.meshes.push_back(makeBox(glm::vec3(1.0f, 2.0f, 3.0f)));
     model.materials.push_back({.name = "red"});
