@@ -11,7 +11,7 @@ namespace cdr::depth {
 namespace {
 
 /// The table's own order and names.
-constexpr auto kNames = [] {
+constexpr auto kFormatNames = [] {
     base::EnumNames<DepthFormat, kDepthFormats.size()> names{"depth format", {}};
     for (const DepthFormat format : kDepthFormats) {
         names.names[static_cast<std::size_t>(format)] = nameOf(format);
@@ -34,7 +34,7 @@ std::vector<std::string_view> namesOf(std::span<const DepthFormat> formats) {
 }
 
 DepthFormat parseDepthFormat(std::string_view name) {
-    return kNames.parse(name);
+    return kFormatNames.parse(name);
 }
 
 double depthStep(DepthFormat format, double zNdc) {

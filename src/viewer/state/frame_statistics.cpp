@@ -10,7 +10,7 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr base::EnumNames<FrameStage, kFrameStages.size()> kNames{
+constexpr base::EnumNames<FrameStage, kFrameStages.size()> kStageNames{
     "stage", {"cull", "split", "bin", "record", "execute", "composite", "present"}};
 
 /// As measure::percentile(), of samples in ascending order, without an allocation.
@@ -25,7 +25,7 @@ float percentileOfSorted(const std::vector<float>& sorted, double percent) {
 } // namespace
 
 std::string_view nameOf(FrameStage stage) {
-    return kNames.nameOf(stage);
+    return kStageNames.nameOf(stage);
 }
 
 FrameStatistics::FrameStatistics(std::size_t window) : m_window(std::max<std::size_t>(window, 1)) {
