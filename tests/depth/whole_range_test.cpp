@@ -18,9 +18,9 @@ namespace {
 using namespace cdr::depth;
 
 /// Numbers as they come: all of float64, bounds of its range, and what cameras have.
-class Random {
+class AnyNumbers {
   public:
-    explicit Random(std::uint64_t seed) : m_engine(seed) {}
+    explicit AnyNumbers(std::uint64_t seed) : m_engine(seed) {}
 
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(m_engine() % count); }
     double logUniform(double low, double high) {
@@ -82,7 +82,7 @@ void forEachCase(int cases, const Test& test) {
 }
 
 TEST(WholeRange, EverySplitEndsInSoundCascadesOrIsRefused) {
-    Random random(1);
+    AnyNumbers random(1);
     int cut = 0;
     forEachCase(20'000, [&](int) {
         SplitContext context{.nearView = random.positive(),
@@ -123,7 +123,7 @@ TEST(WholeRange, EverySplitEndsInSoundCascadesOrIsRefused) {
 }
 
 TEST(WholeRange, AdviceEndsInAnAnswerOrIsRefused) {
-    Random random(2);
+    AnyNumbers random(2);
     int answered = 0;
     forEachCase(2'000, [&](int) {
         AdviceQuestion question{.scene = {.nearView = random.positive(),
