@@ -45,7 +45,7 @@ TEST_F(ChildProcessTest, StreamsItsInputToItsOutput) {
     EXPECT_EQ(readFile(file("out"), 1 << 24), sent);
 }
 
-/// No shell looks at them.
+/// No shell reads the arguments.
 TEST_F(ChildProcessTest, ArgumentsArriveAsTheyAre) {
     ChildProcess({"printf", "%s", "a b'\"$HOME;`id`"}, {.file = file("out")}).finish();
     const Bytes out = readFile(file("out"), 1000);

@@ -30,16 +30,17 @@ TEST(Outputs, WhatStandardOutputCannotTakeIsAFailure) {
 TEST(Outputs, AFullStandardErrorChangesNoStatus) {
     const TemporaryFolder folder;
     EXPECT_EQ(runRedirected("render nosuch", "2>/dev/full", folder.path()).status, 2);
-    EXPECT_EQ(runRedirected("precision --json /dev/full", "2>/dev/full", folder.path()).status, 1);
+    EXPECT_EQ(runRedirected("precision --json /dev/fd/3", "2>/dev/full 3>/dev/full", folder.path()).status,
+              1);
 }
 
-TEST(Outputs, GoIntoDevicesAndWhatALinkPointsAt) {
+TEST(Outputs, GoIntoDescriptorsAndWhatALinkPointsAt) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram("--quiet precision --json /dev/stdout", folder.path());
+    const ProgramResult result = runProgram("--quiet precision --json /dev/fd/1", folder.path());
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(nlohmann::json::parse(result.out).at("command"), "precision");
-    EXPECT_EQ(runProgram("precision --json /dev/full", folder.path()).err,
-              "cdr: /dev/full: write failed: No space left on device\n");
+    EXPECT_EQ(runRedirected("precision --json /dev/fd/3", "3>/dev/full", folder.path()).err,
+              "cdr: /dev/fd/3: write failed: No space left on device\n");
     fs::create_symlink("to.json", folder.path() / "link.json");
     EXPECT_EQ(runProgram("precision --json link.json", folder.path()).status, 0);
     EXPECT_TRUE(fs::is_symlink(folder.path() / "link.json"));

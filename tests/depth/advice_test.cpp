@@ -91,7 +91,7 @@ TEST(Advice, SaysSoInPlainWords) {
     EXPECT_EQ(words(question(1e6, 1e-9)).front().substr(0, 21), "Nothing here resolves");
 }
 
-/// A measurement has the last word, whichever way it contradicts the formula.
+/// A measurement overrules the formula in both directions.
 TEST(Advice, MeasurementsDecideWhereThereAreAny) {
     const AdviceQuestion asked = question(1e6, 0.5);
     const Advice predicted = advise(asked);
@@ -113,7 +113,7 @@ TEST(Advice, MeasurementsDecideWhereThereAreAny) {
     EXPECT_NE(explain(asked, advice)[0].find("was measured to resolve 0.4"), std::string::npos);
     EXPECT_NE(explain(asked, advice)[1].find("+25.0 %"), std::string::npos);
 
-    // None of what was tried came out right: that is no answer for wider gaps, and a no for narrower ones.
+    // Nothing that was tried came out right: wider gaps stay unanswered, narrower ones are refused.
     measurements.assign(predicted.rows.size(), std::nullopt);
     for (const double largest : {0.5, 0.6}) {
         measurements[index("reversed")] = {.resolvedView = {}, .largestView = largest};

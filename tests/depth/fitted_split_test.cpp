@@ -49,7 +49,7 @@ Cascades fit(const SplitFitted& split, SplitContext view, std::vector<Interval> 
     return makeCascades(split, view);
 }
 
-/// Every occupied distance lies in a cascade, cascades ascend, and each has an inside.
+/// Every occupied distance lies in a cascade, cascades ascend, and none is empty.
 void expectCovers(const Cascades& cascades, const SplitContext& view,
                   const std::vector<Interval>& intervals) {
     ASSERT_FALSE(cascades.empty());

@@ -6,7 +6,7 @@
 
 namespace {
 
-// The shader include is plain enough to be C++ too, so its arithmetic can be held to its promise here.
+// The shader include is C++ as well, so its arithmetic is tested here.
 namespace shader {
 float max(float a, double b) {
     return glm::max(a, static_cast<float>(b));
@@ -22,7 +22,7 @@ using std::log;
 #pragma GCC diagnostic pop
 } // namespace shader
 
-/// What a rasteriser makes of the tangent, and what the fragment shader then writes.
+/// The depth that a rasteriser interpolates from the tangent, and the depth that the fragment shader writes.
 struct Depths {
     float tangent;
     float written;
@@ -37,7 +37,7 @@ shader::CdrDepth logDepth(double nearView, double farView) {
     return {0.0f, static_cast<float>(1.0 / nearView), static_cast<float>(1.0 / std::log(farView / nearView))};
 }
 
-/// depth_greater is a promise: where it is broken, devices may draw anything.
+/// Where depth_greater does not hold, the picture is undefined.
 TEST(LogTangent, IsNeverAboveTheDepthThatIsWritten) {
     std::mt19937_64 random(2013);
     std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -55,7 +55,7 @@ TEST(LogTangent, IsNeverAboveTheDepthThatIsWritten) {
     }
 }
 
-/// Else early tests would reject nothing: within a hundredth of the distance the tangent is close.
+/// Otherwise early tests would reject nothing: within a hundredth of the distance the tangent is close.
 TEST(LogTangent, TouchesWhereItIsAskedTo) {
     const shader::CdrDepth depth = logDepth(0.1, 1e5);
     for (const float touchView : {0.2f, 30.0f, 9e4f}) {

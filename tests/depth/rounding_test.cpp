@@ -53,9 +53,9 @@ float floatDepth(const DepthRange& range, double w, double offset, float weight)
     return first + weight * (zOf(-offset) - first);
 }
 
-/// The model against the arithmetic itself, without a device: the error of a surface stays below the worst
-/// case, and has about the deviation that is said. The rounding of the constants is common to all surfaces
-/// and moves none past another, so the mean error is taken off.
+/// The model against the arithmetic itself, without a device. The error of a surface stays below the worst
+/// case and has about the predicted deviation. The rounding of the constants is common to all surfaces, so it
+/// changes no order, and the mean error is subtracted.
 TEST(Rounding, IsWhatFloatArithmeticDoes) {
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <ctime>
 #include <limits>
 #include <optional>
 #include <random>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace cdr::depth;
 
-/// Numbers as they come: all of float64, bounds of its range, and what cameras have.
+/// Numbers from all of float64, the ends of its range, and usual ones.
 class AnyNumbers {
   public:
     explicit AnyNumbers(std::uint64_t seed) : m_engine(seed) {}
@@ -26,7 +26,7 @@ class AnyNumbers {
     double logUniform(double low, double high) {
         return std::exp(std::uniform_real_distribution<>(std::log(low), std::log(high))(m_engine));
     }
-    /// Any bit pattern: sign, subnormal, infinite and not a number among them.
+    /// Any bit pattern, with negative, subnormal and infinite numbers and NaN.
     double anyBits() { return std::bit_cast<double>(m_engine()); }
     double positive() {
         using Limits = std::numeric_limits<double>;
@@ -71,13 +71,13 @@ void expectSound(const Cascades& cascades, const SplitContext& context) {
     }
 }
 
-/// Calls `test` that many times, each within a second.
+/// Calls `test` that many times. Each may take two seconds of the CPU, a thousand times what it needs.
 template <typename Test>
 void forEachCase(int cases, const Test& test) {
     for (int i = 0; i < cases && !testing::Test::HasFatalFailure(); ++i) {
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();
         test(i);
-        ASSERT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1)) << "case " << i;
+        ASSERT_LT(std::clock() - start, 2 * CLOCKS_PER_SEC) << "case " << i;
     }
 }
 

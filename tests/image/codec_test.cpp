@@ -126,7 +126,7 @@ TEST(Png, ThatCannotHoldItsPixelsIsRefusedBeforeAllocation) {
 }
 
 TEST(Png, OfOneColourIsNotTakenForDamaged) {
-    // The most compressible picture there is: the plausibility check must let it through.
+    // The most compressible picture, which the check for damage must accept.
     const ImageRgba8 image(2048, 2048, {9, 9, 9, 255});
     EXPECT_EQ(decodeImage(encodePng(image), "picture"), image);
 }

@@ -29,7 +29,7 @@ void expectSame(const Camera& a, const Camera& b) {
     EXPECT_EQ(a.farView, b.farView);
 }
 
-/// Flown around the afc field, at uneven moments, the lens narrowing.
+/// A flight around the afc field, at irregular moments, with a lens that narrows.
 CameraRecording flown() {
     CameraRecording recording{.scene = "afc", .cameras = {}};
     const CameraPath path = scenes::makeAfc(1).path;
@@ -168,7 +168,7 @@ TEST(CameraRecording, BecomesAPathOfAnyLength) {
     EXPECT_THROW(cameraAt({}, 0.0), base::InputError);
 }
 
-/// Every way to spoil a sound file, and a word of what must be said.
+/// Ways to damage a valid file, and a word of the message for each.
 struct Spoiled {
     const char* what;
     std::function<void(nlohmann::json&)> spoil;
@@ -247,7 +247,7 @@ TEST(CameraRecordingFile, RefusesWhatIsNotJsonOrTooDeepOrHuge) {
     }
     EXPECT_NE(message([&] { readRecording(folder.path() / "none.json"); }), "");
     EXPECT_NE(message([&] { readRecording(folder.path()); }), "");
-    // Any byte of a sound file flipped: read or refused, never anything else.
+    // With any byte changed, a valid file is either read or refused.
     for (std::size_t i = 0; i < sound.size(); i += 7) {
         std::string flipped = sound;
         flipped[i] = static_cast<char>(flipped[i] ^ (1 << (i % 7)));

@@ -19,7 +19,7 @@ void expectSameView(const Camera& a, const Camera& b) {
     EXPECT_EQ(a.fovY, b.fovY);
 }
 
-/// Cameras here and there and 10^12 away, looking anywhere.
+/// Cameras near the origin and up to 10^12 away, in all directions.
 class Cameras {
   public:
     glm::dvec3 point(double scale) {

@@ -16,7 +16,7 @@ namespace cdr::base {
 
 namespace {
 
-/// What the child reads and writes instead of ours.
+/// The files that the child has as its standard files.
 class FileActions {
   public:
     FileActions() { posix_spawn_file_actions_init(&m_actions); }

@@ -35,7 +35,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 std::string unknownName(std::string_view what, std::string_view given,
                         std::span<const std::string_view> known) {
     std::string hint;
-    // A long unknown name is cut: it may be anything, and the message stays one line.
+    // An unknown name may be long, and the message must stay one line.
     const std::string_view shown = given.substr(0, 60);
     const auto closest =
         std::min_element(known.begin(), known.end(), [&](std::string_view a, std::string_view b) {

@@ -19,7 +19,7 @@ void allow(const std::vector<std::size_t>& cpus) {
     for (const std::size_t cpu : cpus) {
         CPU_SET(cpu, &set);
     }
-    // Refused where the CPU has gone meanwhile; then the thread stays where it may be.
+    // Fails if the CPU went offline; the thread then keeps its CPUs.
     static_cast<void>(sched_setaffinity(0, sizeof(set), &set));
 }
 

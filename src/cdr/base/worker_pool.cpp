@@ -57,7 +57,7 @@ WorkerPool::~WorkerPool() = default;
 
 void WorkerPool::run(std::size_t jobs, const Job& body) {
     Batch batch(body, jobs, m_trace);
-    // One job needs no second thread; waking one would only cost.
+    // One job needs no second thread.
     const bool shared = jobs > 1 && !m_threads.empty();
     if (shared) {
         {
@@ -66,7 +66,7 @@ void WorkerPool::run(std::size_t jobs, const Job& body) {
             ++m_batchNumber;
             m_busyWorkers = m_threads.size();
         }
-        // Not under the lock, where workers would wake only to wait for it.
+        // After the lock is released, since workers that wake need it.
         m_batchPosted.notify_all();
     }
     batch.work(0);

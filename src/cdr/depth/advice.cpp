@@ -11,12 +11,12 @@ namespace cdr::depth {
 
 namespace {
 
-/// Presets by what they ask of an engine: a matrix, a flipped compare, a shader line, cascades, cascades in
-/// float64.
+/// Presets by what they need from an engine: a matrix, a flipped compare, a line in a shader, cascades,
+/// cascades in float64.
 constexpr std::array kSimplestFirst{"standard", "reversed", "log", "cdr", "logcdr", "anchored"};
 
-/// A separation of this many fitted steps leaves room for the rounding of both surfaces: a step, and two gaps
-/// between float32 values of up to two steps each.
+/// Fitted steps per separation, with room for the rounding of both surfaces: one step, and for each surface a
+/// gap between float32 values of up to two steps.
 constexpr double kStepsPerSeparation = 5.0;
 
 Technique anchoredFor(double separationView, DepthFormat format) {
@@ -57,7 +57,7 @@ bool isSameInAnyFormat(const Technique& a, const Technique& b) {
     return a.mapping == b.mapping && a.split == b.split;
 }
 
-/// The first technique that suffices, in the format that takes it the fewest cascades.
+/// The first technique that suffices, in the format in which it takes the fewest cascades.
 std::optional<std::size_t> simplestOf(const std::vector<AdviceRow>& rows) {
     std::optional<std::size_t> simplest;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -70,7 +70,7 @@ std::optional<std::size_t> simplestOf(const std::vector<AdviceRow>& rows) {
     return simplest;
 }
 
-/// What a row says: "resolves", or what it was measured to.
+/// The verb of a row: predicted or measured.
 std::string saysOf(const AdviceRow& row) {
     return row.measured ? "was measured to resolve" : "resolves";
 }
@@ -107,7 +107,7 @@ double AdviceRow::resolvedView() const {
     if (!measured) {
         return forecast.resolvedView();
     }
-    // Beyond the largest separation tried the prediction is all there is, and it cannot be less than that.
+    // Beyond the largest separation tried there is only the prediction, which is at least that separation.
     return measured->resolvedView.value_or(std::max(forecast.resolvedView(), measured->largestView));
 }
 

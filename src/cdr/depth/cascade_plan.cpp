@@ -8,7 +8,8 @@ namespace cdr::depth {
 
 namespace {
 
-/// Every bisection ends by its own tolerance long before; this bounds it whatever the numbers are.
+/// Bounds every bisection, whatever the numbers are. With usual numbers their tolerances end them long
+/// before.
 constexpr int kMostBisections = 200;
 
 /// Where a cascade begins: at a view distance within an occupied interval.
@@ -66,7 +67,7 @@ struct Problem {
         }
         const double begin = low;
         double high = interval.farView;
-        // A millionth of the cascade is nothing to what follows, and half the time of the last bit.
+        // A millionth of the cascade is exact enough, and takes half the time of the last bit.
         const auto isFine = [&] {
             return !(high - low > 1e-12 * high && high - low > 1e-6 * (low - from.nearView));
         };
@@ -78,7 +79,7 @@ struct Problem {
     }
 };
 
-/// A way to cover a beginning: the farthest for its numbers of cascades and of clean ends.
+/// A way to cover the nearest part: the one that reaches farthest for its numbers of cascades and clean ends.
 struct Partial {
     Start next;                    ///< where the next cascade begins
     double farView = 0.0;          ///< where the last one ended
@@ -169,7 +170,7 @@ StepTarget relaxToMeet(const StepModel& model, const StepTarget& target, std::sp
     if (canMeet(model, target, occupied, most)) {
         return target;
     }
-    // One cascade over everything meets the target times its own worst share of it.
+    // One cascade over everything meets the target times the worst share that it takes of it.
     const StepTarget bare{.unitsView = target.unitsView, .shareView = target.shareView};
     const Cascade all{occupied.front().nearView, occupied.back().farView};
     double low = 0.0;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMargin = 1.0 / 128.0;
 
-/// No step is as small a share of its distance, so a finer target asks for the same. Above 0, so that a
+/// Every step is a larger share of its distance, so a finer target changes nothing. It is above 0, so that a
 /// target can be relaxed by a factor.
 constexpr double kLeastShare = 1e-30;
 
@@ -28,14 +28,14 @@ StepTarget targetOf(const SplitFitted& split, const SplitContext& view, double t
     return target;
 }
 
-/// The plan for a target that was relaxed to be met; one cascade over everything if rounding still breaks it.
+/// The plan for a target that was relaxed until it is met. One cascade over everything where there is none.
 Cascades planOrOne(const StepModel& model, const StepTarget& target, const std::vector<Interval>& occupied,
                    std::size_t most) {
     return planCascades(model, target, occupied, most)
         .value_or(Cascades{{occupied.front().nearView, occupied.back().farView}});
 }
 
-/// Plans for one target, or for one a slack away if that keeps the previous count.
+/// The plan for a target, or for one wider or finer by the slack if that keeps the previous count.
 Cascades planNear(const StepModel& model, const StepTarget& target, const std::vector<Interval>& occupied,
                   std::size_t most, std::size_t previousCount) {
     Cascades plan = planOrOne(model, target, occupied, most);
@@ -52,7 +52,7 @@ bool touches(std::span<const Cascade> cascades, std::size_t boundary) {
            cascades[boundary - 1].farView == cascades[boundary].nearView;
 }
 
-/// One fit: what is common to placing its bounds.
+/// What placing the bounds of one fit needs.
 struct Fit {
     const SplitContext& view;
     const StepTarget& target;
@@ -102,7 +102,7 @@ Cascades withMargins(const Fit& fit) {
     return cascades;
 }
 
-/// Previous bounds where they still enclose the plan closely, and previous cuts.
+/// The fresh cascades, with previous bounds where those still enclose the plan closely, and previous cuts.
 Cascades keepBounds(const Fit& fit, const Cascades& fresh, std::span<const Cascade> previous) {
     Cascades kept = fresh;
     for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -131,8 +131,7 @@ bool isSound(const Fit& fit, const Cascades& cascades) {
     return true;
 }
 
-/// A camera that sees nothing, or a single point as thin as float64 can tell, still gets cascades with an
-/// inside.
+/// Gives cascades over a single point a thickness.
 void thicken(Cascades& cascades, const SplitContext& view) {
     for (Cascade& cascade : cascades) {
         if (!(cascade.farView > cascade.nearView)) {
@@ -167,7 +166,7 @@ Cascades fitCascades(const SplitFitted& split, const SplitContext& context) {
 
 Cascades minimaxCascades(const SplitMinimax& split, const SplitContext& context) {
     const std::vector<Interval> whole{{context.nearView, context.farView}};
-    // Far below any step, so that relaxing alone decides.
+    // Far below any step, so that only relaxing decides.
     const StepTarget target{.unitsView = kLeastShare * context.nearView};
     const std::size_t count = std::clamp<std::size_t>(split.count, 1, kMaxCascades);
     return planOrOne(context.model, relaxToMeet(context.model, target, whole, count), whole, count);

@@ -10,7 +10,7 @@ namespace cdr::depth {
 
 namespace {
 
-/// The table's own order and names.
+/// The names of kDepthFormatTraits.
 constexpr auto kFormatNames = [] {
     base::EnumNames<DepthFormat, kDepthFormats.size()> names{"depth format", {}};
     for (const DepthFormat format : kDepthFormats) {

@@ -11,7 +11,7 @@ namespace {
 constexpr double kFloatRounding = 0x1p-24;
 constexpr double kDoubleRounding = 0x1p-52;
 
-/// The gap between stored depths around z, bounded from above without float32's binades.
+/// An upper bound of the gap between stored depths around z that is smooth where float32's exponent changes.
 double depthStepBound(DepthFormat format, double zNdc) {
     return format == DepthFormat::d32f ? std::min(zNdc * 0x1p-23, 0x1p-24) : depthStep(format, zNdc);
 }
@@ -68,8 +68,8 @@ double worstStepShare(const StepModel& model, const StepTarget& target, const Ca
     if (!isReversed(model.mapping)) {
         return share(f); // steps grow at least as fast as targets do
     }
-    // Reversed steps rise, then fall: their peaks are where depth leaves the top binade, in the middle of the
-    // range, where the target turns from units to a share of the distance, or at an end.
+    // Reversed steps rise, then fall. Their peak is where depth falls below 1/2, in the middle of the range,
+    // where the target turns from units to a share of the distance, or at an end.
     const double turn = target.share() > 0.0 ? target.units() / target.share() : f;
     double worst = 0.0;
     for (const double w : std::array{n, 2.0 * f * n / (f + n), 0.5 * f, turn, f}) {

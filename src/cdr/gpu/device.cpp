@@ -15,8 +15,8 @@ namespace cdr::gpu {
 
 namespace {
 
-/// Blocks of memory that small resources share, the first an eighth of it; large ones have their own
-/// (memory.cpp).
+/// Size of the memory blocks that small resources share; the first is an eighth of it. Large resources have
+/// memory of their own (memory.cpp).
 constexpr vk::DeviceSize kBlockBytes = vk::DeviceSize{32} << 20;
 
 std::string lower(std::string text) {

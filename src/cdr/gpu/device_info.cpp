@@ -11,7 +11,7 @@ namespace cdr::gpu {
 
 namespace {
 
-/// What shaders/binning.glsl binds, and its workgroups' size.
+/// Storage buffers that the binning shaders bind, and the size of their workgroups.
 constexpr std::uint32_t kGpuDrivenStorageBuffers = 14;
 constexpr std::uint32_t kGpuDrivenInvocations = 256;
 
@@ -66,7 +66,7 @@ std::vector<std::string> missingFrom(vk::PhysicalDevice physical) {
     return missing;
 }
 
-/// What culling and binning on the device needs beyond the rest.
+/// Features that only culling and binning on the device needs.
 std::vector<std::string> missingForGpuDriven(vk::PhysicalDevice physical) {
     const auto properties = physical.getProperties();
     if (properties.apiVersion < VK_API_VERSION_1_3) {

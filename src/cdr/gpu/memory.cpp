@@ -19,8 +19,8 @@ void check(VkResult result, const char* call, const std::string& name, std::uint
     vk::resultCheck(static_cast<vk::Result>(result), call);
 }
 
-/// From this size on a buffer has memory of its own, as has every image but a scene's textures: what is made
-/// anew with a picture's size then goes back whole, where a shared block would stay.
+/// Buffers of this size or more have memory of their own, as have all images except textures. They are made
+/// anew when the picture's size changes, and their memory is then freed, which a shared block would not be.
 constexpr std::size_t kOwnMemoryBytes = std::size_t{256} << 10;
 constexpr vk::ImageUsageFlags kTexture =
     vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst;

@@ -16,7 +16,8 @@ namespace cdr::image {
 
 namespace {
 
-/// Each 8x8 block takes a bit at least, so a picture that claims more is damaged before it is allocated.
+/// Each 8x8 block takes at least a bit. A picture that claims more is damaged, and is refused before its
+/// memory is allocated.
 constexpr std::uint64_t kMaxPixelsPerByte = 8 * 64;
 
 /// Damaged data is refused, and so are progressive files of hundreds of scans, which cost minutes to decode.

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
-/// Deflate cannot expand further than this, so a picture that claims more is damaged before it is allocated.
+/// Most bytes that a byte of deflate can expand to. A picture that claims more is damaged, and is refused
+/// before its memory is allocated.
 constexpr std::uint64_t kMaxDeflateRatio = 1032;
 
 /// Text, profiles and other side chunks that we do not use may take this much memory together.
@@ -78,7 +79,7 @@ ImageRgba8 decodePng(std::span<const std::uint8_t> encoded, const std::string& n
     requireDecoded(spng_decode_image(context.get(), image.pixels.data(), image.pixels.size() * sizeof(Rgba8),
                                      SPNG_FMT_RGBA8, SPNG_DECODE_TRNS),
                    name);
-    // Reads on to the end, so that a file cut off after its last pixel is noticed too.
+    // Reads to the end, to notice a file that is cut off after its last pixel.
     requireDecoded(spng_decode_chunks(context.get()), name);
     return image;
 }

@@ -18,7 +18,7 @@ bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// How far the computed length of a vector that was divided by its length may be from 1, and then some.
+/// More than roundings can move the length of a normalised vector away from 1.
 constexpr double kUnitTolerance = 1e-15;
 
 const glm::dvec3& requireFinite(const glm::dvec3& v, const char* what) {
@@ -28,7 +28,7 @@ const glm::dvec3& requireFinite(const glm::dvec3& v, const char* what) {
     return v;
 }
 
-/// `v` at length 1; as it is where it has that length but for roundings, so that doing it again changes
+/// `v` at length 1. Unchanged if only roundings separate its length from 1, so that normalising again changes
 /// nothing.
 glm::dvec3 unit(const glm::dvec3& v, const char* what) {
     requireFinite(v, what);
@@ -45,7 +45,7 @@ glm::dvec3 unit(const glm::dvec3& v, const char* what) {
 
 /// Right and up without roll for a camera whose back is set.
 Camera level(Camera camera) {
-    // World z stands in for up where the view runs along y and y would give no right.
+    // Along the y axis, world z takes the place of y as up.
     const bool alongY = std::abs(camera.back.y) > 1.0 - 1e-12;
     const glm::dvec3 worldUp = alongY ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
     camera.right = glm::normalize(glm::cross(worldUp, camera.back));
@@ -81,12 +81,12 @@ Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward
     camera.up = unit(up, "up");
     if (std::abs(glm::dot(camera.up, camera.back)) > kUnitTolerance) {
         glm::dvec3 right = glm::cross(camera.up, camera.back);
-        // Below this, roundings decide which way is up.
+        // Below this, roundings would decide the direction.
         constexpr double kLeastSine = 1e-9;
         if (glm::length(right) < kLeastSine) {
             throw base::InputError("camera: up lies along the view");
         }
-        // Of a short product roundings are a large part: once more across the view.
+        // Roundings are a large share of a short vector, so make it orthogonal once more.
         right = glm::normalize(right);
         right -= glm::dot(right, camera.back) * camera.back;
         camera.up = unit(glm::cross(camera.back, right), "up");
@@ -115,7 +115,7 @@ double radiansOf(double degrees) {
 
 double degreesOf(double radians) {
     const double degrees = radians * 180.0 / std::numbers::pi;
-    // Of those that give the radians back, the shortest to write.
+    // Of the values that give these radians, the one with the fewest digits.
     for (int digits = 3; digits <= 17; ++digits) {
         const std::string text = fmt::format("{:.{}g}", degrees, digits);
         double shorter = 0.0;
@@ -124,7 +124,7 @@ double degreesOf(double radians) {
             return shorter;
         }
     }
-    // Two roundings there and two back: what gives the radians back, if anything does, is next to it.
+    // Each direction rounds twice, so the value that gives these radians, if there is one, is a neighbour.
     double nearest = degrees;
     double below = degrees;
     double above = degrees;

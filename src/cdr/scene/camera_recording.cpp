@@ -10,7 +10,7 @@ namespace cdr::scene {
 
 namespace {
 
-/// As a rotation from view to world space.
+/// The camera's rotation from view to world space.
 glm::dquat turnOf(const Camera& camera) {
     return glm::normalize(glm::quat_cast(glm::dmat3(camera.right, camera.up, camera.back)));
 }
@@ -19,7 +19,7 @@ double betweenLogs(double a, double b, double share) {
     return a == b ? a : std::exp(std::lerp(std::log(a), std::log(b), share));
 }
 
-/// From the nearer end, so that the way, and not the place, is what a share rounds.
+/// Linear from the nearer end, so that the difference is rounded and not the position.
 glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double share) {
     return share < 0.5 ? a + share * (b - a) : b - (1.0 - share) * (b - a);
 }

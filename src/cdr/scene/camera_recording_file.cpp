@@ -34,7 +34,7 @@ Json toJson(const RecordedCamera& recorded) {
             {"near", camera.nearView},       {"far", camera.farView}};
 }
 
-/// Deeper nesting than a recording has would take fifty times the file's size.
+/// A recording is not nested deeper. Deep nesting would take fifty times the file's size in memory.
 bool refuseNesting(int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
     constexpr int kDeepest = 4; // recording, cameras, camera, vector, number
     if (depth > kDeepest) {
@@ -64,7 +64,7 @@ void requireOrthonormal(const Camera& camera) {
     const std::array<glm::dvec3, 3> axes{camera.right, camera.up, camera.back};
     for (std::size_t i = 0; i < axes.size(); ++i) {
         for (std::size_t j = i; j < axes.size(); ++j) {
-            // Written so that what is not a number fails.
+            // Written so that NaN fails.
             if (!(std::abs(glm::dot(axes[i], axes[j]) - (i == j ? 1.0 : 0.0)) <= kAxesTolerance)) {
                 throw base::InputError("right, up and back must be orthonormal");
             }
