@@ -53,10 +53,11 @@ Forecast forecast(const Technique& technique, const ForecastScene& scene) {
     const auto holder = std::find_if(cascades.begin(), cascades.end(),
                                      [&](const Cascade& cascade) { return w <= cascade.farView; });
     const Cascade& cascade = holder == cascades.end() ? cascades.back() : *holder;
-    const bool closed = std::holds_alternative<SplitFitted>(technique.split);
-    const DepthRange range =
-        depthRange(technique.mapping, {cascade}, 0,
-                   closed || holder + 1 != cascades.end() ? FarEnd::closed : FarEnd::open);
+    const bool open = technique.mapping == Mapping::reversed && cascades.end() - holder == 1 &&
+                      !std::holds_alternative<SplitFitted>(technique.split);
+    const DepthRange range{.mapping = technique.mapping,
+                           .nearView = cascade.nearView,
+                           .farView = open ? std::nullopt : std::optional(cascade.farView)};
     return {.cascades = cascades.size(),
             .bufferStepView = separationView(range, technique.format, w),
             .rounding = depthRounding(range, w)};
