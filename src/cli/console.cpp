@@ -1,5 +1,7 @@
 #include "console.h"
 
+#include <cdr/base/standard_streams.h>
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,14 +10,19 @@
 namespace cdr::cli {
 
 Console::Console(const GlobalOptions& global, const OutputOptions& output)
-    : m_out(output.json == "-" ? stderr : stdout),
+    : m_toError(output.json == "-"),
       m_quiet(global.quiet || !global.section.empty()),
       m_showsProgress(!global.quiet && ::isatty(STDERR_FILENO) != 0),
       m_section(global.section.empty() ? "" : global.section + ": ") {}
 
 void Console::line(const std::string& text) const {
-    if (!m_quiet) {
-        fmt::print(m_out, "{}\n", text);
+    if (m_quiet) {
+        return;
+    }
+    if (m_toError) {
+        base::printError(text);
+    } else {
+        base::printOutput(text + "\n");
     }
 }
 

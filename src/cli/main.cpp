@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,7 +47,10 @@ int run(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {
-        return program.exit(success);
+        std::ostringstream text;
+        const int status = program.exit(success, text, text);
+        cdr::base::printOutput(text.str());
+        return status;
     } catch (const CLI::RequiredError& error) {
         throw cdr::base::InputError(explainMissing(program, error));
     } catch (const CLI::ParseError& error) {

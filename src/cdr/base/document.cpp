@@ -4,7 +4,6 @@
 #include <cdr/base/file.h>
 #include <cdr/base/standard_streams.h>
 
-#include <iostream>
 #include <thread>
 
 namespace cdr::base {
@@ -36,7 +35,7 @@ std::string textOf(const nlohmann::ordered_json& json, int indent) {
 void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_json& document) {
     const std::string text = textOf(document, 2);
     if (path == "-") {
-        std::cout << text;
+        printOutput(text);
         flushStandardOutput();
         return;
     }

@@ -3,18 +3,31 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <iostream>
 #include <system_error>
 
 namespace cdr::base {
 
+namespace {
+
+[[noreturn]] void failToWrite() {
+    const int error = errno;
+    throw RunError("standard output: write failed" +
+                   (error != 0 ? ": " + std::generic_category().message(error) : std::string()));
+}
+
+} // namespace
+
+void printOutput(const std::string& text) {
+    errno = 0;
+    if (std::fputs(text.c_str(), stdout) < 0) {
+        failToWrite();
+    }
+}
+
 void flushStandardOutput() {
     errno = 0;
-    const bool isWritten = std::cout.flush() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-    if (!isWritten) {
-        const int error = errno;
-        throw RunError("standard output: write failed" +
-                       (error != 0 ? ": " + std::generic_category().message(error) : std::string()));
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        failToWrite();
     }
 }
 

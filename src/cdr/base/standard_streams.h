@@ -4,6 +4,9 @@
 
 namespace cdr::base {
 
+/// Prints on standard output. RunError when that could not be written.
+void printOutput(const std::string& text);
+
 /// Writes out what was printed on standard output. RunError when some of it could not be written, now or
 /// before.
 void flushStandardOutput();
