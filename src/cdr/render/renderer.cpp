@@ -67,7 +67,10 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_focus(options.focus.isOn() ? makeFocusLayers() : nullptr),
       m_plain(m_focus ? nullptr : makeTargets(device, options.targets, targetsOptions(m_extent, options))),
       m_targets(m_focus ? *m_focus : *m_plain),
-      m_shading(device, m_targets.gbuffer(), m_picture.lit(), options.effects, m_shiny),
+      m_shading(device, m_targets.gbuffer(), m_picture.lit(),
+                {.effects = options.effects,
+                 .shiny = m_shiny,
+                 .lights = static_cast<std::uint32_t>(scene.lights.size())}),
       m_translucent(m_opaque ? std::make_unique<TranslucentPass>(device, scene, gpuScene, m_targets.gbuffer(),
                                                                  m_picture.lit(), options.translucency)
                              : nullptr),
