@@ -27,7 +27,7 @@ nlohmann::ordered_json toJson(const gpu::DeviceInfo& info) {
 void runDevices(const GlobalOptions& global, const OutputOptions& output) {
     const gpu::Instance instance({.validate = global.validate, .extensions = {}});
     const Console console(global, output);
-    auto document = base::makeDocument("devices", {}, nlohmann::ordered_json::object());
+    auto document = host::makeDocument("devices", {}, nlohmann::ordered_json::object());
     std::vector<std::vector<std::string>> rows;
     for (const gpu::DeviceInfo& info : gpu::listDevices(instance)) {
         rows.push_back(

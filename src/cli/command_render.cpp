@@ -7,8 +7,8 @@
 #include "sequence_name.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
 #include <cdr/base/suggest.h>
+#include <cdr/host/file.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/lod/levels.h>
 #include <scenes/open_scene.h>
@@ -78,10 +78,10 @@ void checkArguments(const RenderArguments& arguments, const FrameCameras& camera
         if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
             throw base::InputError(base::unknownName("picture format", extension, kExtensions));
         }
-        base::requireWritable(name.at(cameras.first));
+        host::requireWritable(name.at(cameras.first));
     }
     if (!arguments.trace.empty()) {
-        base::requireWritable(arguments.trace);
+        host::requireWritable(arguments.trace);
     }
     requireJsonWritable(arguments.output);
 }
@@ -119,7 +119,7 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, const PictureS
 class FrameMaker {
   public:
     FrameMaker(const Session& session, const scene::OpenedScene& opened, const render::RenderOptions& options,
-               bool wantsTruth, base::WorkerPool& workers)
+               bool wantsTruth, host::WorkerPool& workers)
         : m_options(options),
           m_workers(workers),
           m_onDevice(session.device(), opened.setup.scene),
@@ -143,7 +143,7 @@ class FrameMaker {
 
   private:
     const render::RenderOptions& m_options;
-    base::WorkerPool& m_workers;
+    host::WorkerPool& m_workers;
     render::GpuScene m_onDevice;
     render::Renderer m_renderer;
     std::optional<measure::TruthCaster> m_caster;
@@ -156,8 +156,8 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     render::RenderOptions options = optionsOf(arguments, size, aov);
     const FrameCameras cameras(arguments.camera);
     checkArguments(arguments, cameras, name);
-    base::WorkerPool workers(arguments.threads);
-    std::optional<base::Trace> trace;
+    host::WorkerPool workers(arguments.threads);
+    std::optional<host::Trace> trace;
     if (!arguments.trace.empty()) {
         options.trace = &trace.emplace(options.threads);
     }
@@ -175,7 +175,7 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     }
     FrameMaker maker(session, opened, options, aov == experiments::Aov::wrong, workers);
     const std::string technique = techniqueOf(arguments).name;
-    auto document = base::makeDocument("render", session.documentDevice(),
+    auto document = host::makeDocument("render", session.documentDevice(),
                                        optionsJson(arguments, options.technique, size));
     std::vector<std::vector<std::string>> rows;
     for (std::uint32_t number = cameras.first; number < cameras.first + cameras.frames; ++number) {

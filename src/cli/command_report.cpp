@@ -1,11 +1,11 @@
 #include "commands.h"
 #include "console.h"
 
-#include <cdr/base/child_process.h>
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/child_process.h>
+#include <cdr/host/file.h>
+#include <cdr/host/worker_pool.h>
 #include <report/folder.h>
 #include <report/page.h>
 #include <report/plan.h>
@@ -75,7 +75,7 @@ SectionOutcome runSection(const GlobalOptions& global, const report::Section& se
     }
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (const fs::path json = root / section.jsonFile(); fs::exists(json)) {
-        outcome.document = nlohmann::ordered_json::parse(base::readFile(json, kMaxJsonBytes));
+        outcome.document = nlohmann::ordered_json::parse(host::readFile(json, kMaxJsonBytes));
     }
     return outcome;
 }
@@ -124,7 +124,7 @@ nlohmann::ordered_json describe(const report::Section& section, const SectionOut
 constexpr base::EnumNames<report::Effort, 3> kEfforts{"effort", {"smallest", "quick", "full"}};
 
 nlohmann::ordered_json makeManifest(const Session& session, const report::PlanOptions& options) {
-    nlohmann::ordered_json manifest = base::makeDocument(
+    nlohmann::ordered_json manifest = host::makeDocument(
         "report", session.documentDevice(),
         {{"effort", kEfforts.nameOf(options.effort)}, {"threads", options.threads}, {"seed", options.seed}});
     manifest["videos"] = options.videos;
@@ -163,13 +163,13 @@ nlohmann::ordered_json fillFolder(const GlobalOptions& global, const ReportArgum
     for (const fs::path& file : report::filesUnder(root)) {
         manifest["files"].push_back(file.generic_string());
     }
-    base::writeDocument(root / report::kManifest, manifest);
+    host::writeDocument(root / report::kManifest, manifest);
     return manifest;
 }
 
 void run(const GlobalOptions& global, ReportArguments& arguments) {
     report::requirePage();
-    arguments.plan.videos = base::isInstalled("ffmpeg");
+    arguments.plan.videos = host::isInstalled("ffmpeg");
     requireJsonWritable(arguments.output);
     const report::PendingFolder folder(arguments.folder);
     const Console console(global, arguments.output);
@@ -207,7 +207,7 @@ void addReport(CLI::App& program, const GlobalOptions& global) {
     command
         ->add_option("--threads", arguments->plan.threads,
                      "Threads that cull, bin, record and cast the truth")
-        ->check(CLI::Range(std::size_t{1}, base::WorkerPool::kMaxThreads))
+        ->check(CLI::Range(std::size_t{1}, host::WorkerPool::kMaxThreads))
         ->capture_default_str();
     command->add_option("--seed", arguments->plan.seed, "Seed of everything random")->capture_default_str();
     addJson(*command, arguments->output);

@@ -3,8 +3,8 @@
 #include "commands.h"
 #include "console.h"
 
-#include <cdr/base/file.h>
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/file.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/image/codec.h>
 
 #include <nlohmann/json.hpp>
@@ -33,7 +33,7 @@ void addComparison(CLI::App& command, Options& options, ComparisonArguments& arg
         ->capture_default_str();
     command.add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command.add_option("--threads", options.threads, "Threads that cull, bin and record")
-        ->check(CLI::Range(std::size_t{1}, base::WorkerPool::kMaxThreads))
+        ->check(CLI::Range(std::size_t{1}, host::WorkerPool::kMaxThreads))
         ->capture_default_str();
     command.add_option("--seed", options.seed, "Seed of the scene, the orders and the bootstrap")
         ->capture_default_str();
@@ -49,7 +49,7 @@ void begin(const ComparisonArguments& arguments, Options& options) {
     options.height = size.height;
     requireJsonWritable(arguments.output);
     if (!arguments.folder.empty()) {
-        base::makeFolder(arguments.folder);
+        host::makeFolder(arguments.folder);
     }
 }
 

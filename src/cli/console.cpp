@@ -1,6 +1,6 @@
 #include "console.h"
 
-#include <cdr/base/standard_streams.h>
+#include <cdr/host/standard_streams.h>
 
 #include <unistd.h>
 
@@ -20,9 +20,9 @@ void Console::line(const std::string& text) const {
         return;
     }
     if (m_toError) {
-        base::printError(text);
+        host::printError(text);
     } else {
-        base::printOutput(text + "\n");
+        host::printOutput(text + "\n");
     }
 }
 
@@ -71,7 +71,7 @@ void Console::endProgress() const {
 
 void writeJson(const OutputOptions& output, const nlohmann::ordered_json& document) {
     if (output.json) {
-        base::writeDocument(*output.json, document);
+        host::writeDocument(*output.json, document);
     }
 }
 

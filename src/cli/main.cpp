@@ -1,9 +1,9 @@
 #include "commands.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/standard_streams.h>
 #include <cdr/base/suggest.h>
 #include <cdr/gpu/failure.h>
+#include <cdr/host/standard_streams.h>
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ int run(int argc, char** argv) {
     program.add_flag("--validate", global.validate,
                      "Run under the Khronos validation layer; any message is a failure");
     program.add_flag("--quiet", global.quiet, "Print nothing but errors");
-    const cdr::base::BuildInfo build = cdr::base::buildInfo();
+    const cdr::host::BuildInfo build = cdr::host::buildInfo();
     program.set_version_flag("--version", fmt::format("cdr {} ({})", build.version, build.commit));
     cdr::cli::addDevices(program, global);
     cdr::cli::addRender(program, global);
@@ -49,7 +49,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& success) {
         std::ostringstream text;
         const int status = program.exit(success, text, text);
-        cdr::base::printOutput(text.str());
+        cdr::host::printOutput(text.str());
         return status;
     } catch (const CLI::RequiredError& error) {
         throw cdr::base::InputError(explainMissing(program, error));
@@ -64,11 +64,11 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     try {
         const int status = run(argc, argv);
-        cdr::base::flushStandardOutput();
+        cdr::host::flushStandardOutput();
         return status;
     } catch (...) {
         const cdr::gpu::Failure failure = cdr::gpu::failureOf(std::current_exception());
-        cdr::base::printError("cdr: " + failure.line);
+        cdr::host::printError("cdr: " + failure.line);
         return failure.status;
     }
 }

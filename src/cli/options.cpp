@@ -1,7 +1,7 @@
 #include "commands.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ void addJson(CLI::App& command, OutputOptions& output) {
 
 void requireJsonWritable(const OutputOptions& output) {
     if (output.json && *output.json != "-") {
-        base::requireWritable(*output.json);
+        host::requireWritable(*output.json);
     }
 }
 

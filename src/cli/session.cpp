@@ -10,7 +10,7 @@ Session::Session(const GlobalOptions& options)
     : m_instance({.validate = options.validate, .extensions = {}}),
       m_device(m_instance, options.device) {}
 
-base::DocumentDevice Session::documentDevice() const {
+host::DocumentDevice Session::documentDevice() const {
     const gpu::DeviceInfo& info = m_device.info();
     return {.name = info.name, .driver = info.driver, .api = info.api};
 }

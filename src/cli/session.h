@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/base/document.h>
 #include <cdr/gpu/device.h>
+#include <cdr/host/document.h>
 
 #include <filesystem>
 #include <memory>
@@ -30,7 +30,7 @@ class Session {
 
     const gpu::Device& device() const { return m_device; }
     const gpu::Instance& instance() const { return m_instance; }
-    base::DocumentDevice documentDevice() const;
+    host::DocumentDevice documentDevice() const;
 
     /// base::RunError, with the first message, when the validation layers had anything to say.
     void requireSilentValidation() const;

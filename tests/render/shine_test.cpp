@@ -191,7 +191,7 @@ TEST_F(ShineTest, SheetsShineAsInTheTruth) {
     options.height = 108;
     options.translucency = {.method = render::Translucency::sorted, .countsFragments = true};
     const Frame frame = draw(scene, camera, options);
-    base::WorkerPool workers(2);
+    host::WorkerPool workers(2);
     const measure::LayerDifference difference =
         measure::compareLayers(frame.color, frame.fragmentCounts,
                                measure::castLayers(scene, camera, frame.width(), frame.height(), workers));

@@ -17,18 +17,18 @@ namespace cdr::render {
 
 namespace {
 
-double millisecondsBetween(base::Trace::Clock::time_point begin, base::Trace::Clock::time_point end) {
+double millisecondsBetween(host::Trace::Clock::time_point begin, host::Trace::Clock::time_point end) {
     return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 
 /// Times one stage after the other.
 class Stopwatch {
   public:
-    explicit Stopwatch(base::Trace* trace) : m_trace(trace) {}
+    explicit Stopwatch(host::Trace* trace) : m_trace(trace) {}
 
     /// Milliseconds since the last call; they were `stage`.
     double lap(const char* stage) {
-        const auto now = base::Trace::Clock::now();
+        const auto now = host::Trace::Clock::now();
         const auto last = std::exchange(m_last, now);
         if (m_trace != nullptr) {
             m_trace->addStage(stage, last, now);
@@ -37,8 +37,8 @@ class Stopwatch {
     }
 
   private:
-    base::Trace* m_trace;
-    base::Trace::Clock::time_point m_last = base::Trace::Clock::now();
+    host::Trace* m_trace;
+    host::Trace::Clock::time_point m_last = host::Trace::Clock::now();
 };
 
 std::optional<scene::Instances> opaqueWhereBlended(const scene::Scene& scene) {
@@ -171,7 +171,7 @@ void Renderer::launch(Slot& slot, Destination destination) {
     }
     const std::span<const vk::CommandBuffer> commands = slot.path->end(view);
     slot.stats.times.recordMs = watch.lap("record");
-    slot.submitted = base::Trace::Clock::now();
+    slot.submitted = host::Trace::Clock::now();
     gpu::submit(m_device, commands, *slot.done);
     slot.isPending = true;
 }
@@ -249,7 +249,7 @@ void Renderer::finish() {
 
 void Renderer::waitFor(Slot& slot) {
     settle(slot);
-    const auto done = base::Trace::Clock::now();
+    const auto done = host::Trace::Clock::now();
     slot.stats.times.executeMs = millisecondsBetween(slot.submitted, done);
     if (m_options.trace != nullptr) {
         m_options.trace->addStage("execute", slot.submitted, done);

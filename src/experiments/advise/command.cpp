@@ -117,7 +117,7 @@ void printTable(const Console& console, const depth::Advice& advice, bool measur
 struct Answer {
     depth::AdviceQuestion question;
     depth::Advice advice;
-    std::optional<base::DocumentDevice> device;
+    std::optional<host::DocumentDevice> device;
     std::string measuredOn;
 };
 
@@ -161,7 +161,7 @@ void run(const GlobalOptions& global, const AdviseArguments& arguments) {
     if (arguments.measured) {
         console.line("\n" + measuredOn);
     }
-    auto document = base::makeDocument("advise", device.value_or(base::DocumentDevice{}),
+    auto document = host::makeDocument("advise", device.value_or(host::DocumentDevice{}),
                                        {{"near", question.scene.nearView},
                                         {"far", question.scene.farView},
                                         {"fov_degrees", arguments.fovDegrees},

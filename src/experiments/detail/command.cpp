@@ -67,12 +67,12 @@ void run(const GlobalOptions& global, DetailArguments& arguments) {
                              describe(session.device()), options.scene, report.sceneTriangles,
                              report.meshLevels, report.makeMs, options.frames, options.width, options.height,
                              options.pixels, arguments.depth, arguments.split, options.threads,
-                             base::buildInfo().commit));
+                             host::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"mapping", nameOf(options.technique.mapping)},
                      {"split", nameOf(options.technique.split)},
                      {"error_pixels", options.pixels}});
-    auto document = base::makeDocument("detail", session.documentDevice(), std::move(settings));
+    auto document = host::makeDocument("detail", session.documentDevice(), std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(toJson(result));
         keepPicture(arguments.common, "picture", result.mode + ".png", result.picture, row);

@@ -57,7 +57,7 @@ void run(const GlobalOptions& global, EffectsArguments& arguments) {
                              experiments::kEffectTolerance));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"occlusion_radius", options.occlusionRadius}, {"visibility", options.visibility}});
-    auto document = base::makeDocument("effects", session.documentDevice(), std::move(settings));
+    auto document = host::makeDocument("effects", session.documentDevice(), std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(toJson(result));
         keepPicture(arguments.common, "picture", result.mode + ".png", result.picture, row);

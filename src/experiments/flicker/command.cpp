@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cli/commands.h>
 #include <cli/console.h>
 #include <cli/wrong_pixels_json.h>
@@ -171,7 +171,7 @@ void run(const GlobalOptions& global, FlickerArguments& arguments) {
                              describe(session.device()), options.frames, size.width, size.height,
                              options.flipEvery, options.seed));
 
-    auto document = base::makeDocument("flicker", session.documentDevice(),
+    auto document = host::makeDocument("flicker", session.documentDevice(),
                                        {{"width", size.width},
                                         {"height", size.height},
                                         {"frames", options.frames},
@@ -181,7 +181,7 @@ void run(const GlobalOptions& global, FlickerArguments& arguments) {
     for (const auto& result : results) {
         document["results"].push_back(toJson(result));
     }
-    auto& section = base::addSection(document, "pairs");
+    auto& section = host::addSection(document, "pairs");
     for (const auto& pair : pairs) {
         section.push_back(toJson(pair));
     }

@@ -69,14 +69,14 @@ void run(const GlobalOptions& global, FocusArguments& arguments) {
                     "commit {}",
                     describe(session.device()), options.scene, options.frames, options.width, options.height,
                     options.lens.distance, options.lens.aperture, options.cameras, arguments.depth,
-                    options.threads, base::buildInfo().commit));
+                    options.threads, host::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"mapping", nameOf(options.mapping)},
                      {"split", arguments.split.empty() ? "circles" : nameOf(options.split)},
                      {"distance", options.lens.distance},
                      {"aperture", options.lens.aperture},
                      {"cameras", options.cameras}});
-    auto document = base::makeDocument("focus", session.documentDevice(), std::move(settings));
+    auto document = host::makeDocument("focus", session.documentDevice(), std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(toJson(result));
         keepPicture(arguments.common, "picture", result.mode + ".png", result.picture, row);

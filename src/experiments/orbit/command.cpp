@@ -1,4 +1,4 @@
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 #include <cli/commands.h>
 #include <cli/console.h>
@@ -93,7 +93,7 @@ void run(const GlobalOptions& global, OrbitArguments& arguments) {
     }
     const scene::SceneSetup setup = scenes::openOrbit(arguments.files);
     if (!arguments.folder.empty()) {
-        base::makeFolder(arguments.folder);
+        host::makeFolder(arguments.folder);
     }
     const Session session(global);
     const Console console(global, arguments.output);
@@ -118,7 +118,7 @@ void run(const GlobalOptions& global, OrbitArguments& arguments) {
             experiments::orbitPlot(result.results, fmt::format("{}x{}, {}", size.width, size.height,
                                                                describe(session.device()))));
     }
-    auto document = base::makeDocument("orbit", session.documentDevice(),
+    auto document = host::makeDocument("orbit", session.documentDevice(),
                                        {{"width", size.width},
                                         {"height", size.height},
                                         {"frames", arguments.options.frames},

@@ -1,4 +1,4 @@
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 #include <cli/commands.h>
 #include <cli/console.h>
@@ -64,7 +64,7 @@ void run(const GlobalOptions& global, PicturesArguments& arguments) {
         arguments.options.techniques.push_back(depth::namedTechnique(name));
     }
     requireJsonWritable(arguments.output);
-    base::makeFolder(arguments.folder);
+    host::makeFolder(arguments.folder);
     const Session session(global);
     const Console console(global, arguments.output);
     const auto results = experiments::runPictures(
@@ -89,7 +89,7 @@ void run(const GlobalOptions& global, PicturesArguments& arguments) {
                              arguments.options.frames, arguments.options.seed, arguments.folder.string(),
                              sheet.string()));
 
-    auto document = base::makeDocument("pictures", session.documentDevice(),
+    auto document = host::makeDocument("pictures", session.documentDevice(),
                                        {{"width", size.width},
                                         {"height", size.height},
                                         {"frames", arguments.options.frames},

@@ -1,4 +1,4 @@
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cli/commands.h>
 #include <cli/console.h>
 #include <experiments/precision/precision.h>
@@ -62,7 +62,7 @@ void writeCurve(const std::string& file, const experiments::PrecisionResult& res
     for (const auto& point : result.curve) {
         csv += fmt::format("{},{}\n", point.distanceView, fmt::join(point.separations, ","));
     }
-    base::writeFile(file, {reinterpret_cast<const std::uint8_t*>(csv.data()), csv.size()});
+    host::writeFile(file, {reinterpret_cast<const std::uint8_t*>(csv.data()), csv.size()});
 }
 
 void run(const GlobalOptions& global, const PrecisionArguments& arguments) {
@@ -73,13 +73,13 @@ void run(const GlobalOptions& global, const PrecisionArguments& arguments) {
     console.line("\nEvery technique and depth format, by the exact step of the buffer alone:");
     printTable(console, result.byFormat);
 
-    auto document = base::makeDocument(
+    auto document = host::makeDocument(
         "precision", {},
         {{"near", arguments.options.nearView}, {"far", arguments.options.farView}, {"bits", 24}});
     for (const auto& cell : result.table) {
         document["results"].push_back(toJson(cell));
     }
-    auto& byFormat = base::addSection(document, "by_format");
+    auto& byFormat = host::addSection(document, "by_format");
     for (const auto& cell : result.byFormat) {
         byFormat.push_back(toJson(cell));
     }

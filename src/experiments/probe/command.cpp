@@ -85,7 +85,7 @@ void run(const GlobalOptions& global, ProbeArguments& arguments) {
     console.line(fmt::format("\n{}; seed {}; one picture each of {}x{}", describe(session.device()),
                              arguments.options.seed, size.width, size.height));
 
-    auto document = base::makeDocument(
+    auto document = host::makeDocument(
         "probe", session.documentDevice(),
         {{"width", size.width}, {"height", size.height}, {"seed", arguments.options.seed}});
     for (const auto& result : results) {

@@ -102,7 +102,7 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
     for (const double distanceView : options.distancesView) {
         ladderAt(distanceView, options); // an unusable one ends here, before any work
     }
-    base::WorkerPool workers(options.threads);
+    host::WorkerPool workers(options.threads);
     const std::size_t all = options.distancesView.size() * techniques.size() * options.formats.size();
     std::vector<ProbeResult> results;
     for (const double distanceView : options.distancesView) {

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cli/commands.h>
 #include <cli/console.h>
 #include <experiments/gnuplot.h>
@@ -107,7 +107,7 @@ void writeCsv(const std::filesystem::path& path, const experiments::ScalingResul
                            p.execute.medianMs, p.frame.medianMs, p.recordSpeedUp, p.efficiency(),
                            p.cullAndBinSpeedUp, p.frameSpeedUp, p.hash, p.sameImage);
     }
-    base::writeText(path, csv);
+    host::writeText(path, csv);
 }
 
 /// What can be wrong with the arguments, before anything is made.
@@ -130,7 +130,7 @@ void checkArguments(ScalingArguments& arguments) {
     experiments::requireUsable(arguments.options);
     requireJsonWritable(arguments.output);
     if (!arguments.csv.empty()) {
-        base::requireWritable(arguments.csv);
+        host::requireWritable(arguments.csv);
     }
     if (!arguments.plot.empty()) {
         experiments::requirePlottable(arguments.plot);
@@ -147,13 +147,13 @@ void writeResults(const Session& session, const ScalingArguments& arguments,
         experiments::writePlot(arguments.plot, experiments::scalingPlot(result, describe(session.device())));
     }
     auto document =
-        base::makeDocument("scaling", session.documentDevice(),
+        host::makeDocument("scaling", session.documentDevice(),
                            {{"width", options.width},
                             {"height", options.height},
                             {"repeats", options.repeats},
-                            {"placement", options.placement == base::Placement::pinned ? "pinned" : "free"},
+                            {"placement", options.placement == host::Placement::pinned ? "pinned" : "free"},
                             {"seed", options.seed}});
-    auto& fits = base::addSection(document, "fits");
+    auto& fits = host::addSection(document, "fits");
     for (const auto& point : result.points) {
         document["results"].push_back(toJson(point));
     }
@@ -178,7 +178,7 @@ void run(const GlobalOptions& global, ScalingArguments& arguments) {
     console.line(fmt::format(
         "\n{}; medians of {} frames a point, +- the quartiles' distance, seed {}, {}x{}; commit {}",
         describe(session.device()), arguments.options.repeats, arguments.options.seed,
-        arguments.options.width, arguments.options.height, base::buildInfo().commit));
+        arguments.options.width, arguments.options.height, host::buildInfo().commit));
     writeResults(session, arguments, result);
     const auto differs = std::find_if(result.points.begin(), result.points.end(),
                                       [](const auto& point) { return !point.sameImage; });
@@ -210,7 +210,7 @@ void addScaling(CLI::App& program, const GlobalOptions& global) {
                      "gpu-driven")
         ->delimiter(',');
     command->add_flag_callback(
-        "--free", [&options] { options.placement = base::Placement::free; },
+        "--free", [&options] { options.placement = host::Placement::free; },
         "Let the kernel place threads, instead of pinning each to a CPU");
     command->add_option("--cascades", options.cascades, "Numbers of cascades")
         ->delimiter(',')

@@ -1,6 +1,6 @@
-#include <cdr/base/file.h>
-#include <cdr/base/trace.h>
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/file.h>
+#include <cdr/host/trace.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/render/renderer.h>
 #include <cli/commands.h>
 #include <cli/console.h>
@@ -91,7 +91,7 @@ void writeCsv(const std::filesystem::path& path, const Results& results) {
                            r.overheadPercent95.high,
                            r.mode.thesisPercent ? fmt::format("{}", *r.mode.thesisPercent) : "");
     }
-    base::writeText(path, csv);
+    host::writeText(path, csv);
 }
 
 /// What can be wrong with the arguments, before anything is made.
@@ -105,7 +105,7 @@ void checkArguments(TimingArguments& arguments) {
     requireJsonWritable(arguments.output);
     for (const std::filesystem::path& path : {arguments.csv, arguments.trace}) {
         if (!path.empty()) {
-            base::requireWritable(path);
+            host::requireWritable(path);
         }
     }
     if (!arguments.plot.empty()) {
@@ -117,7 +117,7 @@ nlohmann::ordered_json makeDocument(const Session& session, const TimingArgument
                                     const Results& results) {
     const experiments::TimingOptions& options = arguments.options;
     auto document =
-        base::makeDocument("timing", session.documentDevice(),
+        host::makeDocument("timing", session.documentDevice(),
                            {{"width", options.width},
                             {"height", options.height},
                             {"frames", options.frames},
@@ -138,7 +138,7 @@ nlohmann::ordered_json makeDocument(const Session& session, const TimingArgument
 
 void run(const GlobalOptions& global, TimingArguments& arguments) {
     checkArguments(arguments);
-    std::optional<base::Trace> trace;
+    std::optional<host::Trace> trace;
     if (!arguments.trace.empty()) {
         arguments.options.trace = &trace.emplace(arguments.options.threads);
     }
@@ -155,7 +155,7 @@ void run(const GlobalOptions& global, TimingArguments& arguments) {
     console.line(fmt::format("\n{}; {} frames a mode after {} dropped, seed {}, {} threads, {}x{}; commit {}",
                              describe(session.device()), arguments.options.frames, experiments::kWarmUpFrames,
                              arguments.options.seed, arguments.options.threads, arguments.options.width,
-                             arguments.options.height, base::buildInfo().commit));
+                             arguments.options.height, host::buildInfo().commit));
     console.line(fmt::format("Noise floor, standard over itself: {:+.2f} %, 95 % {:+.2f} to {:+.2f}",
                              results.at(1).overheadPercent, results.at(1).overheadPercent95.low,
                              results.at(1).overheadPercent95.high));
@@ -183,7 +183,7 @@ void addTiming(CLI::App& program, const GlobalOptions& global) {
         ->capture_default_str();
     command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--threads", options.threads, "Threads that cull, bin and record")
-        ->check(CLI::Range(std::size_t{1}, base::WorkerPool::kMaxThreads))
+        ->check(CLI::Range(std::size_t{1}, host::WorkerPool::kMaxThreads))
         ->capture_default_str();
     command
         ->add_option("--in-flight", options.framesInFlight,

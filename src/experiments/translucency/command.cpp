@@ -1,4 +1,4 @@
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 #include <cli/commands.h>
 #include <cli/console.h>
@@ -82,7 +82,7 @@ void run(const GlobalOptions& global, TranslucencyArguments& arguments) {
     experiment.mostBytes = arguments.memoryMiB << 20u;
     requireJsonWritable(arguments.output);
     if (!arguments.folder.empty()) {
-        base::makeFolder(arguments.folder);
+        host::makeFolder(arguments.folder);
     }
     const Session session(global);
     const Console console(global, arguments.output);
@@ -106,7 +106,7 @@ void run(const GlobalOptions& global, TranslucencyArguments& arguments) {
     if (!arguments.folder.empty()) {
         writePictures(arguments.folder, all);
     }
-    auto document = base::makeDocument("translucency", session.documentDevice(),
+    auto document = host::makeDocument("translucency", session.documentDevice(),
                                        {{"scene", experiment.scene},
                                         {"width", size.width},
                                         {"height", size.height},

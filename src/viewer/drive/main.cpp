@@ -3,7 +3,7 @@
 #include "soak.h"
 
 #include <CLI/CLI.hpp>
-#include <cdr/base/standard_streams.h>
+#include <cdr/host/standard_streams.h>
 #include <viewer/session/program.h>
 
 #include <filesystem>
@@ -37,7 +37,7 @@ void run(const DriveArguments& arguments) {
         viewer::keepFreeMemoryLow();
         viewer::Soak soak(*arguments.soakSeconds, arguments.viewer.seed);
         viewer::runViewer(arguments.viewer, &soak);
-        cdr::base::printOutput(soak.report() + "\n");
+        cdr::host::printOutput(soak.report() + "\n");
     } else if (arguments.script) {
         viewer::ScriptPlayer player(viewer::readScript(*arguments.script));
         viewer::runViewer(arguments.viewer, &player);

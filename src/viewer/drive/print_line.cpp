@@ -1,12 +1,12 @@
 #include "print_line.h"
 
-#include <cdr/base/standard_streams.h>
+#include <cdr/host/standard_streams.h>
 
 namespace cdr::viewer {
 
 void printLine(const std::string& line) {
-    base::printOutput(line + "\n");
-    base::flushStandardOutput();
+    host::printOutput(line + "\n");
+    host::flushStandardOutput();
 }
 
 } // namespace cdr::viewer

@@ -4,7 +4,7 @@
 #include "statistics_report.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/standard_streams.h>
+#include <cdr/host/standard_streams.h>
 #include <cdr/image/codec.h>
 #include <viewer/panels/overlay.h>
 #include <viewer/panels/panels.h>
@@ -210,7 +210,7 @@ void Application::run() {
         }
     }
     if (m_arguments.statistics) {
-        base::printOutput(statisticsReport(m_model, m_session.results(), secondsSince(began), m_uiIntervals));
+        host::printOutput(statisticsReport(m_model, m_session.results(), secondsSince(began), m_uiIntervals));
     }
     finish();
 }

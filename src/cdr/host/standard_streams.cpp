@@ -1,18 +1,18 @@
 #include <cdr/base/error.h>
-#include <cdr/base/standard_streams.h>
+#include <cdr/host/standard_streams.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
 
-namespace cdr::base {
+namespace cdr::host {
 
 namespace {
 
 [[noreturn]] void failToWrite() {
     const int error = errno;
-    throw RunError("standard output: write failed" +
-                   (error != 0 ? ": " + std::generic_category().message(error) : std::string()));
+    throw base::RunError("standard output: write failed" +
+                         (error != 0 ? ": " + std::generic_category().message(error) : std::string()));
 }
 
 } // namespace
@@ -36,4 +36,4 @@ void printError(const std::string& line) noexcept {
     std::fputc('\n', stderr);
 }
 
-} // namespace cdr::base
+} // namespace cdr::host

@@ -1,12 +1,12 @@
 #include "build_info.h"
 
-#include <cdr/base/document.h>
-#include <cdr/base/file.h>
-#include <cdr/base/standard_streams.h>
+#include <cdr/host/document.h>
+#include <cdr/host/file.h>
+#include <cdr/host/standard_streams.h>
 
 #include <thread>
 
-namespace cdr::base {
+namespace cdr::host {
 
 BuildInfo buildInfo() {
     return {.version = CDR_VERSION, .commit = CDR_COMMIT};
@@ -42,4 +42,4 @@ void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_js
     writeText(path, text);
 }
 
-} // namespace cdr::base
+} // namespace cdr::host
