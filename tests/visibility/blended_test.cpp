@@ -30,7 +30,8 @@ TEST(Blended, InstancesAreSplitByMaterial) {
     ASSERT_EQ(opaque.size(), scene.instances.size());
     base::WorkerPool workers(1);
     VisibleList visible;
-    cullSpheres(opaque, setup.path.at(0), 16.0 / 9.0, workers, visible);
+    const Camera camera = setup.path.at(0);
+    cullSpheres(opaque, camera, frustumOf(camera, 16.0, 9.0), workers, visible);
     EXPECT_GT(visible.count, 10u);
     for (std::size_t i = 0; i < visible.count; ++i) {
         EXPECT_GE(opaque.object[visible.instance[i]], 40u); // of the opaque ones

@@ -1,5 +1,5 @@
 #include <cdr/render/frame.h>
-#include <cdr/render/view_transform.h>
+#include <cdr/scene/frustum.h>
 #include <cdr/shaders/shared.h>
 
 #include <glm/gtc/packing.hpp>
@@ -42,10 +42,10 @@ std::optional<Pick> Frame::pick(std::uint32_t x, std::uint32_t y) const {
     if (id(x, y) == 0) {
         return std::nullopt;
     }
-    const Lens lens = lensOf(camera, static_cast<double>(width()) / height());
+    const scene::Frustum frustum = scene::frustumOf(camera, width(), height());
     const double w = distanceView(x, y);
-    const double right = lens.tanX * (2.0 * (x + 0.5) / width() - 1.0) * w;
-    const double up = lens.tanY * (1.0 - 2.0 * (y + 0.5) / height()) * w;
+    const double right = frustum.tanX * (2.0 * (x + 0.5) / width() - 1.0) * w;
+    const double up = frustum.tanY * (1.0 - 2.0 * (y + 0.5) / height()) * w;
     const glm::dvec3 facing(normalView(x, y));
     return Pick{.object = id(x, y) - 1,
                 .distanceView = w,

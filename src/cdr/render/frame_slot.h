@@ -16,7 +16,7 @@ struct Renderer::Slot {
     base::Trace::Clock::time_point submitted;
 
     scene::Camera camera;
-    Lens lens;
+    scene::Frustum frustum;
     depth::Cascades cascades;
     depth::Cascades clipRanges;
     std::vector<CascadeDraws> draws; ///< by cascade

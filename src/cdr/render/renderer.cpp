@@ -54,8 +54,7 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_opaque(opaqueWhereBlended(scene)),
       m_options(options),
       m_extent(checkedExtent(device, options, m_opaque.has_value())),
-      m_aspect(static_cast<double>(options.width) / static_cast<double>(options.height)),
-      m_split(options.technique, options.height),
+      m_split(options.technique),
       m_workers(options.threads, options.placement),
       m_note(noteOnShine(gpuScene, options)),
       m_shiny(gpuScene.isShiny() && m_note.empty()),
@@ -110,17 +109,15 @@ std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {
     return std::make_unique<SecondaryPath>(m_device, std::move(draws), name);
 }
 
-void Renderer::cull(const scene::Camera& camera) {
-    visibility::cullSpheres(opaque(), camera, m_aspect, m_workers, m_visible);
+void Renderer::cull(const Slot& slot) {
+    visibility::cullSpheres(opaque(), slot.camera, slot.frustum, m_workers, m_visible);
 }
 
-void Renderer::cut(const scene::Camera& camera, Slot& slot) {
-    slot.camera = camera;
-    slot.lens = lensOf(camera, m_aspect);
-    slot.cascades = m_split.cut(camera, m_visible);
+void Renderer::cut(Slot& slot) {
+    slot.cascades = m_split.cut(slot.camera, slot.frustum, m_visible);
     std::optional<FocusLens> focus;
     if (m_focus) {
-        focus.emplace(m_options.focus, slot.lens.tanY, m_extent.height);
+        focus.emplace(m_options.focus, slot.frustum.tanY, m_extent.height);
     }
     const depth::Mapping mapping = m_options.technique.mapping;
     const depth::Cascades ranges =
@@ -133,8 +130,8 @@ void Renderer::cut(const scene::Camera& camera, Slot& slot) {
         const DepthSlice slice = m_targets.depthSlice(i, ranges.size());
         slot.draws.push_back(
             {.anchorView = terms.anchorView,
-             .push =
-                 makeCascadePush(terms, slot.clipRanges[i], slot.lens, slice, static_cast<std::uint32_t>(i)),
+             .push = makeCascadePush(terms, slot.clipRanges[i], slot.frustum, slice,
+                                     static_cast<std::uint32_t>(i)),
              .extent = focus ? shrunk(m_extent, focus->scaleOf(slot.cascades[i])) : m_extent});
     }
 }
@@ -148,11 +145,11 @@ Renderer::Slot& Renderer::nextSlot() {
 void Renderer::launch(Slot& slot, Destination destination) {
     Stopwatch watch(m_options.trace);
     const CutView view{.camera = slot.camera,
-                       .aspect = m_aspect,
+                       .frustum = slot.frustum,
                        .visible = m_visible,
                        .clipRanges = slot.clipRanges,
                        .cascades = slot.draws,
-                       .levels = visibility::levelRule(m_options.detail, slot.camera, m_extent.height)};
+                       .levels = visibility::levelRule(m_options.detail, slot.frustum, m_extent.height)};
     slot.destination = destination;
     slot.path->bin(view, slot.stats);
     slot.stats.times.binMs = watch.lap("bin");
@@ -187,7 +184,7 @@ void Renderer::settle(Slot& slot) {
         slot.isPending = false;
         if (!hasRoomSufficed(slot)) {
             if (slot.path->needsVisible()) {
-                cull(slot.camera); // by now the list may be a later frame's
+                cull(slot); // by now the list may be a later frame's
             }
             launch(slot, slot.destination);
         }
@@ -205,17 +202,19 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destinati
     scene::requireUsable(camera);
     Slot& slot = nextSlot();
     Stopwatch watch(m_options.trace);
+    slot.camera = camera;
+    slot.frustum = scene::frustumOf(camera, m_extent.width, m_extent.height);
     if (slot.path->needsVisible() || m_split.needsVisible()) {
-        cull(camera);
+        cull(slot);
     }
     slot.stats = {};
     slot.stats.note = m_note;
     slot.stats.times.cullMs = watch.lap("cull");
-    cut(camera, slot);
-    slot.shading.update(m_scene, camera, slot.lens, slot.anchorsView());
+    cut(slot);
+    slot.shading.update(m_scene, camera, slot.frustum, slot.anchorsView());
     slot.stats.times.splitMs = watch.lap("split");
     if (slot.translucent) {
-        m_translucent->prepare(*slot.translucent, camera, slot.cascades, m_workers);
+        m_translucent->prepare(*slot.translucent, camera, slot.frustum, slot.cascades, m_workers);
         slot.stats.times.translucentMs = watch.lap("translucent draws");
     }
     launch(slot, destination);

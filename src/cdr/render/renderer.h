@@ -95,8 +95,8 @@ class Renderer {
     Slot& nextSlot();
     /// What is drawn into the G-buffer: all but blended instances.
     const scene::Instances& opaque() const { return m_opaque ? *m_opaque : m_scene.instances; }
-    void cull(const scene::Camera& camera);
-    void cut(const scene::Camera& camera, Slot& slot);
+    void cull(const Slot& slot);
+    void cut(Slot& slot);
     void shade(Slot& slot);
     bool hasRoomSufficed(Slot& slot);
     void launch(Slot& slot, Destination destination);
@@ -111,7 +111,6 @@ class Renderer {
     std::optional<scene::Instances> m_opaque; ///< where the scene has blended instances
     RenderOptions m_options;
     vk::Extent2D m_extent;
-    double m_aspect;
     FrameSplit m_split;
     base::WorkerPool m_workers;
     std::string m_note; ///< FrameStats::note of every frame

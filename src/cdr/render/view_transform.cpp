@@ -1,13 +1,6 @@
 #include <cdr/render/view_transform.h>
 
-#include <cmath>
-
 namespace cdr::render {
-
-Lens lensOf(const scene::Camera& camera, double aspect) {
-    const double tanY = std::tan(0.5 * camera.fovY);
-    return {.tanX = aspect * tanY, .tanY = tanY};
-}
 
 DrawRecordMaker::DrawRecordMaker(const scene::Camera& camera, double anchorView)
     : m_position(camera.position),
@@ -39,14 +32,15 @@ shaders::DrawRecord DrawRecordMaker::make(const DrawSource& source, const Materi
 }
 
 shaders::CascadePush makeCascadePush(const depth::ClipTerms& terms, const depth::Cascade& clipRange,
-                                     const Lens& lens, const DepthSlice& slice, std::uint32_t cascade) {
+                                     const scene::Frustum& frustum, const DepthSlice& slice,
+                                     std::uint32_t cascade) {
     return {.anchorView = static_cast<float>(terms.anchorView),
             .depthScale = static_cast<float>(terms.scale),
             .depthOffset = static_cast<float>(terms.offset),
             .nearAhead = static_cast<float>(clipRange.nearView - terms.anchorView),
             .farAhead = static_cast<float>(clipRange.farView - terms.anchorView),
-            .projectionX = static_cast<float>(1.0 / lens.tanX),
-            .projectionY = static_cast<float>(-1.0 / lens.tanY),
+            .projectionX = static_cast<float>(1.0 / frustum.tanX),
+            .projectionY = static_cast<float>(-1.0 / frustum.tanY),
             .cascade = cascade,
             .minDepth = slice.min,
             .maxDepth = slice.max};

@@ -2,7 +2,7 @@
 
 #include <cdr/depth/mapping.h>
 #include <cdr/render/gpu_scene.h>
-#include <cdr/scene/camera.h>
+#include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 #include <cdr/shaders/shared.h>
 
@@ -14,12 +14,8 @@
 
 namespace cdr::render {
 
-/// The picture's half size at view distance 1: what perspective divides by.
-struct Lens {
-    double tanX = 1.0;
-    double tanY = 1.0;
-};
-Lens lensOf(const scene::Camera& camera, double aspect);
+/// What ShadingInputs::update() calls a frustum.
+using Lens = scene::Frustum;
 
 /// Turns instances into what one cascade's vertex shader wants. The camera's position, and the cascade's
 /// anchor, are subtracted in float64; only the small remainder is rounded to float32.
@@ -56,7 +52,8 @@ struct CascadeDraws {
 
 /// CascadeDraws::push.
 shaders::CascadePush makeCascadePush(const depth::ClipTerms& terms, const depth::Cascade& clipRange,
-                                     const Lens& lens, const DepthSlice& slice, std::uint32_t cascade);
+                                     const scene::Frustum& frustum, const DepthSlice& slice,
+                                     std::uint32_t cascade);
 
 /// A light in view space, each coordinate as a float and its rest.
 shaders::LightRecord makeLightRecord(const scene::PointLight& light, const scene::Camera& camera);

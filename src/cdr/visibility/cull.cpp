@@ -19,20 +19,17 @@ struct SphereTest {
     glm::dvec3 position, right, up, back;
     double cosX, sinX, cosY, sinY, nearView, farView;
 
-    SphereTest(const scene::Camera& camera, double aspect)
+    SphereTest(const scene::Camera& camera, const scene::Frustum& frustum)
         : position(camera.position),
           right(camera.right),
           up(camera.up),
           back(camera.back),
+          cosX(frustum.cosX),
+          sinX(frustum.sinX),
+          cosY(frustum.cosY),
+          sinY(frustum.sinY),
           nearView(camera.nearView),
-          farView(camera.farView) {
-        const double halfY = 0.5 * camera.fovY;
-        const double halfX = std::atan(std::tan(halfY) * aspect);
-        cosX = std::cos(halfX);
-        sinX = std::sin(halfX);
-        cosY = std::cos(halfY);
-        sinY = std::sin(halfY);
-    }
+          farView(camera.farView) {}
 };
 
 struct TestBlock {
@@ -92,9 +89,9 @@ void closeGap(std::vector<T>& values, std::size_t from, std::size_t count, std::
 
 } // namespace
 
-void cullSpheres(const scene::Instances& instances, const scene::Camera& camera, double aspect,
-                 base::WorkerPool& workers, VisibleList& visible) {
-    const SphereTest test(camera, aspect);
+void cullSpheres(const scene::Instances& instances, const scene::Camera& camera,
+                 const scene::Frustum& frustum, base::WorkerPool& workers, VisibleList& visible) {
+    const SphereTest test(camera, frustum);
     const std::size_t count = instances.size();
     visible.instance.resize(count);
     visible.distanceView.resize(count);

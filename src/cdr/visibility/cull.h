@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cdr/base/worker_pool.h>
-#include <cdr/scene/camera.h>
+#include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 
 #include <cstdint>
@@ -21,9 +21,9 @@ struct VisibleList {
 
 /// Sphere against frustum (thesis Listing A.1): keeps every instance whose bounding sphere is not wholly
 /// outside one of the six planes. The same list, in the same order, for any number of workers.
-/// @param aspect width over height of the picture.
+/// @param frustum of the camera and the picture.
 /// @param visible overwritten.
-void cullSpheres(const scene::Instances& instances, const scene::Camera& camera, double aspect,
-                 base::WorkerPool& workers, VisibleList& visible);
+void cullSpheres(const scene::Instances& instances, const scene::Camera& camera,
+                 const scene::Frustum& frustum, base::WorkerPool& workers, VisibleList& visible);
 
 } // namespace cdr::visibility

@@ -38,7 +38,7 @@ std::string labelOf(base::IndexRange cascades);
 /// One frame's camera and its cascades: what draws follow from.
 struct CutView {
     const scene::Camera& camera;
-    double aspect = 1.0; ///< width over height
+    const scene::Frustum& frustum;
     /// What the camera sees; empty where DrawPath::needsVisible() is false and nobody else needs it.
     const visibility::VisibleList& visible;
     const depth::Cascades& clipRanges;      ///< depth::clipRange() of each cascade, nearest first

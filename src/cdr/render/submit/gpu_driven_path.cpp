@@ -23,17 +23,15 @@ void copy(const glm::dvec3& from, double (&to)[3]) {
 /// What visibility::cullSpheres() tests with, and visibility::binByDistance().
 shaders::BinningView viewOf(const CutView& view, double wideSpan) {
     const scene::Camera& camera = view.camera;
-    const double halfY = 0.5 * camera.fovY;
-    const double halfX = std::atan(std::tan(halfY) * view.aspect);
     shaders::BinningView block{};
     copy(camera.position, block.position);
     copy(camera.right, block.right);
     copy(camera.up, block.up);
     copy(-camera.back, block.ahead);
-    block.cosX = std::cos(halfX);
-    block.sinX = std::sin(halfX);
-    block.cosY = std::cos(halfY);
-    block.sinY = std::sin(halfY);
+    block.cosX = view.frustum.cosX;
+    block.sinX = view.frustum.sinX;
+    block.cosY = view.frustum.cosY;
+    block.sinY = view.frustum.sinY;
     block.nearView = camera.nearView;
     block.farView = camera.farView;
     block.hasWideSpan = std::isfinite(wideSpan) ? 1 : 0;

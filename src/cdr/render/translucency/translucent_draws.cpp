@@ -55,12 +55,12 @@ TranslucentDraws::TranslucentDraws(const gpu::Device& device, const GpuScene& sc
       m_scene(scene),
       m_blended(blended) {}
 
-void TranslucentDraws::prepare(const scene::Camera& camera, double aspect, const depth::Cascades& cascades,
-                               base::WorkerPool& workers) {
+void TranslucentDraws::prepare(const scene::Camera& camera, const scene::Frustum& frustum,
+                               const depth::Cascades& cascades, base::WorkerPool& workers) {
     m_ranges = translucentRanges(cascades, camera);
-    m_lens = lensOf(camera, aspect);
+    m_frustum = frustum;
     m_nearView = camera.nearView;
-    visibility::cullSpheres(m_blended.instances, camera, aspect, workers, m_visible);
+    visibility::cullSpheres(m_blended.instances, camera, frustum, workers, m_visible);
     visibility::binByDistance(m_visible, m_ranges, std::numeric_limits<double>::infinity(), workers, m_lists);
     growRecords();
     writeRecords(camera);
@@ -106,8 +106,8 @@ void TranslucentDraws::writeRecords(const scene::Camera& camera) {
 shaders::TranslucentPush TranslucentDraws::pushOf(std::size_t range, vk::Extent2D extent,
                                                   std::uint32_t capacity) const {
     const depth::Cascade& ends = m_ranges[range];
-    return {.projectionX = static_cast<float>(1.0 / m_lens.tanX),
-            .projectionY = static_cast<float>(-1.0 / m_lens.tanY),
+    return {.projectionX = static_cast<float>(1.0 / m_frustum.tanX),
+            .projectionY = static_cast<float>(-1.0 / m_frustum.tanY),
             .behind = static_cast<float>(0.5 * m_nearView),
             .nearView = static_cast<float>(ends.nearView),
             .spread = static_cast<float>(1.0 / std::log(ends.farView / ends.nearView)),

@@ -29,7 +29,7 @@ class TranslucentDraws {
 
     /// Overwrites the lists and records; the last frame that drew them must have finished. base::RunError,
     /// with both figures, when the records need more memory than there is.
-    void prepare(const scene::Camera& camera, double aspect, const depth::Cascades& cascades,
+    void prepare(const scene::Camera& camera, const scene::Frustum& frustum, const depth::Cascades& cascades,
                  base::WorkerPool& workers);
 
     std::size_t ranges() const { return m_ranges.size(); }
@@ -52,7 +52,7 @@ class TranslucentDraws {
     visibility::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing
     visibility::DrawLists m_lists;
     depth::Cascades m_ranges;
-    Lens m_lens;
+    scene::Frustum m_frustum;
     double m_nearView = 0.0; ///< the camera's
     gpu::Buffer m_records;
 };

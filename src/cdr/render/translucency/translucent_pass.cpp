@@ -69,11 +69,9 @@ TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) co
     return slot;
 }
 
-void TranslucentPass::prepare(Slot& slot, const scene::Camera& camera, const depth::Cascades& cascades,
-                              base::WorkerPool& workers) const {
-    const vk::Extent2D extent = m_lit.options().extent;
-    const double aspect = static_cast<double>(extent.width) / static_cast<double>(extent.height);
-    slot.draws.prepare(camera, aspect, cascades, workers);
+void TranslucentPass::prepare(Slot& slot, const scene::Camera& camera, const scene::Frustum& frustum,
+                              const depth::Cascades& cascades, base::WorkerPool& workers) const {
+    slot.draws.prepare(camera, frustum, cascades, workers);
     slot.note = m_refusal;
 }
 
