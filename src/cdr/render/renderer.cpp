@@ -7,7 +7,6 @@
 #include <cdr/render/submit/primary_path.h>
 #include <cdr/render/submit/secondary_path.h>
 #include <cdr/render/targets/focus_layers.h>
-#include <cdr/render/view_transform.h>
 
 #include <fmt/format.h>
 
@@ -54,7 +53,6 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_opaque(opaqueWhereBlended(scene)),
       m_options(options),
       m_extent(checkedExtent(device, options, m_opaque.has_value())),
-      m_split(options.technique),
       m_workers(options.threads, options.placement),
       m_note(noteOnShine(gpuScene, options)),
       m_shiny(gpuScene.isShiny() && m_note.empty()),
@@ -66,6 +64,7 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_focus(options.focus.isOn() ? makeFocusLayers() : nullptr),
       m_plain(m_focus ? nullptr : makeTargets(device, options.targets, targetsOptions(m_extent, options))),
       m_targets(m_focus ? *m_focus : *m_plain),
+      m_cutter(options, m_targets),
       m_shading(device, m_targets.gbuffer(), m_picture.lit(), options.effects, m_shiny),
       m_translucent(m_opaque ? std::make_unique<TranslucentPass>(device, scene, gpuScene, m_targets.gbuffer(),
                                                                  m_picture.lit(), options.translucency)
@@ -109,31 +108,8 @@ std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {
     return std::make_unique<SecondaryPath>(m_device, std::move(draws), name);
 }
 
-void Renderer::cull(const Slot& slot) {
-    visibility::cullSpheres(opaque(), slot.camera, slot.frustum, m_workers, m_visible);
-}
-
-void Renderer::cut(Slot& slot) {
-    slot.cascades = m_split.cut(slot.camera, slot.frustum, m_visible);
-    std::optional<FocusLens> focus;
-    if (m_focus) {
-        focus.emplace(m_options.focus, slot.frustum.tanY, m_extent.height);
-    }
-    const depth::Mapping mapping = m_options.technique.mapping;
-    const depth::Cascades ranges =
-        focus && m_options.focus.blend ? focus->overlapping(slot.cascades) : slot.cascades;
-    slot.clipRanges.clear();
-    slot.draws.clear();
-    for (std::size_t i = 0; i < ranges.size(); ++i) {
-        slot.clipRanges.push_back(depth::clipRange(mapping, ranges, i));
-        const depth::ClipTerms terms = clipTerms(depthRange(mapping, ranges, i, m_split.farEnd()));
-        const DepthSlice slice = m_targets.depthSlice(i, ranges.size());
-        slot.draws.push_back(
-            {.anchorView = terms.anchorView,
-             .push = makeCascadePush(terms, slot.clipRanges[i], slot.frustum, slice,
-                                     static_cast<std::uint32_t>(i)),
-             .extent = focus ? shrunk(m_extent, focus->scaleOf(slot.cascades[i])) : m_extent});
-    }
+void Renderer::cull(const FrameView& view) {
+    visibility::cullSpheres(opaque(), view.camera, view.frustum, m_workers, m_visible);
 }
 
 Renderer::Slot& Renderer::nextSlot() {
@@ -144,17 +120,11 @@ Renderer::Slot& Renderer::nextSlot() {
 
 void Renderer::launch(Slot& slot, Destination destination) {
     Stopwatch watch(m_options.trace);
-    const CutView view{.camera = slot.camera,
-                       .frustum = slot.frustum,
-                       .visible = m_visible,
-                       .clipRanges = slot.clipRanges,
-                       .cascades = slot.draws,
-                       .levels = visibility::levelRule(m_options.detail, slot.frustum, m_extent.height)};
     slot.destination = destination;
-    slot.path->bin(view, slot.stats);
+    slot.path->bin(slot.view, m_visible, slot.stats);
     slot.stats.times.binMs = watch.lap("bin");
-    slot.path->begin(view);
-    m_targets.record(*slot.path, slot.draws);
+    slot.path->begin(slot.view);
+    m_targets.record(*slot.path, slot.view);
     shade(slot);
     if (slot.translucent) {
         m_translucent->record(slot.path->primary(), *slot.translucent);
@@ -163,7 +133,7 @@ void Renderer::launch(Slot& slot, Destination destination) {
     if (destination != Destination::device) {
         recordReadback(slot.path->primary(), destination);
     }
-    const std::span<const vk::CommandBuffer> commands = slot.path->end(view);
+    const std::span<const vk::CommandBuffer> commands = slot.path->end(slot.view);
     slot.stats.times.recordMs = watch.lap("record");
     slot.submitted = base::Trace::Clock::now();
     gpu::submit(m_device, commands, *slot.done);
@@ -184,7 +154,7 @@ void Renderer::settle(Slot& slot) {
         slot.isPending = false;
         if (!hasRoomSufficed(slot)) {
             if (slot.path->needsVisible()) {
-                cull(slot); // by now the list may be a later frame's
+                cull(slot.view); // by now the list may be a later frame's
             }
             launch(slot, slot.destination);
         }
@@ -202,19 +172,18 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destinati
     scene::requireUsable(camera);
     Slot& slot = nextSlot();
     Stopwatch watch(m_options.trace);
-    slot.camera = camera;
-    slot.frustum = scene::frustumOf(camera, m_extent.width, m_extent.height);
-    if (slot.path->needsVisible() || m_split.needsVisible()) {
-        cull(slot);
+    slot.view = m_cutter.look(camera);
+    if (slot.path->needsVisible() || m_cutter.needsVisible()) {
+        cull(slot.view);
     }
     slot.stats = {};
     slot.stats.note = m_note;
     slot.stats.times.cullMs = watch.lap("cull");
-    cut(slot);
-    slot.shading.update(m_scene, camera, slot.frustum, slot.anchorsView());
+    m_cutter.cut(slot.view, m_visible);
+    slot.shading.update(m_scene, camera, slot.view.frustum, slot.view.anchorsView());
     slot.stats.times.splitMs = watch.lap("split");
     if (slot.translucent) {
-        m_translucent->prepare(*slot.translucent, camera, slot.frustum, slot.cascades, m_workers);
+        m_translucent->prepare(*slot.translucent, slot.view, m_workers);
         slot.stats.times.translucentMs = watch.lap("translucent draws");
     }
     launch(slot, destination);
@@ -274,9 +243,9 @@ void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination
 
 Frame Renderer::fetch(const Slot& slot) const {
     Frame frame;
-    frame.camera = slot.camera;
-    frame.cascades = slot.cascades;
-    frame.anchorsView = slot.anchorsView();
+    frame.camera = slot.view.camera;
+    frame.cascades = slot.view.ranges();
+    frame.anchorsView = slot.view.anchorsView();
     frame.color = m_colorCopy.fetch<image::Rgba8>();
     if (slot.destination == Destination::host) {
         frame.gbuffer = m_gbufferCopy.fetch<GBufferPixel>();

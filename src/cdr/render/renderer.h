@@ -1,13 +1,11 @@
 #pragma once
 
 #include <cdr/base/worker_pool.h>
-#include <cdr/depth/technique.h>
-#include <cdr/render/effects.h>
-#include <cdr/render/focus.h>
 #include <cdr/render/frame.h>
-#include <cdr/render/frame_split.h>
+#include <cdr/render/frame_cutter.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/readback.h>
+#include <cdr/render/render_options.h>
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/submit/draw_path.h>
@@ -25,28 +23,6 @@ namespace cdr::render {
 
 class BinningPass;
 class FocusLayers;
-
-struct RenderOptions {
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    depth::Technique technique;
-    TargetsChoice targets = TargetsKind::single;
-    std::size_t threads = 1;                           ///< that cull, bin and record, the caller's included
-    base::Placement placement = base::Placement::free; ///< of those threads but the caller's
-    Submission submission = Submission::secondaries;
-    Batching batching = Batching::instanced;
-    visibility::Detail
-        detail{}; ///< none unless told; meshes without levels are drawn in full whatever it says
-    Effects effects{};
-    Focus focus{}; ///< on, it needs targets `layers`, and effects without occlusion
-    TranslucencyOptions translucency{};
-    std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
-    /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
-    /// none.
-    base::Trace* trace = nullptr;
-};
-
-inline constexpr std::size_t kMaxFramesInFlight = 8;
 
 /// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as
 /// large.
@@ -74,7 +50,7 @@ class Renderer {
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);
 
     /// The next frame is rendered as a first one is: a fitted split does not keep to the last frame's.
-    void forgetFrames() { m_split.forget(); }
+    void forgetFrames() { m_cutter.forget(); }
 
     /// Renders one frame and waits for it, but leaves it on the device: what experiments time.
     FrameStats draw(const scene::Camera& camera);
@@ -95,8 +71,7 @@ class Renderer {
     Slot& nextSlot();
     /// What is drawn into the G-buffer: all but blended instances.
     const scene::Instances& opaque() const { return m_opaque ? *m_opaque : m_scene.instances; }
-    void cull(const Slot& slot);
-    void cut(Slot& slot);
+    void cull(const FrameView& view);
     void shade(Slot& slot);
     bool hasRoomSufficed(Slot& slot);
     void launch(Slot& slot, Destination destination);
@@ -111,7 +86,6 @@ class Renderer {
     std::optional<scene::Instances> m_opaque; ///< where the scene has blended instances
     RenderOptions m_options;
     vk::Extent2D m_extent;
-    FrameSplit m_split;
     base::WorkerPool m_workers;
     std::string m_note; ///< FrameStats::note of every frame
     bool m_shiny;       ///< whether the G-buffer keeps how surfaces shine
@@ -121,6 +95,7 @@ class Renderer {
     std::unique_ptr<FocusLayers> m_focus; ///< where the lens has a focus
     std::unique_ptr<Targets> m_plain;     ///< where it has none
     Targets& m_targets;                   ///< the one of both that is there
+    FrameCutter m_cutter;
     ShadingPass m_shading;
     std::unique_ptr<TranslucentPass> m_translucent; ///< where the scene has blended instances
     Readback m_colorCopy;

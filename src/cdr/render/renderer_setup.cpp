@@ -43,10 +43,6 @@ std::string noteOnShine(const GpuScene& scene, const RenderOptions& options) {
                : "";
 }
 
-vk::Extent2D shrunk(vk::Extent2D extent, std::uint32_t scale) {
-    return {(extent.width + scale - 1) / scale, (extent.height + scale - 1) / scale};
-}
-
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
     if (options.framesInFlight < 1 || options.framesInFlight > kMaxFramesInFlight) {
         throw base::InputError(fmt::format("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,

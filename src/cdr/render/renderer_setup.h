@@ -19,7 +19,4 @@ TargetsOptions targetsOptions(vk::Extent2D extent, const RenderOptions& options)
 /// Why shiny surfaces are drawn matt, though some shine; empty when they are not.
 std::string noteOnShine(const GpuScene& scene, const RenderOptions& options);
 
-/// As few pixels as cover a picture when none is wider or higher than `scale` of the picture's.
-vk::Extent2D shrunk(vk::Extent2D extent, std::uint32_t scale);
-
 } // namespace cdr::render

@@ -31,21 +31,6 @@ shaders::DrawRecord DrawRecordMaker::make(const DrawSource& source, const Materi
             .baseColorBa = material.baseColorBa};
 }
 
-shaders::CascadePush makeCascadePush(const depth::ClipTerms& terms, const depth::Cascade& clipRange,
-                                     const scene::Frustum& frustum, const DepthSlice& slice,
-                                     std::uint32_t cascade) {
-    return {.anchorView = static_cast<float>(terms.anchorView),
-            .depthScale = static_cast<float>(terms.scale),
-            .depthOffset = static_cast<float>(terms.offset),
-            .nearAhead = static_cast<float>(clipRange.nearView - terms.anchorView),
-            .farAhead = static_cast<float>(clipRange.farView - terms.anchorView),
-            .projectionX = static_cast<float>(1.0 / frustum.tanX),
-            .projectionY = static_cast<float>(-1.0 / frustum.tanY),
-            .cascade = cascade,
-            .minDepth = slice.min,
-            .maxDepth = slice.max};
-}
-
 glm::vec2 splitDouble(double value) {
     const auto high = static_cast<float>(value);
     return {high, static_cast<float>(value - static_cast<double>(high))};

@@ -38,10 +38,9 @@ FullscreenPassOptions mergeOptions(const TargetsOptions& options) {
     return merge;
 }
 
-shaders::LayerPush makeLayerPush(const CascadeDraws& cascade, double radius) {
-    // Vulkan's y points down, hence the sign.
-    return {.rayScale = {1.0f / cascade.push.projectionX, -1.0f / cascade.push.projectionY},
-            .anchorView = cascade.push.anchorView,
+shaders::LayerPush makeLayerPush(const FrameView& view, std::size_t cascade, double radius) {
+    return {.rayScale = glm::vec2(view.frustum.tanX, view.frustum.tanY),
+            .anchorView = static_cast<float>(view.cascades[cascade].terms.anchorView),
             .radius = static_cast<float>(radius)};
 }
 
@@ -78,8 +77,8 @@ CascadeLayers::Layer CascadeLayers::makeLayer(std::size_t number) const {
             .source = std::move(source)};
 }
 
-void CascadeLayers::record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) const {
-    const std::vector<std::size_t> drawn = commands.drawnCascades(cascades.size());
+void CascadeLayers::record(CascadeCommands& commands, const FrameView& view) const {
+    const std::vector<std::size_t> drawn = commands.drawnCascades(view.cascades.size());
     auto load = vk::AttachmentLoadOp::eClear;
     for (std::size_t left = drawn.size(); left > 0;) {
         const std::size_t count = std::min(m_layers.size(), left);
@@ -87,7 +86,7 @@ void CascadeLayers::record(CascadeCommands& commands, std::span<const CascadeDra
         drawLayers(commands, batch);
         std::vector<shaders::LayerPush> layers;
         std::transform(batch.rbegin(), batch.rend(), std::back_inserter(layers), [&](std::size_t cascade) {
-            return makeLayerPush(cascades[cascade], m_options.occlusionRadius);
+            return makeLayerPush(view, cascade, m_options.occlusionRadius);
         });
         mergeLayers(commands.primary(), layers, load);
         left -= count;

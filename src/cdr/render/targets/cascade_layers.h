@@ -22,7 +22,7 @@ class CascadeLayers {
     /// Draws as many cascades as there are layers with no barrier in between, merges them, and so on. The
     /// farthest go first, so that what is merged later lies on top: the nearest surface wins, as in `single`,
     /// bit for bit.
-    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) const;
+    void record(CascadeCommands& commands, const FrameView& view) const;
 
     const gpu::Image& accumulated() const { return m_accumulated; }
 

@@ -22,14 +22,13 @@ constexpr auto kBuffer = vk::DescriptorType::eStorageBuffer;
 
 /// How the surfaces of a cascade fade where the next one has begun: whole through the first half of what both
 /// draw, so that the soft rim of the farther layer stays hidden, and gone at its end.
-shaders::LayerFade fadeInto(const CascadeDraws& cascade, const CascadeDraws& next) {
-    const double nextNearView = next.anchorView + static_cast<double>(next.push.nearAhead);
-    const double farAhead = static_cast<double>(cascade.push.farAhead);
-    const double shared = cascade.anchorView + farAhead - nextNearView;
+shaders::LayerFade fadeInto(const CascadeView& cascade, const CascadeView& next) {
+    const double farView = cascade.clipRange.farView;
+    const double shared = farView - next.clipRange.nearView;
     if (!(shared > 0.0)) {
         return {};
     }
-    return {.beginAhead = static_cast<float>(farAhead - 0.5 * shared),
+    return {.beginAhead = static_cast<float>(farView - 0.5 * shared - cascade.terms.anchorView),
             .perUnit = static_cast<float>(2.0 / shared)};
 }
 
@@ -97,18 +96,18 @@ FocusLayers::Layer FocusLayers::makeLayer(vk::Extent2D extent, const std::string
     return layer;
 }
 
-FocusLayers::LayerKey FocusLayers::keyOf(std::span<const CascadeDraws> cascades, std::size_t index) {
-    const vk::Extent2D extent = cascades[index].extent;
-    return {static_cast<std::uint32_t>(index), extent.width, extent.height};
+FocusLayers::LayerKey FocusLayers::keyOf(const FrameView& view, std::size_t cascade) {
+    const vk::Extent2D extent = view.cascades[cascade].extent;
+    return {static_cast<std::uint32_t>(cascade), extent.width, extent.height};
 }
 
-void FocusLayers::provideLayers(std::span<const CascadeDraws> cascades) {
+void FocusLayers::provideLayers(const FrameView& view) {
     std::vector<std::size_t> missing;
     std::uint64_t bytes = 0;
-    for (std::size_t i = 0; i < cascades.size(); ++i) {
-        if (!m_layers.contains(keyOf(cascades, i))) {
+    for (std::size_t i = 0; i < view.cascades.size(); ++i) {
+        if (!m_layers.contains(keyOf(view, i))) {
             missing.push_back(i);
-            bytes += predictLayerBytes(cascades[i].extent, m_options.depthFormat);
+            bytes += predictLayerBytes(view.cascades[i].extent, m_options.depthFormat);
         }
     }
     if (missing.empty()) {
@@ -116,17 +115,18 @@ void FocusLayers::provideLayers(std::span<const CascadeDraws> cascades) {
     }
     gpu::requireDeviceBytes(m_device, bytes, fmt::format("the layers of {} cascades", missing.size()));
     for (const std::size_t i : missing) {
-        m_layers.try_emplace(keyOf(cascades, i), makeLayer(cascades[i].extent, fmt::format("layer {}", i)));
+        m_layers.try_emplace(keyOf(view, i), makeLayer(view.cascades[i].extent, fmt::format("layer {}", i)));
     }
 }
 
-void FocusLayers::record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) {
-    provideLayers(cascades);
+void FocusLayers::record(CascadeCommands& commands, const FrameView& view) {
+    provideLayers(view);
+    const std::vector<CascadeView>& cascades = view.cascades;
     const std::vector<std::size_t> drawn = commands.drawnCascades(cascades.size());
     m_drawn.clear();
     std::transform(drawn.rbegin(), drawn.rend(), std::back_inserter(m_drawn), [&](std::size_t i) {
         const bool fades = m_fades && i + 1 < cascades.size();
-        return Drawn{.layer = &m_layers.at(keyOf(cascades, i)),
+        return Drawn{.layer = &m_layers.at(keyOf(view, i)),
                      .fade = fades ? fadeInto(cascades[i], cascades[i + 1]) : shaders::LayerFade{}};
     });
     drawLayers(commands, drawn);

@@ -21,7 +21,7 @@ class FocusInputs {
 };
 
 /// Depth of field by per-cascade resolution (thesis chapter 3): each cascade has a layer of the size that
-/// CascadeDraws::extent says, drawn and lit by itself, and lit layers are laid over each other, the farthest
+/// CascadeView::extent says, drawn and lit by itself, and lit layers are laid over each other, the farthest
 /// first, each filtered up to the picture. Surfaces are merged as `layers` merges them, so that what reads
 /// the G-buffer later still finds every pixel's nearest.
 class FocusLayers final : public Targets {
@@ -32,7 +32,7 @@ class FocusLayers final : public Targets {
     FocusLayers(const gpu::Device& device, const TargetsOptions& options, const gpu::Image& into,
                 const Effects& effects, const glm::vec3& background, bool fades, bool shiny);
 
-    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) override;
+    void record(CascadeCommands& commands, const FrameView& view) override;
     const gpu::Image& gbuffer() const override { return m_merged; }
 
     /// Lights what record() drew and composes the picture. Takes gbuffer() from colour attachment to shader
@@ -57,8 +57,8 @@ class FocusLayers final : public Targets {
     };
     /// Cascade, width and height.
     using LayerKey = std::array<std::uint32_t, 3>;
-    static LayerKey keyOf(std::span<const CascadeDraws> cascades, std::size_t index);
-    void provideLayers(std::span<const CascadeDraws> cascades);
+    static LayerKey keyOf(const FrameView& view, std::size_t cascade);
+    void provideLayers(const FrameView& view);
     Layer makeLayer(vk::Extent2D extent, const std::string& name) const;
     /// @param drawn the cascades of m_drawn, nearest first.
     void drawLayers(CascadeCommands& commands, std::span<const std::size_t> drawn) const;

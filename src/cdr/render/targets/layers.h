@@ -10,9 +10,9 @@ class LayersTargets final : public Targets {
   public:
     LayersTargets(const gpu::Device& device, const TargetsOptions& options) : m_layers(device, options, 1) {}
 
-    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) override {
-        m_layers.grow(cascades.size());
-        m_layers.record(commands, cascades);
+    void record(CascadeCommands& commands, const FrameView& view) override {
+        m_layers.grow(view.cascades.size());
+        m_layers.record(commands, view);
     }
     const gpu::Image& gbuffer() const override { return m_layers.accumulated(); }
 

@@ -11,8 +11,8 @@ class PoolTargets final : public Targets {
     PoolTargets(const gpu::Device& device, const TargetsOptions& options, std::size_t layers)
         : m_layers(device, options, layers) {}
 
-    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) override {
-        m_layers.record(commands, cascades);
+    void record(CascadeCommands& commands, const FrameView& view) override {
+        m_layers.record(commands, view);
     }
     const gpu::Image& gbuffer() const override { return m_layers.accumulated(); }
 

@@ -32,6 +32,8 @@ struct TranslucencyOptions {
     /// that has more fragments is drawn weighted, and says so.
     std::uint64_t mostBytes = std::uint64_t{256} << 20u;
     bool countsFragments = false; ///< fills Frame::fragmentCounts
+
+    bool operator==(const TranslucencyOptions&) const = default;
 };
 
 /// What became of a frame's translucent surfaces.

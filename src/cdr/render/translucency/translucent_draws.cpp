@@ -37,12 +37,12 @@ class Binder {
 
 } // namespace
 
-depth::Cascades translucentRanges(const depth::Cascades& cascades, const scene::Camera& camera) {
+depth::Cascades translucentRanges(const FrameView& view) {
     depth::Cascades ranges;
-    double nearView = camera.nearView;
-    for (std::size_t i = 0; i < cascades.size(); ++i) {
-        const bool isLast = i + 1 == cascades.size();
-        const double farView = isLast ? camera.farView : cascades[i + 1].nearView;
+    double nearView = view.camera.nearView;
+    for (std::size_t i = 0; i < view.cascades.size(); ++i) {
+        const bool isLast = i + 1 == view.cascades.size();
+        const double farView = isLast ? view.camera.farView : view.cascades[i + 1].range.nearView;
         ranges.push_back({nearView, farView});
         nearView = farView;
     }
@@ -55,15 +55,14 @@ TranslucentDraws::TranslucentDraws(const gpu::Device& device, const GpuScene& sc
       m_scene(scene),
       m_blended(blended) {}
 
-void TranslucentDraws::prepare(const scene::Camera& camera, const scene::Frustum& frustum,
-                               const depth::Cascades& cascades, base::WorkerPool& workers) {
-    m_ranges = translucentRanges(cascades, camera);
-    m_frustum = frustum;
-    m_nearView = camera.nearView;
-    visibility::cullSpheres(m_blended.instances, camera, frustum, workers, m_visible);
+void TranslucentDraws::prepare(const FrameView& view, base::WorkerPool& workers) {
+    m_ranges = translucentRanges(view);
+    m_frustum = view.frustum;
+    m_nearView = view.camera.nearView;
+    visibility::cullSpheres(m_blended.instances, view.camera, view.frustum, workers, m_visible);
     visibility::binByDistance(m_visible, m_ranges, std::numeric_limits<double>::infinity(), workers, m_lists);
     growRecords();
-    writeRecords(camera);
+    writeRecords(view.camera);
 }
 
 void TranslucentDraws::growRecords() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/render/frame_view.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/translucency/translucent_pipelines.h>
 #include <cdr/render/view_transform.h>
@@ -17,7 +18,7 @@ namespace cdr::render {
 
 /// Where a translucent fragment belongs: to the one range that holds its view distance. Without gap or
 /// overlap from the camera's near plane to its far plane, one per cascade, whatever the cascades leave out.
-depth::Cascades translucentRanges(const depth::Cascades& cascades, const scene::Camera& camera);
+depth::Cascades translucentRanges(const FrameView& view);
 
 /// One frame's translucent draws: culled, binned into ranges and written on the calling thread's time, since
 /// they are few, for every submission alike. Within a range they keep scene order. Owned by one frame slot.
@@ -29,8 +30,7 @@ class TranslucentDraws {
 
     /// Overwrites the lists and records; the last frame that drew them must have finished. base::RunError,
     /// with both figures, when the records need more memory than there is.
-    void prepare(const scene::Camera& camera, const scene::Frustum& frustum, const depth::Cascades& cascades,
-                 base::WorkerPool& workers);
+    void prepare(const FrameView& view, base::WorkerPool& workers);
 
     std::size_t ranges() const { return m_ranges.size(); }
     bool isEmpty(std::size_t range) const { return m_lists.range(range).size() == 0; }

@@ -69,9 +69,8 @@ TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) co
     return slot;
 }
 
-void TranslucentPass::prepare(Slot& slot, const scene::Camera& camera, const scene::Frustum& frustum,
-                              const depth::Cascades& cascades, base::WorkerPool& workers) const {
-    slot.draws.prepare(camera, frustum, cascades, workers);
+void TranslucentPass::prepare(Slot& slot, const FrameView& view, base::WorkerPool& workers) const {
+    slot.draws.prepare(view, workers);
     slot.note = m_refusal;
 }
 

@@ -38,8 +38,7 @@ class TranslucentPass {
     Slot makeSlot(const ShadingInputs& shading) const;
 
     /// Decides what a frame draws; the slot's last frame must have finished.
-    void prepare(Slot& slot, const scene::Camera& camera, const scene::Frustum& frustum,
-                 const depth::Cascades& cascades, base::WorkerPool& workers) const;
+    void prepare(Slot& slot, const FrameView& view, base::WorkerPool& workers) const;
     /// After shading; the lit image stays a colour attachment.
     void record(vk::CommandBuffer primary, Slot& slot) const;
     /// After the frame ran. False when its fragments found no room; draw it again.
