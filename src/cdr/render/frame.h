@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace cdr::render {
@@ -31,7 +30,8 @@ struct FrameStats {
     double duplication = 1.0; ///< draws per visible instance
     FrameTimes times;
     TranslucencyStats translucency; ///< of the blended ones
-    std::string note;               ///< why opaque surfaces were not drawn as asked; else empty
+    /// Surfaces shine, but were drawn matt: ambient occlusion per layer takes the bits that say how.
+    bool lostShine = false;
 };
 
 /// What a pixel shows, in float64: as exact as the technique, so with anchored as the anchored step.

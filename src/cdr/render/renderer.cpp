@@ -54,8 +54,8 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_options(options),
       m_extent(checkedExtent(device, options, m_opaque.has_value())),
       m_workers(options.threads, options.placement),
-      m_note(noteOnShine(gpuScene, options)),
-      m_shiny(gpuScene.isShiny() && m_note.empty()),
+      m_lostShine(losesShine(gpuScene, options)),
+      m_shiny(gpuScene.isShiny() && !m_lostShine),
       m_geometry(device, gpuScene, options.technique, options.batching, m_shiny),
       m_binning(options.submission == Submission::gpuDriven
                     ? std::make_unique<BinningPass>(device, opaque(), gpuScene, options.detail.mode)
@@ -177,7 +177,7 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destinati
         cull(slot.view);
     }
     slot.stats = {};
-    slot.stats.note = m_note;
+    slot.stats.lostShine = m_lostShine;
     slot.stats.times.cullMs = watch.lap("cull");
     m_cutter.cut(slot.view, m_visible);
     slot.shading.update(m_scene, camera, slot.view.frustum, slot.view.anchorsView());

@@ -87,8 +87,8 @@ class Renderer {
     RenderOptions m_options;
     vk::Extent2D m_extent;
     base::WorkerPool m_workers;
-    std::string m_note; ///< FrameStats::note of every frame
-    bool m_shiny;       ///< whether the G-buffer keeps how surfaces shine
+    bool m_lostShine; ///< FrameStats::lostShine of every frame
+    bool m_shiny;     ///< whether the G-buffer keeps how surfaces shine
     GeometryPass m_geometry;
     std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
     Picture m_picture;

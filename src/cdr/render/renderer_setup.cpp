@@ -36,11 +36,9 @@ TargetsOptions targetsOptions(vk::Extent2D extent, const RenderOptions& options)
             .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0};
 }
 
-std::string noteOnShine(const GpuScene& scene, const RenderOptions& options) {
+bool losesShine(const GpuScene& scene, const RenderOptions& options) {
     const Occlusion& occlusion = options.effects.occlusion;
-    return scene.isShiny() && occlusion.radius > 0.0 && occlusion.perLayer
-               ? "surfaces are matt, since ambient occlusion per layer takes the bits that say how they shine"
-               : "";
+    return scene.isShiny() && occlusion.radius > 0.0 && occlusion.perLayer;
 }
 
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {

@@ -16,14 +16,10 @@ vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent, bool 
     return extent;
 }
 
-std::string refusalOf(const gpu::Device& device, vk::Extent2D extent, const TranslucencyOptions& options) {
-    if (options.method != Translucency::sorted) {
-        return {};
-    }
-    if (!device.info().hasFragmentStores) {
-        return device.info().name + " lacks fragmentStoresAndAtomics";
-    }
-    return FragmentList::refusal(device, extent, options.mostBytes).value_or("");
+std::optional<ListRefusal> refusalOf(const gpu::Device& device, vk::Extent2D extent,
+                                     const TranslucencyOptions& options) {
+    return options.method == Translucency::sorted ? FragmentList::refusal(device, extent, options.mostBytes)
+                                                  : std::nullopt;
 }
 
 } // namespace
@@ -47,7 +43,7 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const scene::Scene& 
       m_refusal(refusalOf(device, m_lit.options().extent, options)),
       m_counter(options.countsFragments ? std::make_unique<FragmentCounter>(device, m_lit.options().extent)
                                         : nullptr) {
-    if (options.method == Translucency::sorted && m_refusal.empty()) {
+    if (options.method == Translucency::sorted && !m_refusal) {
         m_sorted =
             std::make_unique<SortedBlend>(device, gpuScene, *m_surroundingsLayout, options.countsFragments);
     }
@@ -58,7 +54,7 @@ TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) co
               .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kImage, vk::DescriptorType::eStorageBuffer}),
               .surroundings = {},
               .list = {},
-              .note = {}};
+              .refusal = {}};
     slot.surroundings = gpu::allocateSet(m_device, *slot.pool, *m_surroundingsLayout);
     gpu::writeImageBinding(m_device, slot.surroundings, 0, kImage, m_gbuffer.view(), *m_sampler);
     gpu::writeBufferBinding(m_device, slot.surroundings, 1, vk::DescriptorType::eStorageBuffer,
@@ -71,7 +67,7 @@ TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) co
 
 void TranslucentPass::prepare(Slot& slot, const FrameView& view, base::WorkerPool& workers) const {
     slot.draws.prepare(view, workers);
-    slot.note = m_refusal;
+    slot.refusal = m_refusal;
 }
 
 void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
@@ -92,14 +88,14 @@ bool TranslucentPass::settle(Slot& slot, TranslucencyStats& stats) const {
     const bool sorted = sorts(slot);
     const std::uint32_t fragments = sorted ? slot.list->count() : 0;
     if (sorted && fragments > slot.list->capacity()) {
-        slot.note = slot.list->grow(fragments).value_or("");
+        slot.refusal = slot.list->grow(fragments);
         return false;
     }
     stats = {.method = sorted ? Translucency::sorted : Translucency::weighted,
              .draws = slot.draws.draws(),
              .fragments = fragments,
              .bytes = sorted ? slot.list->bytes() : WeightedBlend::predictBytes(m_lit.options().extent),
-             .note = slot.note};
+             .refusal = slot.refusal};
     return true;
 }
 

@@ -9,7 +9,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace cdr::render {
 
@@ -22,9 +21,9 @@ class TranslucentPass {
     struct Slot {
         TranslucentDraws draws;
         vk::UniqueDescriptorPool pool;
-        vk::DescriptorSet surroundings;   ///< of TranslucentFrame
-        std::optional<FragmentList> list; ///< when sorting
-        std::string note;                 ///< why this frame is weighted though sorting was asked for
+        vk::DescriptorSet surroundings;     ///< of TranslucentFrame
+        std::optional<FragmentList> list;   ///< when sorting
+        std::optional<ListRefusal> refusal; ///< why this frame is not sorted, though it was to be
     };
 
     /// The uploaded scene and the images must outlive the pass. base::RunError, with both figures, when the
@@ -51,7 +50,7 @@ class TranslucentPass {
     image::ImageU32 fragmentCounts() const { return m_counter ? m_counter->fetch() : image::ImageU32(); }
 
   private:
-    bool sorts(const Slot& slot) const { return slot.list && slot.note.empty(); }
+    bool sorts(const Slot& slot) const { return slot.list && !slot.refusal; }
 
     const gpu::Device& m_device;
     const GpuScene& m_gpuScene;
@@ -63,7 +62,7 @@ class TranslucentPass {
     vk::UniqueDescriptorSetLayout m_surroundingsLayout;
     WeightedBlend m_weighted;
     std::unique_ptr<SortedBlend> m_sorted; ///< where it is asked for and can be
-    std::string m_refusal;                 ///< why it cannot, where it is asked for
+    std::optional<ListRefusal> m_refusal;  ///< why it cannot, where it is asked for
     std::unique_ptr<FragmentCounter> m_counter;
 };
 
