@@ -269,7 +269,13 @@ TEST_F(TranslucencyTest, FramesInFlightLeaveTheNextFrameAsItIs) {
 /// Over the same surfaces twice as opaque: the G-buffer, and so ids and distances, are of the opaque alone.
 TEST_F(TranslucencyTest, TheGBufferHoldsOpaqueSurfacesAlone) {
     scene::Scene opaque = m_sheets.scene;
-    opaque.instances = visibility::withoutBlended(m_sheets.scene);
+    opaque.instances = {};
+    const scene::Instances& all = m_sheets.scene.instances;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (opaque.materials[all.material[i]].alphaMode != scene::AlphaMode::blend) {
+            addInstance(opaque, all.mesh[i], all.material[i], all.object[i], all.position(i), all.basis[i]);
+        }
+    }
     for (scene::Material& material : opaque.materials) {
         material.alphaMode = scene::AlphaMode::opaque;
     }

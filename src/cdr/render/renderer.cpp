@@ -40,35 +40,33 @@ class Stopwatch {
     base::Trace::Clock::time_point m_last = base::Trace::Clock::now();
 };
 
-std::optional<scene::Instances> opaqueWhereBlended(const scene::Scene& scene) {
-    return visibility::hasBlended(scene) ? std::optional(visibility::withoutBlended(scene)) : std::nullopt;
-}
-
 } // namespace
 
 Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                    const RenderOptions& options)
     : m_device(device),
       m_scene(scene),
-      m_opaque(opaqueWhereBlended(scene)),
+      m_blended(visibility::blendedInstances(scene)),
       m_options(options),
-      m_extent(checkedExtent(device, options, m_opaque.has_value())),
+      m_extent(checkedExtent(device, options, !m_blended.empty())),
       m_workers(options.threads, options.placement),
       m_lostShine(losesShine(gpuScene, options)),
       m_shiny(gpuScene.isShiny() && !m_lostShine),
       m_geometry(device, gpuScene, options.technique, options.batching, m_shiny),
       m_binning(options.submission == Submission::gpuDriven
-                    ? std::make_unique<BinningPass>(device, opaque(), gpuScene, options.detail.mode)
+                    ? std::make_unique<BinningPass>(device, scene.instances, m_blended, gpuScene,
+                                                    options.detail.mode)
                     : nullptr),
-      m_picture(device, pictureOptions(m_extent, options, m_opaque.has_value())),
+      m_picture(device, pictureOptions(m_extent, options, !m_blended.empty())),
       m_focus(options.focus.isOn() ? makeFocusLayers() : nullptr),
       m_plain(m_focus ? nullptr : makeTargets(device, options.targets, targetsOptions(m_extent, options))),
       m_targets(m_focus ? *m_focus : *m_plain),
       m_cutter(options, m_targets),
       m_shading(device, m_targets.gbuffer(), m_picture.lit(), options.effects, m_shiny),
-      m_translucent(m_opaque ? std::make_unique<TranslucentPass>(device, scene, gpuScene, m_targets.gbuffer(),
-                                                                 m_picture.lit(), options.translucency)
-                             : nullptr),
+      m_translucent(m_blended.empty() ? nullptr
+                                      : std::make_unique<TranslucentPass>(
+                                            device, BlendedScene{scene.instances, m_blended, gpuScene},
+                                            m_targets.gbuffer(), m_picture.lit(), options.translucency)),
       m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
       m_gbufferCopy(device, m_extent, sizeof(GBufferPixel), "G-buffer copy") {
     m_workers.setTrace(options.trace);
@@ -109,7 +107,10 @@ std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {
 }
 
 void Renderer::cull(const FrameView& view) {
-    visibility::cullSpheres(opaque(), view.camera, view.frustum, m_workers, m_visible);
+    visibility::cullSpheres(m_scene.instances, view.camera, view.frustum, m_workers, m_visible);
+    if (!m_blended.empty()) {
+        visibility::removeInstances(m_blended, m_visible);
+    }
 }
 
 Renderer::Slot& Renderer::nextSlot() {

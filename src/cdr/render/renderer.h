@@ -69,8 +69,7 @@ class Renderer {
     std::unique_ptr<FocusLayers> makeFocusLayers() const;
     std::unique_ptr<DrawPath> makePath(const std::string& name);
     Slot& nextSlot();
-    /// What is drawn into the G-buffer: all but blended instances.
-    const scene::Instances& opaque() const { return m_opaque ? *m_opaque : m_scene.instances; }
+    /// Lists what is drawn into the G-buffer: all that is seen but blended instances.
     void cull(const FrameView& view);
     void shade(Slot& slot);
     bool hasRoomSufficed(Slot& slot);
@@ -83,7 +82,7 @@ class Renderer {
 
     const gpu::Device& m_device;
     const scene::Scene& m_scene;
-    std::optional<scene::Instances> m_opaque; ///< where the scene has blended instances
+    std::vector<std::uint32_t> m_blended; ///< instances, ascending
     RenderOptions m_options;
     vk::Extent2D m_extent;
     base::WorkerPool m_workers;

@@ -5,6 +5,7 @@
 #include <cdr/scene/scene.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cdr::visibility {
@@ -25,5 +26,14 @@ struct VisibleList {
 /// @param visible overwritten.
 void cullSpheres(const scene::Instances& instances, const scene::Camera& camera,
                  const scene::Frustum& frustum, base::WorkerPool& workers, VisibleList& visible);
+
+/// The same for some of the instances, on the calling thread.
+/// @param some indices into `instances`, ascending. VisibleList::instance holds the same indices.
+void cullSpheres(const scene::Instances& instances, std::span<const std::uint32_t> some,
+                 const scene::Camera& camera, const scene::Frustum& frustum, VisibleList& visible);
+
+/// Takes instances out of a list.
+/// @param instances ascending; those that are not in the list are passed over.
+void removeInstances(std::span<const std::uint32_t> instances, VisibleList& visible);
 
 } // namespace cdr::visibility

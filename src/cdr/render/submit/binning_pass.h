@@ -6,6 +6,8 @@
 #include <cdr/visibility/level_choice.h>
 
 #include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cdr::render {
@@ -16,11 +18,12 @@ class BinningPass {
   public:
     /// base::InputError when the device cannot do it, naming what it lacks; base::RunError, with both
     /// figures, when the scene is too large for its memory or its buffers.
-    /// @param instances those of the uploaded scene, by its indices; spheres of a radius below 0 are never
-    /// drawn.
+    /// @param instances those of the uploaded scene.
+    /// @param leftOut indices of instances that are never drawn.
     /// @param detail unless none, an instance whose mesh has levels is a run of its own, so that each draw
     /// may have another level.
-    BinningPass(const gpu::Device& device, const scene::Instances& instances, const GpuScene& gpuScene,
+    BinningPass(const gpu::Device& device, const scene::Instances& instances,
+                std::span<const std::uint32_t> leftOut, const GpuScene& gpuScene,
                 visibility::DetailMode detail);
 
     std::size_t instances() const { return m_instances; }
@@ -38,8 +41,8 @@ class BinningPass {
     static constexpr std::uint32_t kSceneBuffers = 6;
 
   private:
-    void uploadInstances(const scene::Instances& instances, const GpuScene& gpuScene,
-                         visibility::DetailMode detail);
+    void uploadInstances(const scene::Instances& instances, std::span<const std::uint32_t> leftOut,
+                         const GpuScene& gpuScene, visibility::DetailMode detail);
     vk::UniquePipeline makePipeline(std::span<const std::uint32_t> spirv, const char* name) const;
 
     const gpu::Device& m_device;

@@ -49,17 +49,15 @@ depth::Cascades translucentRanges(const FrameView& view) {
     return ranges;
 }
 
-TranslucentDraws::TranslucentDraws(const gpu::Device& device, const GpuScene& scene,
-                                   const visibility::BlendedInstances& blended)
+TranslucentDraws::TranslucentDraws(const gpu::Device& device, const BlendedScene& scene)
     : m_device(device),
-      m_scene(scene),
-      m_blended(blended) {}
+      m_scene(scene) {}
 
 void TranslucentDraws::prepare(const FrameView& view, base::WorkerPool& workers) {
     m_ranges = translucentRanges(view);
     m_frustum = view.frustum;
     m_nearView = view.camera.nearView;
-    visibility::cullSpheres(m_blended.instances, view.camera, view.frustum, workers, m_visible);
+    visibility::cullSpheres(m_scene.instances, m_scene.blended, view.camera, view.frustum, m_visible);
     visibility::binByDistance(m_visible, m_ranges, std::numeric_limits<double>::infinity(), workers, m_lists);
     growRecords();
     writeRecords(view.camera);
@@ -84,8 +82,9 @@ void TranslucentDraws::writeRecords(const scene::Camera& camera) {
     for (std::size_t range = 0; range < m_ranges.size(); ++range) {
         const base::IndexRange draws = m_lists.range(range);
         for (std::size_t i = draws.begin; i < draws.end; ++i) {
-            const DrawSource& source = m_scene.sources()[m_blended.source[m_lists.instance[i]]];
-            const shaders::DrawRecord record = maker.make(source, m_scene.materials()[source.material]);
+            const DrawSource& source = m_scene.uploaded.sources()[m_lists.instance[i]];
+            const shaders::DrawRecord record =
+                maker.make(source, m_scene.uploaded.materials()[source.material]);
             const double centre = camera.viewDistance(source.position);
             records[i] = {.right = record.right,
                           .up = record.up,
@@ -120,21 +119,20 @@ void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,
     commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(extent.width),
                                          static_cast<float>(extent.height), 0.0f, 1.0f});
     commands.setScissor(0, vk::Rect2D{{0, 0}, extent});
-    commands.bindVertexBuffers(0, {m_scene.vertices(), m_records.handle()}, {0, 0});
-    commands.bindIndexBuffer(m_scene.indices(), 0, vk::IndexType::eUint32);
+    const GpuScene& scene = m_scene.uploaded;
+    commands.bindVertexBuffers(0, {scene.vertices(), m_records.handle()}, {0, 0});
+    commands.bindIndexBuffer(scene.indices(), 0, vk::IndexType::eUint32);
     commands.pushConstants<shaders::TranslucentPush>(pipelines.layout(), TranslucentPipelines::kStages, 0,
                                                      pushOf(range, extent, capacity));
     Binder binder(pipelines, commands);
-    const auto kindOf = [&](std::size_t draw) {
-        return m_scene.sources()[m_blended.source[m_lists.instance[draw]]].kind;
-    };
+    const auto kindOf = [&](std::size_t draw) { return scene.sources()[m_lists.instance[draw]].kind; };
     const base::IndexRange draws = m_lists.range(range);
     for (std::size_t first = draws.begin; first < draws.end;) {
         std::size_t end = first + 1;
         while (end < draws.end && kindOf(end) == kindOf(first)) {
             ++end;
         }
-        const DrawKind& kind = m_scene.kinds()[kindOf(first)];
+        const DrawKind& kind = scene.kinds()[kindOf(first)];
         binder.bind(kind);
         commands.drawIndexed(kind.mesh.indexCount, static_cast<std::uint32_t>(end - first),
                              kind.mesh.firstIndex, kind.mesh.vertexOffset, static_cast<std::uint32_t>(first));

@@ -24,33 +24,32 @@ std::optional<ListRefusal> refusalOf(const gpu::Device& device, vk::Extent2D ext
 
 } // namespace
 
-TranslucentPass::TranslucentPass(const gpu::Device& device, const scene::Scene& scene,
-                                 const GpuScene& gpuScene, const gpu::Image& gbuffer, const gpu::Image& lit,
+TranslucentPass::TranslucentPass(const gpu::Device& device, const BlendedScene& scene,
+                                 const gpu::Image& gbuffer, const gpu::Image& lit,
                                  const TranslucencyOptions& options)
     : m_device(device),
-      m_gpuScene(gpuScene),
+      m_scene(scene),
       m_gbuffer(gbuffer),
       m_lit(lit),
       m_options(options),
-      m_blended(visibility::blendedInstances(scene)),
       m_sampler(device.handle().createSamplerUnique({})),
       m_surroundingsLayout(gpu::makeSetLayout(device, {kImage, vk::DescriptorType::eStorageBuffer},
                                               vk::ShaderStageFlagBits::eFragment,
                                               "translucent surroundings")),
-      m_weighted(device, gpuScene, *m_surroundingsLayout,
+      m_weighted(device, scene.uploaded, *m_surroundingsLayout,
                  checkedExtent(device, m_lit.options().extent, options.countsFragments),
                  options.countsFragments),
       m_refusal(refusalOf(device, m_lit.options().extent, options)),
       m_counter(options.countsFragments ? std::make_unique<FragmentCounter>(device, m_lit.options().extent)
                                         : nullptr) {
     if (options.method == Translucency::sorted && !m_refusal) {
-        m_sorted =
-            std::make_unique<SortedBlend>(device, gpuScene, *m_surroundingsLayout, options.countsFragments);
+        m_sorted = std::make_unique<SortedBlend>(device, scene.uploaded, *m_surroundingsLayout,
+                                                 options.countsFragments);
     }
 }
 
 TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) const {
-    Slot slot{.draws = TranslucentDraws(m_device, m_gpuScene, m_blended),
+    Slot slot{.draws = TranslucentDraws(m_device, m_scene),
               .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kImage, vk::DescriptorType::eStorageBuffer}),
               .surroundings = {},
               .list = {},

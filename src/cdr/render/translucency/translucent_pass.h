@@ -5,7 +5,6 @@
 #include <cdr/render/translucency/sorted_blend.h>
 #include <cdr/render/translucency/translucency.h>
 #include <cdr/render/translucency/weighted_blend.h>
-#include <cdr/visibility/blended.h>
 
 #include <memory>
 #include <optional>
@@ -26,12 +25,12 @@ class TranslucentPass {
         std::optional<ListRefusal> refusal; ///< why this frame is not sorted, though it was to be
     };
 
-    /// The uploaded scene and the images must outlive the pass. base::RunError, with both figures, when the
+    /// What the scene refers to and the images must outlive the pass. base::RunError, with both figures, when the
     /// device has too little memory for the pass' own images.
     /// @param gbuffer in shader read layout whenever record() is called.
     /// @param lit linear, of kLitFormat, a colour attachment whenever record() is called.
-    TranslucentPass(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
-                    const gpu::Image& gbuffer, const gpu::Image& lit, const TranslucencyOptions& options);
+    TranslucentPass(const gpu::Device& device, const BlendedScene& scene, const gpu::Image& gbuffer,
+                    const gpu::Image& lit, const TranslucencyOptions& options);
 
     /// @param shading of the same frame slot, which must outlive this one.
     Slot makeSlot(const ShadingInputs& shading) const;
@@ -53,11 +52,10 @@ class TranslucentPass {
     bool sorts(const Slot& slot) const { return slot.list && !slot.refusal; }
 
     const gpu::Device& m_device;
-    const GpuScene& m_gpuScene;
+    BlendedScene m_scene;
     const gpu::Image& m_gbuffer;
     const gpu::Image& m_lit;
     TranslucencyOptions m_options;
-    visibility::BlendedInstances m_blended;
     vk::UniqueSampler m_sampler;
     vk::UniqueDescriptorSetLayout m_surroundingsLayout;
     WeightedBlend m_weighted;
