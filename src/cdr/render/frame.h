@@ -64,6 +64,10 @@ struct Frame {
     std::uint32_t cascade(std::uint32_t x, std::uint32_t y) const;
     /// Metric view distance in float64: anchor plane plus what the pixel holds; infinity for background.
     double distanceView(std::uint32_t x, std::uint32_t y) const;
+    /// The same of a pixel that is not background.
+    double distanceView(const GBufferPixel& pixel) const {
+        return anchorsView[pixel.cascade()] + static_cast<double>(pixel.ahead);
+    }
     /// Unit normal in view space; zero for background.
     glm::vec3 normalView(std::uint32_t x, std::uint32_t y) const;
 

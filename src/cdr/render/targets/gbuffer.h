@@ -2,7 +2,9 @@
 
 #include <cdr/depth/format.h>
 #include <cdr/gpu/memory.h>
+#include <cdr/shaders/shared.h>
 
+#include <glm/glm.hpp>
 #include <vulkan/vulkan.hpp>
 
 #include <cstdint>
@@ -20,6 +22,13 @@ struct GBufferPixel {
     std::uint32_t normal = 0; ///< view space, octahedral, two snorm16
     float ahead = 0.0f; ///< view distance beyond the cascade's anchor plane: metric, whatever the mapping
     std::uint32_t idAndCascade = 0; ///< shaders::kIdBits; 0 is background
+
+    /// Object index + 1, 0 for background.
+    std::uint32_t id() const { return idAndCascade & shaders::kIdMask; }
+    /// The cascade that drew it; 0 for background.
+    std::uint32_t cascade() const { return (idAndCascade >> shaders::kIdBits) & shaders::kCascadeMask; }
+    /// Unit normal in view space; zero for background.
+    glm::vec3 normalView() const;
 };
 static_assert(sizeof(GBufferPixel) == 16);
 
