@@ -46,12 +46,14 @@ shaders::LayerPush makeLayerPush(const FrameView& view, std::size_t cascade, dou
 
 } // namespace
 
-CascadeLayers::CascadeLayers(const gpu::Device& device, const TargetsOptions& options, std::size_t layers)
+CascadeLayers::CascadeLayers(const gpu::Device& device, const TargetsOptions& options,
+                             const LayerCount& count)
     : m_device(device),
-      m_options(checked(device, options, layers)),
+      m_options(checked(device, options, count.first)),
+      m_perCascade(count.perCascade),
       m_merge(device, mergeOptions(options)),
       m_accumulated(makeGBuffer(device, options.extent, "G-buffer")) {
-    grow(layers);
+    grow(count.first);
 }
 
 void CascadeLayers::grow(std::size_t layers) {
@@ -77,7 +79,10 @@ CascadeLayers::Layer CascadeLayers::makeLayer(std::size_t number) const {
             .source = std::move(source)};
 }
 
-void CascadeLayers::record(CascadeCommands& commands, const FrameView& view) const {
+void CascadeLayers::record(CascadeCommands& commands, const FrameView& view) {
+    if (m_perCascade) {
+        grow(view.cascades.size());
+    }
     const std::vector<std::size_t> drawn = commands.drawnCascades(view.cascades.size());
     auto load = vk::AttachmentLoadOp::eClear;
     for (std::size_t left = drawn.size(); left > 0;) {
