@@ -2,11 +2,8 @@
 
 #include <cdr/gpu/commands.h>
 #include <cdr/render/renderer_setup.h>
-#include <cdr/render/submit/binning_pass.h>
-#include <cdr/render/submit/gpu_driven_path.h>
-#include <cdr/render/submit/primary_path.h>
-#include <cdr/render/submit/secondary_path.h>
 #include <cdr/render/targets/focus_layers.h>
+#include <cdr/visibility/blended.h>
 
 #include <fmt/format.h>
 
@@ -45,34 +42,30 @@ class Stopwatch {
 Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                    const RenderOptions& options)
     : m_device(device),
-      m_scene(scene),
       m_blended(visibility::blendedInstances(scene)),
+      m_drawn{.scene = scene, .uploaded = gpuScene, .blended = m_blended},
       m_options(options),
       m_extent(checkedExtent(device, options, !m_blended.empty())),
       m_workers(options.threads, options.placement),
       m_lostShine(losesShine(gpuScene, options)),
       m_shiny(gpuScene.isShiny() && !m_lostShine),
-      m_geometry(device, gpuScene, options.technique, options.batching, m_shiny),
-      m_binning(options.submission == Submission::gpuDriven
-                    ? std::make_unique<BinningPass>(device, scene.instances, m_blended, gpuScene,
-                                                    options.detail.mode)
-                    : nullptr),
+      m_paths(device, m_drawn, options, m_shiny),
       m_picture(device, pictureOptions(m_extent, options, !m_blended.empty())),
       m_focus(options.focus.isOn() ? makeFocusLayers() : nullptr),
       m_plain(m_focus ? nullptr : makeTargets(device, options.targets, targetsOptions(m_extent, options))),
       m_targets(m_focus ? *m_focus : *m_plain),
       m_cutter(options, m_targets),
       m_shading(device, m_targets.gbuffer(), m_picture.lit(), options.effects, m_shiny),
-      m_translucent(m_blended.empty() ? nullptr
-                                      : std::make_unique<TranslucentPass>(
-                                            device, BlendedScene{scene.instances, m_blended, gpuScene},
-                                            m_targets.gbuffer(), m_picture.lit(), options.translucency)),
+      m_translucent(m_blended.empty()
+                        ? nullptr
+                        : std::make_unique<TranslucentPass>(device, m_drawn, m_targets.gbuffer(),
+                                                            m_picture.lit(), options.translucency)),
       m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
       m_gbufferCopy(device, m_extent, sizeof(GBufferPixel), "G-buffer copy") {
     m_workers.setTrace(options.trace);
     for (std::size_t slot = 0; slot < options.framesInFlight; ++slot) {
         Slot& made = m_slots.emplace_back();
-        made.path = makePath(fmt::format("frame slot {}", slot));
+        made.path = m_paths.make(m_workers, fmt::format("frame slot {}", slot));
         made.shading = m_shading.makeInputs(scene);
         if (m_translucent != nullptr) {
             made.translucent.emplace(m_translucent->makeSlot(made.shading));
@@ -91,23 +84,14 @@ Renderer::~Renderer() {
 
 std::unique_ptr<FocusLayers> Renderer::makeFocusLayers() const {
     return std::make_unique<FocusLayers>(m_device, targetsOptions(m_extent, m_options), m_picture.lit(),
-                                         m_options.effects, m_scene.background, m_options.focus.blend,
-                                         m_shiny);
-}
-
-std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {
-    if (m_binning != nullptr) {
-        return std::make_unique<GpuDrivenPath>(m_device, *m_binning, m_geometry, name);
-    }
-    HostDraws draws(m_device, m_scene, m_geometry, m_workers, m_options.trace);
-    if (m_options.submission == Submission::primaries) {
-        return std::make_unique<PrimaryPath>(m_device, std::move(draws), name);
-    }
-    return std::make_unique<SecondaryPath>(m_device, std::move(draws), name);
+                                         FocusLayersOptions{.effects = m_options.effects,
+                                                            .background = m_drawn.scene.background,
+                                                            .fades = m_options.focus.blend,
+                                                            .shiny = m_shiny});
 }
 
 void Renderer::cull(const FrameView& view) {
-    visibility::cullSpheres(m_scene.instances, view.camera, view.frustum, m_workers, m_visible);
+    visibility::cullSpheres(m_drawn.scene.instances, view.camera, view.frustum, m_workers, m_visible);
     if (!m_blended.empty()) {
         visibility::removeInstances(m_blended, m_visible);
     }
@@ -181,7 +165,7 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destinati
     slot.stats.lostShine = m_lostShine;
     slot.stats.times.cullMs = watch.lap("cull");
     m_cutter.cut(slot.view, m_visible);
-    slot.shading.update(m_scene, camera, slot.view.frustum, slot.view.anchorsView());
+    slot.shading.update(m_drawn.scene, camera, slot.view.frustum, slot.view.anchorsView());
     slot.stats.times.splitMs = watch.lap("split");
     if (slot.translucent) {
         m_translucent->prepare(*slot.translucent, slot.view, m_workers);

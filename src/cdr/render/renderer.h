@@ -8,7 +8,7 @@
 #include <cdr/render/render_options.h>
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/shading/shading_pass.h>
-#include <cdr/render/submit/draw_path.h>
+#include <cdr/render/submit/draw_path_factory.h>
 #include <cdr/render/targets/targets.h>
 #include <cdr/render/translucency/translucent_pass.h>
 #include <cdr/visibility/cull.h>
@@ -21,7 +21,6 @@
 
 namespace cdr::render {
 
-class BinningPass;
 class FocusLayers;
 
 /// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as
@@ -67,7 +66,6 @@ class Renderer {
     struct Slot;
     enum class Destination { device, hostColor, host };
     std::unique_ptr<FocusLayers> makeFocusLayers() const;
-    std::unique_ptr<DrawPath> makePath(const std::string& name);
     Slot& nextSlot();
     /// Lists what is drawn into the G-buffer: all that is seen but blended instances.
     void cull(const FrameView& view);
@@ -81,15 +79,14 @@ class Renderer {
     Frame fetch(const Slot& slot) const;
 
     const gpu::Device& m_device;
-    const scene::Scene& m_scene;
     std::vector<std::uint32_t> m_blended; ///< instances, ascending
+    DrawnScene m_drawn;
     RenderOptions m_options;
     vk::Extent2D m_extent;
     base::WorkerPool m_workers;
     bool m_lostShine; ///< FrameStats::lostShine of every frame
     bool m_shiny;     ///< whether the G-buffer keeps how surfaces shine
-    GeometryPass m_geometry;
-    std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
+    DrawPathFactory m_paths;
     Picture m_picture;
     std::unique_ptr<FocusLayers> m_focus; ///< where the lens has a focus
     std::unique_ptr<Targets> m_plain;     ///< where it has none

@@ -18,11 +18,10 @@ Function deviceFunction(const gpu::Device& device, const char* name) {
 
 } // namespace
 
-GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene,
-                           const depth::Technique& technique, Batching batching, bool shiny)
+GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene, const GeometryOptions& options)
     : m_scene(scene),
-      m_batching(batching),
-      m_pipelines(device, scene, technique, batching, shiny),
+      m_batching(options.batching),
+      m_pipelines(device, scene, options),
       m_drawIndexed(deviceFunction<PFN_vkCmdDrawIndexed>(device, "vkCmdDrawIndexed")),
       m_pushConstants(deviceFunction<PFN_vkCmdPushConstants>(device, "vkCmdPushConstants")) {}
 

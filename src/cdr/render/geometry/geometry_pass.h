@@ -23,9 +23,7 @@ struct DrawJob {
 /// How the draws of one technique over one scene are recorded.
 class GeometryPass {
   public:
-    /// @param shiny as GeometryPipelines takes it.
-    GeometryPass(const gpu::Device& device, const GpuScene& scene, const depth::Technique& technique,
-                 Batching batching, bool shiny);
+    GeometryPass(const gpu::Device& device, const GpuScene& scene, const GeometryOptions& options);
 
     /// Everything recording one job reads.
     struct Recording {

@@ -70,11 +70,9 @@ vk::MemoryBarrier2 barrier(vk::PipelineStageFlags2 stages, vk::AccessFlags2 acce
 
 } // namespace
 
-BinningPass::BinningPass(const gpu::Device& device, const scene::Instances& instances,
-                         std::span<const std::uint32_t> leftOut, const GpuScene& gpuScene,
-                         visibility::DetailMode detail)
-    : m_device(checked(device, instances)),
-      m_instances(instances.size()),
+BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, visibility::DetailMode detail)
+    : m_device(checked(device, drawn.scene.instances)),
+      m_instances(drawn.scene.instances.size()),
       m_setLayout(gpu::makeSetLayout(device, std::vector(kBindings, vk::DescriptorType::eStorageBuffer),
                                      vk::ShaderStageFlagBits::eCompute, "binning set")),
       m_layout(gpu::makePipelineLayout(device, {*m_setLayout}, {}, "binning layout")),
@@ -82,15 +80,15 @@ BinningPass::BinningPass(const gpu::Device& device, const scene::Instances& inst
       m_scan(makePipeline(kBinScanComp, "bin, scan")),
       m_fill(makePipeline(kBinFillComp, "bin, fill")),
       m_commands(makePipeline(kBinCommandsComp, "bin, commands")) {
-    uploadInstances(instances, leftOut, gpuScene, detail);
+    uploadInstances(drawn, detail);
 }
 
 vk::UniquePipeline BinningPass::makePipeline(std::span<const std::uint32_t> spirv, const char* name) const {
     return gpu::makeComputePipeline(m_device, spirv, *m_layout, name);
 }
 
-void BinningPass::uploadInstances(const scene::Instances& instances, std::span<const std::uint32_t> leftOut,
-                                  const GpuScene& gpuScene, visibility::DetailMode detail) {
+void BinningPass::uploadInstances(const DrawnScene& drawn, visibility::DetailMode detail) {
+    const GpuScene& gpuScene = drawn.uploaded;
     std::vector<shaders::InstanceSphere> spheres;
     std::vector<shaders::InstanceLook> looks;
     std::vector<shaders::MaterialRecord> materials;
@@ -120,11 +118,11 @@ void BinningPass::uploadInstances(const scene::Instances& instances, std::span<c
         spheres.push_back({.x = source.position.x,
                            .y = source.position.y,
                            .z = source.position.z,
-                           .radius = instances.radius[i],
+                           .radius = drawn.scene.instances.radius[i],
                            .run = static_cast<std::uint32_t>(runs.size() - 1)});
         looks.push_back(lookOf(source));
     }
-    for (const std::uint32_t instance : leftOut) {
+    for (const std::uint32_t instance : drawn.blended) {
         spheres[instance].radius = kNeverSeen;
     }
     for (const MaterialWords& words : gpuScene.materials()) {

@@ -32,6 +32,10 @@ shaders::LayerFade fadeInto(const CascadeView& cascade, const CascadeView& next)
             .perUnit = static_cast<float>(2.0 / shared)};
 }
 
+bool drawsFog(const Effects& effects) {
+    return effects.fog.visibility > 0.0;
+}
+
 vk::ClearValue clearTo(const glm::vec3& color) {
     return vk::ClearColorValue{std::array{color.r, color.g, color.b, 1.0f}};
 }
@@ -47,12 +51,12 @@ const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& o
 } // namespace
 
 FocusLayers::FocusLayers(const gpu::Device& device, const TargetsOptions& options, const gpu::Image& into,
-                         const Effects& effects, const glm::vec3& background, bool fades, bool shiny)
+                         const FocusLayersOptions& focus)
     : m_device(device),
       m_options(checked(device, options)),
       m_into(into),
-      m_background(effects.fog.visibility > 0.0 ? effects.fog.color : background),
-      m_fades(fades),
+      m_background(drawsFog(focus.effects) ? focus.effects.fog.color : focus.background),
+      m_fades(focus.fades),
       m_merge(device, {.name = "merge scaled",
                        .fragmentSpirv = kMergeScaledFrag,
                        .bindings = {kImage},
@@ -63,7 +67,7 @@ FocusLayers::FocusLayers(const gpu::Device& device, const TargetsOptions& option
                        .fragmentSpirv = kShadingLayerFrag,
                        .bindings = {kImage, kBuffer},
                        .format = kLitFormat,
-                       .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shiny ? 1u : 0u},
+                       .constants = {drawsFog(focus.effects) ? 1u : 0u, focus.shiny ? 1u : 0u},
                        .pushBytes = sizeof(shaders::LayerFade)}),
       m_compose(device, {.name = "compose layers",
                          .fragmentSpirv = kFocusComposeFrag,

@@ -20,6 +20,14 @@ class FocusInputs {
     std::map<const gpu::Image*, PassInputs> m_ofLayer; ///< by G-buffer
 };
 
+/// How FocusLayers light and compose.
+struct FocusLayersOptions {
+    Effects effects{};
+    glm::vec3 background{0.0f}; ///< linear, what is seen where nothing is
+    bool fades = false;         ///< lets cascades that overlap fade into each other
+    bool shiny = false;         ///< whether the surfaces hold how they shine
+};
+
 /// Depth of field by per-cascade resolution (thesis chapter 3): each cascade has a layer of the size that
 /// CascadeView::extent says, drawn and lit by itself, and lit layers are laid over each other, the farthest
 /// first, each filtered up to the picture. Surfaces are merged as `layers` merges them, so that what reads
@@ -27,10 +35,8 @@ class FocusInputs {
 class FocusLayers final : public Targets {
   public:
     /// @param into the linear image that light() writes.
-    /// @param background linear, what is seen where nothing is.
-    /// @param shiny whether the surfaces hold how they shine.
     FocusLayers(const gpu::Device& device, const TargetsOptions& options, const gpu::Image& into,
-                const Effects& effects, const glm::vec3& background, bool fades, bool shiny);
+                const FocusLayersOptions& focus);
 
     void record(CascadeCommands& commands, const FrameView& view) override;
     const gpu::Image& gbuffer() const override { return m_merged; }

@@ -49,7 +49,7 @@ depth::Cascades translucentRanges(const FrameView& view) {
     return ranges;
 }
 
-TranslucentDraws::TranslucentDraws(const gpu::Device& device, const BlendedScene& scene)
+TranslucentDraws::TranslucentDraws(const gpu::Device& device, const DrawnScene& scene)
     : m_device(device),
       m_scene(scene) {}
 
@@ -57,7 +57,7 @@ void TranslucentDraws::prepare(const FrameView& view, base::WorkerPool& workers)
     m_ranges = translucentRanges(view);
     m_frustum = view.frustum;
     m_nearView = view.camera.nearView;
-    visibility::cullSpheres(m_scene.instances, m_scene.blended, view.camera, view.frustum, m_visible);
+    visibility::cullSpheres(m_scene.scene.instances, m_scene.blended, view.camera, view.frustum, m_visible);
     visibility::binByDistance(m_visible, m_ranges, std::numeric_limits<double>::infinity(), workers, m_lists);
     growRecords();
     writeRecords(view.camera);

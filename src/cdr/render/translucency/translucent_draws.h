@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/render/drawn_scene.h>
 #include <cdr/render/frame_view.h>
-#include <cdr/render/gpu_scene.h>
 #include <cdr/render/translucency/translucent_pipelines.h>
 #include <cdr/render/view_transform.h>
 #include <cdr/shaders/translucent_shared.h>
@@ -12,7 +12,6 @@
 #include <vulkan/vulkan.hpp>
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace cdr::render {
@@ -21,19 +20,12 @@ namespace cdr::render {
 /// overlap from the camera's near plane to its far plane, one per cascade, whatever the cascades leave out.
 depth::Cascades translucentRanges(const FrameView& view);
 
-/// A scene and which of its instances blend.
-struct BlendedScene {
-    const scene::Instances& instances;
-    std::span<const std::uint32_t> blended; ///< into `instances`, ascending
-    const GpuScene& uploaded;
-};
-
 /// One frame's translucent draws: culled, binned into ranges and written on the calling thread's time, since
 /// they are few, for every submission alike. Within a range they keep scene order. Owned by one frame slot.
 class TranslucentDraws {
   public:
     /// What the scene refers to must outlive the draws.
-    TranslucentDraws(const gpu::Device& device, const BlendedScene& scene);
+    TranslucentDraws(const gpu::Device& device, const DrawnScene& scene);
 
     /// Overwrites the lists and records; the last frame that drew them must have finished. base::RunError,
     /// with both figures, when the records need more memory than there is.
@@ -54,7 +46,7 @@ class TranslucentDraws {
     shaders::TranslucentPush pushOf(std::size_t range, vk::Extent2D extent, std::uint32_t capacity) const;
 
     const gpu::Device& m_device;
-    BlendedScene m_scene;
+    DrawnScene m_scene;
     visibility::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing
     visibility::DrawLists m_lists;
     depth::Cascades m_ranges;

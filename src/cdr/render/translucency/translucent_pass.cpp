@@ -24,7 +24,7 @@ std::optional<ListRefusal> refusalOf(const gpu::Device& device, vk::Extent2D ext
 
 } // namespace
 
-TranslucentPass::TranslucentPass(const gpu::Device& device, const BlendedScene& scene,
+TranslucentPass::TranslucentPass(const gpu::Device& device, const DrawnScene& scene,
                                  const gpu::Image& gbuffer, const gpu::Image& lit,
                                  const TranslucencyOptions& options)
     : m_device(device),

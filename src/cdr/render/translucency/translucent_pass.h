@@ -29,7 +29,7 @@ class TranslucentPass {
     /// device has too little memory for the pass' own images.
     /// @param gbuffer in shader read layout whenever record() is called.
     /// @param lit linear, of kLitFormat, a colour attachment whenever record() is called.
-    TranslucentPass(const gpu::Device& device, const BlendedScene& scene, const gpu::Image& gbuffer,
+    TranslucentPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer,
                     const gpu::Image& lit, const TranslucencyOptions& options);
 
     /// @param shading of the same frame slot, which must outlive this one.
@@ -52,7 +52,7 @@ class TranslucentPass {
     bool sorts(const Slot& slot) const { return slot.list && !slot.refusal; }
 
     const gpu::Device& m_device;
-    BlendedScene m_scene;
+    DrawnScene m_scene;
     const gpu::Image& m_gbuffer;
     const gpu::Image& m_lit;
     TranslucencyOptions m_options;
