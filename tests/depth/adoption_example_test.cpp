@@ -39,8 +39,7 @@ struct Engine {
 // quoted in src/cdr/README.md: begin
 using namespace cdr::depth;
 
-// The shader's push constants, byte by byte. A vec2 begins at a multiple of 8, so rangeAhead begins at byte
-// 16.
+// The shader's push constants, byte by byte. A vec2 begins at a multiple of 8: rangeAhead at byte 16.
 struct CascadeConstants {
     float anchorView, scale, offset; // CdrDepth: bytes 0 to 11
     float unused = 0.0f;             // bytes 12 to 15
