@@ -62,12 +62,10 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         }
     }
     const vk::Extent2D extent{options.width, options.height};
-    constexpr std::uint64_t kDepthBytes = 4;
     gpu::requireDeviceBytes(device,
-                            predictGBufferBytes(extent) +
-                                Picture::predictBytes(pictureOptions(extent, options, hasBlended)) +
-                                ShadingPass::predictBytes(extent, options.effects) +
-                                std::uint64_t{extent.width} * extent.height * kDepthBytes,
+                            predictLayerBytes(device, extent, options.technique.format) +
+                                Picture::predictBytes(device, pictureOptions(extent, options, hasBlended)) +
+                                ShadingPass::predictBytes(extent, options.effects),
                             fmt::format("a {}x{} picture", extent.width, extent.height));
     return extent;
 }

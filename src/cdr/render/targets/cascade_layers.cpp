@@ -13,13 +13,11 @@ namespace cdr::render {
 
 namespace {
 
-std::uint64_t predictLayerBytes(const TargetsOptions& options) {
-    return predictGBufferBytes(options.extent) + predictDepthBytes(options.extent, options.depthFormat);
-}
-
 /// The options, once the memory for the accumulated G-buffer and `layers` is known to be there.
 const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& options, std::size_t layers) {
-    gpu::requireDeviceBytes(device, predictGBufferBytes(options.extent) + layers * predictLayerBytes(options),
+    gpu::requireDeviceBytes(device,
+                            gpu::predictBytes(device, gbufferOptions(options.extent)) +
+                                layers * predictLayerBytes(device, options.extent, options.depthFormat),
                             fmt::format("an accumulated G-buffer of {}x{} with {} layers",
                                         options.extent.width, options.extent.height, layers));
     return options;
@@ -62,7 +60,7 @@ void CascadeLayers::grow(std::size_t layers) {
     }
     const std::size_t more = layers - m_layers.size();
     gpu::requireDeviceBytes(
-        m_device, more * predictLayerBytes(m_options),
+        m_device, more * predictLayerBytes(m_device, m_options.extent, m_options.depthFormat),
         fmt::format("{} layer G-buffers of {}x{}", more, m_options.extent.width, m_options.extent.height));
     while (m_layers.size() < layers) {
         m_layers.push_back(makeLayer(m_layers.size()));

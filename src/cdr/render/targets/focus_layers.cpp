@@ -7,7 +7,6 @@
 #include <cdr/shaders/shading_layer_frag.h>
 
 #include <fmt/format.h>
-#include <vulkan/vulkan_format_traits.hpp>
 
 #include <algorithm>
 #include <array>
@@ -43,7 +42,7 @@ vk::ClearValue clearTo(const glm::vec3& color) {
 /// The options, once the memory for the merged G-buffer is known to be there.
 const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& options) {
     gpu::requireDeviceBytes(
-        device, predictGBufferBytes(options.extent),
+        device, gpu::predictBytes(device, gbufferOptions(options.extent)),
         fmt::format("a merged G-buffer of {}x{}", options.extent.width, options.extent.height));
     return options;
 }
@@ -79,22 +78,12 @@ FocusLayers::FocusLayers(const gpu::Device& device, const TargetsOptions& option
                          .filter = vk::Filter::eLinear}),
       m_merged(makeGBuffer(device, options.extent, "G-buffer")) {}
 
-std::uint64_t FocusLayers::predictLayerBytes(vk::Extent2D extent, depth::DepthFormat depthFormat) {
-    return predictGBufferBytes(extent) + predictDepthBytes(extent, depthFormat) +
-           std::uint64_t{extent.width} * extent.height * vk::blockSize(kLitFormat);
-}
-
 FocusLayers::Layer FocusLayers::makeLayer(vk::Extent2D extent, const std::string& name) const {
-    Layer layer{
-        .gbuffer = makeGBuffer(m_device, extent, name),
-        .depth = makeDepthBuffer(m_device, extent, m_options.depthFormat, name + " depth"),
-        .lit = {m_device,
-                {.extent = extent,
-                 .format = kLitFormat,
-                 .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled},
-                name + " lit"},
-        .merged = m_merge.makeInputs(),
-        .laid = m_compose.makeInputs()};
+    Layer layer{.gbuffer = makeGBuffer(m_device, extent, name),
+                .depth = makeDepthBuffer(m_device, extent, m_options.depthFormat, name + " depth"),
+                .lit = {m_device, litOptions(extent), name + " lit"},
+                .merged = m_merge.makeInputs(),
+                .laid = m_compose.makeInputs()};
     layer.merged.setImage(0, layer.gbuffer);
     layer.laid.setImage(0, layer.lit);
     return layer;
@@ -111,7 +100,9 @@ void FocusLayers::provideLayers(const FrameView& view) {
     for (std::size_t i = 0; i < view.cascades.size(); ++i) {
         if (!m_layers.contains(keyOf(view, i))) {
             missing.push_back(i);
-            bytes += predictLayerBytes(view.cascades[i].extent, m_options.depthFormat);
+            const vk::Extent2D extent = view.cascades[i].extent;
+            bytes += predictLayerBytes(m_device, extent, m_options.depthFormat) +
+                     gpu::predictBytes(m_device, litOptions(extent));
         }
     }
     if (missing.empty()) {

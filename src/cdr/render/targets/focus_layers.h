@@ -45,9 +45,6 @@ class FocusLayers final : public Targets {
     /// read layout and leaves the picture in colour attachment layout.
     void light(vk::CommandBuffer primary, const ShadingInputs& shading, FocusInputs& inputs) const;
 
-    /// Device bytes of one layer.
-    static std::uint64_t predictLayerBytes(vk::Extent2D extent, depth::DepthFormat depthFormat);
-
   private:
     struct Layer {
         gpu::Image gbuffer;

@@ -20,32 +20,34 @@ glm::vec3 GBufferPixel::normalView() const {
     return glm::normalize(n);
 }
 
-gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name) {
-    return {device,
-            {.extent = extent,
-             .format = kGBufferFormat,
-             .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled |
-                      vk::ImageUsageFlagBits::eTransferSrc},
-            name};
+gpu::ImageOptions gbufferOptions(vk::Extent2D extent) {
+    return {.extent = extent,
+            .format = kGBufferFormat,
+            .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled |
+                     vk::ImageUsageFlagBits::eTransferSrc};
 }
 
-std::uint64_t predictGBufferBytes(vk::Extent2D extent) {
-    return std::uint64_t{extent.width} * extent.height * sizeof(GBufferPixel);
+gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name) {
+    return {device, gbufferOptions(extent), name};
+}
+
+gpu::ImageOptions depthBufferOptions(const gpu::Device& device, vk::Extent2D extent,
+                                     depth::DepthFormat format) {
+    return {.extent = extent,
+            .format = device.depthFormat(format),
+            .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment,
+            // A stencil plane that comes along is never used, but the view must not name it.
+            .aspect = vk::ImageAspectFlagBits::eDepth};
 }
 
 gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format,
                            const std::string& name) {
-    return {device,
-            {.extent = extent,
-             .format = device.depthFormat(format),
-             .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment,
-             // A stencil plane that comes along is never used, but the view must not name it.
-             .aspect = vk::ImageAspectFlagBits::eDepth},
-            name};
+    return {device, depthBufferOptions(device, extent, format), name};
 }
 
-std::uint64_t predictDepthBytes(vk::Extent2D extent, depth::DepthFormat format) {
-    return std::uint64_t{extent.width} * extent.height * (traitsOf(format).bits > 16 ? 4 : 2);
+std::uint64_t predictLayerBytes(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format) {
+    return gpu::predictBytes(device, gbufferOptions(extent)) +
+           gpu::predictBytes(device, depthBufferOptions(device, extent, format));
 }
 
 } // namespace cdr::render

@@ -32,16 +32,16 @@ struct GBufferPixel {
 };
 static_assert(sizeof(GBufferPixel) == 16);
 
+gpu::ImageOptions gbufferOptions(vk::Extent2D extent);
 gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name);
 
-/// Device bytes of one geometry buffer.
-std::uint64_t predictGBufferBytes(vk::Extent2D extent);
-
-/// A depth attachment. base::InputError where the device lacks the format.
+/// Of a depth attachment. base::InputError where the device lacks the format.
+gpu::ImageOptions depthBufferOptions(const gpu::Device& device, vk::Extent2D extent,
+                                     depth::DepthFormat format);
 gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format,
                            const std::string& name);
 
-/// Device bytes of one depth buffer.
-std::uint64_t predictDepthBytes(vk::Extent2D extent, depth::DepthFormat format);
+/// Device bytes of a geometry buffer and a depth buffer.
+std::uint64_t predictLayerBytes(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format);
 
 } // namespace cdr::render
