@@ -11,6 +11,7 @@
 #include <cdr/host/file.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/lod/levels.h>
+#include <experiments/frame_notes.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
@@ -182,11 +183,15 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
         console.progress(number - cameras.first, cameras.frames, arguments.scene);
         const FrameOutput made = maker.make(number, cameras.at(path, number));
         session.requireSilentValidation();
-        if (const std::string& note = made.frame().stats.translucency.note; !note.empty()) {
-            console.line(fmt::format("frame {} drawn with --translucency weighted: {}", number, note));
+        const render::FrameStats& stats = made.frame().stats;
+        if (stats.translucency.refusal) {
+            console.line(
+                fmt::format("frame {} drawn with --translucency weighted: {}", number,
+                            experiments::noteOn(*stats.translucency.refusal, session.device().info().name,
+                                                size.width, size.height)));
         }
-        if (const std::string& note = made.frame().stats.note; number == cameras.first && !note.empty()) {
-            console.line("drawn otherwise than asked: " + note);
+        if (stats.lostShine && number == cameras.first) {
+            console.line(fmt::format("drawn otherwise than asked: {}", experiments::noteOnLostShine()));
         }
         if (!arguments.file.empty()) {
             made.write(name.at(number), aov);

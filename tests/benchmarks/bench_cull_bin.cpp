@@ -27,6 +27,7 @@ enum class Field : std::int64_t { rotation, crowd };
 struct CullFixture {
     scene::SceneSetup setup;
     scene::Camera camera;
+    scene::Frustum frustum;
     depth::Cascades cascades;
     host::WorkerPool workers;
 
@@ -35,6 +36,7 @@ struct CullFixture {
                     ? scenes::makeRotation(2013, static_cast<std::uint32_t>(state.range(0)))
                     : scenes::makeCrowd(2013, static_cast<std::uint32_t>(state.range(0)))),
           camera(setup.path.at(30)),
+          frustum(scene::frustumOf(camera, kAspect, 1.0)),
           cascades(depth::makeCascades(depth::SplitCount{kCascades},
                                        {.nearView = camera.nearView, .farView = camera.farView})),
           workers(static_cast<std::size_t>(state.range(1))) {}
@@ -59,8 +61,8 @@ void cull(benchmark::State& state) {
     CullFixture fixture(state);
     visibility::VisibleList visible;
     timeEach(state, [&] {
-        visibility::cullSpheres(fixture.setup.scene.instances, fixture.camera, kAspect, fixture.workers,
-                                visible);
+        visibility::cullSpheres(fixture.setup.scene.instances, fixture.camera, fixture.frustum,
+                                fixture.workers, visible);
     });
     state.counters["visible"] = static_cast<double>(visible.count);
 }
@@ -69,7 +71,8 @@ void bin(benchmark::State& state) {
     CullFixture fixture(state);
     visibility::VisibleList visible;
     visibility::DrawLists lists;
-    visibility::cullSpheres(fixture.setup.scene.instances, fixture.camera, kAspect, fixture.workers, visible);
+    visibility::cullSpheres(fixture.setup.scene.instances, fixture.camera, fixture.frustum, fixture.workers,
+                            visible);
     timeEach(state,
              [&] { visibility::binByDistance(visible, fixture.cascades, kNoWide, fixture.workers, lists); });
     state.counters["visible"] = static_cast<double>(visible.count);
@@ -80,8 +83,8 @@ void cullAndBin(benchmark::State& state) {
     visibility::VisibleList visible;
     visibility::DrawLists lists;
     timeEach(state, [&] {
-        visibility::cullSpheres(fixture.setup.scene.instances, fixture.camera, kAspect, fixture.workers,
-                                visible);
+        visibility::cullSpheres(fixture.setup.scene.instances, fixture.camera, fixture.frustum,
+                                fixture.workers, visible);
         visibility::binByDistance(visible, fixture.cascades, kNoWide, fixture.workers, lists);
     });
     state.counters["visible"] = static_cast<double>(visible.count);

@@ -60,7 +60,7 @@ RenderOptions focused(const Focus& focus, const char* split = "at:5,7.5,15,30",
 }
 
 FocusLens lensOfPicture(const Frame& frame, const Focus& focus) {
-    return {focus, std::tan(0.5 * frame.camera.fovY), frame.height()};
+    return {focus, scene::frustumOf(frame.camera, frame.width(), frame.height()).tanY, frame.height()};
 }
 
 /// Sum of squared second differences along rows, over pixels that a predicate picks.

@@ -221,7 +221,7 @@ TEST_F(TranslucencyTest, ListsThatDoNotFitAreDrawnWeightedAndSaySo) {
     const std::string weighted = hashOf(draw(m_sheets.scene, m_camera, options));
     options.translucency.method = Translucency::sorted;
     const render::Frame sorted = draw(m_sheets.scene, m_camera, options);
-    EXPECT_EQ(sorted.stats.translucency.note, "");
+    EXPECT_FALSE(sorted.stats.translucency.refusal.has_value());
     EXPECT_GT(sorted.stats.translucency.fragments,
               std::uint64_t{kWidth} * kHeight); // more than it began with
     ASSERT_NE(hashOf(sorted), weighted);
@@ -230,7 +230,12 @@ TEST_F(TranslucencyTest, ListsThatDoNotFitAreDrawnWeightedAndSaySo) {
         options.translucency.mostBytes = most;
         const render::Frame frame = draw(m_sheets.scene, m_camera, options);
         EXPECT_EQ(frame.stats.translucency.method, Translucency::weighted);
-        EXPECT_NE(frame.stats.translucency.note, "");
+        ASSERT_TRUE(frame.stats.translucency.refusal.has_value());
+        const render::ListRefusal& refusal = *frame.stats.translucency.refusal;
+        EXPECT_EQ(refusal.cause, render::ListRefusal::Cause::bound);
+        EXPECT_EQ(refusal.allowedBytes, most);
+        EXPECT_GT(refusal.neededBytes, most);
+        EXPECT_EQ(refusal.fragments, most == 1000 ? 0 : sorted.stats.translucency.fragments);
         EXPECT_EQ(hashOf(frame), weighted);
     }
     // To the byte: heads, and a node for each fragment and one for nobody.
@@ -264,7 +269,13 @@ TEST_F(TranslucencyTest, FramesInFlightLeaveTheNextFrameAsItIs) {
 /// Over the same surfaces twice as opaque: the G-buffer, and so ids and distances, are of the opaque alone.
 TEST_F(TranslucencyTest, TheGBufferHoldsOpaqueSurfacesAlone) {
     scene::Scene opaque = m_sheets.scene;
-    opaque.instances = visibility::withoutBlended(m_sheets.scene);
+    opaque.instances = {};
+    const scene::Instances& all = m_sheets.scene.instances;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (opaque.materials[all.material[i]].alphaMode != scene::AlphaMode::blend) {
+            addInstance(opaque, all.mesh[i], all.material[i], all.object[i], all.position(i), all.basis[i]);
+        }
+    }
     for (scene::Material& material : opaque.materials) {
         material.alphaMode = scene::AlphaMode::opaque;
     }

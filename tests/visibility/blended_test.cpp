@@ -14,27 +14,54 @@ using namespace scenes;
 
 namespace {
 
-TEST(Blended, InstancesAreSplitByMaterial) {
-    const SceneSetup setup = makeSheets(7, 40);
-    const Scene& scene = setup.scene;
+TEST(Blended, InstancesAreListedInOrder) {
+    const Scene scene = makeSheets(7, 40).scene;
     ASSERT_TRUE(hasBlended(scene));
-    const BlendedInstances blended = blendedInstances(scene);
-    EXPECT_EQ(blended.instances.size(), 40u);
-    EXPECT_TRUE(std::is_sorted(blended.source.begin(), blended.source.end()));
-    for (std::size_t i = 0; i < blended.instances.size(); ++i) {
-        EXPECT_LT(blended.instances.object[i], 40u);
-        EXPECT_EQ(blended.instances.object[i], scene.instances.object[blended.source[i]]);
-        EXPECT_EQ(blended.instances.position(i), scene.instances.position(blended.source[i]));
+    const std::vector<std::uint32_t> blended = blendedInstances(scene);
+    EXPECT_EQ(blended.size(), 40u);
+    EXPECT_TRUE(std::is_sorted(blended.begin(), blended.end()));
+    for (const std::uint32_t instance : blended) {
+        EXPECT_LT(scene.instances.object[instance], 40u); // the sheets come first
     }
-    const Instances opaque = withoutBlended(scene);
-    ASSERT_EQ(opaque.size(), scene.instances.size());
+}
+
+/// The two halves that a frame draws, against one list of all: every instance once, bits unchanged.
+TEST(Blended, AndOpaqueInstancesAreAllThatIsVisible) {
+    const SceneSetup setup = makeSheets(7, 1500); // more than one block is tested at a time
+    const Camera camera = setup.path.at(0);
+    const Frustum frustum = frustumOf(camera, 16.0, 9.0);
+    const std::vector<std::uint32_t> blended = blendedInstances(setup.scene);
     host::WorkerPool workers(1);
-    VisibleList visible;
-    cullSpheres(opaque, setup.path.at(0), 16.0 / 9.0, workers, visible);
-    EXPECT_GT(visible.count, 10u);
-    for (std::size_t i = 0; i < visible.count; ++i) {
-        EXPECT_GE(opaque.object[visible.instance[i]], 40u); // of the opaque ones
+    VisibleList all;
+    cullSpheres(setup.scene.instances, camera, frustum, workers, all);
+    VisibleList opaque = all;
+    removeInstances(blended, opaque);
+    VisibleList translucent;
+    cullSpheres(setup.scene.instances, blended, camera, frustum, translucent);
+    EXPECT_GT(opaque.count, 10u);
+    EXPECT_GT(translucent.count, 10u);
+    ASSERT_EQ(opaque.count + translucent.count, all.count);
+    std::size_t nextOpaque = 0;
+    std::size_t nextTranslucent = 0;
+    for (std::size_t i = 0; i < all.count; ++i) {
+        const bool blends = std::binary_search(blended.begin(), blended.end(), all.instance[i]);
+        const VisibleList& half = blends ? translucent : opaque;
+        const std::size_t at = blends ? nextTranslucent++ : nextOpaque++;
+        ASSERT_EQ(half.instance[at], all.instance[i]);
+        EXPECT_EQ(half.distanceView[at], all.distanceView[i]);
+        EXPECT_EQ(half.radius[at], all.radius[i]);
     }
+}
+
+TEST(Blended, RemovingNothingChangesNothing) {
+    VisibleList visible{
+        .instance = {2, 5, 9}, .distanceView = {1.0, 2.0, 3.0}, .radius = {1, 1, 1}, .count = 3};
+    removeInstances({}, visible);
+    EXPECT_EQ(visible.count, 3u);
+    const std::vector<std::uint32_t> others{0, 3, 11};
+    removeInstances(others, visible);
+    EXPECT_EQ(visible.count, 3u);
+    EXPECT_EQ(visible.instance, (std::vector<std::uint32_t>{2, 5, 9}));
 }
 
 TEST(Blended, MasksAndOpaqueMaterialsAreNot) {
@@ -44,12 +71,12 @@ TEST(Blended, MasksAndOpaqueMaterialsAreNot) {
     scene.materials.push_back({.name = "unused", .alphaMode = AlphaMode::blend});
     addInstance(scene, 0, 0, 0, glm::dvec3(0.0), glm::mat3(1.0f));
     EXPECT_FALSE(hasBlended(scene));
-    EXPECT_EQ(blendedInstances(scene).instances.size(), 0u);
+    EXPECT_TRUE(blendedInstances(scene).empty());
 }
 
 /// Whether a boundary lies between the nearest and the farthest vertex.
-bool crosses(const Scene& scene, const Instances& instances, std::size_t i, const Camera& camera,
-             double boundaryView) {
+bool crosses(const Scene& scene, std::uint32_t i, const Camera& camera, double boundaryView) {
+    const Instances& instances = scene.instances;
     bool isBefore = false;
     bool isBeyond = false;
     for (const Vertex& vertex : scene.meshes[instances.mesh[i]].vertices) {
@@ -65,14 +92,14 @@ bool crosses(const Scene& scene, const Instances& instances, std::size_t i, cons
 TEST(Sheets, CrossEveryBoundary) {
     const SceneSetup setup = makeSheets(2013);
     const Camera camera = setup.path.at(0);
-    const Instances sheets = blendedInstances(setup.scene).instances;
+    const std::vector<std::uint32_t> sheets = blendedInstances(setup.scene);
     for (unsigned count = 2; count <= 8; ++count) {
         const depth::Cascades cascades = depth::makeCascades(
             depth::SplitCount{count}, {.nearView = camera.nearView, .farView = camera.farView});
         for (std::size_t boundary = 1; boundary < count; ++boundary) {
             int crossings = 0;
-            for (std::size_t i = 0; i < sheets.size(); ++i) {
-                crossings += crosses(setup.scene, sheets, i, camera, cascades[boundary].nearView) ? 1 : 0;
+            for (const std::uint32_t sheet : sheets) {
+                crossings += crosses(setup.scene, sheet, camera, cascades[boundary].nearView) ? 1 : 0;
             }
             EXPECT_GE(crossings, 2) << count << " cascades, boundary " << boundary;
         }

@@ -49,7 +49,7 @@ TEST_P(CullTest, KeepsWhatThePlanesKeep) {
     VisibleList visible;
     for (const std::uint32_t frame : {0u, 45u, 100u, 300u}) {
         const Camera camera = setup.path.at(frame);
-        cullSpheres(setup.scene.instances, camera, kAspect, workers, visible);
+        cullSpheres(setup.scene.instances, camera, frustumOf(camera, kAspect, 1.0), workers, visible);
         std::size_t next = 0;
         for (std::size_t i = 0; i < setup.scene.instances.size(); ++i) {
             const glm::dvec3 centre = setup.scene.instances.position(i);
@@ -71,7 +71,8 @@ TEST_P(CullTest, BinsEachInstanceIntoEveryCascadeItMeets) {
     const SceneSetup setup = makeRotation(4, 30'000);
     WorkerPool workers(GetParam());
     VisibleList visible;
-    cullSpheres(setup.scene.instances, setup.path.at(10), kAspect, workers, visible);
+    const Camera camera = setup.path.at(10);
+    cullSpheres(setup.scene.instances, camera, frustumOf(camera, kAspect, 1.0), workers, visible);
     const Cascades ranges{{0.1, 50.0}, {49.0, 120.0}, {120.0, 150.0}, {200.0, 1e5}};
     DrawLists lists;
     binByDistance(visible, ranges, kNoWide, workers, lists);
@@ -120,7 +121,7 @@ TEST(Bin, AnEmptySceneGivesEmptyCascades) {
     WorkerPool workers(2);
     VisibleList visible;
     DrawLists lists;
-    cullSpheres(Instances{}, Camera{}, kAspect, workers, visible);
+    cullSpheres(Instances{}, Camera{}, frustumOf(Camera{}, kAspect, 1.0), workers, visible);
     binByDistance(visible, {{0.1, 1.0}, {1.0, 2.0}}, kNoWide, workers, lists);
     EXPECT_EQ(lists.cascades(), 2u);
     EXPECT_EQ(lists.draws(), 0u);

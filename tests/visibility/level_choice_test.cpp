@@ -29,9 +29,10 @@ Listed listed(const Scene& scene, const Camera& camera, const Cascades& ranges, 
               std::size_t threads) {
     Listed result;
     cdr::host::WorkerPool workers(threads);
-    cullSpheres(scene.instances, camera, 16.0 / 9.0, workers, result.visible);
+    const Frustum frustum = frustumOf(camera, 16.0, 9.0);
+    cullSpheres(scene.instances, camera, frustum, workers, result.visible);
     binByDistance(result.visible, ranges, kNoneWide, workers, result.lists);
-    chooseLevels(scene, camera, ranges, levelRule(detail, camera, kHeight), workers, result.lists);
+    chooseLevels(scene, camera, ranges, levelRule(detail, frustum, kHeight), workers, result.lists);
     return result;
 }
 

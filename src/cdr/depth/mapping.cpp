@@ -35,8 +35,12 @@ Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index) 
 }
 
 DepthRange depthRange(Mapping mapping, const Cascades& cascades, std::size_t index, FarEnd farEnd) {
-    const Cascade clip = clipRange(mapping, cascades, index);
-    const bool open = mapping == Mapping::reversed && index + 1 == cascades.size() && farEnd == FarEnd::open;
+    return depthRange(mapping, clipRange(mapping, cascades, index),
+                      index + 1 == cascades.size() ? farEnd : FarEnd::closed);
+}
+
+DepthRange depthRange(Mapping mapping, const Cascade& clip, FarEnd farEnd) {
+    const bool open = mapping == Mapping::reversed && farEnd == FarEnd::open;
     return {.mapping = mapping,
             .nearView = clip.nearView,
             .farView = open ? std::nullopt : std::optional(clip.farView)};

@@ -70,6 +70,8 @@ enum class FarEnd : std::uint8_t { open, closed };
 /// unless `farEnd` closes it.
 DepthRange depthRange(Mapping mapping, const Cascades& cascades, std::size_t index,
                       FarEnd farEnd = FarEnd::open);
+/// The same of a clip range. @param farEnd `open` only for the last cascade.
+DepthRange depthRange(Mapping mapping, const Cascade& clip, FarEnd farEnd);
 
 /// Depth of a point at view distance w, w within the range.
 double zNdcAt(const DepthRange& range, double distanceView);

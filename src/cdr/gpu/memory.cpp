@@ -46,6 +46,19 @@ VmaAllocationCreateInfo allocationInfo(MemoryUse use, bool isAlone) {
     return info;
 }
 
+vk::ImageCreateInfo createInfo(const ImageOptions& options) {
+    return {.imageType = vk::ImageType::e2D,
+            .format = options.format,
+            .extent = {options.extent.width, options.extent.height, 1},
+            .mipLevels = 1,
+            .arrayLayers = 1,
+            .usage = options.usage};
+}
+
+std::uint64_t bytesOfPixels(const ImageOptions& options) {
+    return std::uint64_t{options.extent.width} * options.extent.height * vk::blockSize(options.format);
+}
+
 } // namespace
 
 void AllocationDeleter::operator()(VkBuffer buffer) const {
@@ -87,14 +100,8 @@ void Buffer::invalidate() const {
 
 Image::Image(const Device& device, const ImageOptions& options, const std::string& name)
     : m_options(options) {
-    const vk::ImageCreateInfo imageInfo{.imageType = vk::ImageType::e2D,
-                                        .format = options.format,
-                                        .extent = {options.extent.width, options.extent.height, 1},
-                                        .mipLevels = 1,
-                                        .arrayLayers = 1,
-                                        .usage = options.usage};
-    const std::uint64_t bytes =
-        std::uint64_t{options.extent.width} * options.extent.height * vk::blockSize(options.format);
+    const vk::ImageCreateInfo imageInfo = createInfo(options);
+    const std::uint64_t bytes = bytesOfPixels(options);
     const bool isAlone = static_cast<bool>(options.usage & ~kTexture);
     const VmaAllocationCreateInfo memory = allocationInfo(MemoryUse::deviceOnly, isAlone);
     VkImage image = VK_NULL_HANDLE;
@@ -109,6 +116,14 @@ Image::Image(const Device& device, const ImageOptions& options, const std::strin
                                                     .subresourceRange = range()});
     device.setName(handle(), name);
     device.setName(*m_view, name + " view");
+}
+
+std::uint64_t predictBytes(const Device& device, const ImageOptions& options) {
+    const vk::ImageCreateInfo info = createInfo(options);
+    const vk::MemoryRequirements2 needed =
+        device.handle().getImageMemoryRequirements(vk::DeviceImageMemoryRequirements{.pCreateInfo = &info});
+    // lavapipe says 0 for an image that it could not make.
+    return std::max<std::uint64_t>(needed.memoryRequirements.size, bytesOfPixels(options));
 }
 
 std::uint64_t freeDeviceBytes(const Device& device) {

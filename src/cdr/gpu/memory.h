@@ -79,6 +79,9 @@ class Image {
     vk::UniqueImageView m_view;
 };
 
+/// Device bytes of an image, by the driver, which is asked without making it.
+std::uint64_t predictBytes(const Device& device, const ImageOptions& options);
+
 /// Device-local bytes that are still free, by the driver's budget.
 std::uint64_t freeDeviceBytes(const Device& device);
 

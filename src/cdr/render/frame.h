@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace cdr::render {
@@ -31,7 +30,8 @@ struct FrameStats {
     double duplication = 1.0; ///< draws per visible instance
     FrameTimes times;
     TranslucencyStats translucency; ///< of the blended ones
-    std::string note;               ///< why opaque surfaces were not drawn as asked; else empty
+    /// Surfaces shine, but were drawn matt: ambient occlusion per layer takes the bits that say how.
+    bool lostShine = false;
 };
 
 /// What a pixel shows, in float64: as exact as the technique, so with anchored as the anchored step.
@@ -64,6 +64,10 @@ struct Frame {
     std::uint32_t cascade(std::uint32_t x, std::uint32_t y) const;
     /// Metric view distance in float64: anchor plane plus what the pixel holds; infinity for background.
     double distanceView(std::uint32_t x, std::uint32_t y) const;
+    /// The same of a pixel that is not background.
+    double distanceView(const GBufferPixel& pixel) const {
+        return anchorsView[pixel.cascade()] + static_cast<double>(pixel.ahead);
+    }
     /// Unit normal in view space; zero for background.
     glm::vec3 normalView(std::uint32_t x, std::uint32_t y) const;
 

@@ -15,21 +15,9 @@ struct Renderer::Slot {
     bool isPending = false;
     host::Trace::Clock::time_point submitted;
 
-    scene::Camera camera;
-    Lens lens;
-    depth::Cascades cascades;
-    depth::Cascades clipRanges;
-    std::vector<CascadeDraws> draws; ///< by cascade
+    FrameView view;
     FrameStats stats;
     Destination destination = Destination::device;
-
-    std::vector<double> anchorsView() const {
-        std::vector<double> anchors;
-        for (const CascadeDraws& cascade : draws) {
-            anchors.push_back(cascade.anchorView);
-        }
-        return anchors;
-    }
 };
 
 } // namespace cdr::render

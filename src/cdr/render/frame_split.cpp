@@ -1,22 +1,20 @@
 #include <cdr/render/frame_split.h>
 
-#include <cmath>
-
 namespace cdr::render {
 
-depth::Cascades FrameSplit::cut(const scene::Camera& camera, const visibility::VisibleList& visible) {
+depth::Cascades FrameSplit::cut(const scene::Camera& camera, const scene::Frustum& frustum,
+                                const visibility::VisibleList& visible) {
     m_intervals.resize(needsVisible() ? visible.count : 0);
     for (std::size_t i = 0; i < m_intervals.size(); ++i) {
         const auto radius = static_cast<double>(visible.radius[i]);
         m_intervals[i] = {visible.distanceView[i] - radius, visible.distanceView[i] + radius};
     }
-    m_previous = depth::makeCascades(m_technique.split,
-                                     {.nearView = camera.nearView,
-                                      .farView = camera.farView,
-                                      .model = {m_technique.mapping, m_technique.format},
-                                      .footprintSlope = 2.0 * std::tan(0.5 * camera.fovY) / m_height,
-                                      .visible = m_intervals,
-                                      .previous = m_previous});
+    m_previous = depth::makeCascades(m_technique.split, {.nearView = camera.nearView,
+                                                         .farView = camera.farView,
+                                                         .model = {m_technique.mapping, m_technique.format},
+                                                         .footprintSlope = frustum.footprintSlope,
+                                                         .visible = m_intervals,
+                                                         .previous = m_previous});
     return m_previous;
 }
 

@@ -2,10 +2,9 @@
 
 #include <cdr/depth/make_cascades.h>
 #include <cdr/depth/technique.h>
-#include <cdr/scene/camera.h>
+#include <cdr/scene/frustum.h>
 #include <cdr/visibility/cull.h>
 
-#include <cstdint>
 #include <vector>
 
 namespace cdr::render {
@@ -14,13 +13,12 @@ namespace cdr::render {
 /// fitted ones stay put.
 class FrameSplit {
   public:
-    /// @param height of the picture in pixels.
-    FrameSplit(const depth::Technique& technique, std::uint32_t height)
-        : m_technique(technique),
-          m_height(height) {}
+    explicit FrameSplit(const depth::Technique& technique) : m_technique(technique) {}
 
     /// base::InputError for an unusable split or range.
-    depth::Cascades cut(const scene::Camera& camera, const visibility::VisibleList& visible);
+    /// @param frustum of the camera and the picture.
+    depth::Cascades cut(const scene::Camera& camera, const scene::Frustum& frustum,
+                        const visibility::VisibleList& visible);
 
     /// The next frame is cut as a first one is.
     void forget() { m_previous.clear(); }
@@ -33,7 +31,6 @@ class FrameSplit {
 
   private:
     depth::Technique m_technique;
-    std::uint32_t m_height;
     depth::Cascades m_previous;               ///< the last frame's
     std::vector<depth::Interval> m_intervals; ///< kept so that a warm frame allocates little
 };

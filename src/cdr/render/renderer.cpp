@@ -2,12 +2,8 @@
 
 #include <cdr/gpu/commands.h>
 #include <cdr/render/renderer_setup.h>
-#include <cdr/render/submit/binning_pass.h>
-#include <cdr/render/submit/gpu_driven_path.h>
-#include <cdr/render/submit/primary_path.h>
-#include <cdr/render/submit/secondary_path.h>
 #include <cdr/render/targets/focus_layers.h>
-#include <cdr/render/view_transform.h>
+#include <cdr/visibility/blended.h>
 
 #include <fmt/format.h>
 
@@ -41,45 +37,38 @@ class Stopwatch {
     host::Trace::Clock::time_point m_last = host::Trace::Clock::now();
 };
 
-std::optional<scene::Instances> opaqueWhereBlended(const scene::Scene& scene) {
-    return visibility::hasBlended(scene) ? std::optional(visibility::withoutBlended(scene)) : std::nullopt;
-}
-
 } // namespace
 
 Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                    const RenderOptions& options)
     : m_device(device),
-      m_scene(scene),
-      m_opaque(opaqueWhereBlended(scene)),
+      m_blended(visibility::blendedInstances(scene)),
+      m_drawn{.scene = scene, .uploaded = gpuScene, .blended = m_blended},
       m_options(options),
-      m_extent(checkedExtent(device, options, m_opaque.has_value())),
-      m_aspect(static_cast<double>(options.width) / static_cast<double>(options.height)),
-      m_split(options.technique, options.height),
+      m_extent(checkedExtent(device, options, !m_blended.empty())),
       m_workers(options.threads, options.placement),
-      m_note(noteOnShine(gpuScene, options)),
-      m_shiny(gpuScene.isShiny() && m_note.empty()),
-      m_geometry(device, gpuScene, options.technique, options.batching, m_shiny),
-      m_binning(options.submission == Submission::gpuDriven
-                    ? std::make_unique<BinningPass>(device, opaque(), gpuScene, options.detail.mode)
-                    : nullptr),
-      m_picture(device, pictureOptions(m_extent, options, m_opaque.has_value())),
+      m_lostShine(losesShine(gpuScene, options)),
+      m_shiny(gpuScene.isShiny() && !m_lostShine),
+      m_paths(device, m_drawn, options, m_shiny),
+      m_picture(device, pictureOptions(m_extent, options, !m_blended.empty())),
       m_focus(options.focus.isOn() ? makeFocusLayers() : nullptr),
       m_plain(m_focus ? nullptr : makeTargets(device, options.targets, targetsOptions(m_extent, options))),
       m_targets(m_focus ? *m_focus : *m_plain),
+      m_cutter(options, m_targets),
       m_shading(device, m_targets.gbuffer(), m_picture.lit(),
                 {.effects = options.effects,
                  .shiny = m_shiny,
                  .lights = static_cast<std::uint32_t>(scene.lights.size())}),
-      m_translucent(m_opaque ? std::make_unique<TranslucentPass>(device, scene, gpuScene, m_targets.gbuffer(),
-                                                                 m_picture.lit(), options.translucency)
-                             : nullptr),
+      m_translucent(m_blended.empty()
+                        ? nullptr
+                        : std::make_unique<TranslucentPass>(device, m_drawn, m_targets.gbuffer(),
+                                                            m_picture.lit(), options.translucency)),
       m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
       m_gbufferCopy(device, m_extent, sizeof(GBufferPixel), "G-buffer copy") {
     m_workers.setTrace(options.trace);
     for (std::size_t slot = 0; slot < options.framesInFlight; ++slot) {
         Slot& made = m_slots.emplace_back();
-        made.path = makePath(fmt::format("frame slot {}", slot));
+        made.path = m_paths.make(m_workers, fmt::format("frame slot {}", slot));
         made.shading = m_shading.makeInputs(scene);
         if (m_translucent != nullptr) {
             made.translucent.emplace(m_translucent->makeSlot(made.shading));
@@ -98,47 +87,16 @@ Renderer::~Renderer() {
 
 std::unique_ptr<FocusLayers> Renderer::makeFocusLayers() const {
     return std::make_unique<FocusLayers>(m_device, targetsOptions(m_extent, m_options), m_picture.lit(),
-                                         m_options.effects, m_scene.background, m_options.focus.blend,
-                                         m_shiny);
+                                         FocusLayersOptions{.effects = m_options.effects,
+                                                            .background = m_drawn.scene.background,
+                                                            .fades = m_options.focus.blend,
+                                                            .shiny = m_shiny});
 }
 
-std::unique_ptr<DrawPath> Renderer::makePath(const std::string& name) {
-    if (m_binning != nullptr) {
-        return std::make_unique<GpuDrivenPath>(m_device, *m_binning, m_geometry, name);
-    }
-    HostDraws draws(m_device, m_scene, m_geometry, m_workers, m_options.trace);
-    if (m_options.submission == Submission::primaries) {
-        return std::make_unique<PrimaryPath>(m_device, std::move(draws), name);
-    }
-    return std::make_unique<SecondaryPath>(m_device, std::move(draws), name);
-}
-
-void Renderer::cull(const scene::Camera& camera) {
-    visibility::cullSpheres(opaque(), camera, m_aspect, m_workers, m_visible);
-}
-
-void Renderer::cut(const scene::Camera& camera, Slot& slot) {
-    slot.camera = camera;
-    slot.lens = lensOf(camera, m_aspect);
-    slot.cascades = m_split.cut(camera, m_visible);
-    std::optional<FocusLens> focus;
-    if (m_focus) {
-        focus.emplace(m_options.focus, slot.lens.tanY, m_extent.height);
-    }
-    const depth::Mapping mapping = m_options.technique.mapping;
-    const depth::Cascades ranges =
-        focus && m_options.focus.blend ? focus->overlapping(slot.cascades) : slot.cascades;
-    slot.clipRanges.clear();
-    slot.draws.clear();
-    for (std::size_t i = 0; i < ranges.size(); ++i) {
-        slot.clipRanges.push_back(depth::clipRange(mapping, ranges, i));
-        const depth::ClipTerms terms = clipTerms(depthRange(mapping, ranges, i, m_split.farEnd()));
-        const DepthSlice slice = m_targets.depthSlice(i, ranges.size());
-        slot.draws.push_back(
-            {.anchorView = terms.anchorView,
-             .push =
-                 makeCascadePush(terms, slot.clipRanges[i], slot.lens, slice, static_cast<std::uint32_t>(i)),
-             .extent = focus ? shrunk(m_extent, focus->scaleOf(slot.cascades[i])) : m_extent});
+void Renderer::cull(const FrameView& view) {
+    visibility::cullSpheres(m_drawn.scene.instances, view.camera, view.frustum, m_workers, m_visible);
+    if (!m_blended.empty()) {
+        visibility::removeInstances(m_blended, m_visible);
     }
 }
 
@@ -150,17 +108,11 @@ Renderer::Slot& Renderer::nextSlot() {
 
 void Renderer::launch(Slot& slot, Destination destination) {
     Stopwatch watch(m_options.trace);
-    const CutView view{.camera = slot.camera,
-                       .aspect = m_aspect,
-                       .visible = m_visible,
-                       .clipRanges = slot.clipRanges,
-                       .cascades = slot.draws,
-                       .levels = visibility::levelRule(m_options.detail, slot.camera, m_extent.height)};
     slot.destination = destination;
-    slot.path->bin(view, slot.stats);
+    slot.path->bin(slot.view, m_visible, slot.stats);
     slot.stats.times.binMs = watch.lap("bin");
-    slot.path->begin(view);
-    m_targets.record(*slot.path, slot.draws);
+    slot.path->begin(slot.view);
+    m_targets.record(*slot.path, slot.view);
     shade(slot);
     if (slot.translucent) {
         m_translucent->record(slot.path->primary(), *slot.translucent);
@@ -169,7 +121,7 @@ void Renderer::launch(Slot& slot, Destination destination) {
     if (destination != Destination::device) {
         recordReadback(slot.path->primary(), destination);
     }
-    const std::span<const vk::CommandBuffer> commands = slot.path->end(view);
+    const std::span<const vk::CommandBuffer> commands = slot.path->end(slot.view);
     slot.stats.times.recordMs = watch.lap("record");
     slot.submitted = host::Trace::Clock::now();
     gpu::submit(m_device, commands, *slot.done);
@@ -190,7 +142,7 @@ void Renderer::settle(Slot& slot) {
         slot.isPending = false;
         if (!hasRoomSufficed(slot)) {
             if (slot.path->needsVisible()) {
-                cull(slot.camera); // by now the list may be a later frame's
+                cull(slot.view); // by now the list may be a later frame's
             }
             launch(slot, slot.destination);
         }
@@ -208,17 +160,18 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destinati
     scene::requireUsable(camera);
     Slot& slot = nextSlot();
     Stopwatch watch(m_options.trace);
-    if (slot.path->needsVisible() || m_split.needsVisible()) {
-        cull(camera);
+    slot.view = m_cutter.look(camera);
+    if (slot.path->needsVisible() || m_cutter.needsVisible()) {
+        cull(slot.view);
     }
     slot.stats = {};
-    slot.stats.note = m_note;
+    slot.stats.lostShine = m_lostShine;
     slot.stats.times.cullMs = watch.lap("cull");
-    cut(camera, slot);
-    slot.shading.update(m_scene, camera, slot.lens, slot.anchorsView());
+    m_cutter.cut(slot.view, m_visible);
+    slot.shading.update(m_drawn.scene, camera, slot.view.frustum, slot.view.anchorsView());
     slot.stats.times.splitMs = watch.lap("split");
     if (slot.translucent) {
-        m_translucent->prepare(*slot.translucent, camera, slot.cascades, m_workers);
+        m_translucent->prepare(*slot.translucent, slot.view, m_workers);
         slot.stats.times.translucentMs = watch.lap("translucent draws");
     }
     launch(slot, destination);
@@ -278,9 +231,9 @@ void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination
 
 Frame Renderer::fetch(const Slot& slot) const {
     Frame frame;
-    frame.camera = slot.camera;
-    frame.cascades = slot.cascades;
-    frame.anchorsView = slot.anchorsView();
+    frame.camera = slot.view.camera;
+    frame.cascades = slot.view.ranges();
+    frame.anchorsView = slot.view.anchorsView();
     frame.color = m_colorCopy.fetch<image::Rgba8>();
     if (slot.destination == Destination::host) {
         frame.gbuffer = m_gbufferCopy.fetch<GBufferPixel>();

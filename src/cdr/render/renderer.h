@@ -1,16 +1,14 @@
 #pragma once
 
-#include <cdr/depth/technique.h>
 #include <cdr/host/worker_pool.h>
-#include <cdr/render/effects.h>
-#include <cdr/render/focus.h>
 #include <cdr/render/frame.h>
-#include <cdr/render/frame_split.h>
+#include <cdr/render/frame_cutter.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/readback.h>
+#include <cdr/render/render_options.h>
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/shading/shading_pass.h>
-#include <cdr/render/submit/draw_path.h>
+#include <cdr/render/submit/draw_path_factory.h>
 #include <cdr/render/targets/targets.h>
 #include <cdr/render/translucency/translucent_pass.h>
 #include <cdr/visibility/cull.h>
@@ -23,30 +21,7 @@
 
 namespace cdr::render {
 
-class BinningPass;
 class FocusLayers;
-
-struct RenderOptions {
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    depth::Technique technique;
-    TargetsChoice targets = TargetsKind::single;
-    std::size_t threads = 1;                           ///< that cull, bin and record, the caller's included
-    host::Placement placement = host::Placement::free; ///< of those threads but the caller's
-    Submission submission = Submission::secondaries;
-    Batching batching = Batching::instanced;
-    visibility::Detail
-        detail{}; ///< none unless told; meshes without levels are drawn in full whatever it says
-    Effects effects{};
-    Focus focus{}; ///< on, it needs targets `layers`, and effects without occlusion
-    TranslucencyOptions translucency{};
-    std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
-    /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
-    /// none.
-    host::Trace* trace = nullptr;
-};
-
-inline constexpr std::size_t kMaxFramesInFlight = 8;
 
 /// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as
 /// large.
@@ -74,7 +49,7 @@ class Renderer {
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);
 
     /// The next frame is rendered as a first one is: a fitted split does not keep to the last frame's.
-    void forgetFrames() { m_split.forget(); }
+    void forgetFrames() { m_cutter.forget(); }
 
     /// Renders one frame and waits for it, but leaves it on the device: what experiments time.
     FrameStats draw(const scene::Camera& camera);
@@ -91,12 +66,9 @@ class Renderer {
     struct Slot;
     enum class Destination { device, hostColor, host };
     std::unique_ptr<FocusLayers> makeFocusLayers() const;
-    std::unique_ptr<DrawPath> makePath(const std::string& name);
     Slot& nextSlot();
-    /// What is drawn into the G-buffer: all but blended instances.
-    const scene::Instances& opaque() const { return m_opaque ? *m_opaque : m_scene.instances; }
-    void cull(const scene::Camera& camera);
-    void cut(const scene::Camera& camera, Slot& slot);
+    /// Lists what is drawn into the G-buffer: all that is seen but blended instances.
+    void cull(const FrameView& view);
     void shade(Slot& slot);
     bool hasRoomSufficed(Slot& slot);
     void launch(Slot& slot, Destination destination);
@@ -107,21 +79,19 @@ class Renderer {
     Frame fetch(const Slot& slot) const;
 
     const gpu::Device& m_device;
-    const scene::Scene& m_scene;
-    std::optional<scene::Instances> m_opaque; ///< where the scene has blended instances
+    std::vector<std::uint32_t> m_blended; ///< instances, ascending
+    DrawnScene m_drawn;
     RenderOptions m_options;
     vk::Extent2D m_extent;
-    double m_aspect;
-    FrameSplit m_split;
     host::WorkerPool m_workers;
-    std::string m_note; ///< FrameStats::note of every frame
-    bool m_shiny;       ///< whether the G-buffer keeps how surfaces shine
-    GeometryPass m_geometry;
-    std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
+    bool m_lostShine; ///< FrameStats::lostShine of every frame
+    bool m_shiny;     ///< whether the G-buffer keeps how surfaces shine
+    DrawPathFactory m_paths;
     Picture m_picture;
     std::unique_ptr<FocusLayers> m_focus; ///< where the lens has a focus
     std::unique_ptr<Targets> m_plain;     ///< where it has none
     Targets& m_targets;                   ///< the one of both that is there
+    FrameCutter m_cutter;
     ShadingPass m_shading;
     std::unique_ptr<TranslucentPass> m_translucent; ///< where the scene has blended instances
     Readback m_colorCopy;

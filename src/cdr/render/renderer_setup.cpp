@@ -36,15 +36,9 @@ TargetsOptions targetsOptions(vk::Extent2D extent, const RenderOptions& options)
             .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0};
 }
 
-std::string noteOnShine(const GpuScene& scene, const RenderOptions& options) {
+bool losesShine(const GpuScene& scene, const RenderOptions& options) {
     const Occlusion& occlusion = options.effects.occlusion;
-    return scene.isShiny() && occlusion.radius > 0.0 && occlusion.perLayer
-               ? "surfaces are matt, since ambient occlusion per layer takes the bits that say how they shine"
-               : "";
-}
-
-vk::Extent2D shrunk(vk::Extent2D extent, std::uint32_t scale) {
-    return {(extent.width + scale - 1) / scale, (extent.height + scale - 1) / scale};
+    return scene.isShiny() && occlusion.radius > 0.0 && occlusion.perLayer;
 }
 
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
@@ -68,12 +62,10 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         }
     }
     const vk::Extent2D extent{options.width, options.height};
-    constexpr std::uint64_t kDepthBytes = 4;
     gpu::requireDeviceBytes(device,
-                            predictGBufferBytes(extent) +
-                                Picture::predictBytes(pictureOptions(extent, options, hasBlended)) +
-                                ShadingPass::predictBytes(extent, options.effects) +
-                                std::uint64_t{extent.width} * extent.height * kDepthBytes,
+                            predictLayerBytes(device, extent, options.technique.format) +
+                                Picture::predictBytes(device, pictureOptions(extent, options, hasBlended)) +
+                                ShadingPass::predictBytes(extent, options.effects),
                             fmt::format("a {}x{} picture", extent.width, extent.height));
     return extent;
 }

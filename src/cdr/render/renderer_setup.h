@@ -2,8 +2,6 @@
 
 #include <cdr/render/renderer.h>
 
-#include <string>
-
 namespace cdr::render {
 
 /// What RenderOptions come to, for the renderer's own use.
@@ -16,10 +14,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
 PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended);
 TargetsOptions targetsOptions(vk::Extent2D extent, const RenderOptions& options);
 
-/// Why shiny surfaces are drawn matt, though some shine; empty when they are not.
-std::string noteOnShine(const GpuScene& scene, const RenderOptions& options);
-
-/// As few pixels as cover a picture when none is wider or higher than `scale` of the picture's.
-vk::Extent2D shrunk(vk::Extent2D extent, std::uint32_t scale);
+/// FrameStats::lostShine of every frame.
+bool losesShine(const GpuScene& scene, const RenderOptions& options);
 
 } // namespace cdr::render

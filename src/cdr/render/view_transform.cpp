@@ -1,13 +1,6 @@
 #include <cdr/render/view_transform.h>
 
-#include <cmath>
-
 namespace cdr::render {
-
-Lens lensOf(const scene::Camera& camera, double aspect) {
-    const double tanY = std::tan(0.5 * camera.fovY);
-    return {.tanX = aspect * tanY, .tanY = tanY};
-}
 
 DrawRecordMaker::DrawRecordMaker(const scene::Camera& camera, double anchorView)
     : m_position(camera.position),
@@ -36,20 +29,6 @@ shaders::DrawRecord DrawRecordMaker::make(const DrawSource& source, const Materi
             .cutoffAndShine = material.cutoffAndShine,
             .baseColorRg = material.baseColorRg,
             .baseColorBa = material.baseColorBa};
-}
-
-shaders::CascadePush makeCascadePush(const depth::ClipTerms& terms, const depth::Cascade& clipRange,
-                                     const Lens& lens, const DepthSlice& slice, std::uint32_t cascade) {
-    return {.anchorView = static_cast<float>(terms.anchorView),
-            .depthScale = static_cast<float>(terms.scale),
-            .depthOffset = static_cast<float>(terms.offset),
-            .nearAhead = static_cast<float>(clipRange.nearView - terms.anchorView),
-            .farAhead = static_cast<float>(clipRange.farView - terms.anchorView),
-            .projectionX = static_cast<float>(1.0 / lens.tanX),
-            .projectionY = static_cast<float>(-1.0 / lens.tanY),
-            .cascade = cascade,
-            .minDepth = slice.min,
-            .maxDepth = slice.max};
 }
 
 glm::vec2 splitDouble(double value) {

@@ -1,25 +1,17 @@
 #pragma once
 
-#include <cdr/depth/mapping.h>
 #include <cdr/render/gpu_scene.h>
-#include <cdr/scene/camera.h>
+#include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 #include <cdr/shaders/shared.h>
 
-#include <vulkan/vulkan.hpp>
-
 #include <array>
-#include <cstdint>
 #include <limits>
 
 namespace cdr::render {
 
-/// The picture's half size at view distance 1: what perspective divides by.
-struct Lens {
-    double tanX = 1.0;
-    double tanY = 1.0;
-};
-Lens lensOf(const scene::Camera& camera, double aspect);
+/// What ShadingInputs::update() calls a frustum.
+using Lens = scene::Frustum;
 
 /// Turns instances into what one cascade's vertex shader wants. The camera's position, and the cascade's
 /// anchor, are subtracted in float64; only the small remainder is rounded to float32.
@@ -40,23 +32,6 @@ class DrawRecordMaker {
     glm::mat3 m_basis{std::numeric_limits<float>::quiet_NaN()};
     std::array<glm::vec3, 3> m_rows;
 };
-
-/// A part of the depth range, [0, 1], for a viewport and for shaders that set their depth.
-struct DepthSlice {
-    float min = 0.0f;
-    float max = 1.0f;
-};
-
-/// What the draws of one cascade share, on the CPU side.
-struct CascadeDraws {
-    double anchorView = 0.0;
-    shaders::CascadePush push{};
-    vk::Extent2D extent; ///< of what the cascade is drawn into
-};
-
-/// CascadeDraws::push.
-shaders::CascadePush makeCascadePush(const depth::ClipTerms& terms, const depth::Cascade& clipRange,
-                                     const Lens& lens, const DepthSlice& slice, std::uint32_t cascade);
 
 /// A light in view space, each coordinate as a float and its rest.
 shaders::LightRecord makeLightRecord(const scene::PointLight& light, const scene::Camera& camera);

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cdr/host/worker_pool.h>
-#include <cdr/scene/camera.h>
+#include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cdr::visibility {
@@ -21,9 +22,18 @@ struct VisibleList {
 
 /// Sphere against frustum (thesis Listing A.1): keeps every instance whose bounding sphere is not wholly
 /// outside one of the six planes. The same list, in the same order, for any number of workers.
-/// @param aspect width over height of the picture.
+/// @param frustum of the camera and the picture.
 /// @param visible overwritten.
-void cullSpheres(const scene::Instances& instances, const scene::Camera& camera, double aspect,
-                 host::WorkerPool& workers, VisibleList& visible);
+void cullSpheres(const scene::Instances& instances, const scene::Camera& camera,
+                 const scene::Frustum& frustum, host::WorkerPool& workers, VisibleList& visible);
+
+/// The same for some of the instances, on the calling thread.
+/// @param some indices into `instances`, ascending. VisibleList::instance holds the same indices.
+void cullSpheres(const scene::Instances& instances, std::span<const std::uint32_t> some,
+                 const scene::Camera& camera, const scene::Frustum& frustum, VisibleList& visible);
+
+/// Takes instances out of a list.
+/// @param instances ascending; those that are not in the list are passed over.
+void removeInstances(std::span<const std::uint32_t> instances, VisibleList& visible);
 
 } // namespace cdr::visibility

@@ -67,8 +67,8 @@ void requireUsable(const Detail& detail) {
     }
 }
 
-LevelRule levelRule(const Detail& detail, const scene::Camera& camera, std::uint32_t height) {
-    return {.mode = detail.mode, .slope = detail.pixels * 2.0 * std::tan(0.5 * camera.fovY) / height};
+LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::uint32_t height) {
+    return {.mode = detail.mode, .slope = detail.pixels * 2.0 * frustum.tanY / height};
 }
 
 void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const depth::Cascades& clipRanges,

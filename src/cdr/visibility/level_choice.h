@@ -2,7 +2,7 @@
 
 #include <cdr/depth/cascade.h>
 #include <cdr/host/worker_pool.h>
-#include <cdr/scene/camera.h>
+#include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 #include <cdr/visibility/bin.h>
 
@@ -48,7 +48,7 @@ struct LevelRule {
 };
 
 /// @param height of the picture in pixels.
-LevelRule levelRule(const Detail& detail, const scene::Camera& camera, std::uint32_t height);
+LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::uint32_t height);
 
 /// Fills DrawLists::level: of each draw the coarsest level whose error, in world space, is at most
 /// `rule.slope` times a view distance; the mesh itself where no level's is. That distance is the nearest of

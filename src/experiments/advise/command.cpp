@@ -1,6 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/depth/advice.h>
-#include <cdr/scene/camera.h>
+#include <cdr/scene/frustum.h>
 #include <cli/commands.h>
 #include <cli/console.h>
 #include <experiments/advise/measured_advice.h>
@@ -35,7 +35,7 @@ depth::AdviceQuestion questionOf(const AdviseArguments& arguments) {
     depth::AdviceQuestion question{
         .scene = {.nearView = camera.nearView,
                   .farView = camera.farView,
-                  .footprintSlope = 2.0 * std::tan(0.5 * camera.fovY) / arguments.height,
+                  .footprintSlope = scene::frustumOf(camera, 1.0, arguments.height).footprintSlope,
                   .atView = arguments.atView.value_or(camera.farView),
                   .spanView = arguments.spanView},
         .separationView = arguments.separationView};

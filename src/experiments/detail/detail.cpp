@@ -156,8 +156,8 @@ class Comparison {
 
     /// Counted by the very functions that the frame was drawn with.
     std::uint64_t trianglesOf(const render::Frame& frame, visibility::DetailMode mode) {
-        const double aspect = static_cast<double>(m_options.width) / static_cast<double>(m_options.height);
-        visibility::cullSpheres(m_setup.scene.instances, frame.camera, aspect, m_workers, m_visible);
+        const scene::Frustum frustum = scene::frustumOf(frame.camera, m_options.width, m_options.height);
+        visibility::cullSpheres(m_setup.scene.instances, frame.camera, frustum, m_workers, m_visible);
         depth::Cascades ranges;
         for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
             ranges.push_back(depth::clipRange(m_options.technique.mapping, frame.cascades, i));
@@ -166,7 +166,7 @@ class Comparison {
         visibility::binByDistance(m_visible, ranges, kNoneWide, m_workers, m_lists);
         const visibility::Detail detail{.mode = mode, .pixels = m_options.pixels};
         visibility::chooseLevels(m_setup.scene, frame.camera, ranges,
-                                 visibility::levelRule(detail, frame.camera, m_options.height), m_workers,
+                                 visibility::levelRule(detail, frustum, m_options.height), m_workers,
                                  m_lists);
         return visibility::trianglesDrawn(m_setup.scene, m_lists);
     }

@@ -6,6 +6,7 @@
 #include <cdr/image/srgb.h>
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/render/renderer.h>
+#include <cdr/scene/frustum.h>
 #include <experiments/shuffled_order.h>
 
 #include <algorithm>
@@ -67,7 +68,8 @@ class Comparison {
           m_workers(options.threads),
           m_setup(scenes::openScene(options.scene, options.seed).setup),
           m_camera(m_setup.path.at(0)),
-          m_lens(options.lens, std::tan(0.5 * m_camera.fovY), options.height),
+          m_lens(options.lens, scene::frustumOf(m_camera, options.width, options.height).tanY,
+                 options.height),
           m_gpuScene(device, m_setup.scene),
           m_order(kModes.size(), options.seed),
           m_samples(kModes.size()) {

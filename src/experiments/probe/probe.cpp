@@ -5,6 +5,7 @@
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
+#include <cdr/scene/frustum.h>
 #include <scenes/ladder.h>
 
 #include <fmt/format.h>
@@ -86,7 +87,7 @@ depth::ForecastScene forecastScene(const scene::SceneSetup& setup, const scenes:
     const scene::Camera camera = setup.path.at(0);
     return {.nearView = ladder.nearView,
             .farView = ladder.farView,
-            .footprintSlope = 2.0 * std::tan(0.5 * camera.fovY) / height,
+            .footprintSlope = scene::frustumOf(camera, 1.0, height).footprintSlope,
             .atView = ladder.distanceView,
             .spanView = spanOf(setup),
             .somethingNear = false};

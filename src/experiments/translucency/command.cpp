@@ -44,7 +44,7 @@ nlohmann::ordered_json toJson(const experiments::TranslucencyResult& result) {
             {"fragments", result.stats.fragments},
             {"bytes", result.stats.bytes},
             {"execute_ms", result.executeMs},
-            {"note", result.stats.note}};
+            {"note", result.note}};
 }
 
 void printTable(const Console& console, const std::vector<experiments::TranslucencyResult>& results) {
@@ -95,8 +95,8 @@ void run(const GlobalOptions& global, TranslucencyArguments& arguments) {
 
     printTable(console, all.results);
     for (const experiments::TranslucencyResult& result : all.results) {
-        if (!result.stats.note.empty()) {
-            console.line(fmt::format("{} cascades drawn weighted: {}", result.cascades, result.stats.note));
+        if (!result.note.empty()) {
+            console.line(fmt::format("{} cascades drawn weighted: {}", result.cascades, result.note));
         }
     }
     console.line(fmt::format("\n{}; {}, {}x{}, mapping {}, {} repeats interleaved, median; errors in 8-bit "

@@ -4,6 +4,7 @@
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/render/renderer.h>
 #include <cdr/visibility/blended.h>
+#include <experiments/frame_notes.h>
 #include <scenes/open_scene.h>
 
 #include <algorithm>
@@ -41,6 +42,9 @@ TranslucencyResult compare(const gpu::Device& device, const scene::SceneSetup& s
     result.technique = partsOf(options.technique);
     result.cascades = static_cast<unsigned>(frame.cascades.size());
     result.stats = frame.stats.translucency;
+    if (result.stats.refusal) {
+        result.note = noteOn(*result.stats.refusal, device.info().name, options.width, options.height);
+    }
     result.difference = measure::compareLayers(frame.color, frame.fragmentCounts, truth);
     result.picture = std::move(frame.color);
     return result;

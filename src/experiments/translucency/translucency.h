@@ -30,6 +30,7 @@ struct TranslucencyResult {
     std::string technique;
     unsigned cascades = 1;
     render::TranslucencyStats stats;
+    std::string note; ///< why it was not sorted, though it was to be; else empty
     measure::LayerDifference difference;
     double executeMs = 0.0; ///< median
     image::ImageRgba8 picture;

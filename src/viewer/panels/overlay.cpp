@@ -1,5 +1,6 @@
 #include "overlay.h"
 
+#include <cdr/scene/frustum.h>
 #include <viewer/state/length_text.h>
 #include <viewer/state/technique_label.h>
 
@@ -119,10 +120,10 @@ std::optional<ImVec2> onCanvas(const Canvas& canvas, const scene::Camera& camera
     if (w < camera.nearView) {
         return std::nullopt;
     }
-    const double tanY = std::tan(camera.fovY / 2.0);
     const double aspect = (canvas.high.x - canvas.low.x) / (canvas.high.y - canvas.low.y);
-    const double x = view.x / (w * tanY * aspect);
-    const double y = view.y / (w * tanY);
+    const scene::Frustum frustum = scene::frustumOf(camera, aspect, 1.0);
+    const double x = view.x / (w * frustum.tanX);
+    const double y = view.y / (w * frustum.tanY);
     if (std::abs(x) > 1.0 || std::abs(y) > 1.0) {
         return std::nullopt;
     }

@@ -86,7 +86,8 @@ void drawMemoryPanel(const Widgets& widgets, const ViewerModel& model) {
     }
     if (model.shown != nullptr && !model.shown->sides.empty()) {
         const render::RenderOptions& options = model.shown->sides.front().options;
-        widgets.value("a G-buffer", megabytes(render::predictGBufferBytes({options.width, options.height})));
+        const std::uint64_t pixels = std::uint64_t{options.width} * options.height;
+        widgets.value("a G-buffer", megabytes(pixels * sizeof(render::GBufferPixel)));
         widgets.value("device", megabytes(model.shown->freeDeviceBytes) + " free");
     }
     widgets.heading("Devices");

@@ -27,6 +27,7 @@ class SideRenderer {
     void drop() { m_renderer.reset(); }
 
   private:
+    render::RenderOptions m_asked;        ///< what the renderer is made from, without the trace
     std::unique_ptr<host::Trace> m_trace; ///< outlives the renderer
     std::unique_ptr<render::Renderer> m_renderer;
 };

@@ -19,7 +19,8 @@ void readIds(const render::Frame& frame, image::ImageU32& ids) {
     if (ids.width != frame.width() || ids.height != frame.height()) {
         ids = image::ImageU32(frame.width(), frame.height());
     }
-    std::transform(frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(), ids.pixels.begin(), idOf);
+    std::transform(frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(), ids.pixels.begin(),
+                   [](const render::GBufferPixel& pixel) { return pixel.id(); });
 }
 
 } // namespace

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cdr/image/image.h>
-#include <cdr/render/targets/gbuffer.h>
-#include <cdr/shaders/shared.h>
 
 #include <cstdint>
 
@@ -13,11 +11,6 @@ inline void resize(image::ImageRgba8& picture, std::uint32_t width, std::uint32_
     if (picture.width != width || picture.height != height) {
         picture = image::ImageRgba8(width, height);
     }
-}
-
-/// Object index + 1 of a pixel of the G-buffer, 0 for background.
-inline std::uint32_t idOf(const render::GBufferPixel& pixel) {
-    return pixel.idAndCascade & shaders::kIdMask;
 }
 
 /// Half as bright and without hue, as measure::heatMap() has what is right.

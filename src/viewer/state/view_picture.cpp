@@ -17,10 +17,6 @@ namespace {
 
 constexpr image::Rgba8 kBlack{0, 0, 0, 255};
 
-std::uint32_t cascadeOf(const render::GBufferPixel& pixel) {
-    return (pixel.idAndCascade >> shaders::kIdBits) & shaders::kCascadeMask;
-}
-
 /// The tints of experiments' cascade picture at every lightness.
 struct TintTable {
     std::array<std::array<image::Rgba8, 256>, depth::kMaxCascades> at;
@@ -45,8 +41,7 @@ void paintCascades(const render::Frame& frame, image::ImageRgba8& picture) {
         const render::GBufferPixel& pixel = frame.gbuffer.pixels[i];
         const image::Rgba8& color = frame.color.pixels[i];
         const std::uint8_t light = std::max({color[0], color[1], color[2]});
-        picture.pixels[i] =
-            idOf(pixel) == 0 ? kBlack : table.at[cascadeOf(pixel) % depth::kMaxCascades][light];
+        picture.pixels[i] = pixel.id() == 0 ? kBlack : table.at[pixel.cascade() % depth::kMaxCascades][light];
     }
 }
 
@@ -76,15 +71,11 @@ struct DistanceSpan {
     double high = 0.0;
 };
 
-double distanceOf(const render::Frame& frame, const render::GBufferPixel& pixel) {
-    return frame.anchorsView[cascadeOf(pixel)] + static_cast<double>(pixel.ahead);
-}
-
 DistanceSpan spanOf(const render::Frame& frame) {
     DistanceSpan span;
     for (const render::GBufferPixel& pixel : frame.gbuffer.pixels) {
-        if (idOf(pixel) != 0) {
-            const double w = distanceOf(frame, pixel);
+        if (pixel.id() != 0) {
+            const double w = frame.distanceView(pixel);
             span.low = std::min(span.low, w);
             span.high = std::max(span.high, w);
         }
@@ -99,11 +90,11 @@ void paintDistance(const render::Frame& frame, image::ImageRgba8& picture) {
     const float scale = -0.9f * 255.0f / spread;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         const render::GBufferPixel& pixel = frame.gbuffer.pixels[i];
-        if (idOf(pixel) == 0) {
+        if (pixel.id() == 0) {
             picture.pixels[i] = kBlack;
             continue;
         }
-        const float beyond = quickLog1p((distanceOf(frame, pixel) - span.low) * perLow);
+        const float beyond = quickLog1p((frame.distanceView(pixel) - span.low) * perLow);
         const auto grey = static_cast<std::uint8_t>(255.5f + scale * std::min(beyond, spread));
         picture.pixels[i] = {grey, grey, grey, 255};
     }
@@ -111,7 +102,7 @@ void paintDistance(const render::Frame& frame, image::ImageRgba8& picture) {
 
 void paintIds(const render::Frame& frame, image::ImageRgba8& picture) {
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        picture.pixels[i] = idColor(idOf(frame.gbuffer.pixels[i]));
+        picture.pixels[i] = idColor(frame.gbuffer.pixels[i].id());
     }
 }
 

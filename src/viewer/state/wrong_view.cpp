@@ -26,7 +26,7 @@ WrongCount paintWrong(const render::Frame& frame, const render::Frame& reference
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         const bool isInner = inner.pixels[i] != 0;
         count.inner += isInner;
-        if (idOf(frame.gbuffer.pixels[i]) == answer.pixels[i]) {
+        if (frame.gbuffer.pixels[i].id() == answer.pixels[i]) {
             const std::uint8_t grey = dimGrey(frame.color.pixels[i]);
             picture.pixels[i] = {grey, grey, grey, 255};
             continue;

@@ -1,5 +1,6 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/geometry/geometry_pass.h>
+#include <cdr/render/view_transform.h>
 
 #include <algorithm>
 
@@ -17,24 +18,24 @@ Function deviceFunction(const gpu::Device& device, const char* name) {
 
 } // namespace
 
-GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene,
-                           const depth::Technique& technique, Batching batching, bool shiny)
+GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene, const GeometryOptions& options)
     : m_scene(scene),
-      m_batching(batching),
-      m_pipelines(device, scene, technique, batching, shiny),
+      m_batching(options.batching),
+      m_pipelines(device, scene, options),
       m_drawIndexed(deviceFunction<PFN_vkCmdDrawIndexed>(device, "vkCmdDrawIndexed")),
       m_pushConstants(deviceFunction<PFN_vkCmdPushConstants>(device, "vkCmdPushConstants")) {}
 
-void GeometryPass::beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade,
+void GeometryPass::beginJob(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
                             vk::Buffer records) const {
-    commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(cascade.extent.width),
-                                         static_cast<float>(cascade.extent.height), cascade.push.minDepth,
-                                         cascade.push.maxDepth});
-    commands.setScissor(0, vk::Rect2D{{0, 0}, cascade.extent});
+    const auto& [width, height] = view.cascades[cascade].extent;
+    const DepthSlice& slice = view.cascades[cascade].slice;
+    commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(width), static_cast<float>(height),
+                                         slice.min, slice.max});
+    commands.setScissor(0, vk::Rect2D{{0, 0}, {width, height}});
     commands.bindVertexBuffers(0, {m_scene.vertices(), records}, {0, 0});
     commands.bindIndexBuffer(m_scene.indices(), 0, vk::IndexType::eUint32);
     commands.pushConstants<shaders::CascadePush>(m_pipelines.layout(), GeometryPipelines::kStages, 0,
-                                                 cascade.push);
+                                                 makeCascadePush(view, cascade));
 }
 
 /// Binds what a kind needs and is not bound yet.
@@ -80,15 +81,14 @@ class GeometryPass::StateBinder {
 };
 
 void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const Recording& recording) const {
-    const CascadeDraws& cascade = recording.cascades[job.cascade];
     const std::size_t wideBegin = recording.lists.wideBegin(job.cascade);
     const std::uint32_t* instances = recording.lists.instance.data();
     const std::uint8_t* levels = recording.lists.level.empty() ? nullptr : recording.lists.level.data();
     const DrawSource* sources = m_scene.sources().data();
     const MaterialWords* materials = m_scene.materials().data();
-    beginJob(commands, cascade, recording.recordBuffer);
+    beginJob(commands, recording.view, job.cascade, recording.recordBuffer);
     StateBinder state(m_pipelines, commands);
-    DrawRecordMaker records(recording.camera, cascade.anchorView);
+    DrawRecordMaker records(recording.view.camera, recording.view.cascades[job.cascade].terms.anchorView);
     for (std::size_t first = job.draws.begin; first < job.draws.end;) {
         const std::uint32_t kindIndex = sources[instances[first]].kind;
         const std::uint32_t level = levels == nullptr ? 0 : levels[first];
@@ -121,10 +121,10 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
     }
 }
 
-void GeometryPass::recordIndirect(vk::CommandBuffer commands, std::size_t cascade, const CascadeDraws& shared,
+void GeometryPass::recordIndirect(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
                                   const IndirectDraws& draws) const {
     constexpr std::size_t kCommandBytes = sizeof(vk::DrawIndexedIndirectCommand);
-    beginJob(commands, shared, draws.records);
+    beginJob(commands, view, cascade, draws.records);
     StateBinder state(m_pipelines, commands);
     for (const bool wide : {false, true}) {
         const std::size_t bucket = 2 * cascade + (wide ? 1 : 0);

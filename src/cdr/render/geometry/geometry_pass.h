@@ -2,9 +2,8 @@
 
 #include <cdr/gpu/memory.h>
 #include <cdr/host/worker_pool.h>
+#include <cdr/render/frame_view.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
-#include <cdr/render/view_transform.h>
-#include <cdr/scene/camera.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/bin.h>
 
@@ -24,15 +23,12 @@ struct DrawJob {
 /// How the draws of one technique over one scene are recorded.
 class GeometryPass {
   public:
-    /// @param shiny as GeometryPipelines takes it.
-    GeometryPass(const gpu::Device& device, const GpuScene& scene, const depth::Technique& technique,
-                 Batching batching, bool shiny);
+    GeometryPass(const gpu::Device& device, const GpuScene& scene, const GeometryOptions& options);
 
     /// Everything recording one job reads.
     struct Recording {
-        const scene::Camera& camera;
+        const FrameView& view;
         const visibility::DrawLists& lists;
-        std::span<const CascadeDraws> cascades;
         std::span<shaders::DrawRecord> records; ///< mapped, one per draw of `lists`
         vk::Buffer recordBuffer;                ///< they are in
         host::Trace* trace = nullptr;
@@ -59,14 +55,15 @@ class GeometryPass {
     };
 
     /// Draws one cascade from lists on the device.
-    void recordIndirect(vk::CommandBuffer commands, std::size_t cascade, const CascadeDraws& shared,
+    void recordIndirect(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
                         const IndirectDraws& draws) const;
 
     const GeometryPipelines& pipelines() const { return m_pipelines; }
 
   private:
     class StateBinder;
-    void beginJob(vk::CommandBuffer commands, const CascadeDraws& cascade, vk::Buffer records) const;
+    void beginJob(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
+                  vk::Buffer records) const;
 
     const GpuScene& m_scene;
     Batching m_batching;

@@ -105,17 +105,16 @@ Batching parseBatching(std::string_view name) {
 }
 
 GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& scene,
-                                     const depth::Technique& technique, Batching batching, bool shiny)
-    : m_mapping(technique.mapping),
-      m_shiny(shiny),
-      m_depthFormat(device.depthFormat(technique.format)),
-      m_layout(
-          gpu::makePipelineLayout(device, {scene.textureLayout()}, {pushRange(batching)}, "geometry layout")),
-      m_compact(make(device, scene, batching, false)),
-      m_wide(make(device, scene, batching, true)) {}
+                                     const GeometryOptions& options)
+    : m_options(options),
+      m_depthFormat(device.depthFormat(options.technique.format)),
+      m_layout(gpu::makePipelineLayout(device, {scene.textureLayout()}, {pushRange(options.batching)},
+                                       "geometry layout")),
+      m_compact(make(device, scene, false)),
+      m_wide(make(device, scene, true)) {}
 
 double GeometryPipelines::wideSpan(std::size_t cascades) const {
-    if (m_mapping == depth::Mapping::log) {
+    if (m_options.technique.mapping == depth::Mapping::log) {
         return kLogWideSpan;
     }
     // One cascade has no neighbour to crack from.
@@ -123,9 +122,10 @@ double GeometryPipelines::wideSpan(std::size_t cascades) const {
 }
 
 GeometryPipelines::Pipelines GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene,
-                                                     Batching batching, bool wide) const {
+                                                     bool wide) const {
+    const depth::Mapping mapping = m_options.technique.mapping;
     const std::uint32_t form =
-        wide && m_mapping == depth::Mapping::log ? shaders::kDepthFormLogFragment : depthForm(m_mapping);
+        wide && mapping == depth::Mapping::log ? shaders::kDepthFormLogFragment : depthForm(mapping);
     const bool writesDepth = form == shaders::kDepthFormLogFragment;
     Pipelines pipelines;
     for (const DrawKind& kind : scene.kinds()) {
@@ -134,19 +134,19 @@ GeometryPipelines::Pipelines GeometryPipelines::make(const gpu::Device& device, 
             continue;
         }
         pipeline = gpu::makeGraphicsPipeline(
-            device,
-            {.name = wide ? "geometry, wide" : "geometry",
-             .vertexSpirv = vertexShader(batching, (kind.variant & kFacetedVariant) != 0),
-             .fragmentSpirv = fragmentShader(writesDepth, (kind.variant & kFacetedVariant) != 0),
-             .constants = {form, kind.variant & kTexturedVariant ? 1u : 0u,
-                           kind.variant & kMaskedVariant ? 1u : 0u, wide ? 1u : 0u, m_shiny ? 1u : 0u},
-             .layout = *m_layout,
-             .bindings = bindingsFor(batching),
-             .attributes = attributesFor(batching),
-             .colorFormats = {kGBufferFormat},
-             .depthFormat = m_depthFormat,
-             .depthCompare = depth::isReversed(m_mapping) ? vk::CompareOp::eGreaterOrEqual
-                                                          : vk::CompareOp::eLessOrEqual});
+            device, {.name = wide ? "geometry, wide" : "geometry",
+                     .vertexSpirv = vertexShader(m_options.batching, (kind.variant & kFacetedVariant) != 0),
+                     .fragmentSpirv = fragmentShader(writesDepth, (kind.variant & kFacetedVariant) != 0),
+                     .constants = {form, kind.variant & kTexturedVariant ? 1u : 0u,
+                                   kind.variant & kMaskedVariant ? 1u : 0u, wide ? 1u : 0u,
+                                   m_options.shiny ? 1u : 0u},
+                     .layout = *m_layout,
+                     .bindings = bindingsFor(m_options.batching),
+                     .attributes = attributesFor(m_options.batching),
+                     .colorFormats = {kGBufferFormat},
+                     .depthFormat = m_depthFormat,
+                     .depthCompare = depth::isReversed(mapping) ? vk::CompareOp::eGreaterOrEqual
+                                                                : vk::CompareOp::eLessOrEqual});
     }
     return pipelines;
 }

@@ -26,12 +26,17 @@ std::string_view nameOf(Batching batching);
 /// base::InputError with a suggestion for an unknown name.
 Batching parseBatching(std::string_view name);
 
+/// How surfaces are drawn.
+struct GeometryOptions {
+    depth::Technique technique;
+    Batching batching = Batching::instanced;
+    bool shiny = false; ///< whether surfaces keep how they shine; else all are matt
+};
+
 /// The pipelines of one technique over one scene.
 class GeometryPipelines {
   public:
-    /// @param shiny whether surfaces keep how they shine; else all are matt.
-    GeometryPipelines(const gpu::Device& device, const GpuScene& scene, const depth::Technique& technique,
-                      Batching batching, bool shiny);
+    GeometryPipelines(const gpu::Device& device, const GpuScene& scene, const GeometryOptions& options);
 
     vk::PipelineLayout layout() const { return *m_layout; }
     vk::Format depthFormat() const { return m_depthFormat; }
@@ -50,10 +55,9 @@ class GeometryPipelines {
 
   private:
     using Pipelines = std::array<vk::UniquePipeline, kPipelineVariants>; ///< empty where no kind needs one
-    Pipelines make(const gpu::Device& device, const GpuScene& scene, Batching batching, bool wide) const;
+    Pipelines make(const gpu::Device& device, const GpuScene& scene, bool wide) const;
 
-    depth::Mapping m_mapping;
-    bool m_shiny;
+    GeometryOptions m_options;
     vk::Format m_depthFormat;
     vk::UniquePipelineLayout m_layout;
     Pipelines m_compact;

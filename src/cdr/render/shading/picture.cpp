@@ -4,8 +4,6 @@
 #include <cdr/shaders/encode_antialiased_frag.h>
 #include <cdr/shaders/encode_frag.h>
 
-#include <vulkan/vulkan_format_traits.hpp>
-
 namespace cdr::render {
 
 namespace {
@@ -20,25 +18,26 @@ bool needsLit(const PictureOptions& options) {
     return options.hasSteps || options.antialias != Antialias::none;
 }
 
+gpu::ImageOptions encodedOptions(vk::Extent2D extent) {
+    return {
+        .extent = extent, .format = kEncodedFormat, .usage = Usage::eColorAttachment | Usage::eTransferSrc};
+}
+
 } // namespace
+
+gpu::ImageOptions litOptions(vk::Extent2D extent) {
+    return {.extent = extent, .format = kLitFormat, .usage = Usage::eColorAttachment | Usage::eSampled};
+}
 
 Picture::Picture(const gpu::Device& device, const PictureOptions& options)
     : m_device(device),
-      m_encoded(device,
-                {.extent = options.extent,
-                 .format = kEncodedFormat,
-                 .usage = Usage::eColorAttachment | Usage::eTransferSrc},
-                "picture"),
+      m_encoded(device, encodedOptions(options.extent), "picture"),
       m_lit(needsLit(options) ? makeLit(device, options) : nullptr) {}
 
 std::unique_ptr<Picture::Lit> Picture::makeLit(const gpu::Device& device, const PictureOptions& options) {
     const bool smooth = options.antialias == Antialias::edges;
     auto lit = std::make_unique<Lit>(
-        Lit{.image = {device,
-                      {.extent = options.extent,
-                       .format = kLitFormat,
-                       .usage = Usage::eColorAttachment | Usage::eSampled},
-                      "lit"},
+        Lit{.image = {device, litOptions(options.extent), "lit"},
             .pass = {device,
                      {.name = "encode",
                       .fragmentSpirv = smooth ? std::span<const std::uint32_t>(kEncodeAntialiasedFrag)
@@ -66,10 +65,9 @@ void Picture::finish(vk::CommandBuffer primary) const {
     m_device.endLabel(primary);
 }
 
-std::uint64_t Picture::predictBytes(const PictureOptions& options) {
-    const std::uint64_t perPixel =
-        vk::blockSize(kEncodedFormat) + (needsLit(options) ? vk::blockSize(kLitFormat) : 0u);
-    return std::uint64_t{options.extent.width} * options.extent.height * perPixel;
+std::uint64_t Picture::predictBytes(const gpu::Device& device, const PictureOptions& options) {
+    return gpu::predictBytes(device, encodedOptions(options.extent)) +
+           (needsLit(options) ? gpu::predictBytes(device, litOptions(options.extent)) : 0);
 }
 
 } // namespace cdr::render

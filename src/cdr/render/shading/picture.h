@@ -13,6 +13,9 @@ namespace cdr::render {
 /// What shading writes where steps follow that blend or filter: linear light, not yet encoded.
 inline constexpr vk::Format kLitFormat = vk::Format::eR16G16B16A16Sfloat;
 
+/// Of an image of linear light.
+gpu::ImageOptions litOptions(vk::Extent2D extent);
+
 struct PictureOptions {
     vk::Extent2D extent;
     /// Whether anything comes between shading and the picture; else shading writes the picture itself, and
@@ -36,7 +39,7 @@ class Picture {
     /// 8 bits, sRGB.
     const gpu::Image& encoded() const { return m_encoded; }
 
-    static std::uint64_t predictBytes(const PictureOptions& options);
+    static std::uint64_t predictBytes(const gpu::Device& device, const PictureOptions& options);
 
   private:
     /// The linear image and the pass that encodes it.

@@ -13,6 +13,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 
 namespace cdr::render {
@@ -21,6 +22,9 @@ namespace {
 
 using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
+
+/// The radius of a sphere that no view volume is near enough to keep.
+constexpr float kNeverSeen = std::numeric_limits<float>::lowest();
 
 /// Invocations a workgroup of bin_commands.comp.
 constexpr std::size_t kCommandInvocations = 64;
@@ -66,10 +70,9 @@ vk::MemoryBarrier2 barrier(vk::PipelineStageFlags2 stages, vk::AccessFlags2 acce
 
 } // namespace
 
-BinningPass::BinningPass(const gpu::Device& device, const scene::Instances& instances,
-                         const GpuScene& gpuScene, visibility::DetailMode detail)
-    : m_device(checked(device, instances)),
-      m_instances(instances.size()),
+BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, visibility::DetailMode detail)
+    : m_device(checked(device, drawn.scene.instances)),
+      m_instances(drawn.scene.instances.size()),
       m_setLayout(gpu::makeSetLayout(device, std::vector(kBindings, vk::DescriptorType::eStorageBuffer),
                                      vk::ShaderStageFlagBits::eCompute, "binning set")),
       m_layout(gpu::makePipelineLayout(device, {*m_setLayout}, {}, "binning layout")),
@@ -77,15 +80,15 @@ BinningPass::BinningPass(const gpu::Device& device, const scene::Instances& inst
       m_scan(makePipeline(kBinScanComp, "bin, scan")),
       m_fill(makePipeline(kBinFillComp, "bin, fill")),
       m_commands(makePipeline(kBinCommandsComp, "bin, commands")) {
-    uploadInstances(instances, gpuScene, detail);
+    uploadInstances(drawn, detail);
 }
 
 vk::UniquePipeline BinningPass::makePipeline(std::span<const std::uint32_t> spirv, const char* name) const {
     return gpu::makeComputePipeline(m_device, spirv, *m_layout, name);
 }
 
-void BinningPass::uploadInstances(const scene::Instances& instances, const GpuScene& gpuScene,
-                                  visibility::DetailMode detail) {
+void BinningPass::uploadInstances(const DrawnScene& drawn, visibility::DetailMode detail) {
+    const GpuScene& gpuScene = drawn.uploaded;
     std::vector<shaders::InstanceSphere> spheres;
     std::vector<shaders::InstanceLook> looks;
     std::vector<shaders::MaterialRecord> materials;
@@ -115,9 +118,12 @@ void BinningPass::uploadInstances(const scene::Instances& instances, const GpuSc
         spheres.push_back({.x = source.position.x,
                            .y = source.position.y,
                            .z = source.position.z,
-                           .radius = instances.radius[i],
+                           .radius = drawn.scene.instances.radius[i],
                            .run = static_cast<std::uint32_t>(runs.size() - 1)});
         looks.push_back(lookOf(source));
+    }
+    for (const std::uint32_t instance : drawn.blended) {
+        spheres[instance].radius = kNeverSeen;
     }
     for (const MaterialWords& words : gpuScene.materials()) {
         materials.push_back({words.cutoffAndShine, words.baseColorRg, words.baseColorBa, 0});

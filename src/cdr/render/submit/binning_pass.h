@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/render/drawn_scene.h>
 #include <cdr/render/submit/draw_path.h>
-#include <cdr/scene/scene.h>
 #include <cdr/visibility/level_choice.h>
 
 #include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cdr::render {
@@ -16,12 +18,10 @@ class BinningPass {
   public:
     /// base::InputError when the device cannot do it, naming what it lacks; base::RunError, with both
     /// figures, when the scene is too large for its memory or its buffers.
-    /// @param instances those of the uploaded scene, by its indices; spheres of a radius below 0 are never
-    /// drawn.
+    /// @param drawn whose blended instances are never drawn.
     /// @param detail unless none, an instance whose mesh has levels is a run of its own, so that each draw
     /// may have another level.
-    BinningPass(const gpu::Device& device, const scene::Instances& instances, const GpuScene& gpuScene,
-                visibility::DetailMode detail);
+    BinningPass(const gpu::Device& device, const DrawnScene& drawn, visibility::DetailMode detail);
 
     std::size_t instances() const { return m_instances; }
     std::size_t runs() const { return m_runs; }
@@ -38,8 +38,7 @@ class BinningPass {
     static constexpr std::uint32_t kSceneBuffers = 6;
 
   private:
-    void uploadInstances(const scene::Instances& instances, const GpuScene& gpuScene,
-                         visibility::DetailMode detail);
+    void uploadInstances(const DrawnScene& drawn, visibility::DetailMode detail);
     vk::UniquePipeline makePipeline(std::span<const std::uint32_t> spirv, const char* name) const;
 
     const gpu::Device& m_device;

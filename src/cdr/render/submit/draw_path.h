@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cdr/depth/cascade.h>
 #include <cdr/render/frame.h>
+#include <cdr/render/frame_view.h>
 #include <cdr/render/geometry/geometry_pass.h>
 #include <cdr/render/submit/cascade_commands.h>
 #include <cdr/visibility/cull.h>
-#include <cdr/visibility/level_choice.h>
 
 #include <vulkan/vulkan.hpp>
 
@@ -35,17 +34,6 @@ Submission parseSubmission(std::string_view name);
 /// What captures call a rendering scope: "cascade 2" or "cascades 0 to 4".
 std::string labelOf(host::IndexRange cascades);
 
-/// One frame's camera and its cascades: what draws follow from.
-struct CutView {
-    const scene::Camera& camera;
-    double aspect = 1.0; ///< width over height
-    /// What the camera sees; empty where DrawPath::needsVisible() is false and nobody else needs it.
-    const visibility::VisibleList& visible;
-    const depth::Cascades& clipRanges;      ///< depth::clipRange() of each cascade, nearest first
-    std::span<const CascadeDraws> cascades; ///< as many
-    visibility::LevelRule levels{};         ///< which level of detail each draw is of
-};
-
 /// One way for a frame's draws to reach the device, for one frame slot: it owns the slot's command pools and
 /// lists, so a slot's frame must have finished before its next begins.
 ///
@@ -55,11 +43,12 @@ class DrawPath : public CascadeCommands {
     /// Whether bin() reads the visible list.
     virtual bool needsVisible() const = 0;
     /// Decides what each cascade draws; base::RunError, with both figures, when that needs too much memory.
-    virtual void bin(const CutView& view, FrameStats& stats) = 0;
+    /// @param visible what the camera sees; empty where needsVisible() is false and nobody else needs it.
+    virtual void bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats) = 0;
     /// Takes back the slot's command buffers and starts the frame's. Reads what bin() decided.
-    virtual void begin(const CutView& view) = 0;
+    virtual void begin(const FrameView& view) = 0;
     /// Ends the frame's command buffers: these are to run, in this order. Valid until the next begin().
-    virtual std::span<const vk::CommandBuffer> end(const CutView& view) = 0;
+    virtual std::span<const vk::CommandBuffer> end(const FrameView& view) = 0;
     /// After the frame ran. False when room did not suffice, which it now does: bin and draw it again.
     virtual bool settle(FrameStats& stats) = 0;
 };

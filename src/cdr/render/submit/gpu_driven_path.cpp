@@ -21,32 +21,31 @@ void copy(const glm::dvec3& from, double (&to)[3]) {
 }
 
 /// What visibility::cullSpheres() tests with, and visibility::binByDistance().
-shaders::BinningView viewOf(const CutView& view, double wideSpan) {
+shaders::BinningView viewOf(const FrameView& view, double wideSpan) {
     const scene::Camera& camera = view.camera;
-    const double halfY = 0.5 * camera.fovY;
-    const double halfX = std::atan(std::tan(halfY) * view.aspect);
     shaders::BinningView block{};
     copy(camera.position, block.position);
     copy(camera.right, block.right);
     copy(camera.up, block.up);
     copy(-camera.back, block.ahead);
-    block.cosX = std::cos(halfX);
-    block.sinX = std::sin(halfX);
-    block.cosY = std::cos(halfY);
-    block.sinY = std::sin(halfY);
+    block.cosX = view.frustum.cosX;
+    block.sinX = view.frustum.sinX;
+    block.cosY = view.frustum.cosY;
+    block.sinY = view.frustum.sinY;
     block.nearView = camera.nearView;
     block.farView = camera.farView;
     block.hasWideSpan = std::isfinite(wideSpan) ? 1 : 0;
     block.wideSpan = std::isfinite(wideSpan) ? wideSpan : 0.0;
     block.levelSlope = view.levels.slope;
     block.detailMode = static_cast<std::uint32_t>(view.levels.mode);
-    block.cascades = static_cast<std::uint32_t>(view.clipRanges.size());
+    block.cascades = static_cast<std::uint32_t>(view.cascades.size());
     double farthest = 0.0;
-    for (std::size_t c = 0; c < view.clipRanges.size(); ++c) {
-        farthest = std::max(farthest, view.clipRanges[c].farView);
-        block.nearViews[c] = view.clipRanges[c].nearView;
+    for (std::size_t c = 0; c < view.cascades.size(); ++c) {
+        const CascadeView& cascade = view.cascades[c];
+        farthest = std::max(farthest, cascade.clipRange.farView);
+        block.nearViews[c] = cascade.clipRange.nearView;
         block.farViews[c] = farthest;
-        block.anchors[c] = view.cascades[c].anchorView;
+        block.anchors[c] = cascade.terms.anchorView;
     }
     return block;
 }
@@ -113,9 +112,9 @@ void GpuDrivenPath::growLists(std::size_t cascades) {
     m_draws.counts = m_lists[counts].handle();
 }
 
-void GpuDrivenPath::bin(const CutView& view, FrameStats&) {
-    growLists(view.clipRanges.size());
-    shaders::BinningView block = viewOf(view, m_pass.pipelines().wideSpan(view.clipRanges.size()));
+void GpuDrivenPath::bin(const FrameView& view, const visibility::VisibleList&, FrameStats&) {
+    growLists(view.cascades.size());
+    shaders::BinningView block = viewOf(view, m_pass.pipelines().wideSpan(view.cascades.size()));
     block.instances = static_cast<std::uint32_t>(m_binning.instances());
     block.blocks =
         static_cast<std::uint32_t>((m_binning.instances() + shaders::kBinBlock - 1) / shaders::kBinBlock);
@@ -128,8 +127,8 @@ void GpuDrivenPath::bin(const CutView& view, FrameStats&) {
     m_result.flush();
 }
 
-void GpuDrivenPath::begin(const CutView& view) {
-    m_cascades = view.cascades;
+void GpuDrivenPath::begin(const FrameView& view) {
+    m_frame = &view;
     m_pool.reset();
     m_primary = m_pool.next();
     m_primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
@@ -140,13 +139,13 @@ void GpuDrivenPath::drawScope(const GBufferScope& scope, host::IndexRange cascad
     m_device.beginLabel(m_primary, labelOf(cascades).c_str());
     beginGBufferScope(m_primary, scope, {});
     for (std::size_t cascade = cascades.begin; cascade < cascades.end; ++cascade) {
-        m_pass.recordIndirect(m_primary, cascade, m_cascades[cascade], m_draws);
+        m_pass.recordIndirect(m_primary, *m_frame, cascade, m_draws);
     }
     m_primary.endRendering();
     m_device.endLabel(m_primary);
 }
 
-std::span<const vk::CommandBuffer> GpuDrivenPath::end(const CutView&) {
+std::span<const vk::CommandBuffer> GpuDrivenPath::end(const FrameView&) {
     m_primary.end();
     return {&m_primary, 1};
 }

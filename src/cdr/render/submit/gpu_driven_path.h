@@ -17,12 +17,12 @@ class GpuDrivenPath final : public DrawPath {
                   const std::string& name);
 
     bool needsVisible() const override { return false; }
-    void bin(const CutView& view, FrameStats& stats) override;
-    void begin(const CutView& view) override;
+    void bin(const FrameView& view, const visibility::VisibleList&, FrameStats& stats) override;
+    void begin(const FrameView& view) override;
     bool isEmpty(std::size_t) const override { return false; } ///< only the device knows
     vk::CommandBuffer primary() override { return m_primary; }
     void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;
-    std::span<const vk::CommandBuffer> end(const CutView& view) override;
+    std::span<const vk::CommandBuffer> end(const FrameView& view) override;
     bool settle(FrameStats& stats) override;
 
   private:
@@ -43,7 +43,7 @@ class GpuDrivenPath final : public DrawPath {
     vk::UniqueDescriptorPool m_descriptors;
     vk::DescriptorSet m_binningSet;
     GeometryPass::IndirectDraws m_draws;
-    std::span<const CascadeDraws> m_cascades; ///< of the frame that is being recorded
+    const FrameView* m_frame = nullptr; ///< that is being recorded
 };
 
 } // namespace cdr::render

@@ -6,10 +6,11 @@
 
 namespace cdr::render {
 
-void HostDraws::bin(const CutView& view, FrameStats& stats) {
-    visibility::binByDistance(view.visible, view.clipRanges,
-                              m_pass.pipelines().wideSpan(view.clipRanges.size()), m_workers, m_lists);
-    visibility::chooseLevels(m_scene, view.camera, view.clipRanges, view.levels, m_workers, m_lists);
+void HostDraws::bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats) {
+    const depth::Cascades clipRanges = view.clipRanges();
+    visibility::binByDistance(visible, clipRanges, m_pass.pipelines().wideSpan(clipRanges.size()), m_workers,
+                              m_lists);
+    visibility::chooseLevels(m_scene, view.camera, clipRanges, view.levels, m_workers, m_lists);
     growRecords();
     stats.visible = m_lists.visible;
     stats.draws = m_lists.draws();
@@ -28,10 +29,9 @@ void HostDraws::growRecords() {
                             gpu::MemoryUse::hostWrites, "draw records");
 }
 
-GeometryPass::Recording HostDraws::recording(const CutView& view) const {
-    return {.camera = view.camera,
+GeometryPass::Recording HostDraws::recording(const FrameView& view) const {
+    return {.view = view,
             .lists = m_lists,
-            .cascades = view.cascades,
             .records = m_records.as<shaders::DrawRecord>(m_lists.draws()),
             .recordBuffer = m_records.handle(),
             .trace = m_trace};

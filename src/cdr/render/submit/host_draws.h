@@ -18,9 +18,9 @@ class HostDraws {
 
     /// Bins, chooses levels of detail and makes room for the records. base::RunError when the device has no
     /// buffer as large.
-    void bin(const CutView& view, FrameStats& stats);
+    void bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats);
     /// What recording the binned draws reads; the view must outlive it.
-    GeometryPass::Recording recording(const CutView& view) const;
+    GeometryPass::Recording recording(const FrameView& view) const;
     /// Shows the records to the device. Once all are written, before the frame is submitted.
     void flush() const { m_records.flush(); }
 

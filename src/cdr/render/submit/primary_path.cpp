@@ -10,7 +10,7 @@ PrimaryPath::PrimaryPath(const gpu::Device& device, HostDraws draws, const std::
       m_pools(device, vk::CommandBufferLevel::ePrimary, m_draws.workers().threads(), name),
       m_betweenPool(device, vk::CommandBufferLevel::ePrimary, name) {}
 
-void PrimaryPath::begin(const CutView&) {
+void PrimaryPath::begin(const FrameView&) {
     m_betweenPool.reset();
     m_pools.beginFrame();
     m_between = nullptr;
@@ -53,7 +53,7 @@ void PrimaryPath::recordScope(vk::CommandBuffer commands, const Scope& scope,
     commands.end();
 }
 
-std::span<const vk::CommandBuffer> PrimaryPath::end(const CutView& view) {
+std::span<const vk::CommandBuffer> PrimaryPath::end(const FrameView& view) {
     closeBetween();
     const GeometryPass::Recording recording = m_draws.recording(view);
     m_draws.workers().run(m_scopes.size(), [&](std::size_t job, std::size_t worker) {

@@ -17,12 +17,14 @@ class PrimaryPath final : public DrawPath {
     PrimaryPath(const gpu::Device& device, HostDraws draws, const std::string& name);
 
     bool needsVisible() const override { return true; }
-    void bin(const CutView& view, FrameStats& stats) override { m_draws.bin(view, stats); }
-    void begin(const CutView& view) override;
+    void bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats) override {
+        m_draws.bin(view, visible, stats);
+    }
+    void begin(const FrameView& view) override;
     bool isEmpty(std::size_t cascade) const override { return m_draws.lists().range(cascade).size() == 0; }
     vk::CommandBuffer primary() override;
     void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;
-    std::span<const vk::CommandBuffer> end(const CutView& view) override;
+    std::span<const vk::CommandBuffer> end(const FrameView& view) override;
     bool settle(FrameStats&) override { return true; }
 
   private:

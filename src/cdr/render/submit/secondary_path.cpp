@@ -37,7 +37,7 @@ SecondaryPath::SecondaryPath(const gpu::Device& device, HostDraws draws, const s
       m_pools(device, vk::CommandBufferLevel::eSecondary, m_draws.workers().threads(), name),
       m_primaryPool(device, vk::CommandBufferLevel::ePrimary, name) {}
 
-void SecondaryPath::begin(const CutView& view) {
+void SecondaryPath::begin(const FrameView& view) {
     recordJobs(m_draws.recording(view));
     m_draws.flush();
     m_primaryPool.reset();
@@ -86,7 +86,7 @@ void SecondaryPath::drawScope(const GBufferScope& scope, host::IndexRange cascad
     m_device.endLabel(m_primary);
 }
 
-std::span<const vk::CommandBuffer> SecondaryPath::end(const CutView&) {
+std::span<const vk::CommandBuffer> SecondaryPath::end(const FrameView&) {
     m_primary.end();
     return {&m_primary, 1};
 }

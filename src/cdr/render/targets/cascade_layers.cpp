@@ -13,13 +13,11 @@ namespace cdr::render {
 
 namespace {
 
-std::uint64_t predictLayerBytes(const TargetsOptions& options) {
-    return predictGBufferBytes(options.extent) + predictDepthBytes(options.extent, options.depthFormat);
-}
-
 /// The options, once the memory for the accumulated G-buffer and `layers` is known to be there.
 const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& options, std::size_t layers) {
-    gpu::requireDeviceBytes(device, predictGBufferBytes(options.extent) + layers * predictLayerBytes(options),
+    gpu::requireDeviceBytes(device,
+                            gpu::predictBytes(device, gbufferOptions(options.extent)) +
+                                layers * predictLayerBytes(device, options.extent, options.depthFormat),
                             fmt::format("an accumulated G-buffer of {}x{} with {} layers",
                                         options.extent.width, options.extent.height, layers));
     return options;
@@ -38,21 +36,22 @@ FullscreenPassOptions mergeOptions(const TargetsOptions& options) {
     return merge;
 }
 
-shaders::LayerPush makeLayerPush(const CascadeDraws& cascade, double radius) {
-    // Vulkan's y points down, hence the sign.
-    return {.rayScale = {1.0f / cascade.push.projectionX, -1.0f / cascade.push.projectionY},
-            .anchorView = cascade.push.anchorView,
+shaders::LayerPush makeLayerPush(const FrameView& view, std::size_t cascade, double radius) {
+    return {.rayScale = glm::vec2(view.frustum.tanX, view.frustum.tanY),
+            .anchorView = static_cast<float>(view.cascades[cascade].terms.anchorView),
             .radius = static_cast<float>(radius)};
 }
 
 } // namespace
 
-CascadeLayers::CascadeLayers(const gpu::Device& device, const TargetsOptions& options, std::size_t layers)
+CascadeLayers::CascadeLayers(const gpu::Device& device, const TargetsOptions& options,
+                             const LayerCount& count)
     : m_device(device),
-      m_options(checked(device, options, layers)),
+      m_options(checked(device, options, count.first)),
+      m_perCascade(count.perCascade),
       m_merge(device, mergeOptions(options)),
       m_accumulated(makeGBuffer(device, options.extent, "G-buffer")) {
-    grow(layers);
+    grow(count.first);
 }
 
 void CascadeLayers::grow(std::size_t layers) {
@@ -61,7 +60,7 @@ void CascadeLayers::grow(std::size_t layers) {
     }
     const std::size_t more = layers - m_layers.size();
     gpu::requireDeviceBytes(
-        m_device, more * predictLayerBytes(m_options),
+        m_device, more * predictLayerBytes(m_device, m_options.extent, m_options.depthFormat),
         fmt::format("{} layer G-buffers of {}x{}", more, m_options.extent.width, m_options.extent.height));
     while (m_layers.size() < layers) {
         m_layers.push_back(makeLayer(m_layers.size()));
@@ -78,8 +77,11 @@ CascadeLayers::Layer CascadeLayers::makeLayer(std::size_t number) const {
             .source = std::move(source)};
 }
 
-void CascadeLayers::record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) const {
-    const std::vector<std::size_t> drawn = commands.drawnCascades(cascades.size());
+void CascadeLayers::record(CascadeCommands& commands, const FrameView& view) {
+    if (m_perCascade) {
+        grow(view.cascades.size());
+    }
+    const std::vector<std::size_t> drawn = commands.drawnCascades(view.cascades.size());
     auto load = vk::AttachmentLoadOp::eClear;
     for (std::size_t left = drawn.size(); left > 0;) {
         const std::size_t count = std::min(m_layers.size(), left);
@@ -87,7 +89,7 @@ void CascadeLayers::record(CascadeCommands& commands, std::span<const CascadeDra
         drawLayers(commands, batch);
         std::vector<shaders::LayerPush> layers;
         std::transform(batch.rbegin(), batch.rend(), std::back_inserter(layers), [&](std::size_t cascade) {
-            return makeLayerPush(cascades[cascade], m_options.occlusionRadius);
+            return makeLayerPush(view, cascade, m_options.occlusionRadius);
         });
         mergeLayers(commands.primary(), layers, load);
         left -= count;

@@ -8,25 +8,30 @@
 
 namespace cdr::render {
 
-/// Layer G-buffers, each with a depth buffer and drawn by one cascade at a time, and the accumulated G-buffer
-/// they are merged into: what methods 2 to 4 of the thesis share.
-class CascadeLayers {
-  public:
-    /// @param layers to begin with. base::RunError, with both figures, when memory does not suffice.
-    CascadeLayers(const gpu::Device& device, const TargetsOptions& options, std::size_t layers);
+/// How many layers there are.
+struct LayerCount {
+    std::size_t first = 1;   ///< to begin with
+    bool perCascade = false; ///< and as many as a frame has cascades, once a frame has more
+};
 
+/// Layer G-buffers, each with a depth buffer and drawn by one cascade at a time, and the accumulated G-buffer
+/// they are merged into. As many cascades as there are layers are drawn with no barrier in between, then
+/// merged, and so on. The farthest go first, so that what is merged later lies on top: the nearest surface
+/// wins, as in `single`, bit for bit. These are three methods of the thesis:
+/// - 2, `accumulate`: one layer.
+/// - 3, `pool`: a few, so neighbouring cascades need not wait for each other on the device.
+/// - 4, `layers`: one per cascade.
+class CascadeLayers final : public Targets {
+  public:
+    CascadeLayers(const gpu::Device& device, const TargetsOptions& options, const LayerCount& count);
+
+    void record(CascadeCommands& commands, const FrameView& view) override;
+    const gpu::Image& gbuffer() const override { return m_accumulated; }
+
+  private:
     /// Adds layers until there are `layers`; those that are there stay, so commands that use them may still
     /// run. base::RunError, with both figures and before anything is allocated, when memory does not suffice.
     void grow(std::size_t layers);
-
-    /// Draws as many cascades as there are layers with no barrier in between, merges them, and so on. The
-    /// farthest go first, so that what is merged later lies on top: the nearest surface wins, as in `single`,
-    /// bit for bit.
-    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) const;
-
-    const gpu::Image& accumulated() const { return m_accumulated; }
-
-  private:
     struct Layer {
         gpu::Image gbuffer;
         gpu::Image depth;
@@ -40,6 +45,7 @@ class CascadeLayers {
 
     const gpu::Device& m_device;
     TargetsOptions m_options;
+    bool m_perCascade;
     FullscreenPass m_merge; ///< lays a layer over the accumulated G-buffer, unchanged
     gpu::Image m_accumulated;
     std::vector<Layer> m_layers;

@@ -7,7 +7,6 @@
 #include <cdr/shaders/shading_layer_frag.h>
 
 #include <fmt/format.h>
-#include <vulkan/vulkan_format_traits.hpp>
 
 #include <algorithm>
 #include <array>
@@ -22,15 +21,18 @@ constexpr auto kBuffer = vk::DescriptorType::eStorageBuffer;
 
 /// How the surfaces of a cascade fade where the next one has begun: whole through the first half of what both
 /// draw, so that the soft rim of the farther layer stays hidden, and gone at its end.
-shaders::LayerFade fadeInto(const CascadeDraws& cascade, const CascadeDraws& next) {
-    const double nextNearView = next.anchorView + static_cast<double>(next.push.nearAhead);
-    const double farAhead = static_cast<double>(cascade.push.farAhead);
-    const double shared = cascade.anchorView + farAhead - nextNearView;
+shaders::LayerFade fadeInto(const CascadeView& cascade, const CascadeView& next) {
+    const double farView = cascade.clipRange.farView;
+    const double shared = farView - next.clipRange.nearView;
     if (!(shared > 0.0)) {
         return {};
     }
-    return {.beginAhead = static_cast<float>(farAhead - 0.5 * shared),
+    return {.beginAhead = static_cast<float>(farView - 0.5 * shared - cascade.terms.anchorView),
             .perUnit = static_cast<float>(2.0 / shared)};
+}
+
+bool drawsFog(const Effects& effects) {
+    return effects.fog.visibility > 0.0;
 }
 
 vk::ClearValue clearTo(const glm::vec3& color) {
@@ -40,7 +42,7 @@ vk::ClearValue clearTo(const glm::vec3& color) {
 /// The options, once the memory for the merged G-buffer is known to be there.
 const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& options) {
     gpu::requireDeviceBytes(
-        device, predictGBufferBytes(options.extent),
+        device, gpu::predictBytes(device, gbufferOptions(options.extent)),
         fmt::format("a merged G-buffer of {}x{}", options.extent.width, options.extent.height));
     return options;
 }
@@ -48,12 +50,12 @@ const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& o
 } // namespace
 
 FocusLayers::FocusLayers(const gpu::Device& device, const TargetsOptions& options, const gpu::Image& into,
-                         const Effects& effects, const glm::vec3& background, bool fades, bool shiny)
+                         const FocusLayersOptions& focus)
     : m_device(device),
       m_options(checked(device, options)),
       m_into(into),
-      m_background(effects.fog.visibility > 0.0 ? effects.fog.color : background),
-      m_fades(fades),
+      m_background(drawsFog(focus.effects) ? focus.effects.fog.color : focus.background),
+      m_fades(focus.fades),
       m_merge(device, {.name = "merge scaled",
                        .fragmentSpirv = kMergeScaledFrag,
                        .bindings = {kImage},
@@ -64,7 +66,7 @@ FocusLayers::FocusLayers(const gpu::Device& device, const TargetsOptions& option
                        .fragmentSpirv = kShadingLayerFrag,
                        .bindings = {kImage, kBuffer},
                        .format = kLitFormat,
-                       .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shiny ? 1u : 0u},
+                       .constants = {drawsFog(focus.effects) ? 1u : 0u, focus.shiny ? 1u : 0u},
                        .pushBytes = sizeof(shaders::LayerFade)}),
       m_compose(device, {.name = "compose layers",
                          .fragmentSpirv = kFocusComposeFrag,
@@ -76,39 +78,31 @@ FocusLayers::FocusLayers(const gpu::Device& device, const TargetsOptions& option
                          .filter = vk::Filter::eLinear}),
       m_merged(makeGBuffer(device, options.extent, "G-buffer")) {}
 
-std::uint64_t FocusLayers::predictLayerBytes(vk::Extent2D extent, depth::DepthFormat depthFormat) {
-    return predictGBufferBytes(extent) + predictDepthBytes(extent, depthFormat) +
-           std::uint64_t{extent.width} * extent.height * vk::blockSize(kLitFormat);
-}
-
 FocusLayers::Layer FocusLayers::makeLayer(vk::Extent2D extent, const std::string& name) const {
-    Layer layer{
-        .gbuffer = makeGBuffer(m_device, extent, name),
-        .depth = makeDepthBuffer(m_device, extent, m_options.depthFormat, name + " depth"),
-        .lit = {m_device,
-                {.extent = extent,
-                 .format = kLitFormat,
-                 .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled},
-                name + " lit"},
-        .merged = m_merge.makeInputs(),
-        .laid = m_compose.makeInputs()};
+    Layer layer{.gbuffer = makeGBuffer(m_device, extent, name),
+                .depth = makeDepthBuffer(m_device, extent, m_options.depthFormat, name + " depth"),
+                .lit = {m_device, litOptions(extent), name + " lit"},
+                .merged = m_merge.makeInputs(),
+                .laid = m_compose.makeInputs()};
     layer.merged.setImage(0, layer.gbuffer);
     layer.laid.setImage(0, layer.lit);
     return layer;
 }
 
-FocusLayers::LayerKey FocusLayers::keyOf(std::span<const CascadeDraws> cascades, std::size_t index) {
-    const vk::Extent2D extent = cascades[index].extent;
-    return {static_cast<std::uint32_t>(index), extent.width, extent.height};
+FocusLayers::LayerKey FocusLayers::keyOf(const FrameView& view, std::size_t cascade) {
+    const vk::Extent2D extent = view.cascades[cascade].extent;
+    return {static_cast<std::uint32_t>(cascade), extent.width, extent.height};
 }
 
-void FocusLayers::provideLayers(std::span<const CascadeDraws> cascades) {
+void FocusLayers::provideLayers(const FrameView& view) {
     std::vector<std::size_t> missing;
     std::uint64_t bytes = 0;
-    for (std::size_t i = 0; i < cascades.size(); ++i) {
-        if (!m_layers.contains(keyOf(cascades, i))) {
+    for (std::size_t i = 0; i < view.cascades.size(); ++i) {
+        if (!m_layers.contains(keyOf(view, i))) {
             missing.push_back(i);
-            bytes += predictLayerBytes(cascades[i].extent, m_options.depthFormat);
+            const vk::Extent2D extent = view.cascades[i].extent;
+            bytes += predictLayerBytes(m_device, extent, m_options.depthFormat) +
+                     gpu::predictBytes(m_device, litOptions(extent));
         }
     }
     if (missing.empty()) {
@@ -116,17 +110,18 @@ void FocusLayers::provideLayers(std::span<const CascadeDraws> cascades) {
     }
     gpu::requireDeviceBytes(m_device, bytes, fmt::format("the layers of {} cascades", missing.size()));
     for (const std::size_t i : missing) {
-        m_layers.try_emplace(keyOf(cascades, i), makeLayer(cascades[i].extent, fmt::format("layer {}", i)));
+        m_layers.try_emplace(keyOf(view, i), makeLayer(view.cascades[i].extent, fmt::format("layer {}", i)));
     }
 }
 
-void FocusLayers::record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) {
-    provideLayers(cascades);
+void FocusLayers::record(CascadeCommands& commands, const FrameView& view) {
+    provideLayers(view);
+    const std::vector<CascadeView>& cascades = view.cascades;
     const std::vector<std::size_t> drawn = commands.drawnCascades(cascades.size());
     m_drawn.clear();
     std::transform(drawn.rbegin(), drawn.rend(), std::back_inserter(m_drawn), [&](std::size_t i) {
         const bool fades = m_fades && i + 1 < cascades.size();
-        return Drawn{.layer = &m_layers.at(keyOf(cascades, i)),
+        return Drawn{.layer = &m_layers.at(keyOf(view, i)),
                      .fade = fades ? fadeInto(cascades[i], cascades[i + 1]) : shaders::LayerFade{}};
     });
     drawLayers(commands, drawn);

@@ -20,27 +20,30 @@ class FocusInputs {
     std::map<const gpu::Image*, PassInputs> m_ofLayer; ///< by G-buffer
 };
 
+/// How FocusLayers light and compose.
+struct FocusLayersOptions {
+    Effects effects{};
+    glm::vec3 background{0.0f}; ///< linear, what is seen where nothing is
+    bool fades = false;         ///< lets cascades that overlap fade into each other
+    bool shiny = false;         ///< whether the surfaces hold how they shine
+};
+
 /// Depth of field by per-cascade resolution (thesis chapter 3): each cascade has a layer of the size that
-/// CascadeDraws::extent says, drawn and lit by itself, and lit layers are laid over each other, the farthest
+/// CascadeView::extent says, drawn and lit by itself, and lit layers are laid over each other, the farthest
 /// first, each filtered up to the picture. Surfaces are merged as `layers` merges them, so that what reads
 /// the G-buffer later still finds every pixel's nearest.
 class FocusLayers final : public Targets {
   public:
     /// @param into the linear image that light() writes.
-    /// @param background linear, what is seen where nothing is.
-    /// @param shiny whether the surfaces hold how they shine.
     FocusLayers(const gpu::Device& device, const TargetsOptions& options, const gpu::Image& into,
-                const Effects& effects, const glm::vec3& background, bool fades, bool shiny);
+                const FocusLayersOptions& focus);
 
-    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) override;
+    void record(CascadeCommands& commands, const FrameView& view) override;
     const gpu::Image& gbuffer() const override { return m_merged; }
 
     /// Lights what record() drew and composes the picture. Takes gbuffer() from colour attachment to shader
     /// read layout and leaves the picture in colour attachment layout.
     void light(vk::CommandBuffer primary, const ShadingInputs& shading, FocusInputs& inputs) const;
-
-    /// Device bytes of one layer.
-    static std::uint64_t predictLayerBytes(vk::Extent2D extent, depth::DepthFormat depthFormat);
 
   private:
     struct Layer {
@@ -57,8 +60,8 @@ class FocusLayers final : public Targets {
     };
     /// Cascade, width and height.
     using LayerKey = std::array<std::uint32_t, 3>;
-    static LayerKey keyOf(std::span<const CascadeDraws> cascades, std::size_t index);
-    void provideLayers(std::span<const CascadeDraws> cascades);
+    static LayerKey keyOf(const FrameView& view, std::size_t cascade);
+    void provideLayers(const FrameView& view);
     Layer makeLayer(vk::Extent2D extent, const std::string& name) const;
     /// @param drawn the cascades of m_drawn, nearest first.
     void drawLayers(CascadeCommands& commands, std::span<const std::size_t> drawn) const;

@@ -1,35 +1,53 @@
 #include <cdr/render/targets/gbuffer.h>
 
-#include <vulkan/vulkan_format_traits.hpp>
+#include <glm/gtc/packing.hpp>
+
+#include <cmath>
 
 namespace cdr::render {
 
-gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name) {
-    return {device,
-            {.extent = extent,
-             .format = kGBufferFormat,
-             .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled |
-                      vk::ImageUsageFlagBits::eTransferSrc},
-            name};
+glm::vec3 GBufferPixel::normalView() const {
+    if (id() == 0) {
+        return glm::vec3(0.0f);
+    }
+    const glm::vec2 p = glm::unpackSnorm2x16(normal);
+    glm::vec3 n(p, 1.0f - std::abs(p.x) - std::abs(p.y));
+    if (n.z < 0.0f) {
+        const float nx = n.x;
+        n.x = (1.0f - std::abs(n.y)) * (n.x >= 0.0f ? 1.0f : -1.0f);
+        n.y = (1.0f - std::abs(nx)) * (n.y >= 0.0f ? 1.0f : -1.0f);
+    }
+    return glm::normalize(n);
 }
 
-std::uint64_t predictGBufferBytes(vk::Extent2D extent) {
-    return std::uint64_t{extent.width} * extent.height * sizeof(GBufferPixel);
+gpu::ImageOptions gbufferOptions(vk::Extent2D extent) {
+    return {.extent = extent,
+            .format = kGBufferFormat,
+            .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled |
+                     vk::ImageUsageFlagBits::eTransferSrc};
+}
+
+gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name) {
+    return {device, gbufferOptions(extent), name};
+}
+
+gpu::ImageOptions depthBufferOptions(const gpu::Device& device, vk::Extent2D extent,
+                                     depth::DepthFormat format) {
+    return {.extent = extent,
+            .format = device.depthFormat(format),
+            .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment,
+            // A stencil plane that comes along is never used, but the view must not name it.
+            .aspect = vk::ImageAspectFlagBits::eDepth};
 }
 
 gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format,
                            const std::string& name) {
-    return {device,
-            {.extent = extent,
-             .format = device.depthFormat(format),
-             .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment,
-             // A stencil plane that comes along is never used, but the view must not name it.
-             .aspect = vk::ImageAspectFlagBits::eDepth},
-            name};
+    return {device, depthBufferOptions(device, extent, format), name};
 }
 
-std::uint64_t predictDepthBytes(vk::Extent2D extent, depth::DepthFormat format) {
-    return std::uint64_t{extent.width} * extent.height * (traitsOf(format).bits > 16 ? 4 : 2);
+std::uint64_t predictLayerBytes(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format) {
+    return gpu::predictBytes(device, gbufferOptions(extent)) +
+           gpu::predictBytes(device, depthBufferOptions(device, extent, format));
 }
 
 } // namespace cdr::render

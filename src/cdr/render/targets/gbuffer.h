@@ -2,7 +2,9 @@
 
 #include <cdr/depth/format.h>
 #include <cdr/gpu/memory.h>
+#include <cdr/shaders/shared.h>
 
+#include <glm/glm.hpp>
 #include <vulkan/vulkan.hpp>
 
 #include <cstdint>
@@ -20,19 +22,26 @@ struct GBufferPixel {
     std::uint32_t normal = 0; ///< view space, octahedral, two snorm16
     float ahead = 0.0f; ///< view distance beyond the cascade's anchor plane: metric, whatever the mapping
     std::uint32_t idAndCascade = 0; ///< shaders::kIdBits; 0 is background
+
+    /// Object index + 1, 0 for background.
+    std::uint32_t id() const { return idAndCascade & shaders::kIdMask; }
+    /// The cascade that drew it; 0 for background.
+    std::uint32_t cascade() const { return (idAndCascade >> shaders::kIdBits) & shaders::kCascadeMask; }
+    /// Unit normal in view space; zero for background.
+    glm::vec3 normalView() const;
 };
 static_assert(sizeof(GBufferPixel) == 16);
 
+gpu::ImageOptions gbufferOptions(vk::Extent2D extent);
 gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name);
 
-/// Device bytes of one geometry buffer.
-std::uint64_t predictGBufferBytes(vk::Extent2D extent);
-
-/// A depth attachment. base::InputError where the device lacks the format.
+/// Of a depth attachment. base::InputError where the device lacks the format.
+gpu::ImageOptions depthBufferOptions(const gpu::Device& device, vk::Extent2D extent,
+                                     depth::DepthFormat format);
 gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format,
                            const std::string& name);
 
-/// Device bytes of one depth buffer.
-std::uint64_t predictDepthBytes(vk::Extent2D extent, depth::DepthFormat format);
+/// Device bytes of a geometry buffer and a depth buffer.
+std::uint64_t predictLayerBytes(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format);
 
 } // namespace cdr::render

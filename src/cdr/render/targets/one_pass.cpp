@@ -49,11 +49,11 @@ DepthSlice OnePassTargets::depthSlice(std::size_t cascade, std::size_t cascades)
     return format.isFloat ? floatSlice(slice, cascades) : integerSlice(slice, cascades, format.bits);
 }
 
-void OnePassTargets::record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) {
+void OnePassTargets::record(CascadeCommands& commands, const FrameView& view) {
     const GBufferScope scope{
         .gbuffer = m_gbuffer, .depth = m_depth, .clearColor = true, .reversedDepth = m_reversedDepth};
     beginGBuffer(commands.primary(), scope);
-    commands.drawScope(scope, {0, cascades.size()}); // front to back
+    commands.drawScope(scope, {0, view.cascades.size()}); // front to back
 }
 
 } // namespace cdr::render

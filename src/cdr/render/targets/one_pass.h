@@ -26,7 +26,7 @@ class OnePassTargets final : public Targets {
     OnePassTargets(const gpu::Device& device, const TargetsOptions& options);
 
     DepthSlice depthSlice(std::size_t cascade, std::size_t cascades) const override;
-    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) override;
+    void record(CascadeCommands& commands, const FrameView& view) override;
     const gpu::Image& gbuffer() const override { return m_gbuffer; }
 
   private:

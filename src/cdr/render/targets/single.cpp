@@ -11,11 +11,11 @@ SingleTargets::SingleTargets(const gpu::Device& device, const TargetsOptions& op
       m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth")),
       m_reversedDepth(options.reversedDepth) {}
 
-void SingleTargets::record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) {
+void SingleTargets::record(CascadeCommands& commands, const FrameView& view) {
     GBufferScope scope{
         .gbuffer = m_gbuffer, .depth = m_depth, .clearColor = true, .reversedDepth = m_reversedDepth};
     beginGBuffer(commands.primary(), scope);
-    std::vector<std::size_t> farthestFirst = commands.drawnCascades(cascades.size());
+    std::vector<std::size_t> farthestFirst = commands.drawnCascades(view.cascades.size());
     std::reverse(farthestFirst.begin(), farthestFirst.end());
     for (const std::size_t cascade : farthestFirst) {
         if (!scope.clearColor) {

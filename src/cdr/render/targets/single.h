@@ -10,7 +10,7 @@ class SingleTargets final : public Targets {
   public:
     SingleTargets(const gpu::Device& device, const TargetsOptions& options);
 
-    void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) override;
+    void record(CascadeCommands& commands, const FrameView& view) override;
     const gpu::Image& gbuffer() const override { return m_gbuffer; }
 
   private:

@@ -1,7 +1,5 @@
-#include "accumulate.h"
-#include "layers.h"
+#include "cascade_layers.h"
 #include "one_pass.h"
-#include "pool.h"
 #include "single.h"
 
 #include <cdr/base/enum_names.h>
@@ -81,11 +79,12 @@ std::unique_ptr<Targets> makeTargets(const gpu::Device& device, const TargetsCho
     case TargetsKind::single:
         return std::make_unique<SingleTargets>(device, options);
     case TargetsKind::accumulate:
-        return std::make_unique<AccumulateTargets>(device, options);
+        return std::make_unique<CascadeLayers>(device, options, LayerCount{});
     case TargetsKind::pool:
-        return std::make_unique<PoolTargets>(device, options, TargetsChoice::pool(choice.layers).layers);
+        return std::make_unique<CascadeLayers>(
+            device, options, LayerCount{.first = TargetsChoice::pool(choice.layers).layers});
     case TargetsKind::layers:
-        return std::make_unique<LayersTargets>(device, options);
+        return std::make_unique<CascadeLayers>(device, options, LayerCount{.perCascade = true});
     case TargetsKind::onePass:
         return std::make_unique<OnePassTargets>(device, options);
     }

@@ -1,16 +1,15 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/render/frame_view.h>
 #include <cdr/render/submit/cascade_commands.h>
 #include <cdr/render/targets/gbuffer.h>
-#include <cdr/render/view_transform.h>
 
 #include <vulkan/vulkan.hpp>
 
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -75,7 +74,7 @@ class Targets {
     /// surface, in the colour attachment layout, written by colour attachment output. The number of cascades
     /// may change from frame to frame; base::RunError, with both figures, when it asks for more memory than
     /// there is.
-    virtual void record(CascadeCommands& commands, std::span<const CascadeDraws> cascades) = 0;
+    virtual void record(CascadeCommands& commands, const FrameView& view) = 0;
 
     virtual const gpu::Image& gbuffer() const = 0;
 };

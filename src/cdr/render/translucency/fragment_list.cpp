@@ -28,21 +28,24 @@ std::uint64_t bytesFor(std::uint64_t fragments) {
 
 } // namespace
 
-std::optional<std::string> FragmentList::refusal(const gpu::Device& device, vk::Extent2D extent,
+std::optional<ListRefusal> FragmentList::refusal(const gpu::Device& device, vk::Extent2D extent,
                                                  std::uint64_t mostBytes) {
+    const auto refused = [](ListRefusal::Cause cause, std::uint64_t needed, std::uint64_t allowed) {
+        return ListRefusal{.cause = cause, .fragments = 0, .neededBytes = needed, .allowedBytes = allowed};
+    };
+    if (!device.info().hasFragmentStores) {
+        return refused(ListRefusal::Cause::noFragmentStores, 0, 0);
+    }
     const std::uint64_t heads = pixelsOf(extent) * sizeof(std::uint32_t);
     if (heads + bytesFor(1) > mostBytes) {
-        return fmt::format("lists of a {}x{} picture need {} bytes before the first fragment, {} are allowed",
-                           extent.width, extent.height, heads, mostBytes);
+        return refused(ListRefusal::Cause::bound, heads, mostBytes);
     }
     if (heads > device.info().maxStorageBufferBytes) {
-        return fmt::format("lists of a {}x{} picture need a {} byte buffer, {} allows {}", extent.width,
-                           extent.height, heads, device.info().name, device.info().maxStorageBufferBytes);
+        return refused(ListRefusal::Cause::bufferSize, heads, device.info().maxStorageBufferBytes);
     }
     const std::uint64_t first = std::min(mostBytes, heads + bytesFor(pixelsOf(extent)));
     if (const std::uint64_t available = gpu::freeDeviceBytes(device); first > available) {
-        return fmt::format("lists of a {}x{} picture need {} bytes, {} has {} free", extent.width,
-                           extent.height, first, device.info().name, available);
+        return refused(ListRefusal::Cause::memory, first, available);
     }
     return std::nullopt;
 }
@@ -104,20 +107,21 @@ std::uint32_t FragmentList::count() const {
     return m_count.as<std::uint32_t>(1).front();
 }
 
-std::optional<std::string> FragmentList::grow(std::uint64_t fragments) {
+std::optional<ListRefusal> FragmentList::grow(std::uint64_t fragments) {
+    const auto refused = [&](ListRefusal::Cause cause, std::uint64_t needed, std::uint64_t allowed) {
+        return ListRefusal{
+            .cause = cause, .fragments = fragments, .neededBytes = needed, .allowedBytes = allowed};
+    };
     const std::uint64_t wanted = bytesFor(fragments);
     if (m_heads.size() + wanted > m_mostBytes) {
-        return fmt::format("{} translucent fragments need {} MiB, {} are allowed", fragments,
-                           (m_heads.size() + wanted) >> 20u, m_mostBytes >> 20u);
+        return refused(ListRefusal::Cause::bound, m_heads.size() + wanted, m_mostBytes);
     }
     if (fragments > mostFragments()) {
-        return fmt::format("{} translucent fragments need a {} byte buffer, {} allows {}", fragments, wanted,
-                           m_device.info().name, m_device.info().maxStorageBufferBytes);
+        return refused(ListRefusal::Cause::bufferSize, wanted, m_device.info().maxStorageBufferBytes);
     }
     const std::uint64_t available = gpu::freeDeviceBytes(m_device) + m_nodes.size();
     if (wanted > available) {
-        return fmt::format("{} translucent fragments need {} bytes, {} has {} free", fragments, wanted,
-                           m_device.info().name, available);
+        return refused(ListRefusal::Cause::memory, wanted, available);
     }
     // A quarter more, so that a camera that moves does not draw every frame twice.
     makeNodes(std::min({mostFragments(), available / kNodeBytes - 1, fragments + fragments / 4}));

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/render/translucency/translucency.h>
 
 #include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 namespace cdr::render {
 
@@ -14,9 +14,8 @@ namespace cdr::render {
 /// a frame asked for, up to a bound.
 class FragmentList {
   public:
-    /// Why there can be no lists at all for a picture: the bound, the device's buffers or its memory; none if
-    /// there can.
-    static std::optional<std::string> refusal(const gpu::Device& device, vk::Extent2D extent,
+    /// Why there can be no lists at all for a picture; none if there can.
+    static std::optional<ListRefusal> refusal(const gpu::Device& device, vk::Extent2D extent,
                                               std::uint64_t mostBytes);
 
     /// Starts with a node per pixel, or as many as the bound allows. There must be no refusal().
@@ -35,8 +34,8 @@ class FragmentList {
     std::uint32_t count() const;
 
     /// Makes room for `fragments`, which it must not have yet; no frame may be using the lists. Else says why
-    /// there can be none: the bound, the device's buffers or its memory.
-    std::optional<std::string> grow(std::uint64_t fragments);
+    /// there can be none.
+    std::optional<ListRefusal> grow(std::uint64_t fragments);
 
     /// Descriptors in a set: heads, nodes, count.
     static constexpr std::uint32_t kBindings = 3;

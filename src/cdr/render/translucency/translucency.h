@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <optional>
 #include <string_view>
 
 namespace cdr::render {
@@ -32,15 +32,33 @@ struct TranslucencyOptions {
     /// that has more fragments is drawn weighted, and says so.
     std::uint64_t mostBytes = std::uint64_t{256} << 20u;
     bool countsFragments = false; ///< fills Frame::fragmentCounts
+
+    bool operator==(const TranslucencyOptions&) const = default;
+};
+
+/// Why there are no lists for a frame whose translucent surfaces were to be sorted.
+struct ListRefusal {
+    enum class Cause : std::uint8_t {
+        noFragmentStores, ///< the device lacks fragmentStoresAndAtomics; there are no bytes to say
+        bound,            ///< TranslucencyOptions::mostBytes
+        bufferSize,       ///< the largest storage buffer of the device
+        memory,           ///< what the device has free
+    };
+    Cause cause = Cause::noFragmentStores;
+    std::uint64_t fragments = 0;   ///< that were to be kept; 0 where empty lists have no room
+    std::uint64_t neededBytes = 0; ///< more than are allowed
+    std::uint64_t allowedBytes = 0;
+
+    bool operator==(const ListRefusal&) const = default;
 };
 
 /// What became of a frame's translucent surfaces.
 struct TranslucencyStats {
     Translucency method = Translucency::weighted; ///< that drew the frame
-    std::size_t draws = 0;       ///< instances, those in several cascades counted once for each
-    std::uint64_t fragments = 0; ///< kept in lists; 0 when weighted
-    std::uint64_t bytes = 0;     ///< of device memory for the method: images or lists
-    std::string note;            ///< why the frame was not drawn as asked; else empty
+    std::size_t draws = 0;              ///< instances, those in several cascades counted once for each
+    std::uint64_t fragments = 0;        ///< kept in lists; 0 when weighted
+    std::uint64_t bytes = 0;            ///< of device memory for the method: images or lists
+    std::optional<ListRefusal> refusal; ///< why the frame was not sorted, though it was to be
 };
 
 } // namespace cdr::render

@@ -37,33 +37,30 @@ class Binder {
 
 } // namespace
 
-depth::Cascades translucentRanges(const depth::Cascades& cascades, const scene::Camera& camera) {
+depth::Cascades translucentRanges(const FrameView& view) {
     depth::Cascades ranges;
-    double nearView = camera.nearView;
-    for (std::size_t i = 0; i < cascades.size(); ++i) {
-        const bool isLast = i + 1 == cascades.size();
-        const double farView = isLast ? camera.farView : cascades[i + 1].nearView;
+    double nearView = view.camera.nearView;
+    for (std::size_t i = 0; i < view.cascades.size(); ++i) {
+        const bool isLast = i + 1 == view.cascades.size();
+        const double farView = isLast ? view.camera.farView : view.cascades[i + 1].range.nearView;
         ranges.push_back({nearView, farView});
         nearView = farView;
     }
     return ranges;
 }
 
-TranslucentDraws::TranslucentDraws(const gpu::Device& device, const GpuScene& scene,
-                                   const visibility::BlendedInstances& blended)
+TranslucentDraws::TranslucentDraws(const gpu::Device& device, const DrawnScene& scene)
     : m_device(device),
-      m_scene(scene),
-      m_blended(blended) {}
+      m_scene(scene) {}
 
-void TranslucentDraws::prepare(const scene::Camera& camera, double aspect, const depth::Cascades& cascades,
-                               host::WorkerPool& workers) {
-    m_ranges = translucentRanges(cascades, camera);
-    m_lens = lensOf(camera, aspect);
-    m_nearView = camera.nearView;
-    visibility::cullSpheres(m_blended.instances, camera, aspect, workers, m_visible);
+void TranslucentDraws::prepare(const FrameView& view, host::WorkerPool& workers) {
+    m_ranges = translucentRanges(view);
+    m_frustum = view.frustum;
+    m_nearView = view.camera.nearView;
+    visibility::cullSpheres(m_scene.scene.instances, m_scene.blended, view.camera, view.frustum, m_visible);
     visibility::binByDistance(m_visible, m_ranges, std::numeric_limits<double>::infinity(), workers, m_lists);
     growRecords();
-    writeRecords(camera);
+    writeRecords(view.camera);
 }
 
 void TranslucentDraws::growRecords() {
@@ -85,8 +82,9 @@ void TranslucentDraws::writeRecords(const scene::Camera& camera) {
     for (std::size_t range = 0; range < m_ranges.size(); ++range) {
         const host::IndexRange draws = m_lists.range(range);
         for (std::size_t i = draws.begin; i < draws.end; ++i) {
-            const DrawSource& source = m_scene.sources()[m_blended.source[m_lists.instance[i]]];
-            const shaders::DrawRecord record = maker.make(source, m_scene.materials()[source.material]);
+            const DrawSource& source = m_scene.uploaded.sources()[m_lists.instance[i]];
+            const shaders::DrawRecord record =
+                maker.make(source, m_scene.uploaded.materials()[source.material]);
             const double centre = camera.viewDistance(source.position);
             records[i] = {.right = record.right,
                           .up = record.up,
@@ -106,8 +104,8 @@ void TranslucentDraws::writeRecords(const scene::Camera& camera) {
 shaders::TranslucentPush TranslucentDraws::pushOf(std::size_t range, vk::Extent2D extent,
                                                   std::uint32_t capacity) const {
     const depth::Cascade& ends = m_ranges[range];
-    return {.projectionX = static_cast<float>(1.0 / m_lens.tanX),
-            .projectionY = static_cast<float>(-1.0 / m_lens.tanY),
+    return {.projectionX = static_cast<float>(1.0 / m_frustum.tanX),
+            .projectionY = static_cast<float>(-1.0 / m_frustum.tanY),
             .behind = static_cast<float>(0.5 * m_nearView),
             .nearView = static_cast<float>(ends.nearView),
             .spread = static_cast<float>(1.0 / std::log(ends.farView / ends.nearView)),
@@ -121,21 +119,20 @@ void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,
     commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(extent.width),
                                          static_cast<float>(extent.height), 0.0f, 1.0f});
     commands.setScissor(0, vk::Rect2D{{0, 0}, extent});
-    commands.bindVertexBuffers(0, {m_scene.vertices(), m_records.handle()}, {0, 0});
-    commands.bindIndexBuffer(m_scene.indices(), 0, vk::IndexType::eUint32);
+    const GpuScene& scene = m_scene.uploaded;
+    commands.bindVertexBuffers(0, {scene.vertices(), m_records.handle()}, {0, 0});
+    commands.bindIndexBuffer(scene.indices(), 0, vk::IndexType::eUint32);
     commands.pushConstants<shaders::TranslucentPush>(pipelines.layout(), TranslucentPipelines::kStages, 0,
                                                      pushOf(range, extent, capacity));
     Binder binder(pipelines, commands);
-    const auto kindOf = [&](std::size_t draw) {
-        return m_scene.sources()[m_blended.source[m_lists.instance[draw]]].kind;
-    };
+    const auto kindOf = [&](std::size_t draw) { return scene.sources()[m_lists.instance[draw]].kind; };
     const host::IndexRange draws = m_lists.range(range);
     for (std::size_t first = draws.begin; first < draws.end;) {
         std::size_t end = first + 1;
         while (end < draws.end && kindOf(end) == kindOf(first)) {
             ++end;
         }
-        const DrawKind& kind = m_scene.kinds()[kindOf(first)];
+        const DrawKind& kind = scene.kinds()[kindOf(first)];
         binder.bind(kind);
         commands.drawIndexed(kind.mesh.indexCount, static_cast<std::uint32_t>(end - first),
                              kind.mesh.firstIndex, kind.mesh.vertexOffset, static_cast<std::uint32_t>(first));

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
-#include <cdr/render/gpu_scene.h>
+#include <cdr/render/drawn_scene.h>
+#include <cdr/render/frame_view.h>
 #include <cdr/render/translucency/translucent_pipelines.h>
 #include <cdr/render/view_transform.h>
 #include <cdr/shaders/translucent_shared.h>
 #include <cdr/visibility/bin.h>
-#include <cdr/visibility/blended.h>
+#include <cdr/visibility/cull.h>
 
 #include <vulkan/vulkan.hpp>
 
@@ -17,20 +18,18 @@ namespace cdr::render {
 
 /// Where a translucent fragment belongs: to the one range that holds its view distance. Without gap or
 /// overlap from the camera's near plane to its far plane, one per cascade, whatever the cascades leave out.
-depth::Cascades translucentRanges(const depth::Cascades& cascades, const scene::Camera& camera);
+depth::Cascades translucentRanges(const FrameView& view);
 
 /// One frame's translucent draws: culled, binned into ranges and written on the calling thread's time, since
 /// they are few, for every submission alike. Within a range they keep scene order. Owned by one frame slot.
 class TranslucentDraws {
   public:
-    /// The scene parts must outlive the draws.
-    TranslucentDraws(const gpu::Device& device, const GpuScene& scene,
-                     const visibility::BlendedInstances& blended);
+    /// What the scene refers to must outlive the draws.
+    TranslucentDraws(const gpu::Device& device, const DrawnScene& scene);
 
     /// Overwrites the lists and records; the last frame that drew them must have finished. base::RunError,
     /// with both figures, when the records need more memory than there is.
-    void prepare(const scene::Camera& camera, double aspect, const depth::Cascades& cascades,
-                 host::WorkerPool& workers);
+    void prepare(const FrameView& view, host::WorkerPool& workers);
 
     std::size_t ranges() const { return m_ranges.size(); }
     bool isEmpty(std::size_t range) const { return m_lists.range(range).size() == 0; }
@@ -47,12 +46,11 @@ class TranslucentDraws {
     shaders::TranslucentPush pushOf(std::size_t range, vk::Extent2D extent, std::uint32_t capacity) const;
 
     const gpu::Device& m_device;
-    const GpuScene& m_scene;
-    const visibility::BlendedInstances& m_blended;
+    DrawnScene m_scene;
     visibility::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing
     visibility::DrawLists m_lists;
     depth::Cascades m_ranges;
-    Lens m_lens;
+    scene::Frustum m_frustum;
     double m_nearView = 0.0; ///< the camera's
     gpu::Buffer m_records;
 };

@@ -16,49 +16,44 @@ vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent, bool 
     return extent;
 }
 
-std::string refusalOf(const gpu::Device& device, vk::Extent2D extent, const TranslucencyOptions& options) {
-    if (options.method != Translucency::sorted) {
-        return {};
-    }
-    if (!device.info().hasFragmentStores) {
-        return device.info().name + " lacks fragmentStoresAndAtomics";
-    }
-    return FragmentList::refusal(device, extent, options.mostBytes).value_or("");
+std::optional<ListRefusal> refusalOf(const gpu::Device& device, vk::Extent2D extent,
+                                     const TranslucencyOptions& options) {
+    return options.method == Translucency::sorted ? FragmentList::refusal(device, extent, options.mostBytes)
+                                                  : std::nullopt;
 }
 
 } // namespace
 
-TranslucentPass::TranslucentPass(const gpu::Device& device, const scene::Scene& scene,
-                                 const GpuScene& gpuScene, const gpu::Image& gbuffer, const gpu::Image& lit,
+TranslucentPass::TranslucentPass(const gpu::Device& device, const DrawnScene& scene,
+                                 const gpu::Image& gbuffer, const gpu::Image& lit,
                                  const TranslucencyOptions& options)
     : m_device(device),
-      m_gpuScene(gpuScene),
+      m_scene(scene),
       m_gbuffer(gbuffer),
       m_lit(lit),
       m_options(options),
-      m_blended(visibility::blendedInstances(scene)),
       m_sampler(device.handle().createSamplerUnique({})),
       m_surroundingsLayout(gpu::makeSetLayout(device, {kImage, vk::DescriptorType::eStorageBuffer},
                                               vk::ShaderStageFlagBits::eFragment,
                                               "translucent surroundings")),
-      m_weighted(device, gpuScene, *m_surroundingsLayout,
+      m_weighted(device, scene.uploaded, *m_surroundingsLayout,
                  checkedExtent(device, m_lit.options().extent, options.countsFragments),
                  options.countsFragments),
       m_refusal(refusalOf(device, m_lit.options().extent, options)),
       m_counter(options.countsFragments ? std::make_unique<FragmentCounter>(device, m_lit.options().extent)
                                         : nullptr) {
-    if (options.method == Translucency::sorted && m_refusal.empty()) {
-        m_sorted =
-            std::make_unique<SortedBlend>(device, gpuScene, *m_surroundingsLayout, options.countsFragments);
+    if (options.method == Translucency::sorted && !m_refusal) {
+        m_sorted = std::make_unique<SortedBlend>(device, scene.uploaded, *m_surroundingsLayout,
+                                                 options.countsFragments);
     }
 }
 
 TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) const {
-    Slot slot{.draws = TranslucentDraws(m_device, m_gpuScene, m_blended),
+    Slot slot{.draws = TranslucentDraws(m_device, m_scene),
               .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kImage, vk::DescriptorType::eStorageBuffer}),
               .surroundings = {},
               .list = {},
-              .note = {}};
+              .refusal = {}};
     slot.surroundings = gpu::allocateSet(m_device, *slot.pool, *m_surroundingsLayout);
     gpu::writeImageBinding(m_device, slot.surroundings, 0, kImage, m_gbuffer.view(), *m_sampler);
     gpu::writeBufferBinding(m_device, slot.surroundings, 1, vk::DescriptorType::eStorageBuffer,
@@ -69,12 +64,9 @@ TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) co
     return slot;
 }
 
-void TranslucentPass::prepare(Slot& slot, const scene::Camera& camera, const depth::Cascades& cascades,
-                              host::WorkerPool& workers) const {
-    const vk::Extent2D extent = m_lit.options().extent;
-    const double aspect = static_cast<double>(extent.width) / static_cast<double>(extent.height);
-    slot.draws.prepare(camera, aspect, cascades, workers);
-    slot.note = m_refusal;
+void TranslucentPass::prepare(Slot& slot, const FrameView& view, host::WorkerPool& workers) const {
+    slot.draws.prepare(view, workers);
+    slot.refusal = m_refusal;
 }
 
 void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
@@ -95,14 +87,14 @@ bool TranslucentPass::settle(Slot& slot, TranslucencyStats& stats) const {
     const bool sorted = sorts(slot);
     const std::uint32_t fragments = sorted ? slot.list->count() : 0;
     if (sorted && fragments > slot.list->capacity()) {
-        slot.note = slot.list->grow(fragments).value_or("");
+        slot.refusal = slot.list->grow(fragments);
         return false;
     }
     stats = {.method = sorted ? Translucency::sorted : Translucency::weighted,
              .draws = slot.draws.draws(),
              .fragments = fragments,
              .bytes = sorted ? slot.list->bytes() : WeightedBlend::predictBytes(m_lit.options().extent),
-             .note = slot.note};
+             .refusal = slot.refusal};
     return true;
 }
 

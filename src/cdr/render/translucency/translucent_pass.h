@@ -5,11 +5,9 @@
 #include <cdr/render/translucency/sorted_blend.h>
 #include <cdr/render/translucency/translucency.h>
 #include <cdr/render/translucency/weighted_blend.h>
-#include <cdr/visibility/blended.h>
 
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace cdr::render {
 
@@ -22,24 +20,23 @@ class TranslucentPass {
     struct Slot {
         TranslucentDraws draws;
         vk::UniqueDescriptorPool pool;
-        vk::DescriptorSet surroundings;   ///< of TranslucentFrame
-        std::optional<FragmentList> list; ///< when sorting
-        std::string note;                 ///< why this frame is weighted though sorting was asked for
+        vk::DescriptorSet surroundings;     ///< of TranslucentFrame
+        std::optional<FragmentList> list;   ///< when sorting
+        std::optional<ListRefusal> refusal; ///< why this frame is not sorted, though it was to be
     };
 
-    /// The uploaded scene and the images must outlive the pass. base::RunError, with both figures, when the
+    /// What the scene refers to and the images must outlive the pass. base::RunError, with both figures, when the
     /// device has too little memory for the pass' own images.
     /// @param gbuffer in shader read layout whenever record() is called.
     /// @param lit linear, of kLitFormat, a colour attachment whenever record() is called.
-    TranslucentPass(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
-                    const gpu::Image& gbuffer, const gpu::Image& lit, const TranslucencyOptions& options);
+    TranslucentPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer,
+                    const gpu::Image& lit, const TranslucencyOptions& options);
 
     /// @param shading of the same frame slot, which must outlive this one.
     Slot makeSlot(const ShadingInputs& shading) const;
 
     /// Decides what a frame draws; the slot's last frame must have finished.
-    void prepare(Slot& slot, const scene::Camera& camera, const depth::Cascades& cascades,
-                 host::WorkerPool& workers) const;
+    void prepare(Slot& slot, const FrameView& view, host::WorkerPool& workers) const;
     /// After shading; the lit image stays a colour attachment.
     void record(vk::CommandBuffer primary, Slot& slot) const;
     /// After the frame ran. False when its fragments found no room; draw it again.
@@ -52,19 +49,18 @@ class TranslucentPass {
     image::ImageU32 fragmentCounts() const { return m_counter ? m_counter->fetch() : image::ImageU32(); }
 
   private:
-    bool sorts(const Slot& slot) const { return slot.list && slot.note.empty(); }
+    bool sorts(const Slot& slot) const { return slot.list && !slot.refusal; }
 
     const gpu::Device& m_device;
-    const GpuScene& m_gpuScene;
+    DrawnScene m_scene;
     const gpu::Image& m_gbuffer;
     const gpu::Image& m_lit;
     TranslucencyOptions m_options;
-    visibility::BlendedInstances m_blended;
     vk::UniqueSampler m_sampler;
     vk::UniqueDescriptorSetLayout m_surroundingsLayout;
     WeightedBlend m_weighted;
     std::unique_ptr<SortedBlend> m_sorted; ///< where it is asked for and can be
-    std::string m_refusal;                 ///< why it cannot, where it is asked for
+    std::optional<ListRefusal> m_refusal;  ///< why it cannot, where it is asked for
     std::unique_ptr<FragmentCounter> m_counter;
 };
 

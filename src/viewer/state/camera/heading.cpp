@@ -1,5 +1,7 @@
 #include "heading.h"
 
+#include <cdr/scene/frustum.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,7 +51,7 @@ glm::dvec2 slopeOf(const scene::Camera& camera, const glm::dvec2& pixel, std::ui
 }
 
 double footprintSlope(const scene::Camera& camera, std::uint32_t height) {
-    return 2.0 * std::tan(0.5 * camera.fovY) / height;
+    return scene::frustumOf(camera, 1.0, height).footprintSlope;
 }
 
 } // namespace cdr::viewer

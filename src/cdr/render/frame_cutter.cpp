@@ -1,0 +1,52 @@
+#include <cdr/render/frame_cutter.h>
+
+#include <optional>
+
+namespace cdr::render {
+
+namespace {
+
+/// As few pixels as cover a picture when none is wider or higher than `scale` of the picture's.
+vk::Extent2D shrunk(vk::Extent2D extent, std::uint32_t scale) {
+    return {(extent.width + scale - 1) / scale, (extent.height + scale - 1) / scale};
+}
+
+} // namespace
+
+FrameCutter::FrameCutter(const RenderOptions& options, const Targets& targets)
+    : m_targets(targets),
+      m_mapping(options.technique.mapping),
+      m_detail(options.detail),
+      m_focus(options.focus),
+      m_extent{options.width, options.height},
+      m_split(options.technique) {}
+
+FrameView FrameCutter::look(const scene::Camera& camera) const {
+    const scene::Frustum frustum = scene::frustumOf(camera, m_extent.width, m_extent.height);
+    return {.camera = camera,
+            .frustum = frustum,
+            .levels = visibility::levelRule(m_detail, frustum, m_extent.height),
+            .cascades = {}};
+}
+
+void FrameCutter::cut(FrameView& view, const visibility::VisibleList& visible) {
+    const depth::Cascades ranges = m_split.cut(view.camera, view.frustum, visible);
+    std::optional<FocusLens> lens;
+    if (m_focus.isOn()) {
+        lens.emplace(m_focus, view.frustum.tanY, m_extent.height);
+    }
+    const depth::Cascades drawn = lens && m_focus.blend ? lens->overlapping(ranges) : ranges;
+    view.cascades.clear();
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        const bool isLast = i + 1 == ranges.size();
+        const depth::FarEnd farEnd = isLast ? m_split.farEnd() : depth::FarEnd::closed;
+        const depth::Cascade clipRange = depth::clipRange(m_mapping, drawn, i);
+        view.cascades.push_back({.range = ranges[i],
+                                 .clipRange = clipRange,
+                                 .terms = depth::clipTerms(depth::depthRange(m_mapping, clipRange, farEnd)),
+                                 .slice = m_targets.depthSlice(i, ranges.size()),
+                                 .extent = lens ? shrunk(m_extent, lens->scaleOf(ranges[i])) : m_extent});
+    }
+}
+
+} // namespace cdr::render

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cdr/render/frame_split.h>
+#include <cdr/render/frame_view.h>
+#include <cdr/render/render_options.h>
+#include <cdr/render/targets/targets.h>
+
+namespace cdr::render {
+
+/// Says of each frame who looks, and into which cascades the view is cut. Remembers the last frame's cut, so
+/// that fitted cascades stay put.
+class FrameCutter {
+  public:
+    /// @param targets that the cascades are drawn into. They must outlive the cutter.
+    FrameCutter(const RenderOptions& options, const Targets& targets);
+
+    /// A camera's frame, without cascades yet: enough to cull with.
+    FrameView look(const scene::Camera& camera) const;
+
+    /// Fills FrameView::cascades. base::InputError for an unusable split or range.
+    /// @param visible opaque instances; read only where needsVisible().
+    void cut(FrameView& view, const visibility::VisibleList& visible);
+
+    bool needsVisible() const { return m_split.needsVisible(); }
+    /// The next frame is cut as a first one is.
+    void forget() { m_split.forget(); }
+
+  private:
+    const Targets& m_targets;
+    depth::Mapping m_mapping;
+    visibility::Detail m_detail;
+    Focus m_focus;
+    vk::Extent2D m_extent;
+    FrameSplit m_split;
+};
+
+} // namespace cdr::render

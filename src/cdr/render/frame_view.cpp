@@ -1,0 +1,49 @@
+#include <cdr/render/frame_view.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <type_traits>
+
+namespace cdr::render {
+
+namespace {
+
+template <typename Part>
+auto ofEach(const std::vector<CascadeView>& cascades, const Part& part) {
+    std::vector<std::invoke_result_t<Part, const CascadeView&>> values;
+    values.reserve(cascades.size());
+    std::transform(cascades.begin(), cascades.end(), std::back_inserter(values), part);
+    return values;
+}
+
+} // namespace
+
+depth::Cascades FrameView::ranges() const {
+    return ofEach(cascades, [](const CascadeView& cascade) { return cascade.range; });
+}
+
+depth::Cascades FrameView::clipRanges() const {
+    return ofEach(cascades, [](const CascadeView& cascade) { return cascade.clipRange; });
+}
+
+std::vector<double> FrameView::anchorsView() const {
+    return ofEach(cascades, [](const CascadeView& cascade) { return cascade.terms.anchorView; });
+}
+
+shaders::CascadePush makeCascadePush(const FrameView& view, std::size_t cascade) {
+    const CascadeView& made = view.cascades[cascade];
+    const depth::ClipTerms& terms = made.terms;
+    return {.anchorView = static_cast<float>(terms.anchorView),
+            .depthScale = static_cast<float>(terms.scale),
+            .depthOffset = static_cast<float>(terms.offset),
+            .nearAhead = static_cast<float>(made.clipRange.nearView - terms.anchorView),
+            .farAhead = static_cast<float>(made.clipRange.farView - terms.anchorView),
+            .projectionX = static_cast<float>(1.0 / view.frustum.tanX),
+            .projectionY = static_cast<float>(-1.0 / view.frustum.tanY),
+            .cascade = static_cast<std::uint32_t>(cascade),
+            .minDepth = made.slice.min,
+            .maxDepth = made.slice.max};
+}
+
+} // namespace cdr::render

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cdr/depth/mapping.h>
+#include <cdr/scene/frustum.h>
+#include <cdr/shaders/shared.h>
+#include <cdr/visibility/level_choice.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace cdr::render {
+
+/// A part of the depth range, [0, 1], for a viewport and for shaders that set their depth.
+struct DepthSlice {
+    float min = 0.0f;
+    float max = 1.0f;
+};
+
+/// One cascade of a frame, in float64. What the device reads is made from it when commands are recorded.
+struct CascadeView {
+    depth::Cascade range;     ///< as the split cut it
+    depth::Cascade clipRange; ///< what is binned and clipped against: `range`, and what neighbours share
+    depth::ClipTerms terms;   ///< view distance to depth; its anchorView is 0 unless the mapping is anchored
+    DepthSlice slice;         ///< of the depth buffer
+    vk::Extent2D extent;      ///< of what the cascade is drawn into
+};
+
+/// One frame as the CPU sees it: who looks, through what, and the cascades that the view is cut into.
+struct FrameView {
+    scene::Camera camera;
+    scene::Frustum frustum;            ///< of the camera and the picture
+    visibility::LevelRule levels;      ///< at which level of detail each draw is drawn
+    std::vector<CascadeView> cascades; ///< nearest first
+
+    depth::Cascades ranges() const;
+    depth::Cascades clipRanges() const;
+    std::vector<double> anchorsView() const;
+};
+
+/// What every draw of a cascade is pushed.
+shaders::CascadePush makeCascadePush(const FrameView& view, std::size_t cascade);
+
+} // namespace cdr::render

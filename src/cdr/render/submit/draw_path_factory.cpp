@@ -1,0 +1,36 @@
+#include <cdr/base/error.h>
+#include <cdr/render/submit/draw_path_factory.h>
+#include <cdr/render/submit/gpu_driven_path.h>
+#include <cdr/render/submit/primary_path.h>
+#include <cdr/render/submit/secondary_path.h>
+
+#include <utility>
+
+namespace cdr::render {
+
+DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& scene,
+                                 const RenderOptions& options, bool shiny)
+    : m_device(device),
+      m_scene(scene),
+      m_submission(options.submission),
+      m_trace(options.trace),
+      m_geometry(device, scene.uploaded,
+                 {.technique = options.technique, .batching = options.batching, .shiny = shiny}),
+      m_binning(options.submission == Submission::gpuDriven
+                    ? std::make_unique<BinningPass>(device, scene, options.detail.mode)
+                    : nullptr) {}
+
+std::unique_ptr<DrawPath> DrawPathFactory::make(host::WorkerPool& workers, const std::string& name) const {
+    HostDraws draws(m_device, m_scene.scene, m_geometry, workers, m_trace);
+    switch (m_submission) {
+    case Submission::secondaries:
+        return std::make_unique<SecondaryPath>(m_device, std::move(draws), name);
+    case Submission::primaries:
+        return std::make_unique<PrimaryPath>(m_device, std::move(draws), name);
+    case Submission::gpuDriven:
+        return std::make_unique<GpuDrivenPath>(m_device, *m_binning, m_geometry, name);
+    }
+    throw base::RunError("submission out of range");
+}
+
+} // namespace cdr::render

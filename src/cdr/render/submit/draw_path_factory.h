@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cdr/render/drawn_scene.h>
+#include <cdr/render/geometry/geometry_pass.h>
+#include <cdr/render/render_options.h>
+#include <cdr/render/submit/binning_pass.h>
+
+#include <memory>
+#include <string>
+
+namespace cdr::render {
+
+/// Makes the draw paths of a renderer's frame slots, all by one submission, and owns what they share.
+class DrawPathFactory {
+  public:
+    /// What the scene refers to must outlive the factory.
+    /// base::InputError for a depth format that the device lacks, and for a submission it cannot do;
+    /// base::RunError when its memory does not suffice, with both figures.
+    /// @param shiny as GeometryOptions has it.
+    DrawPathFactory(const gpu::Device& device, const DrawnScene& scene, const RenderOptions& options,
+                    bool shiny);
+
+    /// The factory and the workers must outlive the path.
+    /// @param name that captures show.
+    std::unique_ptr<DrawPath> make(host::WorkerPool& workers, const std::string& name) const;
+
+  private:
+    const gpu::Device& m_device;
+    DrawnScene m_scene;
+    Submission m_submission;
+    host::Trace* m_trace;
+    GeometryPass m_geometry;
+    std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
+};
+
+} // namespace cdr::render

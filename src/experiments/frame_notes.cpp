@@ -1,0 +1,50 @@
+#include "frame_notes.h"
+
+#include <cdr/base/error.h>
+
+#include <fmt/format.h>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// @param lists what there was no room for
+std::string noteOnLists(const render::ListRefusal& refusal, std::string_view device,
+                        const std::string& lists) {
+    using Cause = render::ListRefusal::Cause;
+    switch (refusal.cause) {
+    case Cause::noFragmentStores:
+        return fmt::format("{} lacks fragmentStoresAndAtomics", device);
+    case Cause::bound:
+        return fmt::format("{} need {} bytes before the first fragment, {} are allowed", lists,
+                           refusal.neededBytes, refusal.allowedBytes);
+    case Cause::bufferSize:
+        return fmt::format("{} need a {} byte buffer, {} allows {}", lists, refusal.neededBytes, device,
+                           refusal.allowedBytes);
+    case Cause::memory:
+        return fmt::format("{} need {} bytes, {} has {} free", lists, refusal.neededBytes, device,
+                           refusal.allowedBytes);
+    }
+    throw base::RunError("refusal out of range");
+}
+
+} // namespace
+
+std::string noteOn(const render::ListRefusal& refusal, std::string_view device, std::uint32_t width,
+                   std::uint32_t height) {
+    if (refusal.fragments == 0) {
+        return noteOnLists(refusal, device, fmt::format("lists of a {}x{} picture", width, height));
+    }
+    const std::string fragments = fmt::format("{} translucent fragments", refusal.fragments);
+    if (refusal.cause == render::ListRefusal::Cause::bound) {
+        return fmt::format("{} need {} MiB, {} are allowed", fragments, refusal.neededBytes >> 20u,
+                           refusal.allowedBytes >> 20u);
+    }
+    return noteOnLists(refusal, device, fragments);
+}
+
+std::string_view noteOnLostShine() {
+    return "surfaces are matt, since ambient occlusion per layer takes the bits that say how they shine";
+}
+
+} // namespace cdr::experiments

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cdr/render/frame.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace cdr::experiments {
+
+/// Why a frame's translucent surfaces were not sorted, in words.
+/// @param device that drew the frame, by name. @param width of the picture. @param height likewise.
+std::string noteOn(const render::ListRefusal& refusal, std::string_view device, std::uint32_t width,
+                   std::uint32_t height);
+
+/// What FrameStats::lostShine means, in words.
+std::string_view noteOnLostShine();
+
+} // namespace cdr::experiments
