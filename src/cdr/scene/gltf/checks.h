@@ -18,7 +18,7 @@ template <typename... Args>
     throw base::InputError(fmt::format(what, std::forward<Args>(args)...));
 }
 
-/// The item a glTF index means; refuses an index without one. `kind` says what the items are, in the
+/// The item that a glTF index means; refuses an index without one. `kind` says what the items are, in the
 /// singular.
 template <typename Item>
 const Item& itemAt(const std::vector<Item>& items, int index, std::string_view kind) {

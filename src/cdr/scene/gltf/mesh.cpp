@@ -49,16 +49,16 @@ MeshImporter::MeshImporter(Accessors& accessors, Notes& notes, std::uint64_t max
       m_notes(notes),
       m_maxVertices(maxVertices) {}
 
-std::vector<MeshPiece> MeshImporter::import(const tinygltf::Primitive& primitive, const UvSource& uvSource,
+std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const UvSource& uvSource,
                                             double pieceRadius, const std::string& where) {
-    if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+    if (primitive.mode < kModePoints || primitive.mode > kModeTriangleFan) {
         refuse("{}: mode {} does not exist", where, primitive.mode);
     }
-    if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+    if (primitive.mode < kModeTriangles) {
         m_notes.add("points and lines are not drawn", where);
         return {};
     }
-    if (!primitive.targets.empty()) {
+    if (primitive.hasMorphTargets) {
         m_notes.add("morph targets are not applied", where);
     }
     const Attributes attributes = findAttributes(primitive, uvSource, where);
@@ -90,8 +90,8 @@ std::vector<MeshPiece> MeshImporter::import(const tinygltf::Primitive& primitive
     return pieces;
 }
 
-MeshImporter::Attributes MeshImporter::findAttributes(const tinygltf::Primitive& primitive,
-                                                      const UvSource& uvSource, const std::string& where) {
+MeshImporter::Attributes MeshImporter::findAttributes(const Primitive& primitive, const UvSource& uvSource,
+                                                      const std::string& where) {
     const auto find = [&](const std::string& name, int fewest, int most) -> const Accessor* {
         const auto found = primitive.attributes.find(name);
         if (found == primitive.attributes.end()) {
@@ -109,9 +109,7 @@ MeshImporter::Attributes MeshImporter::findAttributes(const tinygltf::Primitive&
     if (attributes.position == nullptr ||
         (!attributes.position->hasData() && !attributes.position->isSparse())) {
         refuse("{}: has no positions{}", where,
-               primitive.extensions.empty()
-                   ? ""
-                   : ", or only compressed ones: " + primitive.extensions.begin()->first);
+               primitive.extension.empty() ? "" : ", or only compressed ones: " + primitive.extension);
     }
     if (!attributes.position->hasData() && attributes.position->count() > m_maxVertices) {
         refuse("{}: {} vertices are over the limit of {}", where, attributes.position->count(),
