@@ -193,7 +193,7 @@ TEST_F(Gltf, CountsThatNoBytesBackAreRefusedBeforeAllocation) {
         {"indices",
          {{"bufferView", document.addView(std::vector<std::uint8_t>{1})}, {"componentType", kUByte}}},
         {"values", {{"bufferView", document.addView(std::vector<float>{8, 0, 0})}}}};
-    expectSays(refusal(document), "2147483647 vertices are over the limit");
+    expectSays(refusal(document), "bytes of memory, over the limit of 4294967296");
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "import.h"
 #include "json.h"
 #include "material.h"
+#include "memory.h"
 #include "nodes.h"
 #include "triangles.h"
 
@@ -49,7 +50,7 @@ class Importer {
         : m_sources(sources),
           m_limits(limits),
           m_accessors(sources.document.root, sources.buffers),
-          m_meshes(m_accessors, sources.notes, 3 * limits.maxTriangles),
+          m_meshes(m_accessors, sources.notes),
           m_materials(sources, m_scene) {}
 
     Scene run(const std::vector<MeshNode>& nodes) {
@@ -66,6 +67,8 @@ class Importer {
 
   private:
     void requireBounded(const std::vector<MeshNode>& nodes);
+    /// Reads a mesh and adds what it takes; returns its triangles.
+    std::uint64_t readBounded(int mesh, MemoryPrediction& memory);
     void addObject(const MeshNode& node);
     const std::vector<PlacedPrimitive>& use(int mesh);
 
@@ -84,22 +87,33 @@ void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
     if (nodes.size() > kMaxObjects) {
         refuse("{} objects are over the limit of {}", nodes.size(), kMaxObjects);
     }
+    MemoryPrediction memory(m_limits.maxBytes);
     std::map<int, std::uint64_t> trianglesOf;
-    std::uint64_t total = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t instances = 0;
     for (const MeshNode& node : nodes) {
         const auto [found, isNew] = trianglesOf.try_emplace(node.mesh, 0);
         if (isNew) {
-            const MeshSource& mesh =
-                m_sourceMeshes.emplace(node.mesh, readMesh(m_sources.document.root, node.mesh)).first->second;
-            for (const Primitive& primitive : mesh.primitives) {
-                found->second += triangleCount(primitive, m_accessors);
-            }
+            found->second = readBounded(node.mesh, memory);
         }
-        total += found->second;
-        if (total > m_limits.maxTriangles) {
+        triangles += found->second;
+        instances += m_sourceMeshes.at(node.mesh).primitives.size();
+        if (triangles > m_limits.maxTriangles) {
             refuse("its triangles, repeats counted, are over the limit of {}", m_limits.maxTriangles);
         }
     }
+    memory.addInstances(instances);
+}
+
+std::uint64_t Importer::readBounded(int mesh, MemoryPrediction& memory) {
+    const MeshSource& source =
+        m_sourceMeshes.emplace(mesh, readMesh(m_sources.document.root, mesh)).first->second;
+    std::uint64_t triangles = 0;
+    for (std::size_t i = 0; i < source.primitives.size(); ++i) {
+        triangles += triangleCount(source.primitives[i], m_accessors);
+        memory.add(predictBytes(source.primitives[i], m_accessors), placeOf(mesh, source.name, i));
+    }
+    return triangles;
 }
 
 void Importer::addObject(const MeshNode& node) {

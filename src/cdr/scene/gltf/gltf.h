@@ -16,6 +16,7 @@ namespace cdr::scene {
 struct GltfLimits {
     std::uintmax_t maxFileBytes = 1ull << 30; ///< each file read
     std::uint64_t maxTriangles = 50'000'000;  ///< after instancing
+    std::uint64_t maxBytes = 4ull << 30; ///< of memory for meshes and instances, foretold from their counts
     std::uint32_t maxNodes = 1'000'000;
     std::uint32_t maxNodeDepth = 1'000;
     /// Not refused but cut: meshes wider than this become pieces (cutIntoPieces()). Scene units, where the

@@ -44,10 +44,7 @@ struct MeshImporter::Attributes {
     UvSource uvSource;
 };
 
-MeshImporter::MeshImporter(Accessors& accessors, Notes& notes, std::uint64_t maxVertices)
-    : m_accessors(accessors),
-      m_notes(notes),
-      m_maxVertices(maxVertices) {}
+MeshImporter::MeshImporter(Accessors& accessors, Notes& notes) : m_accessors(accessors), m_notes(notes) {}
 
 std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const UvSource& uvSource,
                                             double pieceRadius, const std::string& where) {
@@ -74,6 +71,7 @@ std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const Uv
     } else {
         addShared(source, attributes, where);
     }
+    source.positions.reserve(source.vertices.size());
     for (const Vertex& vertex : source.vertices) {
         source.positions.emplace_back(vertex.position);
     }
@@ -110,10 +108,6 @@ MeshImporter::Attributes MeshImporter::findAttributes(const Primitive& primitive
         (!attributes.position->hasData() && !attributes.position->isSparse())) {
         refuse("{}: has no positions{}", where,
                primitive.extension.empty() ? "" : ", or only compressed ones: " + primitive.extension);
-    }
-    if (!attributes.position->hasData() && attributes.position->count() > m_maxVertices) {
-        refuse("{}: {} vertices are over the limit of {}", where, attributes.position->count(),
-               m_maxVertices);
     }
     for (const Accessor* accessor : {attributes.normal, attributes.uv, attributes.color}) {
         if (accessor != nullptr && accessor->count() != attributes.position->count()) {

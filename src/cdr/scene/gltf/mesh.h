@@ -17,8 +17,7 @@ namespace cdr::scene::gltf {
 /// each use a little of one large vertex buffer cost what they use.
 class MeshImporter {
   public:
-    /// @param maxVertices most vertices of one primitive that no bytes of the file stand for.
-    MeshImporter(Accessors& accessors, Notes& notes, std::uint64_t maxVertices);
+    MeshImporter(Accessors& accessors, Notes& notes);
 
     /// Nothing when the primitive has no triangles or no extent. `where` names it in messages.
     /// @param pieceRadius as of cutIntoPieces().
@@ -35,7 +34,6 @@ class MeshImporter {
 
     Accessors& m_accessors;
     Notes& m_notes;
-    std::uint64_t m_maxVertices;
     std::vector<std::uint32_t> m_newIndex; ///< by index in the file; kUnused between calls
 };
 
