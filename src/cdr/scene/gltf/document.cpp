@@ -57,7 +57,8 @@ void noteUnusedParts(const json& root, Notes& notes) {
         notes.add("animations are not played", fmt::format("animation '{}'", nameOf(animation)));
     }
     for (const json& skin : arrayMember(root, "skins")) {
-        notes.add("skins are drawn in bind pose", fmt::format("skin '{}'", nameOf(skin)));
+        notes.add("skins are not applied, their meshes stand where their nodes do",
+                  fmt::format("skin '{}'", nameOf(skin)));
     }
 }
 

@@ -174,6 +174,9 @@ GltfImport importParts(std::span<const std::uint8_t> file, const std::filesystem
     result.scene = Importer({document, buffers, files, notes}, limits).run(nodes.meshes);
     result.cameras = placeCameras(nodes.cameras, document, notes);
     result.scene.name = path.stem().string();
+    if (result.scene.instances.size() == 0) {
+        notes.add("nothing of it is drawn", "the scene");
+    }
     result.ignored = notes.lines();
     return result;
 }

@@ -41,7 +41,7 @@ struct GltfImport {
 };
 
 /// Imports static glTF 2.0 (`.gltf` with embedded or external buffers, or `.glb`). Node transforms are
-/// composed in float64; skins are drawn in bind pose. Buffers and images outside the file's folder are
+/// composed in float64; skins are not applied. Buffers and images outside the file's folder are
 /// refused. base::InputError with one line naming the file and the fault for anything that is not sound.
 /// @param scene which of the file's scenes; without it the file's default one, else its first, else all
 /// nodes.

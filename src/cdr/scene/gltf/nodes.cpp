@@ -84,15 +84,22 @@ void requireUsable(const glm::dmat4& matrix, const json& node, std::size_t index
     }
 }
 
+/// A node for messages: its number, and its name if it has one.
+std::string labelOf(const json& root, int node) {
+    const std::string name = nameOf(itemAt(root, "nodes", node, "node"));
+    return name.empty() ? fmt::format("node {}", node) : fmt::format("node {} '{}'", node, name);
+}
+
 /// Refuses children that do not exist or that two nodes share.
-std::vector<int> findParents(const std::vector<NodeSource>& nodes) {
+std::vector<int> findParents(const json& root, const std::vector<NodeSource>& nodes) {
     std::vector<int> parents(nodes.size(), kNoParent);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (const int child : nodes[i].children) {
             itemAt(nodes, child, "node");
             int& parent = parents[static_cast<std::size_t>(child)];
             if (parent != kNoParent) {
-                refuse("node {} is a child of both node {} and node {}", child, parent, i);
+                refuse("{} is a child of both {} and {}, and a node has one parent", labelOf(root, child),
+                       labelOf(root, parent), labelOf(root, static_cast<int>(i)));
             }
             parent = static_cast<int>(i);
         }
@@ -162,7 +169,7 @@ void place(const json& root, const std::vector<NodeSource>& nodes, const std::ve
 
 PlacedNodes placeNodes(const json& root, const GltfLimits& limits, std::optional<std::uint32_t> scene) {
     const std::vector<NodeSource> sources = readNodes(root);
-    const std::vector<int> parents = findParents(sources);
+    const std::vector<int> parents = findParents(root, sources);
     std::vector<Placement> placements(sources.size());
     markScene(root, parents, scene, placements);
     place(root, sources, parents, limits, placements);

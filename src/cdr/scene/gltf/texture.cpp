@@ -34,6 +34,17 @@ bool repeats(const json& sampler, const char* key, Notes& notes, int texture) {
     }
 }
 
+/// glTF's numbers for the filters that show single texels, of the picture or of its mip levels.
+enum Filter { kNearest = 9728, kNearestMipmapNearest = 9984, kNearestMipmapLinear = 9986 };
+
+/// Whether a sampler magnifies or minifies so.
+bool isNearest(const json& sampler) {
+    const int magnifying = indexMember(sampler, "magFilter").value_or(0);
+    const int minifying = indexMember(sampler, "minFilter").value_or(0);
+    return magnifying == kNearest || minifying == kNearest || minifying == kNearestMipmapNearest ||
+           minifying == kNearestMipmapLinear;
+}
+
 /// Linear: glTF does not encode these channels. Of at least one pixel, as decoded pictures have.
 glm::dvec2 meanOfBlueAndGreen(const image::ImageRgba8& picture) {
     glm::u64vec2 sum(0);
@@ -79,9 +90,12 @@ std::optional<std::uint32_t> TextureImporter::use(int index) {
     bool repeatU = true;
     bool repeatV = true;
     if (const std::optional<int> sampler = indexMember(source, "sampler")) {
-        const json& wrapping = itemAt(root, "samplers", *sampler, "sampler");
-        repeatU = repeats(wrapping, "wrapS", m_sources.notes, index);
-        repeatV = repeats(wrapping, "wrapT", m_sources.notes, index);
+        const json& chosen = itemAt(root, "samplers", *sampler, "sampler");
+        repeatU = repeats(chosen, "wrapS", m_sources.notes, index);
+        repeatV = repeats(chosen, "wrapT", m_sources.notes, index);
+        if (isNearest(chosen)) {
+            m_sources.notes.add("nearest filtering is drawn as linear", fmt::format("texture {}", index));
+        }
     }
     const auto [found, isNew] = m_imported.try_emplace({*image, repeatU, repeatV},
                                                        static_cast<std::uint32_t>(m_scene.textures.size()));
