@@ -108,5 +108,22 @@ TEST_F(GltfJson, NamesAreKeptWhole) {
     EXPECT_EQ(scene.materials[0].name, name);
 }
 
+TEST_F(GltfJson, LongNamesDoNotPushOutWhatIsSaid) {
+    Document document = square();
+    const std::string name(1000, 'x');
+    document.root["meshes"][0]["name"] = name;
+    document.root["materials"] = {{{"name", name}, {"emissiveFactor", {1, 1, 1}}}};
+    document.primitive()["material"] = 0;
+    EXPECT_TRUE(anySays(load(document).ignored, "x...': emissive factors are not drawn"));
+    document.root["nodes"] = {{{"children", {2}}, {"name", name}},
+                              {{"children", {2}}, {"name", name}},
+                              {{"mesh", 0}, {"name", name}}};
+    expectSays(refusal(document), "x...', and a node has one parent");
+    document = square();
+    document.root["meshes"][0]["name"] = name;
+    document.primitive().erase("attributes");
+    expectSays(refusal(document), "x...' primitive 0: has no 'attributes'");
+}
+
 } // namespace
 } // namespace cdr::scene::test

@@ -135,7 +135,8 @@ void Importer::addObject(const MeshNode& node) {
         for (std::size_t i = first; i < m_scene.instances.size(); ++i) {
             const glm::dvec3 position = m_scene.instances.position(i);
             if (!std::isfinite(m_scene.instances.radius[i]) || !std::isfinite(glm::dot(position, position))) {
-                refuse("node {} '{}': its size or place is over what can be drawn", node.node, oneLine(name));
+                refuse("node {} '{}': its size or place is over what can be drawn", node.node,
+                       oneLine(name, kMaxNameLength));
             }
         }
     }

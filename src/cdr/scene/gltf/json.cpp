@@ -185,7 +185,7 @@ std::string fullNameOf(const json& object) {
 }
 
 std::string nameOf(const json& object) {
-    return oneLine(fullNameOf(object));
+    return oneLine(fullNameOf(object), kMaxNameLength);
 }
 
 } // namespace cdr::scene::gltf

@@ -51,7 +51,7 @@ const nlohmann::json& itemAt(const nlohmann::json& root, const char* key, int in
 std::string requireString(const nlohmann::json& value, const char* key);
 /// The name of a glTF object, as long as it is; empty when it has none.
 std::string fullNameOf(const nlohmann::json& object);
-/// The same as one short line, for messages.
+/// Its beginning as one line, for messages.
 std::string nameOf(const nlohmann::json& object);
 
 } // namespace cdr::scene::gltf

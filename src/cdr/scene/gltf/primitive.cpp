@@ -43,7 +43,7 @@ MeshSource readMesh(const json& root, int mesh) {
 }
 
 std::string placeOf(int mesh, const std::string& name, std::size_t primitive) {
-    return fmt::format("mesh {} '{}' primitive {}", mesh, oneLine(name), primitive);
+    return fmt::format("mesh {} '{}' primitive {}", mesh, oneLine(name, kMaxNameLength), primitive);
 }
 
 } // namespace cdr::scene::gltf

@@ -123,7 +123,7 @@ Texture TextureImporter::import(int index) {
         encoded = m_sources.buffers.view(*bufferView).bytes;
     }
     Texture texture;
-    texture.name = nameOf(source);
+    texture.name = oneLine(fullNameOf(source));
     texture.pixels = image::decodeImage(encoded, fmt::format("image {}", index));
     m_pixels += texture.pixels.pixels.size();
     if (m_pixels > kMaxTexturePixels) {
