@@ -19,14 +19,6 @@ if(CDR_BUILD_BENCHMARKS)
     find_package(benchmark REQUIRED)
 endif()
 
-# tinygltf without its image codecs: pictures go through cdr::image, which bounds them.
-find_path(TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)
-add_library(cdr_tinygltf INTERFACE)
-target_include_directories(cdr_tinygltf SYSTEM INTERFACE "${TINYGLTF_INCLUDE_DIR}")
-target_compile_definitions(cdr_tinygltf INTERFACE
-    TINYGLTF_NO_STB_IMAGE TINYGLTF_NO_STB_IMAGE_WRITE TINYGLTF_NO_INCLUDE_JSON TINYGLTF_NO_INCLUDE_STB_IMAGE
-    TINYGLTF_NO_INCLUDE_STB_IMAGE_WRITE)
-
 # Vulkan Memory Allocator: from the system, or where the distribution lacks it from third_party/vma.sh.
 find_path(VMA_INCLUDE_DIR vk_mem_alloc.h
     PATHS "${PROJECT_SOURCE_DIR}/.cache/vma/usr/include" PATH_SUFFIXES vma REQUIRED)

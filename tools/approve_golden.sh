@@ -51,7 +51,7 @@ while read -r name scene arguments; do
                 continue
             fi
             ;;
-        *.gltf) scene=$golden/$scene ;;
+        *.gltf | *.glb) scene=$golden/$scene ;;
     esac
     # The list's arguments are words, on purpose.
     # shellcheck disable=SC2086

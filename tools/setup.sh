@@ -12,7 +12,7 @@ packages=(
     libvulkan-dev glslang-tools vulkan-validationlayers mesa-vulkan-drivers
     # libraries
     libcli11-dev libfmt-dev libglm-dev libmeshoptimizer-dev libopenexr-dev libspng-dev libssl-dev libstb-dev
-    libtinygltf-dev libturbojpeg0-dev nlohmann-json3-dev
+    libturbojpeg0-dev nlohmann-json3-dev
     # the viewer: optional, without them it is not built; the font is what it writes with
     libglfw3-dev libimgui-dev fonts-dejavu-core
     # its tests, which drive the real window on a display of their own: optional, they skip and say so

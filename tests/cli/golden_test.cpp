@@ -52,7 +52,7 @@ fs::path scenePath(const std::string& scene) {
     if (scene.starts_with(kAssets)) {
         return fs::path(CDR_ASSETS_DIR) / scene.substr(kAssets.size());
     }
-    return scene.ends_with(".gltf") ? kFolder / scene : fs::path(scene);
+    return scene.ends_with(".gltf") || scene.ends_with(".glb") ? kFolder / scene : fs::path(scene);
 }
 
 /// golden_compare's exit status.

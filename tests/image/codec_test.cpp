@@ -139,19 +139,15 @@ TEST(Image, OfAnotherFormatIsRefused) {
 class Jpeg : public testing::Test {
   protected:
     void SetUp() override {
-        const fs::path path = fs::path(CDR_ASSETS_DIR) / "flight_helmet" / "baseColor.jpg";
-        if (!fs::exists(path)) {
-            GTEST_SKIP() << "no real JPEG: " << path << " is absent";
-        }
-        m_bytes = host::readFile(path, 1u << 24);
+        m_bytes = host::readFile(fs::path(CDR_SOURCE_DIR) / "tests" / "assets" / "stone.jpg", 1u << 24);
     }
     std::vector<std::uint8_t> m_bytes;
 };
 
 TEST_F(Jpeg, DecodesOpaque) {
     const ImageRgba8 image = decodeImage(m_bytes, "picture");
-    EXPECT_EQ(image.width, 1024u);
-    EXPECT_EQ(image.height, 1024u);
+    EXPECT_EQ(image.width, 128u);
+    EXPECT_EQ(image.height, 128u);
     EXPECT_TRUE(
         std::all_of(image.pixels.begin(), image.pixels.end(), [](const Rgba8& p) { return p[3] == 255; }));
     EXPECT_TRUE(

@@ -1,24 +1,12 @@
 #include "fixture.h"
 
-#include <cmath>
+#include <algorithm>
 #include <set>
 
 namespace cdr::scene::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-class RealAsset : public testing::Test {
-  protected:
-    /// Loads an asset, or skips the test and returns nothing where the shared folder is absent.
-    static std::optional<GltfImport> load(const std::string& name) {
-        const fs::path path = fs::path(CDR_ASSETS_DIR) / name;
-        if (!fs::exists(path)) {
-            return {};
-        }
-        return loadGltf(path);
-    }
-};
 
 /// What holds for every scene the importer returns.
 void expectSound(const Scene& scene) {
@@ -50,48 +38,68 @@ std::size_t triangles(const Scene& scene) {
     return count;
 }
 
-TEST_F(RealAsset, RetroUfo) {
-    const std::optional<GltfImport> asset = load("retro_ufo.glb");
-    if (!asset) {
-        GTEST_SKIP() << "retro_ufo.glb is absent from " << CDR_ASSETS_DIR;
-    }
-    expectSound(asset->scene);
-    EXPECT_EQ(asset->scene.objectNames.size(), 77u);
-    EXPECT_EQ(asset->scene.objectNames[0], "Cylinder02");
-    EXPECT_EQ(asset->scene.materials.size(), 7u);
-    EXPECT_EQ(asset->scene.instances.size(), 77u);
+const fs::path kOwn = fs::path(CDR_SOURCE_DIR) / "tests" / "assets";
+const fs::path kShared = CDR_ASSETS_DIR;
+
+TEST(GltfAsset, TheGardenIsWhatItsScriptMade) {
+    const GltfImport garden = loadGltf(kOwn / "garden.glb");
+    const Scene& scene = garden.scene;
+    expectSound(scene);
+    EXPECT_EQ(scene.objectNames.size(), 41u);
+    EXPECT_EQ(scene.objectNames[1], "trunk");
+    EXPECT_EQ(triangles(scene), 1540u);
+    EXPECT_EQ(scene.textures.size(), 2u);
+    const auto count = [&scene](AlphaMode mode) {
+        return std::count_if(scene.materials.begin(), scene.materials.end(),
+                             [mode](const Material& material) { return material.alphaMode == mode; });
+    };
+    EXPECT_EQ(count(AlphaMode::opaque), 4);
+    EXPECT_EQ(count(AlphaMode::mask), 1);
+    EXPECT_EQ(count(AlphaMode::blend), 2);
+    ASSERT_EQ(garden.cameras.size(), 1u);
+    EXPECT_EQ(garden.cameras[0].name, "gate");
+    EXPECT_TRUE(garden.ignored.empty());
 }
 
-TEST_F(RealAsset, CesiumMan) {
-    const std::optional<GltfImport> asset = load("cesium_man.glb");
-    if (!asset) {
-        GTEST_SKIP() << "cesium_man.glb is absent from " << CDR_ASSETS_DIR;
+TEST(GltfAsset, TheWellIsReadFromThreeFiles) {
+    const GltfImport well = loadGltf(kOwn / "well.gltf");
+    expectSound(well.scene);
+    EXPECT_EQ(well.scene.objectNames.size(), 8u);
+    EXPECT_EQ(triangles(well.scene), 208u);
+    ASSERT_EQ(well.scene.textures.size(), 1u);
+    EXPECT_EQ(well.scene.textures[0].pixels.width, 128u);
+    EXPECT_TRUE(well.ignored.empty());
+}
+
+TEST(GltfAsset, LargerModelsOfOthersLoad) {
+    if (!fs::exists(kShared)) {
+        GTEST_SKIP() << "no larger models in " << kShared;
     }
-    expectSound(asset->scene);
-    EXPECT_EQ(asset->scene.objectNames, (std::vector<std::string>{"Cesium_Man"}));
-    EXPECT_EQ(asset->scene.textures.size(), 1u);
-    EXPECT_EQ(triangles(asset->scene), 4672u);
+    const GltfImport ufo = loadGltf(kShared / "retro_ufo.glb");
+    expectSound(ufo.scene);
+    EXPECT_EQ(ufo.scene.objectNames.size(), 77u);
+    EXPECT_EQ(ufo.scene.objectNames[0], "Cylinder02");
+    EXPECT_EQ(ufo.scene.materials.size(), 7u);
+    EXPECT_EQ(ufo.scene.instances.size(), 77u);
+
+    const GltfImport man = loadGltf(kShared / "cesium_man.glb");
+    expectSound(man.scene);
+    EXPECT_EQ(man.scene.objectNames, (std::vector<std::string>{"Cesium_Man"}));
+    EXPECT_EQ(man.scene.textures.size(), 1u);
+    EXPECT_EQ(triangles(man.scene), 4672u);
     // He stands about 1.5 m high, y up.
-    EXPECT_NEAR(asset->scene.instances.position(0).y, 0.75, 0.15);
-    EXPECT_TRUE(anySays(asset->ignored, "skins are drawn in bind pose"));
-    EXPECT_TRUE(anySays(asset->ignored, "animations are not played"));
-}
+    EXPECT_NEAR(man.scene.instances.position(0).y, 0.75, 0.15);
+    EXPECT_TRUE(anySays(man.ignored, "skins are not applied, their meshes stand where their nodes do"));
+    EXPECT_TRUE(anySays(man.ignored, "animations are not played"));
 
-TEST_F(RealAsset, FlightHelmet) {
-    const std::optional<GltfImport> asset = load("flight_helmet/flight_helmet.gltf");
-    if (!asset) {
-        GTEST_SKIP() << "flight_helmet is absent from " << CDR_ASSETS_DIR;
+    const GltfImport helmet = loadGltf(kShared / "flight_helmet" / "flight_helmet.gltf");
+    expectSound(helmet.scene);
+    EXPECT_EQ(helmet.scene.objectNames.size(), 5u);
+    EXPECT_EQ(helmet.scene.textures.size(), 5u);
+    std::set<std::uint32_t> textures;
+    for (const Material& material : helmet.scene.materials) {
+        textures.insert(material.baseColorTexture.value_or(99));
     }
-    expectSound(asset->scene);
-    EXPECT_EQ(asset->scene.objectNames.size(), 5u);
-    EXPECT_EQ(asset->scene.textures.size(), 5u);
-    const std::set<std::uint32_t> textures = [&] {
-        std::set<std::uint32_t> used;
-        for (const Material& material : asset->scene.materials) {
-            used.insert(material.baseColorTexture.value_or(99));
-        }
-        return used;
-    }();
     EXPECT_EQ(textures, (std::set<std::uint32_t>{0, 1, 2, 3, 4}));
 }
 

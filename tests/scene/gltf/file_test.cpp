@@ -129,7 +129,7 @@ TEST_F(Gltf, UnsoundContainersAreRefused) {
 }
 
 TEST_F(Gltf, BinChunkIsCheckedToItsLastByte) {
-    // tinygltf 2.7.0 forgets the chunk's own header here and reads 8 bytes past the file.
+    // The chunk's own header counts too: without it 8 bytes past the file would be read.
     Document document = square();
     Bytes bytes = document.glb();
     const std::size_t binLength = bytes.size() - document.bin.size() - 8;

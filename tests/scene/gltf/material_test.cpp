@@ -132,6 +132,22 @@ TEST_F(Gltf, WrappingOfSamplers) {
     expectSays(refusal(document), "sampler 1 does not exist");
 }
 
+TEST_F(Gltf, NearestFilteringIsSaid) {
+    Document document = textured();
+    document.root["textures"][0]["sampler"] = 0;
+    const auto saysSo = [&](const json& sampler) {
+        document.root["samplers"] = {sampler};
+        return anySays(load(document).ignored, "texture 0: nearest filtering is drawn as linear");
+    };
+    EXPECT_TRUE(saysSo({{"magFilter", 9728}}));
+    EXPECT_TRUE(saysSo({{"magFilter", 9729}, {"minFilter", 9728}}));
+    EXPECT_TRUE(saysSo({{"minFilter", 9984}}));
+    EXPECT_TRUE(saysSo({{"minFilter", 9986}}));
+    EXPECT_FALSE(saysSo({{"magFilter", 9729}, {"minFilter", 9987}}));
+    EXPECT_FALSE(saysSo({{"minFilter", 9985}}));
+    EXPECT_FALSE(saysSo(json::object()));
+}
+
 TEST_F(Gltf, TextureTransformIsBakedIntoTheUvs) {
     Document document = textured();
     // The example of KHR_texture_transform: the lower left quadrant, turned a quarter.
@@ -217,7 +233,7 @@ TEST_F(Gltf, PartsThatAreNotDrawnAreSaid) {
     EXPECT_TRUE(anySays(ignored, "KHR_lights_punctual: extension not used"));
     EXPECT_TRUE(anySays(ignored, "camera 0 'eye': orthographic cameras are not used"));
     EXPECT_TRUE(anySays(ignored, "animations are not played"));
-    EXPECT_TRUE(anySays(ignored, "skins are drawn in bind pose"));
+    EXPECT_TRUE(anySays(ignored, "skins are not applied, their meshes stand where their nodes do"));
     EXPECT_FALSE(anySays(ignored, "KHR_materials_unlit"));
     EXPECT_EQ(ignored.size(), 8u);
 }

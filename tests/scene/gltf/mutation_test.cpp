@@ -118,6 +118,7 @@ void duplicateRange(Bytes& file, Random& random) {
 bool loads(const Bytes& file) {
     GltfLimits limits;
     limits.maxTriangles = 10'000;
+    limits.maxBytes = 64u << 20;
     limits.maxFileBytes = 1u << 20;
     try {
         for (const Material& material : gltf::importGltf(file, "/nowhere/a.glb", limits).scene.materials) {

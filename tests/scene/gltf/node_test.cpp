@@ -123,6 +123,26 @@ TEST_F(Gltf, UnsoundGraphsAreRefused) {
     expectSays(withNodes({{{"mesh", 0}, {"children", 1}}}, {0}), "'children' is not an array");
 }
 
+TEST_F(Gltf, BothParentsOfANodeAreNamed) {
+    Document document = square();
+    document.root["nodes"] = {
+        {{"children", {2}}, {"name", "left"}}, {{"children", {2}}}, {{"mesh", 0}, {"name", "wheel"}}};
+    EXPECT_EQ(refusal(document),
+              "node 2 'wheel' is a child of both node 0 'left' and node 1, and a node has one parent");
+}
+
+TEST_F(Gltf, EmptyScenesSaySo) {
+    const auto saysSo = [](const GltfImport& import) {
+        return import.ignored == std::vector<std::string>{"the scene: nothing of it is drawn"};
+    };
+    Document document = square();
+    document.root["scenes"].push_back({{"nodes", json::array()}});
+    const std::filesystem::path path = write("a.glb", document.glb());
+    EXPECT_TRUE(saysSo(loadGltf(path, {}, 1)));
+    EXPECT_FALSE(saysSo(loadGltf(path, {}, 0)));
+    EXPECT_TRUE(saysSo(loadGltf(write("a.gltf", std::string(R"({"asset": {"version": "2.0"}})")))));
+}
+
 TEST_F(Gltf, UnsoundTransformsAreRefused) {
     const auto withNode = [&](const char* key, const json& value) {
         Document document = square();
@@ -193,7 +213,7 @@ TEST_F(Gltf, CountsThatNoBytesBackAreRefusedBeforeAllocation) {
         {"indices",
          {{"bufferView", document.addView(std::vector<std::uint8_t>{1})}, {"componentType", kUByte}}},
         {"values", {{"bufferView", document.addView(std::vector<float>{8, 0, 0})}}}};
-    expectSays(refusal(document), "2147483647 vertices are over the limit");
+    expectSays(refusal(document), "bytes of memory, over the limit of 4294967296");
 }
 
 } // namespace

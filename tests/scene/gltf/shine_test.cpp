@@ -59,7 +59,7 @@ TEST_F(GltfShine, FactorsAreClamped) {
         (Shine{.metallic = 0.0f, .roughness = 1.0f}));
 }
 
-/// tinygltf takes the default for what is of another type.
+/// The default would show another material than the file means.
 TEST_F(GltfShine, FactorsThatAreNoNumbersAreRefused) {
     expectSays(refusal(withFactors({{"metallicFactor", "0.5"}})),
                "material 'paint': 'metallicFactor' is not a number");

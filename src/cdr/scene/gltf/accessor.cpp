@@ -2,63 +2,74 @@
 
 #include "checks.h"
 #include "component.h"
+#include "json.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 
 namespace cdr::scene::gltf {
 
 namespace {
 
+using nlohmann::json;
+
+std::size_t byteOffset(const json& part) {
+    return static_cast<std::size_t>(indexMember(part, "byteOffset").value_or(0));
+}
+
 /// Refuses elements of which any byte lies outside the view. No sum here can overflow: all numbers are below
 /// 2^31.
-Strided locate(std::span<const std::uint8_t> view, std::size_t offset, std::size_t stride,
-               std::size_t elementBytes, std::size_t count, int accessor) {
+Strided locate(const BufferView& view, std::size_t offset, std::size_t stride, std::size_t elementBytes,
+               std::size_t count, int accessor) {
     const std::size_t needed = count == 0 ? 0 : offset + stride * (count - 1) + elementBytes;
-    if (stride < elementBytes || needed > view.size()) {
+    if (stride < elementBytes || needed > view.bytes.size()) {
         refuse(
             "accessor {}: {} elements of {} bytes, {} apart, from byte {} do not fit its buffer view of {}",
-            accessor, count, elementBytes, stride, offset, view.size());
+            accessor, count, elementBytes, stride, offset, view.bytes.size());
     }
-    return {view.data() + std::min(offset, view.size()), stride};
+    return {view.bytes.data() + std::min(offset, view.bytes.size()), stride};
 }
 
 } // namespace
 
-Accessor::Accessor(const tinygltf::Model& model, const Buffers& buffers, int index) {
-    const tinygltf::Accessor& accessor = itemAt(model.accessors, index, "accessor");
-    m_components = componentsOf(accessor.type);
-    m_componentType = accessor.componentType;
-    m_normalized = accessor.normalized;
-    m_count = accessor.count;
+Accessor::Accessor(const json& root, const Buffers& buffers, int index) {
+    const json& accessor = itemAt(root, "accessors", index, "accessor");
+    const std::string where = fmt::format("accessor {}", index);
+    m_components = componentsOf(stringMember(accessor, "type").value_or(""), where);
+    m_componentType = requiredIndex(accessor, "componentType", where);
+    m_normalized = boolMember(accessor, "normalized", where);
+    m_count = static_cast<std::size_t>(requiredIndex(accessor, "count", where));
     const std::size_t elementBytes = static_cast<std::size_t>(m_components) * componentBytes(m_componentType);
-    if (accessor.bufferView >= 0) {
-        const std::size_t viewStride =
-            itemAt(model.bufferViews, accessor.bufferView, "buffer view").byteStride;
-        m_elements = locate(buffers.view(model, accessor.bufferView), accessor.byteOffset,
-                            viewStride == 0 ? elementBytes : viewStride, elementBytes, m_count, index);
+    if (const std::optional<int> bufferView = indexMember(accessor, "bufferView")) {
+        const BufferView view = buffers.view(*bufferView);
+        m_elements = locate(view, byteOffset(accessor), view.stride == 0 ? elementBytes : view.stride,
+                            elementBytes, m_count, index);
     }
-    if (accessor.sparse.isSparse) {
-        readSparse(model, buffers, accessor, index);
+    if (member(accessor, "sparse") != nullptr) {
+        readSparse(objectMember(accessor, "sparse", where), buffers, index);
     }
 }
 
-void Accessor::readSparse(const tinygltf::Model& model, const Buffers& buffers,
-                          const tinygltf::Accessor& accessor, int index) {
-    const auto& sparse = accessor.sparse;
-    m_sparseIndexType = sparse.indices.componentType;
-    m_sparseCount = static_cast<std::size_t>(sparse.count);
+void Accessor::readSparse(const json& sparse, const Buffers& buffers, int index) {
+    const std::string where = fmt::format("accessor {}: its sparse part", index);
+    const json& indices = objectMember(sparse, "indices", where);
+    const json& values = objectMember(sparse, "values", where);
+    m_sparseIndexType = requiredIndex(indices, "componentType", where);
+    m_sparseCount = static_cast<std::size_t>(requiredIndex(sparse, "count", where));
     if (!isIndexType(m_sparseIndexType) || m_sparseCount < 1 || m_sparseCount > m_count) {
-        refuse("accessor {}: its sparse part has {} elements of {}, indexed by component type {}", index,
-               sparse.count, m_count, m_sparseIndexType);
+        refuse("{} has {} elements of {}, indexed by component type {}", where, m_sparseCount, m_count,
+               m_sparseIndexType);
     }
-    const std::size_t indexBytes = componentBytes(m_sparseIndexType);
-    const std::size_t elementBytes = static_cast<std::size_t>(m_components) * componentBytes(m_componentType);
-    m_sparseIndices = locate(buffers.view(model, sparse.indices.bufferView),
-                             static_cast<std::size_t>(sparse.indices.byteOffset), indexBytes, indexBytes,
-                             m_sparseCount, index);
-    m_sparseElements = locate(buffers.view(model, sparse.values.bufferView),
-                              static_cast<std::size_t>(sparse.values.byteOffset), elementBytes, elementBytes,
-                              m_sparseCount, index);
+    const auto packed = [&](const json& part, std::size_t elementBytes) {
+        return locate(buffers.view(requiredIndex(part, "bufferView", where)), byteOffset(part), elementBytes,
+                      elementBytes, m_sparseCount, index);
+    };
+    m_sparseIndices = packed(indices, componentBytes(m_sparseIndexType));
+    m_sparseElements =
+        packed(values, static_cast<std::size_t>(m_components) * componentBytes(m_componentType));
     for (std::size_t i = 0; i < m_sparseCount; ++i) {
         const std::uint32_t current = unsignedAt(m_sparseIndices.at(i), m_sparseIndexType);
         if (current >= m_count ||
@@ -107,18 +118,13 @@ void Accessor::requireIndices(int index) const {
     }
 }
 
-Accessors::Accessors(const tinygltf::Model& model, const Buffers& buffers)
-    : m_model(model),
-      m_buffers(buffers),
-      m_checked(model.accessors.size()) {}
+Accessors::Accessors(const json& root, const Buffers& buffers) : m_root(root), m_buffers(buffers) {}
 
 const Accessor& Accessors::at(int index) {
-    itemAt(m_model.accessors, index, "accessor");
-    std::optional<Accessor>& checked = m_checked[static_cast<std::size_t>(index)];
-    if (!checked) {
-        checked.emplace(m_model, m_buffers, index);
-    }
-    return *checked;
+    const auto found = m_checked.find(index);
+    return found != m_checked.end()
+               ? found->second
+               : m_checked.emplace(index, Accessor(m_root, m_buffers, index)).first->second;
 }
 
 } // namespace cdr::scene::gltf

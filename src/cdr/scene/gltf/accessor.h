@@ -6,8 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <vector>
+#include <map>
 
 namespace cdr::scene::gltf {
 
@@ -22,7 +21,8 @@ struct Strided {
 /// One accessor. Every byte that its elements can touch was checked to lie inside its buffer.
 class Accessor {
   public:
-    Accessor(const tinygltf::Model& model, const Buffers& buffers, int index);
+    /// @param root of the document.
+    Accessor(const nlohmann::json& root, const Buffers& buffers, int index);
 
     std::size_t count() const { return m_count; }
     /// Components of an element: 1 for SCALAR to 4 for VEC4, 0 for matrices.
@@ -39,8 +39,7 @@ class Accessor {
     void requireIndices(int index) const;
 
   private:
-    void readSparse(const tinygltf::Model& model, const Buffers& buffers, const tinygltf::Accessor& accessor,
-                    int index);
+    void readSparse(const nlohmann::json& sparse, const Buffers& buffers, int index);
     const std::uint8_t* element(std::size_t i) const;
 
     std::size_t m_count = 0;
@@ -57,15 +56,15 @@ class Accessor {
 /// A document's accessors, each checked once, when first used.
 class Accessors {
   public:
-    /// All three must outlive this.
-    Accessors(const tinygltf::Model& model, const Buffers& buffers);
+    /// @param root of the document. Both must outlive this.
+    Accessors(const nlohmann::json& root, const Buffers& buffers);
 
     const Accessor& at(int index);
 
   private:
-    const tinygltf::Model& m_model;
+    const nlohmann::json& m_root;
     const Buffers& m_buffers;
-    std::vector<std::optional<Accessor>> m_checked;
+    std::map<int, Accessor> m_checked; ///< by index
 };
 
 } // namespace cdr::scene::gltf

@@ -38,7 +38,7 @@ CameraLens lensOf(const json& camera, const std::string& where) {
     if (!fovY || !nearView || (farView && *farView <= *nearView)) {
         refuse("{}: needs a yfov, and a znear that lies before its zfar", where);
     }
-    return {.name = nameOf(camera),
+    return {.name = oneLine(fullNameOf(camera)),
             .isPerspective = true,
             .fovY = *fovY,
             .nearView = *nearView,
@@ -86,8 +86,8 @@ std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const Do
                       .nearView = lens.nearView,
                       .farView = lens.farView.value_or(kGltfFarRatio * lens.nearView)};
         camera.up = glm::cross(camera.back, camera.right);
-        const std::string& nodeName = document.model.nodes[static_cast<std::size_t>(node.node)].name;
-        cameras.push_back({!lens.name.empty() ? lens.name : oneLine(nodeName), camera});
+        const std::string nodeName = oneLine(fullNameOf(itemAt(document.root, "nodes", node.node, "node")));
+        cameras.push_back({!lens.name.empty() ? lens.name : nodeName, camera});
     }
     return cameras;
 }

@@ -18,7 +18,7 @@ template <typename... Args>
     throw base::InputError(fmt::format(what, std::forward<Args>(args)...));
 }
 
-/// The item a glTF index means; refuses an index without one. `kind` says what the items are, in the
+/// The item that a glTF index means; refuses an index without one. `kind` says what the items are, in the
 /// singular.
 template <typename Item>
 const Item& itemAt(const std::vector<Item>& items, int index, std::string_view kind) {
@@ -28,7 +28,10 @@ const Item& itemAt(const std::vector<Item>& items, int index, std::string_view k
     return items[static_cast<std::size_t>(index)];
 }
 
-/// Text from a hostile file or a library as one printable line of bounded length.
-std::string oneLine(std::string_view text);
+/// Most bytes of a name in a message, so that a long one does not push out what is said of it.
+inline constexpr std::size_t kMaxNameLength = 100;
+
+/// Text from a hostile file or a library as one printable line of at most `maxLength` bytes and three dots.
+std::string oneLine(std::string_view text, std::size_t maxLength = 400);
 
 } // namespace cdr::scene::gltf

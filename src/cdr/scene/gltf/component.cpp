@@ -2,14 +2,25 @@
 
 #include "checks.h"
 
-#include <tiny_gltf.h>
-
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace cdr::scene::gltf {
 
 namespace {
+
+/// glTF's numbers for component types.
+enum ComponentType {
+    kByte = 5120,
+    kUnsignedByte = 5121,
+    kShort = 5122,
+    kUnsignedShort = 5123,
+    kInt = 5124,
+    kUnsignedInt = 5125,
+    kFloat = 5126,
+    kDouble = 5130
+};
 
 /// glTF buffers are little-endian and so is every device we run on; a buffer may hold them at any alignment.
 template <typename Number>
@@ -23,36 +34,33 @@ Number load(const std::uint8_t* bytes) {
 
 std::size_t componentBytes(int type) {
     switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case kByte:
+    case kUnsignedByte:
         return 1;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case kShort:
+    case kUnsignedShort:
         return 2;
-    case TINYGLTF_COMPONENT_TYPE_INT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+    case kInt:
+    case kUnsignedInt:
+    case kFloat:
         return 4;
-    case TINYGLTF_COMPONENT_TYPE_DOUBLE:
+    case kDouble:
         return 8;
     default:
         refuse("component type {} does not exist", type);
     }
 }
 
-int componentsOf(int type) {
-    switch (type) {
-    case TINYGLTF_TYPE_SCALAR:
-        return 1;
-    case TINYGLTF_TYPE_VEC2:
-        return 2;
-    case TINYGLTF_TYPE_VEC3:
-        return 3;
-    case TINYGLTF_TYPE_VEC4:
-        return 4;
-    default:
-        return 0;
+int componentsOf(std::string_view type, const std::string& where) {
+    constexpr std::array<std::string_view, 4> kTypes{"SCALAR", "VEC2", "VEC3", "VEC4"};
+    const auto found = std::find(kTypes.begin(), kTypes.end(), type);
+    if (found != kTypes.end()) {
+        return static_cast<int>(found - kTypes.begin()) + 1;
     }
+    if (type != "MAT2" && type != "MAT3" && type != "MAT4") {
+        refuse("{}: its type '{}' does not exist", where, oneLine(type));
+    }
+    return 0;
 }
 
 double component(const std::uint8_t* bytes, int type, bool normalized) {
@@ -60,19 +68,19 @@ double component(const std::uint8_t* bytes, int type, bool normalized) {
         return normalized ? std::max(value / largest, -1.0) : value;
     };
     switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
+    case kByte:
         return scaled(load<std::int8_t>(bytes), 127.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case kUnsignedByte:
         return scaled(load<std::uint8_t>(bytes), 255.0);
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
+    case kShort:
         return scaled(load<std::int16_t>(bytes), 32767.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case kUnsignedShort:
         return scaled(load<std::uint16_t>(bytes), 65535.0);
-    case TINYGLTF_COMPONENT_TYPE_INT:
+    case kInt:
         return scaled(load<std::int32_t>(bytes), 2147483647.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+    case kUnsignedInt:
         return scaled(load<std::uint32_t>(bytes), 4294967295.0);
-    case TINYGLTF_COMPONENT_TYPE_DOUBLE:
+    case kDouble:
         return load<double>(bytes);
     default:
         return static_cast<double>(load<float>(bytes));
@@ -81,9 +89,9 @@ double component(const std::uint8_t* bytes, int type, bool normalized) {
 
 std::uint32_t unsignedAt(const std::uint8_t* bytes, int type) {
     switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case kUnsignedByte:
         return load<std::uint8_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case kUnsignedShort:
         return load<std::uint16_t>(bytes);
     default:
         return load<std::uint32_t>(bytes);
@@ -91,8 +99,7 @@ std::uint32_t unsignedAt(const std::uint8_t* bytes, int type) {
 }
 
 bool isIndexType(int type) {
-    return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+    return type == kUnsignedByte || type == kUnsignedShort || type == kUnsignedInt;
 }
 
 } // namespace cdr::scene::gltf

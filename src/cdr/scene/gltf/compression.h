@@ -1,7 +1,9 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <tiny_gltf.h>
+
+#include <cstddef>
+#include <string>
 
 namespace cdr::scene::gltf {
 
@@ -9,13 +11,22 @@ namespace cdr::scene::gltf {
 // geometry uncompressed as well, which is what we read; what is missing there would read as zeros, or as
 // bytes that mean something else.
 
-/// Refuses a document with a primitive of which KHR_draco_mesh_compression holds what no buffer view does.
-/// Before tinygltf sees it, which calls that unsound.
-/// @param root its numbers sound, see requireSoundNumbers().
-void requireUncompressed(const nlohmann::json& root);
+/// Refuses a primitive of which KHR_draco_mesh_compression holds what no buffer view does.
+/// @param root of the document.
+void requireUncompressed(const nlohmann::json& root, const nlohmann::json& primitive,
+                         const std::string& where);
+
+/// Bytes of a buffer.
+struct BufferRange {
+    int buffer = 0;
+    std::size_t offset = 0;
+    std::size_t length = 0;
+};
 
 /// Refuses a buffer view whose bytes EXT_ or KHR_meshopt_compression holds and nothing else.
+/// @param range that the view covers.
 /// @param hasBuffer whether there are bytes of the buffer that the view is in.
-void requireUncompressed(const tinygltf::BufferView& view, int bufferView, bool hasBuffer);
+void requireUncompressed(const nlohmann::json& view, const BufferRange& range, const std::string& where,
+                         bool hasBuffer);
 
 } // namespace cdr::scene::gltf

@@ -13,8 +13,7 @@ struct Container {
     std::optional<std::span<const std::uint8_t>> bin; ///< the BIN chunk of a GLB
 };
 
-/// Finds the parts; a GLB is told by its first bytes, not by its name. tinygltf is not asked, because
-/// its 2.7.0 checks the BIN chunk's end eight bytes short and reads past the file.
+/// Finds the parts; a GLB is told by its first bytes, not by its name.
 Container openContainer(std::span<const std::uint8_t> file);
 
 } // namespace cdr::scene::gltf

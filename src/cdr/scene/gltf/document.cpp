@@ -2,12 +2,11 @@
 
 #include "cameras.h"
 #include "checks.h"
-#include "compression.h"
 #include "json.h"
-#include "tinygltf.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace cdr::scene::gltf {
@@ -57,39 +56,14 @@ void noteUnusedParts(const json& root, Notes& notes) {
         notes.add("animations are not played", fmt::format("animation '{}'", nameOf(animation)));
     }
     for (const json& skin : arrayMember(root, "skins")) {
-        notes.add("skins are drawn in bind pose", fmt::format("skin '{}'", nameOf(skin)));
+        notes.add("skins are not applied, their meshes stand where their nodes do",
+                  fmt::format("skin '{}'", nameOf(skin)));
     }
-}
-
-std::vector<DataSource> takeBuffers(const json& root) {
-    std::vector<DataSource> buffers;
-    for (const json& buffer : arrayMember(root, "buffers")) {
-        const std::optional<int> byteLength = indexMember(buffer, "byteLength");
-        if (!byteLength || *byteLength == 0) {
-            refuse("buffer {} has no byteLength", buffers.size());
-        }
-        buffers.push_back(
-            {nameOf(buffer), stringMember(buffer, "uri"), -1, static_cast<std::size_t>(*byteLength)});
-    }
-    return buffers;
-}
-
-std::vector<DataSource> takeImages(const json& root) {
-    std::vector<DataSource> images;
-    for (const json& image : arrayMember(root, "images")) {
-        const std::optional<int> bufferView = indexMember(image, "bufferView");
-        std::optional<std::string> uri = stringMember(image, "uri");
-        if (bufferView.has_value() == uri.has_value()) {
-            refuse("image {} must have one of 'uri' and 'bufferView'", images.size());
-        }
-        images.push_back({nameOf(image), std::move(uri), bufferView.value_or(-1), 0});
-    }
-    return images;
 }
 
 void requireBoundedArrays(const json& root, const GltfLimits& limits) {
     constexpr std::size_t kMaxEntries = 1'000'000;
-    // tinygltf's structs of these are 1 to 2 kB each, even of an empty JSON object.
+    // Each of these becomes memory, a file that is read, or a resource of the device.
     constexpr std::size_t kMaxLargeEntries = 65'536;
     const auto require = [&root](const char* key, std::size_t limit) {
         if (arrayMember(root, key).size() > limit) {
@@ -109,7 +83,8 @@ void requireBoundedArrays(const json& root, const GltfLimits& limits) {
 } // namespace
 
 Document parseDocument(std::string_view text, const GltfLimits& limits, Notes& notes) {
-    json root = parseBoundedJson(text);
+    Document document{.root = parseBoundedJson(text), .lenses = {}};
+    const json& root = document.root;
     if (!root.is_object()) {
         refuse("its JSON is not an object");
     }
@@ -117,16 +92,7 @@ Document parseDocument(std::string_view text, const GltfLimits& limits, Notes& n
     requireBoundedArrays(root, limits);
     requireSupportedExtensions(root, notes);
     noteUnusedParts(root, notes);
-    Document document;
-    document.buffers = takeBuffers(root);
-    document.images = takeImages(root);
     document.lenses = takeLenses(root, notes);
-    for (const char* key : {"animations", "skins", "cameras", "buffers", "images", "extensions", "extras"}) {
-        root.erase(key);
-    }
-    requireSoundNumbers(root);
-    requireUncompressed(root);
-    document.model = parseModel(root.dump());
     return document;
 }
 

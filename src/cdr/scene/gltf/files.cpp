@@ -2,7 +2,10 @@
 
 #include "checks.h"
 #include "compression.h"
-#include "tinygltf.h"
+#include "data_uri.h"
+#include "json.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -17,6 +20,9 @@ namespace fs = std::filesystem;
 
 /// How many times the limit of one file the external files of one glTF may take together.
 constexpr std::uintmax_t kFilesInMemory = 4;
+
+/// Most bytes from one element of a buffer view to the next, as glTF has it.
+constexpr std::size_t kMaxStride = 252;
 
 std::string percentDecode(const std::string& uri) {
     std::string decoded;
@@ -97,40 +103,51 @@ fs::path Files::resolve(const std::string& uri) const {
     return path;
 }
 
-Buffers::Buffers(const std::vector<DataSource>& sources, std::optional<std::span<const std::uint8_t>> bin,
-                 Files& files) {
-    m_owned.reserve(sources.size());
-    for (std::size_t i = 0; i < sources.size(); ++i) {
+Buffers::Buffers(const nlohmann::json& root, std::optional<std::span<const std::uint8_t>> bin, Files& files)
+    : m_root(root) {
+    for (const nlohmann::json& buffer : arrayMember(root, "buffers")) {
+        const std::size_t number = m_buffers.size();
+        const auto byteLength = static_cast<std::size_t>(indexMember(buffer, "byteLength").value_or(0));
+        if (byteLength == 0) {
+            refuse("buffer {} has no byteLength", number);
+        }
         std::span<const std::uint8_t> bytes;
-        if (sources[i].uri) {
-            bytes = m_owned.emplace_back(files.read(*sources[i].uri));
-        } else if (i == 0 && bin) {
+        if (const std::optional<std::string> uri = stringMember(buffer, "uri")) {
+            bytes = m_owned.emplace_back(files.read(*uri)); // a vector that moves keeps its bytes in place
+        } else if (number == 0 && bin) {
             bytes = *bin;
         } else {
             m_buffers.emplace_back();
             continue;
         }
-        if (sources[i].byteLength > bytes.size()) {
-            refuse("buffer {} says it has {} bytes but its data has {}", i, sources[i].byteLength,
-                   bytes.size());
+        if (byteLength > bytes.size()) {
+            refuse("buffer {} says it has {} bytes but its data has {}", number, byteLength, bytes.size());
         }
-        m_buffers.emplace_back(bytes.first(sources[i].byteLength));
+        m_buffers.emplace_back(bytes.first(byteLength));
     }
 }
 
-std::span<const std::uint8_t> Buffers::view(const tinygltf::Model& model, int bufferView) const {
-    const tinygltf::BufferView& view = itemAt(model.bufferViews, bufferView, "buffer view");
-    const auto& bytes = itemAt(m_buffers, view.buffer, "buffer");
-    requireUncompressed(view, bufferView, bytes.has_value());
+BufferView Buffers::view(int index) const {
+    const nlohmann::json& view = itemAt(m_root, "bufferViews", index, "buffer view");
+    const std::string where = fmt::format("buffer view {}", index);
+    const int buffer = requiredIndex(view, "buffer", where);
+    const auto offset = static_cast<std::size_t>(indexMember(view, "byteOffset").value_or(0));
+    const auto length = static_cast<std::size_t>(requiredIndex(view, "byteLength", where));
+    const auto stride = static_cast<std::size_t>(indexMember(view, "byteStride").value_or(0));
+    if (stride > kMaxStride || stride % 4 != 0) {
+        refuse("{}: its byteStride is {}, not a multiple of 4 up to {}", where, stride, kMaxStride);
+    }
+    const auto& bytes = itemAt(m_buffers, buffer, "buffer");
+    requireUncompressed(view, {.buffer = buffer, .offset = offset, .length = length}, where,
+                        bytes.has_value());
     if (!bytes) {
-        refuse("buffer {} has neither a URI nor a BIN chunk", view.buffer);
+        refuse("buffer {} has neither a URI nor a BIN chunk", buffer);
     }
-    const std::span<const std::uint8_t> buffer = *bytes;
-    if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset) {
-        refuse("buffer view {} covers {} bytes from {} but buffer {} has {}", bufferView, view.byteLength,
-               view.byteOffset, view.buffer, buffer.size());
+    if (offset > bytes->size() || length > bytes->size() - offset) {
+        refuse("{} covers {} bytes from {} but buffer {} has {}", where, length, offset, buffer,
+               bytes->size());
     }
-    return buffer.subspan(view.byteOffset, view.byteLength);
+    return {bytes->subspan(offset, length), stride};
 }
 
 } // namespace cdr::scene::gltf

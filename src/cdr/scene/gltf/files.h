@@ -1,12 +1,14 @@
 #pragma once
 
-#include "document.h"
-
 #include <cdr/host/file.h>
 #include <cdr/scene/gltf/gltf.h>
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,18 +32,25 @@ class Files {
         m_bytesLeft; ///< of all files together: one small file named a thousand times must not fill memory
 };
 
+/// The bytes of a buffer view, all inside its buffer.
+struct BufferView {
+    std::span<const std::uint8_t> bytes;
+    std::size_t stride = 0; ///< between elements, 0 where they follow each other
+};
+
 /// A document's buffers; those of a GLB's BIN chunk stay where they are.
 class Buffers {
   public:
+    /// @param root of the document; must outlive this.
     /// @param bin the BIN chunk, if any; must outlive this.
-    Buffers(const std::vector<DataSource>& sources, std::optional<std::span<const std::uint8_t>> bin,
-            Files& files);
+    Buffers(const nlohmann::json& root, std::optional<std::span<const std::uint8_t>> bin, Files& files);
 
-    /// The bytes of a buffer view, all inside its buffer. Refuses one in a buffer that has none: only those
-    /// that are used must, since extensions may hold the rest.
-    std::span<const std::uint8_t> view(const tinygltf::Model& model, int bufferView) const;
+    /// Refuses a view in a buffer that has no bytes: only those that are used must, since extensions may hold
+    /// the rest.
+    BufferView view(int index) const;
 
   private:
+    const nlohmann::json& m_root;
     std::vector<host::Bytes> m_owned;
     std::vector<std::optional<std::span<const std::uint8_t>>> m_buffers; ///< none where the file has no bytes
 };

@@ -2,7 +2,9 @@
 #include "checks.h"
 #include "container.h"
 #include "import.h"
+#include "json.h"
 #include "material.h"
+#include "memory.h"
 #include "nodes.h"
 #include "triangles.h"
 
@@ -47,8 +49,8 @@ class Importer {
     Importer(const Sources& sources, const GltfLimits& limits)
         : m_sources(sources),
           m_limits(limits),
-          m_accessors(sources.document.model, sources.buffers),
-          m_meshes(m_accessors, sources.notes, 3 * limits.maxTriangles),
+          m_accessors(sources.document.root, sources.buffers),
+          m_meshes(m_accessors, sources.notes),
           m_materials(sources, m_scene) {}
 
     Scene run(const std::vector<MeshNode>& nodes) {
@@ -65,6 +67,8 @@ class Importer {
 
   private:
     void requireBounded(const std::vector<MeshNode>& nodes);
+    /// Reads a mesh and adds what it takes; returns its triangles.
+    std::uint64_t readBounded(int mesh, MemoryPrediction& memory);
     void addObject(const MeshNode& node);
     const std::vector<PlacedPrimitive>& use(int mesh);
 
@@ -74,38 +78,51 @@ class Importer {
     Accessors m_accessors;
     MeshImporter m_meshes;
     MaterialImporter m_materials;
+    std::map<int, MeshSource> m_sourceMeshes;               ///< by mesh, those of the scene
     std::map<int, std::vector<PlacedPrimitive>> m_imported; ///< by mesh
     std::map<int, double> m_stretch;                        ///< by mesh, the largest of its nodes
 };
 
 void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
-    const tinygltf::Model& model = m_sources.document.model;
     if (nodes.size() > kMaxObjects) {
         refuse("{} objects are over the limit of {}", nodes.size(), kMaxObjects);
     }
+    MemoryPrediction memory(m_limits.maxBytes);
     std::map<int, std::uint64_t> trianglesOf;
-    std::uint64_t total = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t instances = 0;
     for (const MeshNode& node : nodes) {
         const auto [found, isNew] = trianglesOf.try_emplace(node.mesh, 0);
         if (isNew) {
-            for (const tinygltf::Primitive& primitive : itemAt(model.meshes, node.mesh, "mesh").primitives) {
-                found->second += triangleCount(primitive, m_accessors);
-            }
+            found->second = readBounded(node.mesh, memory);
         }
-        total += found->second;
-        if (total > m_limits.maxTriangles) {
+        triangles += found->second;
+        instances += m_sourceMeshes.at(node.mesh).primitives.size();
+        if (triangles > m_limits.maxTriangles) {
             refuse("its triangles, repeats counted, are over the limit of {}", m_limits.maxTriangles);
         }
     }
+    memory.addInstances(instances);
+}
+
+std::uint64_t Importer::readBounded(int mesh, MemoryPrediction& memory) {
+    const MeshSource& source =
+        m_sourceMeshes.emplace(mesh, readMesh(m_sources.document.root, mesh)).first->second;
+    std::uint64_t triangles = 0;
+    for (std::size_t i = 0; i < source.primitives.size(); ++i) {
+        triangles += triangleCount(source.primitives[i], m_accessors);
+        memory.add(predictBytes(source.primitives[i], m_accessors), placeOf(mesh, source.name, i));
+    }
+    return triangles;
 }
 
 void Importer::addObject(const MeshNode& node) {
-    const tinygltf::Node& source = m_sources.document.model.nodes[static_cast<std::size_t>(node.node)];
-    const tinygltf::Mesh& mesh = itemAt(m_sources.document.model.meshes, node.mesh, "mesh");
+    const std::string name = fullNameOf(itemAt(m_sources.document.root, "nodes", node.node, "node"));
+    const std::string& meshName = m_sourceMeshes.at(node.mesh).name;
     const auto object = static_cast<std::uint32_t>(m_scene.objectNames.size());
-    m_scene.objectNames.push_back(!source.name.empty() ? source.name
-                                  : !mesh.name.empty() ? mesh.name
-                                                       : fmt::format("node {}", node.node));
+    m_scene.objectNames.push_back(!name.empty()       ? name
+                                  : !meshName.empty() ? meshName
+                                                      : fmt::format("node {}", node.node));
     const glm::dmat3 linear(node.toWorld);
     const glm::mat3 basis(linear);
     if (isFlat(linear, basis)) {
@@ -119,7 +136,7 @@ void Importer::addObject(const MeshNode& node) {
             const glm::dvec3 position = m_scene.instances.position(i);
             if (!std::isfinite(m_scene.instances.radius[i]) || !std::isfinite(glm::dot(position, position))) {
                 refuse("node {} '{}': its size or place is over what can be drawn", node.node,
-                       oneLine(source.name));
+                       oneLine(name, kMaxNameLength));
             }
         }
     }
@@ -130,11 +147,10 @@ const std::vector<PlacedPrimitive>& Importer::use(int meshIndex) {
     if (!isNew) {
         return found->second;
     }
-    const tinygltf::Mesh& source = itemAt(m_sources.document.model.meshes, meshIndex, "mesh");
+    const MeshSource& source = m_sourceMeshes.at(meshIndex);
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-        const tinygltf::Primitive& primitive = source.primitives[i];
-        const std::string where =
-            fmt::format("mesh {} '{}' primitive {}", meshIndex, oneLine(source.name), i);
+        const Primitive& primitive = source.primitives[i];
+        const std::string where = placeOf(meshIndex, source.name, i);
         const MaterialUse& material = m_materials.use(primitive.material);
         // Pieces overlap at their seams, which blending would show.
         const bool whole = m_scene.materials[material.index].alphaMode == AlphaMode::blend;
@@ -153,12 +169,15 @@ GltfImport importParts(std::span<const std::uint8_t> file, const std::filesystem
     Notes notes;
     const Document document = parseDocument(container.json, limits, notes);
     Files files(path.parent_path(), limits);
-    const Buffers buffers(document.buffers, container.bin, files);
+    const Buffers buffers(document.root, container.bin, files);
     GltfImport result;
-    const PlacedNodes nodes = placeNodes(document.model, limits, scene);
+    const PlacedNodes nodes = placeNodes(document.root, limits, scene);
     result.scene = Importer({document, buffers, files, notes}, limits).run(nodes.meshes);
     result.cameras = placeCameras(nodes.cameras, document, notes);
     result.scene.name = path.stem().string();
+    if (result.scene.instances.size() == 0) {
+        notes.add("nothing of it is drawn", "the scene");
+    }
     result.ignored = notes.lines();
     return result;
 }

@@ -16,6 +16,7 @@ namespace cdr::scene {
 struct GltfLimits {
     std::uintmax_t maxFileBytes = 1ull << 30; ///< each file read
     std::uint64_t maxTriangles = 50'000'000;  ///< after instancing
+    std::uint64_t maxBytes = 4ull << 30; ///< of memory for meshes and instances, foretold from their counts
     std::uint32_t maxNodes = 1'000'000;
     std::uint32_t maxNodeDepth = 1'000;
     /// Not refused but cut: meshes wider than this become pieces (cutIntoPieces()). Scene units, where the
@@ -40,7 +41,7 @@ struct GltfImport {
 };
 
 /// Imports static glTF 2.0 (`.gltf` with embedded or external buffers, or `.glb`). Node transforms are
-/// composed in float64; skins are drawn in bind pose. Buffers and images outside the file's folder are
+/// composed in float64; skins are not applied. Buffers and images outside the file's folder are
 /// refused. base::InputError with one line naming the file and the fault for anything that is not sound.
 /// @param scene which of the file's scenes; without it the file's default one, else its first, else all
 /// nodes.

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace cdr::scene::gltf {
@@ -16,24 +15,6 @@ using nlohmann::json;
 
 constexpr std::size_t kMaxDepth = 128;
 constexpr std::size_t kMaxValues = 32'000'000;
-
-constexpr std::array<std::string_view, 18> kIndexKeys{
-    "buffer",        "bufferView", "byteLength", "byteOffset", "byteStride", "camera",
-    "componentType", "count",      "index",      "indices",    "material",   "mesh",
-    "mode",          "sampler",    "scene",      "skin",       "source",     "texCoord"};
-constexpr std::array<std::string_view, 2> kIndexArrayKeys{"children", "nodes"};
-
-struct NumberArray {
-    const char* key;
-    std::size_t length;
-};
-constexpr std::array<NumberArray, 4> kNodeArrays{
-    {{"translation", 3}, {"rotation", 4}, {"scale", 3}, {"matrix", 16}}};
-
-template <std::size_t Count>
-bool contains(const std::array<std::string_view, Count>& keys, std::string_view key) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
 
 /// Counts brackets and commas outside strings. Wherever the text is valid JSON the counts are right, and
 /// where it stops being valid the parser stops too.
@@ -67,67 +48,6 @@ int requireIndex(const json& value, std::string_view key) {
     return value.get<int>();
 }
 
-void requireSoundIndices(const json& value, bool insideAttributes);
-
-void requireSoundMember(const std::string& key, const json& value, bool insideAttributes) {
-    if (contains(kIndexArrayKeys, key)) {
-        if (!value.is_array()) {
-            refuse("'{}' is not an array", key);
-        }
-        for (const json& element : value) {
-            if (!element.is_object()) {
-                requireIndex(element, key);
-            }
-        }
-    } else if (key == "sparse" && value.is_object()) {
-        for (const auto& [part, inner] : value.items()) {
-            if (inner.is_object()) { // its indices are no index
-                requireSoundIndices(inner, false);
-            } else {
-                requireSoundMember(part, inner, false);
-            }
-        }
-        return;
-    } else if (insideAttributes || contains(kIndexKeys, key)) {
-        requireIndex(value, key);
-        return;
-    }
-    requireSoundIndices(value, key == "attributes");
-}
-
-void requireSoundIndices(const json& value, bool insideAttributes) {
-    if (value.is_array()) {
-        for (const json& element : value) {
-            requireSoundIndices(element, false);
-        }
-    } else if (value.is_object()) {
-        for (const auto& [key, inner] : value.items()) {
-            // What these hold is not ours to know.
-            if (key != "extras" && key != "extensions") {
-                requireSoundMember(key, inner, insideAttributes);
-            }
-        }
-    }
-}
-
-void requireNumbers(const json& node, const NumberArray& wanted) {
-    const json* value = member(node, wanted.key);
-    if (value == nullptr) {
-        return;
-    }
-    if (!value->is_array() || value->size() != wanted.length ||
-        !std::all_of(value->begin(), value->end(), [](const json& element) { return element.is_number(); })) {
-        refuse("node '{}': '{}' is not {} numbers", nameOf(node), wanted.key, wanted.length);
-    }
-}
-
-void requireNumber(const json& material, const json& owner, const char* key) {
-    const json* value = member(owner, key);
-    if (value != nullptr && !value->is_number()) {
-        refuse("material '{}': '{}' is not a number", nameOf(material), key);
-    }
-}
-
 } // namespace
 
 json parseBoundedJson(std::string_view text) {
@@ -156,14 +76,100 @@ const json& arrayMember(const json& object, const char* key) {
     return *value;
 }
 
+const json& objectMember(const json& object, const char* key, const std::string& where) {
+    static const json kEmpty = json::object();
+    const json* value = member(object, key);
+    if (value == nullptr) {
+        return kEmpty;
+    }
+    if (!value->is_object()) {
+        refuse("{}: '{}' is not an object", where, key);
+    }
+    return *value;
+}
+
 std::optional<std::string> stringMember(const json& object, const char* key) {
     const json* value = member(object, key);
     return value == nullptr ? std::nullopt : std::optional(requireString(*value, key));
 }
 
+bool boolMember(const json& object, const char* key, const std::string& where) {
+    const json* value = member(object, key);
+    if (value != nullptr && !value->is_boolean()) {
+        refuse("{}: '{}' is neither true nor false", where, key);
+    }
+    return value != nullptr && value->get<bool>();
+}
+
+std::optional<double> numberMember(const json& object, const char* key, const std::string& where) {
+    const json* value = member(object, key);
+    if (value == nullptr) {
+        return std::nullopt;
+    }
+    if (!value->is_number()) {
+        refuse("{}: '{}' is not a number", where, key);
+    }
+    return value->get<double>();
+}
+
+std::optional<std::vector<double>> numbersMember(const json& object, const char* key, std::size_t length,
+                                                 const std::string& where) {
+    const json* value = member(object, key);
+    if (value == nullptr) {
+        return std::nullopt;
+    }
+    if (!value->is_array() || value->size() != length ||
+        !std::all_of(value->begin(), value->end(), [](const json& element) { return element.is_number(); })) {
+        refuse("{}: '{}' is not {} numbers", where, key, length);
+    }
+    return value->get<std::vector<double>>();
+}
+
 std::optional<int> indexMember(const json& object, const char* key) {
     const json* value = member(object, key);
     return value == nullptr ? std::nullopt : std::optional(requireIndex(*value, key));
+}
+
+int requiredIndex(const json& object, const char* key, const std::string& where) {
+    const std::optional<int> index = indexMember(object, key);
+    if (!index) {
+        refuse("{}: has no '{}'", where, key);
+    }
+    return *index;
+}
+
+std::vector<int> indicesMember(const json& object, const char* key) {
+    std::vector<int> indices;
+    for (const json& element : arrayMember(object, key)) {
+        indices.push_back(requireIndex(element, key));
+    }
+    return indices;
+}
+
+std::map<std::string, int> indicesByName(const json& object) {
+    std::map<std::string, int> indices;
+    for (const auto& [key, value] : object.items()) {
+        indices.emplace(key, requireIndex(value, key));
+    }
+    return indices;
+}
+
+const json* extensionOf(const json& object, const char* name) {
+    const json* extensions = member(object, "extensions");
+    const json* extension = extensions == nullptr ? nullptr : member(*extensions, name);
+    return extension != nullptr && extension->is_object() ? extension : nullptr;
+}
+
+const json& itemAt(const json& root, const char* key, int index, std::string_view kind) {
+    const json& items = arrayMember(root, key);
+    if (index < 0 || static_cast<std::size_t>(index) >= items.size()) {
+        refuse("{} {} does not exist, the file has {}", kind, index, items.size());
+    }
+    const json& item = items[static_cast<std::size_t>(index)];
+    if (!item.is_object()) {
+        refuse("not sound glTF: {} {} is not an object", kind, index);
+    }
+    return item;
 }
 
 std::string requireString(const json& value, const char* key) {
@@ -173,25 +179,13 @@ std::string requireString(const json& value, const char* key) {
     return value.get<std::string>();
 }
 
-std::string nameOf(const json& object) {
+std::string fullNameOf(const json& object) {
     const json* name = member(object, "name");
-    return name != nullptr && name->is_string() ? oneLine(name->get<std::string>()) : std::string();
+    return name != nullptr && name->is_string() ? name->get<std::string>() : std::string();
 }
 
-void requireSoundNumbers(const json& root) {
-    requireSoundIndices(root, false);
-    for (const json& node : arrayMember(root, "nodes")) {
-        for (const NumberArray& wanted : kNodeArrays) {
-            requireNumbers(node, wanted);
-        }
-    }
-    for (const json& material : arrayMember(root, "materials")) {
-        requireNumber(material, material, "alphaCutoff");
-        if (const json* factors = member(material, "pbrMetallicRoughness")) {
-            requireNumber(material, *factors, "metallicFactor");
-            requireNumber(material, *factors, "roughnessFactor");
-        }
-    }
+std::string nameOf(const json& object) {
+    return oneLine(fullNameOf(object), kMaxNameLength);
 }
 
 } // namespace cdr::scene::gltf

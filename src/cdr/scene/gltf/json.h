@@ -2,9 +2,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cdr::scene::gltf {
 
@@ -12,22 +15,43 @@ namespace cdr::scene::gltf {
 /// stack.
 nlohmann::json parseBoundedJson(std::string_view text);
 
+// Each refuses a member that is of another type. `where` says which part of the file it is, for the message.
+
 /// A member of an object, or null when it is absent or `value` is not an object.
 const nlohmann::json* member(const nlohmann::json& value, const char* key);
-/// An array member of an object, an empty array when absent. Refuses a member of another type.
+/// An array member, an empty array when absent.
 const nlohmann::json& arrayMember(const nlohmann::json& object, const char* key);
-/// A string member, nothing when absent. Refuses a member of another type.
+/// An object member, an empty object when absent.
+const nlohmann::json& objectMember(const nlohmann::json& object, const char* key, const std::string& where);
+/// A string member, nothing when absent.
 std::optional<std::string> stringMember(const nlohmann::json& object, const char* key);
-/// A member that is an index or a size: an integer in [0, 2^31). Nothing when absent; refuses anything else.
+/// Whether a member is true; false when absent.
+bool boolMember(const nlohmann::json& object, const char* key, const std::string& where);
+/// A member that is a number, nothing when absent.
+std::optional<double> numberMember(const nlohmann::json& object, const char* key, const std::string& where);
+/// A member that is an array of `length` numbers, nothing when absent.
+std::optional<std::vector<double>> numbersMember(const nlohmann::json& object, const char* key,
+                                                 std::size_t length, const std::string& where);
+/// A member that is an index or a size: an integer in [0, 2^31). Nothing when absent.
 std::optional<int> indexMember(const nlohmann::json& object, const char* key);
+/// The same, and refuses an object that lacks it.
+int requiredIndex(const nlohmann::json& object, const char* key, const std::string& where);
+/// A member that is an array of indices, empty when absent.
+std::vector<int> indicesMember(const nlohmann::json& object, const char* key);
+/// The members of an object that are all indices, such as the attributes of a primitive.
+std::map<std::string, int> indicesByName(const nlohmann::json& object);
+
+/// The object of an extension, or null when the glTF object has none of this name.
+const nlohmann::json* extensionOf(const nlohmann::json& object, const char* name);
+/// The item that an index means in an array of the document, such as "nodes"; refuses an index without one.
+/// `kind` says what the items are, in the singular.
+const nlohmann::json& itemAt(const nlohmann::json& root, const char* key, int index, std::string_view kind);
+
 /// The string `value`; refuses another type, naming the key it came from.
 std::string requireString(const nlohmann::json& value, const char* key);
-/// The name of a glTF object for messages, empty when it has none.
+/// The name of a glTF object, as long as it is; empty when it has none.
+std::string fullNameOf(const nlohmann::json& object);
+/// Its beginning as one line, for messages.
 std::string nameOf(const nlohmann::json& object);
-
-/// Refuses a document in which an index, a size, a transform or a factor is not what the format says.
-/// tinygltf ignores an optional value of the wrong type and cuts integers to 32 bits, which would show
-/// another scene than the file's.
-void requireSoundNumbers(const nlohmann::json& root);
 
 } // namespace cdr::scene::gltf

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "document.h"
 #include "files.h"
 #include "mesh.h"
 #include "notes.h"
@@ -9,8 +10,8 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <tuple>
-#include <vector>
 
 namespace cdr::scene::gltf {
 
@@ -37,7 +38,7 @@ class TextureImporter {
   private:
     /// The texture's image; nothing, with a note, when only an extension supplies it.
     std::optional<int> imageOf(int index);
-    image::ImageRgba8 decode(int imageIndex);
+    Texture import(int imageIndex);
 
     Sources m_sources;
     Scene& m_scene;
@@ -62,8 +63,7 @@ class MaterialImporter {
 
   private:
     MaterialUse import(int index);
-    Shine shineOf(const tinygltf::Material& material);
-    void setTexture(Material& material, UvSource& uv, const tinygltf::TextureInfo& info);
+    Shine shineOf(const nlohmann::json& factors, const std::string& where);
 
     Sources m_sources;
     Scene& m_scene;

@@ -44,21 +44,18 @@ struct MeshImporter::Attributes {
     UvSource uvSource;
 };
 
-MeshImporter::MeshImporter(Accessors& accessors, Notes& notes, std::uint64_t maxVertices)
-    : m_accessors(accessors),
-      m_notes(notes),
-      m_maxVertices(maxVertices) {}
+MeshImporter::MeshImporter(Accessors& accessors, Notes& notes) : m_accessors(accessors), m_notes(notes) {}
 
-std::vector<MeshPiece> MeshImporter::import(const tinygltf::Primitive& primitive, const UvSource& uvSource,
+std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const UvSource& uvSource,
                                             double pieceRadius, const std::string& where) {
-    if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+    if (primitive.mode < kModePoints || primitive.mode > kModeTriangleFan) {
         refuse("{}: mode {} does not exist", where, primitive.mode);
     }
-    if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+    if (primitive.mode < kModeTriangles) {
         m_notes.add("points and lines are not drawn", where);
         return {};
     }
-    if (!primitive.targets.empty()) {
+    if (primitive.hasMorphTargets) {
         m_notes.add("morph targets are not applied", where);
     }
     const Attributes attributes = findAttributes(primitive, uvSource, where);
@@ -74,6 +71,7 @@ std::vector<MeshPiece> MeshImporter::import(const tinygltf::Primitive& primitive
     } else {
         addShared(source, attributes, where);
     }
+    source.positions.reserve(source.vertices.size());
     for (const Vertex& vertex : source.vertices) {
         source.positions.emplace_back(vertex.position);
     }
@@ -90,8 +88,8 @@ std::vector<MeshPiece> MeshImporter::import(const tinygltf::Primitive& primitive
     return pieces;
 }
 
-MeshImporter::Attributes MeshImporter::findAttributes(const tinygltf::Primitive& primitive,
-                                                      const UvSource& uvSource, const std::string& where) {
+MeshImporter::Attributes MeshImporter::findAttributes(const Primitive& primitive, const UvSource& uvSource,
+                                                      const std::string& where) {
     const auto find = [&](const std::string& name, int fewest, int most) -> const Accessor* {
         const auto found = primitive.attributes.find(name);
         if (found == primitive.attributes.end()) {
@@ -109,13 +107,7 @@ MeshImporter::Attributes MeshImporter::findAttributes(const tinygltf::Primitive&
     if (attributes.position == nullptr ||
         (!attributes.position->hasData() && !attributes.position->isSparse())) {
         refuse("{}: has no positions{}", where,
-               primitive.extensions.empty()
-                   ? ""
-                   : ", or only compressed ones: " + primitive.extensions.begin()->first);
-    }
-    if (!attributes.position->hasData() && attributes.position->count() > m_maxVertices) {
-        refuse("{}: {} vertices are over the limit of {}", where, attributes.position->count(),
-               m_maxVertices);
+               primitive.extension.empty() ? "" : ", or only compressed ones: " + primitive.extension);
     }
     for (const Accessor* accessor : {attributes.normal, attributes.uv, attributes.color}) {
         if (accessor != nullptr && accessor->count() != attributes.position->count()) {

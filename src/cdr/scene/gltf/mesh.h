@@ -2,6 +2,7 @@
 
 #include "accessor.h"
 #include "notes.h"
+#include "primitive.h"
 #include "uv.h"
 
 #include <cdr/scene/lod/mesh_pieces.h>
@@ -16,26 +17,23 @@ namespace cdr::scene::gltf {
 /// each use a little of one large vertex buffer cost what they use.
 class MeshImporter {
   public:
-    /// @param maxVertices most vertices of one primitive that no bytes of the file stand for.
-    MeshImporter(Accessors& accessors, Notes& notes, std::uint64_t maxVertices);
+    MeshImporter(Accessors& accessors, Notes& notes);
 
     /// Nothing when the primitive has no triangles or no extent. `where` names it in messages.
     /// @param pieceRadius as of cutIntoPieces().
-    std::vector<MeshPiece> import(const tinygltf::Primitive& primitive, const UvSource& uvSource,
-                                  double pieceRadius, const std::string& where);
+    std::vector<MeshPiece> import(const Primitive& primitive, const UvSource& uvSource, double pieceRadius,
+                                  const std::string& where);
 
   private:
     struct Attributes;
 
-    Attributes findAttributes(const tinygltf::Primitive& primitive, const UvSource& uvSource,
-                              const std::string& where);
+    Attributes findAttributes(const Primitive& primitive, const UvSource& uvSource, const std::string& where);
     Vertex readVertex(const Attributes& attributes, std::uint32_t index, const std::string& where);
     void addShared(SourceMesh& mesh, const Attributes& attributes, const std::string& where);
     void addFlat(SourceMesh& mesh, const Attributes& attributes, const std::string& where);
 
     Accessors& m_accessors;
     Notes& m_notes;
-    std::uint64_t m_maxVertices;
     std::vector<std::uint32_t> m_newIndex; ///< by index in the file; kUnused between calls
 };
 

@@ -1,17 +1,21 @@
 #include "nodes.h"
 
 #include "checks.h"
+#include "json.h"
 
 #include <glm/gtc/quaternion.hpp>
-#include <tiny_gltf.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace cdr::scene::gltf {
 
 namespace {
+
+using nlohmann::json;
 
 constexpr int kNoParent = -1;
 
@@ -22,51 +26,80 @@ struct Placement {
     bool inScene = false;
 };
 
-glm::dmat4 localTransform(const tinygltf::Node& node) {
+/// What a document says of a node, but for its transform, which is read when it is placed.
+struct NodeSource {
+    std::vector<int> children;
+    int mesh = -1;   ///< or none
+    int camera = -1; ///< or none
+};
+
+std::vector<NodeSource> readNodes(const json& root) {
+    std::vector<NodeSource> nodes;
+    nodes.reserve(arrayMember(root, "nodes").size());
+    for (std::size_t i = 0; i < arrayMember(root, "nodes").size(); ++i) {
+        const json& node = itemAt(root, "nodes", static_cast<int>(i), "node");
+        nodes.push_back({.children = indicesMember(node, "children"),
+                         .mesh = indexMember(node, "mesh").value_or(-1),
+                         .camera = indexMember(node, "camera").value_or(-1)});
+    }
+    return nodes;
+}
+
+glm::dmat4 localTransform(const json& node) {
+    const std::string where = fmt::format("node '{}'", nameOf(node));
     glm::dmat4 local(1.0);
-    if (!node.matrix.empty()) {
+    if (const auto matrix = numbersMember(node, "matrix", 16, where)) {
         for (int i = 0; i < 16; ++i) {
-            local[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+            local[i / 4][i % 4] = (*matrix)[static_cast<std::size_t>(i)];
         }
         return local;
     }
-    if (!node.rotation.empty()) {
+    if (const auto turn = numbersMember(node, "rotation", 4, where)) {
         // glTF stores x, y, z, w; glm takes w first, and would take no rotation for the identity.
-        const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+        const glm::dquat rotation((*turn)[3], (*turn)[0], (*turn)[1], (*turn)[2]);
         const double length = glm::length(rotation);
         if (!(length > 0.0) || !std::isfinite(length)) {
-            refuse("node '{}': its rotation has no direction", oneLine(node.name));
+            refuse("{}: its rotation has no direction", where);
         }
         local = glm::mat4_cast(rotation / length);
     }
+    const auto scale = numbersMember(node, "scale", 3, where);
+    const auto translation = numbersMember(node, "translation", 3, where);
     for (int c = 0; c < 3; ++c) {
         const auto i = static_cast<std::size_t>(c);
-        local[c] *= node.scale.empty() ? 1.0 : node.scale[i];
-        local[3][c] = node.translation.empty() ? 0.0 : node.translation[i];
+        local[c] *= scale ? (*scale)[i] : 1.0;
+        local[3][c] = translation ? (*translation)[i] : 0.0;
     }
     return local;
 }
 
-void requireUsable(const glm::dmat4& matrix, const tinygltf::Node& node, std::size_t index) {
+void requireUsable(const glm::dmat4& matrix, const json& node, std::size_t index) {
     for (int i = 0; i < 16; ++i) {
         if (!std::isfinite(matrix[i / 4][i % 4])) {
-            refuse("node {} '{}': its transform is not finite", index, oneLine(node.name));
+            refuse("node {} '{}': its transform is not finite", index, nameOf(node));
         }
     }
     if (matrix[0][3] != 0.0 || matrix[1][3] != 0.0 || matrix[2][3] != 0.0 || matrix[3][3] != 1.0) {
-        refuse("node {} '{}': its matrix is not affine", index, oneLine(node.name));
+        refuse("node {} '{}': its matrix is not affine", index, nameOf(node));
     }
 }
 
+/// A node for messages: its number, and its name if it has one.
+std::string labelOf(const json& root, int node) {
+    const std::string name = nameOf(itemAt(root, "nodes", node, "node"));
+    return name.empty() ? fmt::format("node {}", node) : fmt::format("node {} '{}'", node, name);
+}
+
 /// Refuses children that do not exist or that two nodes share.
-std::vector<int> findParents(const tinygltf::Model& model) {
-    std::vector<int> parents(model.nodes.size(), kNoParent);
-    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        for (const int child : model.nodes[i].children) {
-            itemAt(model.nodes, child, "node");
+std::vector<int> findParents(const json& root, const std::vector<NodeSource>& nodes) {
+    std::vector<int> parents(nodes.size(), kNoParent);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        for (const int child : nodes[i].children) {
+            itemAt(nodes, child, "node");
             int& parent = parents[static_cast<std::size_t>(child)];
             if (parent != kNoParent) {
-                refuse("node {} is a child of both node {} and node {}", child, parent, i);
+                refuse("{} is a child of both {} and {}, and a node has one parent", labelOf(root, child),
+                       labelOf(root, parent), labelOf(root, static_cast<int>(i)));
             }
             parent = static_cast<int>(i);
         }
@@ -75,23 +108,24 @@ std::vector<int> findParents(const tinygltf::Model& model) {
 }
 
 /// Marks the roots of the scene that is shown.
-void markScene(const tinygltf::Model& model, const std::vector<int>& parents,
-               std::optional<std::uint32_t> scene, std::vector<Placement>& placements) {
-    if (scene && *scene >= model.scenes.size()) {
-        refuse("scene {} does not exist, the file has {}", *scene, model.scenes.size());
+void markScene(const json& root, const std::vector<int>& parents, std::optional<std::uint32_t> scene,
+               std::vector<Placement>& placements) {
+    const std::size_t scenes = arrayMember(root, "scenes").size();
+    if (scene && *scene >= scenes) {
+        refuse("scene {} does not exist, the file has {}", *scene, scenes);
     }
-    const int shown = scene ? static_cast<int>(*scene) : model.defaultScene;
-    if (model.scenes.empty() && shown < 0) {
+    const std::optional<int> shown = scene ? static_cast<int>(*scene) : indexMember(root, "scene");
+    if (scenes == 0 && !shown) {
         for (Placement& placement : placements) {
             placement.inScene = true;
         }
         return;
     }
-    for (const int root : itemAt(model.scenes, std::max(shown, 0), "scene").nodes) {
-        itemAt(model.nodes, root, "node");
-        const auto i = static_cast<std::size_t>(root);
+    for (const int node : indicesMember(itemAt(root, "scenes", shown.value_or(0), "scene"), "nodes")) {
+        itemAt(placements, node, "node");
+        const auto i = static_cast<std::size_t>(node);
         if (parents[i] != kNoParent || placements[i].inScene) {
-            refuse("scene: its node {} is {}", root,
+            refuse("scene: its node {} is {}", node,
                    parents[i] == kNoParent ? "listed twice" : "a child of another node");
         }
         placements[i].inScene = true;
@@ -100,8 +134,8 @@ void markScene(const tinygltf::Model& model, const std::vector<int>& parents,
 
 /// Walks down from every root. In a graph where a node has one parent at most, what is not reached is on a
 /// cycle.
-void place(const tinygltf::Model& model, const std::vector<int>& parents, const GltfLimits& limits,
-           std::vector<Placement>& placements) {
+void place(const json& root, const std::vector<NodeSource>& nodes, const std::vector<int>& parents,
+           const GltfLimits& limits, std::vector<Placement>& placements) {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < parents.size(); ++i) {
         if (parents[i] == kNoParent) {
@@ -122,9 +156,10 @@ void place(const tinygltf::Model& model, const std::vector<int>& parents, const 
         if (placement.depth >= limits.maxNodeDepth) {
             refuse("node {} is nested over the limit of {} deep", i, limits.maxNodeDepth);
         }
-        placement.toWorld = placement.toWorld * localTransform(model.nodes[i]);
-        requireUsable(placement.toWorld, model.nodes[i], i);
-        for (const int child : model.nodes[i].children) {
+        const json& node = arrayMember(root, "nodes")[i];
+        placement.toWorld = placement.toWorld * localTransform(node);
+        requireUsable(placement.toWorld, node, i);
+        for (const int child : nodes[i].children) {
             open.push_back(static_cast<std::size_t>(child));
         }
     }
@@ -132,22 +167,22 @@ void place(const tinygltf::Model& model, const std::vector<int>& parents, const 
 
 } // namespace
 
-PlacedNodes placeNodes(const tinygltf::Model& model, const GltfLimits& limits,
-                       std::optional<std::uint32_t> scene) {
-    const std::vector<int> parents = findParents(model);
-    std::vector<Placement> placements(model.nodes.size());
-    markScene(model, parents, scene, placements);
-    place(model, parents, limits, placements);
+PlacedNodes placeNodes(const json& root, const GltfLimits& limits, std::optional<std::uint32_t> scene) {
+    const std::vector<NodeSource> sources = readNodes(root);
+    const std::vector<int> parents = findParents(root, sources);
+    std::vector<Placement> placements(sources.size());
+    markScene(root, parents, scene, placements);
+    place(root, sources, parents, limits, placements);
     PlacedNodes nodes;
     for (std::size_t i = 0; i < placements.size(); ++i) {
         if (!placements[i].reached) {
             refuse("node {} is its own ancestor", i);
         }
-        if (placements[i].inScene && model.nodes[i].mesh >= 0) {
-            nodes.meshes.push_back({static_cast<int>(i), model.nodes[i].mesh, placements[i].toWorld});
+        if (placements[i].inScene && sources[i].mesh >= 0) {
+            nodes.meshes.push_back({static_cast<int>(i), sources[i].mesh, placements[i].toWorld});
         }
-        if (placements[i].inScene && model.nodes[i].camera >= 0) {
-            nodes.cameras.push_back({static_cast<int>(i), model.nodes[i].camera, placements[i].toWorld});
+        if (placements[i].inScene && sources[i].camera >= 0) {
+            nodes.cameras.push_back({static_cast<int>(i), sources[i].camera, placements[i].toWorld});
         }
     }
     return nodes;

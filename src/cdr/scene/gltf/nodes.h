@@ -3,14 +3,11 @@
 #include <cdr/scene/gltf/gltf.h>
 
 #include <glm/glm.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <optional>
 #include <vector>
-
-namespace tinygltf {
-class Model;
-}
 
 namespace cdr::scene::gltf {
 
@@ -34,9 +31,9 @@ struct PlacedNodes {
     std::vector<CameraNode> cameras;
 };
 
-/// The nodes of a scene, or without one of the default scene that carry something. Without a default scene
+/// The nodes of a document's scene, or without one of the default scene that carry something. Without a default scene
 /// the first one counts, and without any scene all nodes do.
-PlacedNodes placeNodes(const tinygltf::Model& model, const GltfLimits& limits,
+PlacedNodes placeNodes(const nlohmann::json& root, const GltfLimits& limits,
                        std::optional<std::uint32_t> scene);
 
 } // namespace cdr::scene::gltf

@@ -96,8 +96,10 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
     GltfImport import = loadGltf(path, {}, choice.scene);
     const std::optional<Camera> camera = chosenCamera(path, import, choice.camera);
     if (!camera && !import.cameras.empty()) {
-        import.ignored.push_back(fmt::format("its {} cameras, which --camera 0 to {} looks through",
-                                             import.cameras.size(), import.cameras.size() - 1));
+        import.ignored.push_back(import.cameras.size() == 1
+                                     ? "its camera, which --camera 0 looks through"
+                                     : fmt::format("its {} cameras, which --camera 0 to {} looks through",
+                                                   import.cameras.size(), import.cameras.size() - 1));
     }
     return {.setup = setUpModel(std::move(import.scene), camera), .notes = std::move(import.ignored)};
 }

@@ -6,13 +6,13 @@ namespace cdr::scene::gltf {
 
 namespace {
 
-int positionAccessor(const tinygltf::Primitive& primitive) {
+int positionAccessor(const Primitive& primitive) {
     const auto found = primitive.attributes.find("POSITION");
     return found == primitive.attributes.end() ? -1 : found->second;
 }
 
 /// Corners drawn, before they are grouped into triangles.
-std::size_t cornerCount(const tinygltf::Primitive& primitive, Accessors& accessors) {
+std::size_t cornerCount(const Primitive& primitive, Accessors& accessors) {
     if (primitive.indices >= 0) {
         return accessors.at(primitive.indices).count();
     }
@@ -22,10 +22,10 @@ std::size_t cornerCount(const tinygltf::Primitive& primitive, Accessors& accesso
 
 /// Which corner is corner `c` of triangle `t`; the formulas are glTF's, so fronts stay fronts.
 std::size_t cornerOf(int mode, std::size_t t, std::size_t c) {
-    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
+    if (mode == kModeTriangleStrip) {
         return t % 2 == 1 && c > 0 ? t + 3 - c : t + c;
     }
-    if (mode == TINYGLTF_MODE_TRIANGLE_FAN) {
+    if (mode == kModeTriangleFan) {
         return c == 2 ? 0 : t + 1 + c;
     }
     return 3 * t + c;
@@ -33,20 +33,20 @@ std::size_t cornerOf(int mode, std::size_t t, std::size_t c) {
 
 } // namespace
 
-std::uint64_t triangleCount(const tinygltf::Primitive& primitive, Accessors& accessors) {
+std::uint64_t triangleCount(const Primitive& primitive, Accessors& accessors) {
     const std::size_t corners = cornerCount(primitive, accessors);
     switch (primitive.mode) {
-    case TINYGLTF_MODE_TRIANGLES:
+    case kModeTriangles:
         return corners / 3;
-    case TINYGLTF_MODE_TRIANGLE_STRIP:
-    case TINYGLTF_MODE_TRIANGLE_FAN:
+    case kModeTriangleStrip:
+    case kModeTriangleFan:
         return corners < 3 ? 0 : corners - 2;
     default:
         return 0;
     }
 }
 
-std::vector<std::uint32_t> triangleList(const tinygltf::Primitive& primitive, Accessors& accessors,
+std::vector<std::uint32_t> triangleList(const Primitive& primitive, Accessors& accessors,
                                         std::size_t vertexCount, const std::string& where) {
     const Accessor* indices = primitive.indices < 0 ? nullptr : &accessors.at(primitive.indices);
     if (indices != nullptr) {

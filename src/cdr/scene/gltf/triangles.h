@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accessor.h"
+#include "primitive.h"
 
 #include <cstdint>
 #include <string>
@@ -10,10 +11,10 @@ namespace cdr::scene::gltf {
 
 /// The vertex indices of a primitive as a triangle list; strips and fans are unrolled, a rest that makes no
 /// triangle is dropped. Each index is below `vertexCount`; one that is not is refused.
-std::vector<std::uint32_t> triangleList(const tinygltf::Primitive& primitive, Accessors& accessors,
+std::vector<std::uint32_t> triangleList(const Primitive& primitive, Accessors& accessors,
                                         std::size_t vertexCount, const std::string& where);
 
 /// Triangles that triangleList() makes of a primitive, from its counts alone: 0 for points and lines.
-std::uint64_t triangleCount(const tinygltf::Primitive& primitive, Accessors& accessors);
+std::uint64_t triangleCount(const Primitive& primitive, Accessors& accessors);
 
 } // namespace cdr::scene::gltf

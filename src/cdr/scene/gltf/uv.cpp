@@ -1,25 +1,43 @@
 #include "uv.h"
 
 #include "checks.h"
+#include "json.h"
 
-#include <tiny_gltf.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace cdr::scene::gltf {
 
 namespace {
 
+using nlohmann::json;
+
+constexpr const char* kTransform = "KHR_texture_transform";
+
 /// Two numbers of an extension's array member, or the fallback when it is absent.
-glm::dvec2 pairOf(const tinygltf::Value& extension, const std::string& key, const glm::dvec2& fallback) {
-    if (!extension.Has(key)) {
+glm::dvec2 pairOf(const json& extension, const char* key, const glm::dvec2& fallback) {
+    const json* pair = member(extension, key);
+    if (pair == nullptr) {
         return fallback;
     }
-    const tinygltf::Value& pair = extension.Get(key);
-    if (!pair.IsArray() || pair.ArrayLen() != 2 || !pair.Get(0).IsNumber() || !pair.Get(1).IsNumber()) {
-        refuse("KHR_texture_transform: '{}' is not two numbers", key);
+    if (!pair->is_array() || pair->size() != 2 || !(*pair)[0].is_number() || !(*pair)[1].is_number()) {
+        refuse("{}: '{}' is not two numbers", kTransform, key);
     }
-    return {pair.Get(0).GetNumberAsDouble(), pair.Get(1).GetNumberAsDouble()};
+    return {(*pair)[0].get<double>(), (*pair)[1].get<double>()};
+}
+
+int texCoordOf(const json& extension, int fallback) {
+    const json* set = member(extension, "texCoord");
+    if (set == nullptr) {
+        return fallback;
+    }
+    if (!set->is_number_unsigned() || set->get<std::uint64_t>() > std::numeric_limits<std::int32_t>::max()) {
+        refuse("{}: 'texCoord' is not an index", kTransform);
+    }
+    return set->get<int>();
 }
 
 } // namespace
@@ -33,27 +51,14 @@ glm::vec2 UvSource::apply(const glm::vec4& uv) const {
     return std::isfinite(result.x) && std::isfinite(result.y) ? result : glm::vec2(0.0f);
 }
 
-UvSource uvSourceOf(const tinygltf::TextureInfo& info) {
+UvSource uvSourceOf(const json& info) {
     UvSource uv;
-    uv.texCoord = info.texCoord;
-    const auto found = info.extensions.find("KHR_texture_transform");
-    if (found == info.extensions.end()) {
-        return uv;
-    }
-    const tinygltf::Value& transform = found->second;
-    uv.offset = pairOf(transform, "offset", uv.offset);
-    uv.scale = pairOf(transform, "scale", uv.scale);
-    if (transform.Has("rotation")) {
-        if (!transform.Get("rotation").IsNumber()) {
-            refuse("KHR_texture_transform: 'rotation' is not a number");
-        }
-        uv.rotation = transform.Get("rotation").GetNumberAsDouble();
-    }
-    if (transform.Has("texCoord")) {
-        if (!transform.Get("texCoord").IsInt() || transform.Get("texCoord").Get<int>() < 0) {
-            refuse("KHR_texture_transform: 'texCoord' is not an index");
-        }
-        uv.texCoord = transform.Get("texCoord").Get<int>();
+    uv.texCoord = indexMember(info, "texCoord").value_or(0);
+    if (const json* transform = extensionOf(info, kTransform)) {
+        uv.offset = pairOf(*transform, "offset", uv.offset);
+        uv.scale = pairOf(*transform, "scale", uv.scale);
+        uv.rotation = numberMember(*transform, "rotation", kTransform).value_or(uv.rotation);
+        uv.texCoord = texCoordOf(*transform, uv.texCoord);
     }
     return uv;
 }

@@ -1,10 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
-
-namespace tinygltf {
-struct TextureInfo;
-}
+#include <nlohmann/json_fwd.hpp>
 
 namespace cdr::scene::gltf {
 
@@ -20,6 +17,6 @@ struct UvSource {
 };
 
 /// Reads a texture reference and its KHR_texture_transform; refuses one that is not sound.
-UvSource uvSourceOf(const tinygltf::TextureInfo& info);
+UvSource uvSourceOf(const nlohmann::json& info);
 
 } // namespace cdr::scene::gltf

@@ -78,6 +78,10 @@ class PieceMaker {
     MeshPiece make(std::span<const std::uint32_t> triangles, const glm::dvec3& origin, std::string name) {
         MeshPiece piece{.mesh = {}, .origin = origin};
         piece.mesh.name = std::move(name);
+        piece.mesh.indices.reserve(3 * triangles.size());
+        if (3 * triangles.size() == m_source.indices.size()) { // all of it: most of its vertices are used
+            piece.mesh.vertices.reserve(m_source.positions.size());
+        }
         std::vector<std::uint32_t> used;
         double farthest = 0.0;
         for (const std::uint32_t triangle : triangles) {

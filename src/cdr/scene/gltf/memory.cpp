@@ -1,0 +1,64 @@
+#include "memory.h"
+
+#include "checks.h"
+#include "triangles.h"
+
+#include <cdr/scene/scene.h>
+
+#include <algorithm>
+
+namespace cdr::scene::gltf {
+
+namespace {
+
+constexpr std::uint64_t kIndexBytes = sizeof(std::uint32_t);
+
+/// Tables of an index per vertex while a mesh is cut into pieces: order, points, keepers, new and used indices.
+constexpr std::uint64_t kTablesPerVertex = 5;
+
+/// Instances grow by doubling: the old arrays, and new ones twice as large.
+constexpr std::uint64_t kGrowth = 3;
+
+constexpr std::uint64_t kInstanceBytes =
+    3 * sizeof(double) + sizeof(float) + sizeof(glm::mat3) + 3 * sizeof(std::uint32_t);
+
+std::uint64_t positionCount(const Primitive& primitive, Accessors& accessors) {
+    const auto found = primitive.attributes.find("POSITION");
+    return found == primitive.attributes.end() ? 0 : accessors.at(found->second).count();
+}
+
+} // namespace
+
+PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors) {
+    const std::uint64_t corners = 3 * triangleCount(primitive, accessors);
+    const std::uint64_t positions = positionCount(primitive, accessors);
+    // Without normals each triangle has vertices of its own.
+    const bool isShared = primitive.attributes.contains("NORMAL");
+    const std::uint64_t vertices = isShared ? std::min(corners, positions) : corners;
+    PrimitiveBytes bytes;
+    bytes.kept = vertices * sizeof(Vertex) + corners * kIndexBytes;
+    bytes.passing = vertices * (sizeof(Vertex) + sizeof(glm::dvec3) + kTablesPerVertex * kIndexBytes) +
+                    corners * 2 * kIndexBytes + (isShared && corners > 0 ? positions * kIndexBytes : 0);
+    return bytes;
+}
+
+MemoryPrediction::MemoryPrediction(std::uint64_t limit) : m_limit(limit) {}
+
+void MemoryPrediction::add(const PrimitiveBytes& bytes, const std::string& where) {
+    m_kept += bytes.kept;
+    require(bytes.passing, where);
+}
+
+void MemoryPrediction::addInstances(std::uint64_t count) {
+    m_kept += count * kGrowth * kInstanceBytes;
+    require(0, fmt::format("{} instances", count));
+}
+
+void MemoryPrediction::require(std::uint64_t passing, const std::string& what) const {
+    if (m_kept + passing > m_limit) {
+        refuse("{}: the import would take {} bytes of memory, over the limit of {}", what, m_kept + passing,
+               m_limit);
+    }
+}
+
+} // namespace cdr::scene::gltf

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "accessor.h"
+#include "primitive.h"
+
+#include <cstdint>
+#include <string>
+
+namespace cdr::scene::gltf {
+
+/// Bytes that a primitive takes, foretold from the counts of its accessors.
+struct PrimitiveBytes {
+    std::uint64_t kept = 0;    ///< in the scene
+    std::uint64_t passing = 0; ///< besides, while it is imported
+};
+
+/// What importing a primitive takes at most, but for the rows of triangles that pieces share at their seams.
+/// A small file can name large counts: elements without bytes are zeros, and repeated indices take bytes for
+/// each vertex that they name.
+PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors);
+
+/// Adds up what an import is about to take, and refuses what would go over the limit.
+class MemoryPrediction {
+  public:
+    /// @param limit bytes
+    explicit MemoryPrediction(std::uint64_t limit);
+
+    /// `where` names the primitive in the message.
+    void add(const PrimitiveBytes& bytes, const std::string& where);
+    /// Instances: what places a primitive in the world.
+    void addInstances(std::uint64_t count);
+
+  private:
+    void require(std::uint64_t passing, const std::string& what) const;
+
+    std::uint64_t m_limit;
+    std::uint64_t m_kept = 0;
+};
+
+} // namespace cdr::scene::gltf

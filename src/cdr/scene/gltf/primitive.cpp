@@ -1,0 +1,49 @@
+#include "primitive.h"
+
+#include "checks.h"
+#include "compression.h"
+#include "json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace cdr::scene::gltf {
+
+namespace {
+
+using nlohmann::json;
+
+Primitive readPrimitive(const json& root, const json& source, const std::string& where) {
+    requireUncompressed(root, source, where);
+    Primitive primitive;
+    primitive.mode = indexMember(source, "mode").value_or(kModeTriangles);
+    primitive.indices = indexMember(source, "indices").value_or(-1);
+    primitive.material = indexMember(source, "material").value_or(-1);
+    primitive.hasMorphTargets = !arrayMember(source, "targets").empty();
+    if (member(source, "attributes") == nullptr) {
+        refuse("{}: has no 'attributes'", where);
+    }
+    primitive.attributes = indicesByName(objectMember(source, "attributes", where));
+    const json& extensions = objectMember(source, "extensions", where);
+    if (!extensions.empty()) {
+        primitive.extension = extensions.begin().key();
+    }
+    return primitive;
+}
+
+} // namespace
+
+MeshSource readMesh(const json& root, int mesh) {
+    const json& source = itemAt(root, "meshes", mesh, "mesh");
+    MeshSource result{.name = fullNameOf(source), .primitives = {}};
+    for (const json& primitive : arrayMember(source, "primitives")) {
+        result.primitives.push_back(
+            readPrimitive(root, primitive, placeOf(mesh, result.name, result.primitives.size())));
+    }
+    return result;
+}
+
+std::string placeOf(int mesh, const std::string& name, std::size_t primitive) {
+    return fmt::format("mesh {} '{}' primitive {}", mesh, oneLine(name, kMaxNameLength), primitive);
+}
+
+} // namespace cdr::scene::gltf

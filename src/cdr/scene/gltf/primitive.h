@@ -1,0 +1,42 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cdr::scene::gltf {
+
+/// glTF's numbers for how corners become shapes.
+inline constexpr int kModePoints = 0;
+inline constexpr int kModeTriangles = 4;
+inline constexpr int kModeTriangleStrip = 5;
+inline constexpr int kModeTriangleFan = 6;
+
+/// What a document says of a primitive. Indices are non-negative, or -1 for none, and not yet checked against
+/// what they index.
+struct Primitive {
+    int mode = kModeTriangles;
+    int indices = -1;
+    int material = -1;
+    std::map<std::string, int> attributes; ///< accessors
+    bool hasMorphTargets = false;
+    std::string extension; ///< the first one it has, empty without
+};
+
+/// A mesh of a document.
+struct MeshSource {
+    std::string name; ///< may be empty, or of any length
+    std::vector<Primitive> primitives;
+};
+
+/// Reads a mesh. Refuses one that does not exist, is unsound, or has a primitive that is only compressed.
+/// @param root of the document.
+MeshSource readMesh(const nlohmann::json& root, int mesh);
+
+/// Names a primitive in messages.
+std::string placeOf(int mesh, const std::string& name, std::size_t primitive);
+
+} // namespace cdr::scene::gltf

@@ -1,0 +1,286 @@
+#!/usr/bin/env python3
+"""Writes the models of this folder: python3 tests/assets/make_assets.py
+
+garden.glb: 54 nodes, nested, one mirrored; opaque, masked and blended materials; two PNG pictures inside; a camera.
+well.gltf, well.bin and stone.jpg: a model in three files. ffmpeg writes the JPEG, so its bytes depend on the version.
+"""
+
+import json
+import math
+import os
+import random
+import struct
+import subprocess
+import zlib
+
+FOLDER = os.path.dirname(os.path.abspath(__file__))
+FLOAT, UBYTE, USHORT = 5126, 5121, 5123
+CODES = {FLOAT: "f", UBYTE: "B", USHORT: "H"}
+
+
+def png(width, height, pixel):
+    """A picture whose pixels are pixel(x, y): bytes of RGB or RGBA."""
+    rows = b"".join(b"\0" + b"".join(bytes(pixel(x, y)) for x in range(width)) for y in range(height))
+    color_type = 6 if len(pixel(0, 0)) == 4 else 2
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, color_type, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b"")
+
+
+class Model:
+    """A glTF document and its one buffer."""
+
+    def __init__(self):
+        self.data = b""
+        self.root = {"asset": {"version": "2.0", "generator": "make_assets.py", "copyright": "CC0"}, "scene": 0}
+        for key in ("nodes", "meshes", "materials", "accessors", "bufferViews"):
+            self.root[key] = []
+
+    def append(self, key, item):
+        self.root[key].append(item)
+        return len(self.root[key]) - 1
+
+    def view(self, data):
+        offset = len(self.data)
+        self.data += data + b"\0" * (-len(data) % 4)
+        return self.append("bufferViews", {"buffer": 0, "byteOffset": offset, "byteLength": len(data)})
+
+    def accessor(self, rows, kind, component=FLOAT, **more):
+        packed = b"".join(struct.pack(f"<{len(row)}{CODES[component]}", *row) for row in rows)
+        item = {"bufferView": self.view(packed), "componentType": component, "count": len(rows), "type": kind, **more}
+        if kind == "VEC3":
+            floats = [struct.unpack("<3f", struct.pack("<3f", *row)) for row in rows]
+            item["min"], item["max"] = [min(c) for c in zip(*floats)], [max(c) for c in zip(*floats)]
+        return self.append("accessors", item)
+
+    def mesh(self, name, shape, material, mode=4):
+        primitive = {"attributes": {"POSITION": self.accessor(shape["positions"], "VEC3")}, "material": material}
+        for key, attribute, kind in (("normals", "NORMAL", "VEC3"), ("uvs", "TEXCOORD_0", "VEC2")):
+            if key in shape:
+                primitive["attributes"][attribute] = self.accessor(shape[key], kind)
+        if "colors" in shape:
+            primitive["attributes"]["COLOR_0"] = self.accessor(shape["colors"], "VEC4", UBYTE, normalized=True)
+        if "indices" in shape:
+            component = UBYTE if len(shape["positions"]) < 255 else USHORT
+            primitive["indices"] = self.accessor([(i,) for i in shape["indices"]], "SCALAR", component)
+        if mode != 4:
+            primitive["mode"] = mode
+        return self.append("meshes", {"name": name, "primitives": [primitive]})
+
+    def material(self, name, color=(1, 1, 1, 1), metallic=0.0, roughness=0.8, texture=None, **more):
+        factors = {"baseColorFactor": list(color), "metallicFactor": metallic, "roughnessFactor": roughness}
+        if texture is not None:
+            factors["baseColorTexture"] = texture
+        return self.append("materials", {"name": name, "pbrMetallicRoughness": factors, **more})
+
+    def node(self, name, mesh=None, **more):
+        return self.append("nodes", {"name": name, **({} if mesh is None else {"mesh": mesh}), **more})
+
+
+def unit(v):
+    length = math.sqrt(sum(x * x for x in v))
+    return [x / length for x in v]
+
+
+def grid(columns, rows, at):
+    """A surface at(u, v) over [0, 1] x [0, 1], its normals by differences."""
+    step = 1e-4
+    shape = {"positions": [], "normals": [], "uvs": [], "indices": []}
+    for j in range(rows + 1):
+        for i in range(columns + 1):
+            u, v = i / columns, j / rows
+            p = at(u, v)
+            du = [b - a for a, b in zip(at(u - step, v), at(u + step, v))]
+            dv = [b - a for a, b in zip(at(u, v - step), at(u, v + step))]
+            shape["positions"].append(p)
+            normal = [du[1] * dv[2] - du[2] * dv[1], du[2] * dv[0] - du[0] * dv[2], du[0] * dv[1] - du[1] * dv[0]]
+            shape["normals"].append(unit(normal) if any(abs(x) > 1e-12 for x in normal) else unit(p))
+            shape["uvs"].append((u, v))
+    for j in range(rows):
+        for i in range(columns):
+            a = j * (columns + 1) + i
+            c = a + columns + 1
+            shape["indices"] += [a, a + 1, c + 1, a, c + 1, c]
+    return shape
+
+
+def tube(low, high, bottom, top, sides=10):
+    """The side of a cone's frustum about y."""
+
+    def at(u, v):
+        angle = -2 * math.pi * u
+        radius = bottom + (top - bottom) * v
+        return [radius * math.cos(angle), low + (high - low) * v, radius * math.sin(angle)]
+
+    return grid(sides, 1, at)
+
+
+def sphere(radius):
+    def at(u, v):
+        angle, height = -2 * math.pi * u, math.pi * (v - 0.5)
+        return [radius * math.cos(height) * math.cos(angle), radius * math.sin(height), radius * math.cos(height) * math.sin(angle)]
+
+    return grid(16, 8, at)
+
+
+def box(x, y, z):
+    """Half sides, about the origin."""
+    shape = {"positions": [], "normals": [], "uvs": [], "indices": []}
+    for axis in range(3):
+        for sign in (1, -1):
+            first = len(shape["positions"])
+            a, b = (axis + 1) % 3, (axis + 2) % 3
+            for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+                p, n = [0, 0, 0], [0, 0, 0]
+                p[axis], n[axis] = sign, sign
+                p[a], p[b] = s * sign, t
+                shape["positions"].append([p[0] * x, p[1] * y, p[2] * z])
+                shape["normals"].append(n)
+                shape["uvs"].append(((s + 1) / 2, (t + 1) / 2))
+            shape["indices"] += [first + i for i in (0, 1, 2, 0, 2, 3)]
+    return shape
+
+
+def turn(degrees):
+    """A rotation about y."""
+    half = math.radians(degrees) / 2
+    return [0, math.sin(half), 0, math.cos(half)]
+
+
+def garden():
+    rng = random.Random(2013)
+    model = Model()
+    speckle = [[rng.randrange(40) for _ in range(32)] for _ in range(32)]
+    grass = png(32, 32, lambda x, y: (50 + speckle[y][x] // 2, 100 + speckle[y][x], 40 + speckle[x][y] // 3))
+
+    def leaf(x, y):
+        across, down = (x + 5 * (y // 8)) % 12, y % 8
+        u, v = (across - 5.5) / 6, (down - 3.5) / 4
+        inside = u * u + v * v + 0.6 * u * v < 0.9 and math.hypot(x - 31.5, y - 31.5) < 31
+        return (40 + 6 * across, 120 + 9 * down, 30, 255 if inside else 0)
+
+    model.root["images"] = [
+        {"name": "grass", "bufferView": model.view(grass), "mimeType": "image/png"},
+        {"name": "leaves", "bufferView": model.view(png(64, 64, leaf)), "mimeType": "image/png"},
+    ]
+    model.root["samplers"] = [{"magFilter": 9729, "minFilter": 9987}, {"wrapS": 33071, "wrapT": 33071}]
+    model.root["textures"] = [{"source": 0, "sampler": 0}, {"source": 1, "sampler": 1}]
+    model.root["extensionsUsed"] = ["KHR_texture_transform"]
+    repeat = {"index": 0, "extensions": {"KHR_texture_transform": {"scale": [6, 6]}}}
+    lawn = model.material("lawn", texture=repeat)
+    bark = model.material("bark", (0.6, 0.45, 0.3, 1))
+    leaves = model.material("leaves", texture={"index": 1}, alphaMode="MASK", alphaCutoff=0.5, doubleSided=True)
+    water = model.material("water", (0.1, 0.35, 0.55, 0.6), roughness=0.1, alphaMode="BLEND")
+    glass = model.material("glass", (0.7, 0.9, 0.85, 0.3), roughness=0.1, alphaMode="BLEND", doubleSided=True)
+    paint = model.material("paint", (0.9, 0.88, 0.8, 1))
+    gold = model.material("gold", (1, 0.77, 0.34, 1), metallic=1, roughness=0.3)
+
+    def hill(u, v):
+        x, z = 20 * (u - 0.5), 20 * (0.5 - v)
+        return [x, 0.25 * math.sin(0.7 * x) * math.cos(0.5 * z) - 0.3, z]
+
+    ground = model.mesh("ground", grid(16, 16, hill), lawn)
+    trunk_shape = tube(0, 2, 0.25, 0.12)
+    trunk_shape["colors"] = [(150 + rng.randrange(80),) * 3 + (255,) for _ in trunk_shape["positions"]]
+    trunk = model.mesh("trunk", trunk_shape, bark)
+    crown_shape = {"positions": [], "normals": [], "uvs": [], "indices": []}
+    for k in range(5):
+        c, s = math.cos(k * math.pi / 5), math.sin(k * math.pi / 5)
+        first = len(crown_shape["positions"])
+        for p, q in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+            crown_shape["positions"].append([1.4 * p * c, 1.4 * q, 1.4 * p * s])
+            crown_shape["normals"].append(unit([p * c, 0.5 + q, p * s]))
+            crown_shape["uvs"].append(((p + 1) / 2, (1 - q) / 2))
+        crown_shape["indices"] += [first + i for i in (0, 1, 2, 0, 2, 3)]
+    crown = model.mesh("crown", crown_shape, leaves)
+    rim = [[2.2 * math.cos(-2 * math.pi * i / 24), 0, 1.5 * math.sin(-2 * math.pi * i / 24)] for i in range(25)]
+    pond = model.mesh("pond", {"positions": [[0, 0, 0]] + rim, "normals": [[0, 1, 0]] * 26}, water, mode=6)
+    post = model.mesh("post", box(0.08, 0.5, 0.08), paint)
+    rail = model.mesh("rail", {k: v for k, v in box(9.2, 0.05, 0.03).items() if k != "normals"}, paint)
+    ball = model.mesh("ball", sphere(0.6), gold)
+    pane = model.mesh("greenhouse", box(1.2, 0.8, 0.9), glass)
+
+    roots = [model.node("ground", ground)]
+    for k in range(8):
+        x, z = 7.5 * math.cos(k * 0.785 + 0.3), 7.5 * math.sin(k * 0.785 + 0.3)
+        size = 0.8 + 0.1 * k
+        children = [model.node("trunk", trunk), model.node("crown", crown, translation=[0, 2.6, 0], rotation=turn(20 * k))]
+        scale = [-size if k == 3 else size, size, size]
+        roots.append(model.node(f"tree {k}", translation=[x, -0.4, z], scale=scale, children=children))
+    roots.append(model.node("pond", pond, translation=[-1.5, 0.05, 1.5]))
+    roots.append(model.node("ball", ball, translation=[2.2, 0.6, 2.5]))
+    roots.append(model.node("greenhouse", pane, translation=[2.8, 0.6, -2.5], rotation=turn(30)))
+    roots.append(model.node("pot", ball, translation=[2.8, 0.2, -2.5], scale=[0.5, 0.7, 0.5]))
+    for side in range(4):
+        posts = [model.node("post", post, translation=[-9.2 + 4.6 * k, 0, 0]) for k in range(4)]
+        posts.append(model.node("rail", rail, translation=[0, 0.25, 0]))
+        c, s = math.cos(side * math.pi / 2), math.sin(side * math.pi / 2)
+        place = {"translation": [9.2 * s, 0.2, 9.2 * c], "rotation": turn(90 * side)}
+        roots.append(model.node(f"fence {side}", children=posts, **place))
+    model.root["cameras"] = [{"type": "perspective", "name": "gate", "perspective": {"yfov": 0.7, "znear": 0.1, "zfar": 200}}]
+    roots.append(model.node("gate", camera=0, translation=[0, 3, 16]))
+    model.root["scenes"] = [{"name": "garden", "nodes": roots}]
+    model.root["buffers"] = [{"byteLength": len(model.data)}]
+    text = json.dumps(model.root, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    with open(os.path.join(FOLDER, "garden.glb"), "wb") as file:
+        file.write(struct.pack("<III", 0x46546C67, 2, 12 + 8 + len(text) + 8 + len(model.data)))
+        file.write(struct.pack("<I4s", len(text), b"JSON") + text)
+        file.write(struct.pack("<I4s", len(model.data), b"BIN\0") + model.data)
+
+
+def stone():
+    """128 x 128 of a wall of grey blocks."""
+    rng = random.Random(7)
+    shade = [[110 + rng.randrange(90) for _ in range(8)] for _ in range(8)]
+
+    def pixel(x, y):
+        row = y // 16
+        column = (x + 8 * (row % 2)) // 16 % 8
+        joint = y % 16 < 2 or (x + 8 * (row % 2)) % 16 < 2
+        level = 70 if joint else shade[row][column] + (x * 7 + y * 13) % 17
+        return (level, level - 4, level - 12)
+
+    command = ["ffmpeg", "-v", "error", "-y", "-f", "png_pipe", "-i", "-", "-q:v", "4", "-pix_fmt", "yuvj420p"]
+    subprocess.run([*command, os.path.join(FOLDER, "stone.jpg")], input=png(128, 128, pixel), check=True)
+
+
+def well():
+    model = Model()
+    model.root["images"] = [{"name": "stone", "uri": "stone.jpg"}]
+    model.root["textures"] = [{"source": 0}]
+    masonry = model.material("masonry", texture={"index": 0}, roughness=0.9)
+    wood = model.material("wood", (0.45, 0.28, 0.14, 1))
+    tiles = model.material("tiles", (0.65, 0.2, 0.12, 1), roughness=0.6, doubleSided=True)
+    iron = model.material("iron", (0.35, 0.36, 0.38, 1), metallic=1, roughness=0.5)
+    outside = model.mesh("outside", tube(0, 1, 1.2, 1.1, 24), masonry)
+    inside = model.mesh("inside", tube(1, 0, 0.85, 0.85, 24), masonry)
+    lip = model.mesh("lip", tube(1, 1, 1.1, 0.85, 24), masonry)
+    beam = model.mesh("beam", box(0.07, 0.9, 0.07), wood)
+    apex, eaves = [0, 0.8, 0], [[-1.3, 0, 1], [1.3, 0, 1], [1.3, 0, -1], [-1.3, 0, -1]]
+    faces = [p for i in range(4) for p in (eaves[i], eaves[(i + 1) % 4], apex)]
+    roof = model.mesh("roof", {"positions": faces}, tiles)
+    bucket = model.mesh("bucket", tube(0, 0.35, 0.14, 0.2, 12), iron)
+    roots = [
+        model.node("wall", children=[model.node("outside", outside), model.node("inside", inside), model.node("lip", lip)]),
+        model.node("left", beam, translation=[-1, 1.7, 0]),
+        model.node("right", beam, translation=[1, 1.7, 0]),
+        model.node("axle", beam, translation=[0, 2, 0], rotation=[0, 0, math.sqrt(0.5), math.sqrt(0.5)], scale=[0.7, 1.2, 0.7]),
+        model.node("roof", roof, translation=[0, 2.5, 0]),
+        model.node("bucket", bucket, translation=[0.2, 1.2, 0]),
+    ]
+    model.root["scenes"] = [{"name": "well", "nodes": roots}]
+    model.root["buffers"] = [{"byteLength": len(model.data), "uri": "well.bin"}]
+    with open(os.path.join(FOLDER, "well.bin"), "wb") as file:
+        file.write(model.data)
+    with open(os.path.join(FOLDER, "well.gltf"), "w") as file:
+        json.dump(model.root, file, indent=1)
+        file.write("\n")
+
+
+garden()
+stone()
+well()

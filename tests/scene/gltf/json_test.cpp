@@ -1,0 +1,129 @@
+#include "fixture.h"
+
+namespace cdr::scene::test {
+namespace {
+
+using GltfJson = GltfFolder;
+
+/// A triangle whose buffer of 36 bytes is this URI.
+std::string withDataUri(const std::string& uri) {
+    Document document = triangle();
+    document.root["buffers"] = {{{"byteLength", 36}, {"uri", uri}}};
+    return document.root.dump();
+}
+
+TEST_F(GltfJson, Base64IsReadToItsLastCharacter) {
+    const std::string header = "data:application/octet-stream;base64,";
+    const std::string zeros(44, 'A'); // 33 bytes
+    const auto tryUri = [&](const std::string& uri) { return refusal(write("a.gltf", withDataUri(uri))); };
+    EXPECT_EQ(tryUri(header + zeros + "AAAA"), "loaded");
+    EXPECT_EQ(tryUri("data:application/gltf-buffer;base64," + zeros + "AAAA"), "loaded");
+    expectSays(tryUri(header + zeros + "AAA="), "its data has 35");
+    expectSays(tryUri(header + zeros + "AAA"), "its data has 35");
+    expectSays(tryUri(header + zeros + "AA=="), "its data has 34");
+    for (const std::string end : {"A", "AAA!", "A===", "AA\nA", "-_AA", "AA=A"}) {
+        expectSays(tryUri(header + zeros + end), "cannot be decoded");
+    }
+    for (const std::string& start :
+         std::vector<std::string>{"data:,", "data:application/octet-stream,", "data:;base64,", header}) {
+        expectSays(tryUri(start), "cannot be decoded");
+    }
+}
+
+TEST_F(GltfJson, Base64KeepsEveryBit) {
+    Document document = triangle();
+    // The floats 0 0 0, 0x1.7ddff6p+0 0 0, 0 0x1.fffffep+0 0: digits of every kind.
+    document.root["buffers"] = {{{"byteLength", 36},
+                                 {"uri", "data:application/octet-stream;base64,"
+                                         "AAAAAAAAAAAAAAAA++++PwAAAAAAAAAAAAAAAP///z8AAAAA"}}};
+    const Scene scene = loadGltf(write("a.gltf", document.root.dump())).scene;
+    const Mesh& mesh = scene.meshes.at(0);
+    EXPECT_EQ(mesh.vertices[1].position.x - mesh.vertices[0].position.x, 0x1.7ddff6p+0f);
+    EXPECT_EQ(mesh.vertices[2].position.y - mesh.vertices[0].position.y, 0x1.fffffep+0f);
+}
+
+/// Defaults in their place would show another scene than the file's.
+TEST_F(GltfJson, ValuesOfAnotherTypeAreRefused) {
+    const auto withMaterial = [&](const json& material) {
+        Document document = square();
+        document.root["materials"] = {material};
+        document.primitive()["material"] = 0;
+        return refusal(document);
+    };
+    expectSays(withMaterial({{"name", "m"}, {"doubleSided", 1}}),
+               "material 'm': 'doubleSided' is neither true nor false");
+    expectSays(withMaterial({{"alphaMode", 5}}), "'alphaMode' is not a string");
+    expectSays(withMaterial({{"emissiveFactor", {1, 2}}}), "'emissiveFactor' is not 3 numbers");
+    expectSays(withMaterial({{"pbrMetallicRoughness", json::array()}}),
+               "'pbrMetallicRoughness' is not an object");
+    expectSays(withMaterial({{"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1}}}}}),
+               "'baseColorFactor' is not 4 numbers");
+    expectSays(withMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", {{"texCoord", 0}}}}}}),
+               "has no 'index'");
+    Document document = square();
+    document.root["accessors"][0]["normalized"] = "yes";
+    expectSays(refusal(document), "accessor 0: 'normalized' is neither true nor false");
+    document = square();
+    document.root["accessors"][0]["type"] = "VEC5";
+    expectSays(refusal(document), "accessor 0: its type 'VEC5' does not exist");
+    document = square();
+    document.root["bufferViews"][1]["byteStride"] = 13;
+    expectSays(refusal(document), "buffer view 1: its byteStride is 13");
+}
+
+TEST_F(GltfJson, WhatIsLeftOutIsNamed) {
+    const auto without = [&](const char* array, const char* key) {
+        Document document = square();
+        document.root[array].back().erase(key);
+        return refusal(document);
+    };
+    EXPECT_EQ(without("accessors", "componentType"), "accessor 2: has no 'componentType'");
+    EXPECT_EQ(without("accessors", "count"), "accessor 2: has no 'count'");
+    EXPECT_EQ(without("accessors", "type"), "accessor 2: its type '' does not exist");
+    EXPECT_EQ(without("bufferViews", "buffer"), "buffer view 3: has no 'buffer'");
+    EXPECT_EQ(without("bufferViews", "byteLength"), "buffer view 3: has no 'byteLength'");
+    Document document = square();
+    document.primitive().erase("attributes");
+    EXPECT_EQ(refusal(document), "mesh 0 '' primitive 0: has no 'attributes'");
+}
+
+TEST_F(GltfJson, WhatTheSceneDoesNotUseNeedNotBeSound) {
+    Document document = square();
+    document.root["accessors"].push_back({{"componentType", "x"}});
+    document.root["meshes"].push_back({{"primitives", 5}});
+    document.root["materials"] = {5};
+    document.root["textures"] = {"x"};
+    document.root["images"] = {json::object()};
+    EXPECT_EQ(refusal(document), "loaded");
+}
+
+TEST_F(GltfJson, NamesAreKeptWhole) {
+    Document document = square();
+    const std::string name = std::string(1000, 'x') + "\n";
+    document.root["nodes"][0]["name"] = name;
+    document.root["materials"] = {{{"name", name}}};
+    document.primitive()["material"] = 0;
+    const Scene scene = load(document).scene;
+    EXPECT_EQ(scene.objectNames[0], name);
+    EXPECT_EQ(scene.materials[0].name, name);
+}
+
+TEST_F(GltfJson, LongNamesDoNotPushOutWhatIsSaid) {
+    Document document = square();
+    const std::string name(1000, 'x');
+    document.root["meshes"][0]["name"] = name;
+    document.root["materials"] = {{{"name", name}, {"emissiveFactor", {1, 1, 1}}}};
+    document.primitive()["material"] = 0;
+    EXPECT_TRUE(anySays(load(document).ignored, "x...': emissive factors are not drawn"));
+    document.root["nodes"] = {{{"children", {2}}, {"name", name}},
+                              {{"children", {2}}, {"name", name}},
+                              {{"mesh", 0}, {"name", name}}};
+    expectSays(refusal(document), "x...', and a node has one parent");
+    document = square();
+    document.root["meshes"][0]["name"] = name;
+    document.primitive().erase("attributes");
+    expectSays(refusal(document), "x...' primitive 0: has no 'attributes'");
+}
+
+} // namespace
+} // namespace cdr::scene::test
