@@ -42,8 +42,8 @@ void runDevices(const GlobalOptions& global, const OutputOptions& output) {
         console.line("no Vulkan device found; for a software one install mesa-vulkan-drivers");
     } else {
         console.table(
-            {"device", "kind", "driver", "Vulkan", "queues", "depth formats", "largest side", "usable"},
-            rows);
+            {{"device", "kind", "driver", "Vulkan", "queues", "depth formats", "largest side", "usable"},
+             rows});
     }
     writeJson(output, document);
 }

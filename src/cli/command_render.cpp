@@ -199,7 +199,7 @@ void run(const GlobalOptions& global, const RenderArguments& arguments) {
     console.endProgress();
     std::vector<std::string> header = FrameOutput::tableHeader();
     header.emplace_back(arguments.hash ? "sha-256" : "");
-    console.table(header, rows);
+    console.table({header, rows});
     console.line(describe(session.device()));
     if (trace) {
         trace->write(arguments.trace);

@@ -19,13 +19,12 @@ void Console::line(const std::string& text) const {
     }
 }
 
-void Console::table(const std::vector<std::string>& header,
-                    const std::vector<std::vector<std::string>>& rows) const {
+void Console::table(const experiments::Table& table) const {
     std::vector<std::size_t> widths;
-    for (const std::string& cell : header) {
+    for (const std::string& cell : table.header) {
         widths.push_back(cell.size());
     }
-    for (const auto& row : rows) {
+    for (const auto& row : table.rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {
             widths[i] = std::max(widths[i], row[i].size());
         }
@@ -39,8 +38,8 @@ void Console::table(const std::vector<std::string>& header,
         }
         line(text);
     };
-    print(header);
-    for (const auto& row : rows) {
+    print(table.header);
+    for (const auto& row : table.rows) {
         print(row);
     }
 }

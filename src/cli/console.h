@@ -2,13 +2,14 @@
 
 #include "session.h"
 
+#include <experiments/columns.h>
+
 #include <fmt/format.h>
 #include <nlohmann/json_fwd.hpp>
 
 #include <chrono>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace cdr::cli {
 
@@ -19,9 +20,8 @@ class Console {
     Console(const GlobalOptions& global, const OutputOptions& output);
 
     void line(const std::string& text) const;
-    /// Rows of cells under a header, columns aligned, numbers to the right by the caller's formatting.
-    void table(const std::vector<std::string>& header,
-               const std::vector<std::vector<std::string>>& rows) const;
+    /// Columns aligned: the first to the left, all others to the right.
+    void table(const experiments::Table& table) const;
 
     /// A counter with the time left, on standard error and only where that is a terminal.
     void progress(std::size_t done, std::size_t all, const std::string& what) const;

@@ -1,4 +1,5 @@
 #include <cli/comparison.h>
+#include <experiments/columns.h>
 #include <experiments/detail/detail.h>
 
 #include <fmt/format.h>
@@ -14,35 +15,32 @@ struct DetailArguments {
     ComparisonArguments common;
 };
 
-nlohmann::ordered_json toJson(const experiments::DetailResult& result) {
-    return {{"mode", result.mode},
-            {"frame_ms", result.frameMs},
-            {"record_ms", result.recordMs},
-            {"execute_ms", result.executeMs},
-            {"execute_speedup", result.speedup},
-            {"ci95", {result.speedup95.low, result.speedup95.high}},
-            {"triangles", result.triangles},
-            {"flip", result.flip},
-            {"largest_flip", result.largestFlip},
-            {"pixels", result.pixels},
-            {"other_ids", result.otherIds},
-            {"cracks", result.cracks}};
-}
-
-void printTable(const Console& console, const experiments::DetailReport& report) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& result : report.results) {
+experiments::Columns<experiments::DetailResult> detailColumns() {
+    using Result = experiments::DetailResult;
+    const auto othersShare = [](const Result& result) {
         const double share = static_cast<double>(result.otherIds) / static_cast<double>(result.pixels);
-        rows.push_back({result.mode, fmt::format("{:.0f}", result.triangles),
-                        fmt::format("{:.2f}", result.frameMs), fmt::format("{:.2f}", result.executeMs),
-                        fmt::format("{:.2f}", result.speedup),
-                        fmt::format("{:.2f} to {:.2f}", result.speedup95.low, result.speedup95.high),
-                        fmt::format("{:.5f}", result.flip), fmt::format("{:.4f} %", 100.0 * share),
-                        std::to_string(result.cracks)});
-    }
-    console.table({"detail", "triangles", "frame ms", "execute ms", "speed-up", "95 % interval", "FLIP",
-                   "other objects", "cracks"},
-                  rows);
+        return fmt::format("{:.4f} %", 100.0 * share);
+    };
+    return {
+        {.key = "mode", .value = &Result::mode, .heading = "detail"},
+        {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms", .format = {"{:.2f}"}},
+        {.key = "record_ms", .value = &Result::recordMs},
+        {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms", .format = {"{:.2f}"}},
+        {.key = "execute_speedup", .value = &Result::speedup, .heading = "speed-up", .format = {"{:.2f}"}},
+        {.key = "ci95",
+         .value = [](const Result& result) { return experiments::jsonOf(result.speedup95); },
+         .heading = "95 % interval",
+         .format = {"{:.2f} to {:.2f}"}},
+        {.key = "triangles",
+         .value = &Result::triangles,
+         .heading = "triangles",
+         .format = {"{:.0f}"},
+         .before = "frame ms"},
+        {.key = "flip", .value = &Result::flip, .heading = "FLIP", .format = {"{:.5f}"}},
+        {.key = "largest_flip", .value = &Result::largestFlip},
+        {.key = "pixels", .value = &Result::pixels},
+        {.key = "other_ids", .value = &Result::otherIds, .heading = "other objects", .text = othersShare},
+        {.key = "cracks", .value = &Result::cracks, .heading = "cracks"}};
 }
 
 void run(const GlobalOptions& global, DetailArguments& arguments) {
@@ -61,7 +59,8 @@ void run(const GlobalOptions& global, DetailArguments& arguments) {
     console.endProgress();
     session.requireSilentValidation();
 
-    printTable(console, report);
+    const auto columns = detailColumns();
+    console.table(experiments::tableOf(columns, report.results));
     console.line(fmt::format("\n{}; {} of {} triangles, {} levels made in {:.0f} ms; {} frames, {}x{}, {} "
                              "pixels of error, {} {}, {} threads; commit {}",
                              describe(session.device()), options.scene, report.sceneTriangles,
@@ -74,7 +73,7 @@ void run(const GlobalOptions& global, DetailArguments& arguments) {
                      {"error_pixels", options.pixels}});
     auto document = base::makeDocument("detail", session.documentDevice(), std::move(settings));
     for (const auto& result : report.results) {
-        auto& row = document["results"].emplace_back(toJson(result));
+        auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
         keepPicture(arguments.common, "picture", result.mode + ".png", result.picture, row);
         keepPicture(arguments.common, "cracks_picture", result.mode + "_cracks.png", result.cracked, row);
     }

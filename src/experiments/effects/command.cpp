@@ -1,5 +1,6 @@
 #include <cdr/render/effects.h>
 #include <cli/comparison.h>
+#include <experiments/columns.h>
 #include <experiments/effects/effects.h>
 
 #include <fmt/format.h>
@@ -13,26 +14,21 @@ struct EffectsArguments {
     ComparisonArguments common;
 };
 
-nlohmann::ordered_json toJson(const experiments::EffectsResult& result) {
-    return {{"mode", result.mode},
-            {"execute_ms", result.executeMs},
-            {"execute_ratio", result.ratio},
-            {"ci95", {result.ratio95.low, result.ratio95.high}},
-            {"least_alike", result.leastAlike},
-            {"differing", result.differing}};
-}
-
-void printTable(const Console& console, const experiments::EffectsReport& report) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& result : report.results) {
-        rows.push_back({result.mode, fmt::format("{:.2f}", result.executeMs),
-                        fmt::format("{:.3f}", result.ratio),
-                        fmt::format("{:.3f} to {:.3f}", result.ratio95.low, result.ratio95.high),
-                        fmt::format("{:.4f} %", 100.0 * result.differing), result.leastAlike});
-    }
-    console.table({"effect", "execute ms", "over plain", "95 % interval", "differing", "under"}, rows);
-    console.line(fmt::format("\nocclusion per layer leaves {:.3f} % of the pixels too bright",
-                             100.0 * report.lostPerLayer));
+experiments::Columns<experiments::EffectsResult> effectsColumns() {
+    using Result = experiments::EffectsResult;
+    return {{.key = "mode", .value = &Result::mode, .heading = "effect"},
+            {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms", .format = {"{:.2f}"}},
+            {.key = "execute_ratio", .value = &Result::ratio, .heading = "over plain", .format = {"{:.3f}"}},
+            {.key = "ci95",
+             .value = [](const Result& result) { return experiments::jsonOf(result.ratio95); },
+             .heading = "95 % interval",
+             .format = {"{:.3f} to {:.3f}"}},
+            {.key = "least_alike", .value = &Result::leastAlike, .heading = "under"},
+            {.key = "differing",
+             .value = &Result::differing,
+             .heading = "differing",
+             .format = {"{:.4f} %", 100.0},
+             .before = "under"}};
 }
 
 void run(const GlobalOptions& global, EffectsArguments& arguments) {
@@ -49,7 +45,10 @@ void run(const GlobalOptions& global, EffectsArguments& arguments) {
     console.endProgress();
     session.requireSilentValidation();
 
-    printTable(console, report);
+    const auto columns = effectsColumns();
+    console.table(experiments::tableOf(columns, report.results));
+    console.line(fmt::format("\nocclusion per layer leaves {:.3f} % of the pixels too bright",
+                             100.0 * report.lostPerLayer));
     console.line(fmt::format("{}; {}, {} frames, {}x{}, radius {}, visibility {}, {} threads; differing: by "
                              "more than {} of 255 from anchored, which preset most",
                              describe(session.device()), options.scene, options.frames, options.width,
@@ -59,7 +58,7 @@ void run(const GlobalOptions& global, EffectsArguments& arguments) {
     settings.update({{"occlusion_radius", options.occlusionRadius}, {"visibility", options.visibility}});
     auto document = base::makeDocument("effects", session.documentDevice(), std::move(settings));
     for (const auto& result : report.results) {
-        auto& row = document["results"].emplace_back(toJson(result));
+        auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
         keepPicture(arguments.common, "picture", result.mode + ".png", result.picture, row);
     }
     document["lost_per_layer"] = report.lostPerLayer;

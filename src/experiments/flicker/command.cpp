@@ -2,10 +2,10 @@
 #include <cdr/base/file.h>
 #include <cli/commands.h>
 #include <cli/console.h>
-#include <cli/wrong_pixels_json.h>
 #include <experiments/flicker/flicker.h>
 #include <experiments/flicker/output.h>
 #include <experiments/flicker/pairs.h>
+#include <experiments/wrong_pixels_columns.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -29,71 +29,69 @@ struct FlickerArguments {
     OutputOptions output;
 };
 
-nlohmann::ordered_json toJson(const experiments::FlickerResult& result) {
-    nlohmann::ordered_json row{{"scene", result.scene},
-                               {"technique", result.technique},
-                               {"format", result.format},
-                               {"frames", result.frames}};
-    addWrongPixels(row, result.wrong);
-    row.update({{"flips", result.flips.flips},
-                {"compared", result.flips.compared},
-                {"flips_per_thousand", result.flips.perThousand()},
-                {"mean_flip", result.meanFlip()},
-                {"flip_frames", result.flipFrames},
-                {"duplication", result.duplication()},
-                {"cascades", result.cascades}});
-    return row;
+experiments::Columns<experiments::FlickerResult> flickerColumns() {
+    using Result = experiments::FlickerResult;
+    return experiments::joined<Result>(
+        {{{.key = "scene", .value = &Result::scene},
+          {.key = "technique", .value = &Result::technique, .heading = "technique"},
+          {.key = "format", .value = &Result::format, .heading = "format"},
+          {.key = "frames", .value = &Result::frames}},
+         experiments::columnsOf(&Result::wrong, experiments::wrongPixelsColumns({.pixels = "inner pixels",
+                                                                                 .wrong = "wrong",
+                                                                                 .share = "wrong share",
+                                                                                 .shareFormat = "{:.5f} %"})),
+         {{.key = "flips",
+           .value = [](const Result& result) { return result.flips.flips; },
+           .heading = "flips"},
+          {.key = "compared", .value = [](const Result& result) { return result.flips.compared; }},
+          {.key = "flips_per_thousand",
+           .value = [](const Result& result) { return result.flips.perThousand(); },
+           .heading = "flips / 1000",
+           .format = {"{:.4f}"}},
+          {.key = "mean_flip", .value = &Result::meanFlip, .heading = "mean FLIP", .format = {"{:.6f}"}},
+          {.key = "flip_frames", .value = &Result::flipFrames},
+          {.key = "duplication", .value = &Result::duplication},
+          {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}}});
 }
 
-nlohmann::ordered_json toJson(const experiments::FlickerPair& pair) {
-    const auto sideName = [&](experiments::Side side) {
+experiments::Columns<experiments::FlickerPair> pairColumns() {
+    using Pair = experiments::FlickerPair;
+    const auto sideName = [](const Pair& pair, experiments::Side side) {
         return side == experiments::Side::left ? pair.left : pair.right;
     };
-    return {{"left", pair.left},
-            {"right", pair.right},
-            {"left_flips", pair.flipsLeft.flips},
-            {"right_flips", pair.flipsRight.flips},
-            {"observer", pair.observer ? nlohmann::ordered_json(sideName(*pair.observer))
-                                       : nlohmann::ordered_json(nullptr)},
-            {"humans_left", pair.humans.left},
-            {"humans_right", pair.humans.right},
-            {"humans", sideName(pair.humansChoice())},
-            {"agree", pair.agree()},
-            {"chi_squared", pair.chiSquared()},
-            {"chi_squared_p", measure::chiSquaredTail(pair.chiSquared())},
-            {"binomial_p", pair.binomialP()}};
-}
-
-void printTables(const Console& console, const std::vector<experiments::FlickerResult>& results,
-                 const std::vector<experiments::FlickerPair>& pairs) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& result : results) {
-        rows.push_back({result.technique, result.format, std::to_string(result.wrong.pixels),
-                        std::to_string(result.wrong.wrong),
-                        fmt::format("{:.5f} %", 100.0 * result.wrong.fraction()),
-                        std::to_string(result.flips.flips), fmt::format("{:.4f}", result.flips.perThousand()),
-                        fmt::format("{:.6f}", result.meanFlip()), std::to_string(result.cascades)});
-    }
-    console.table({"technique", "format", "inner pixels", "wrong", "wrong share", "flips", "flips / 1000",
-                   "mean FLIP", "cascades"},
-                  rows);
-    if (pairs.empty()) {
-        return;
-    }
-    rows.clear();
-    for (const auto& pair : pairs) {
-        const bool left = pair.observer == experiments::Side::left;
-        rows.push_back({pair.left, pair.right, std::to_string(pair.flipsLeft.flips),
-                        std::to_string(pair.flipsRight.flips),
-                        pair.observer ? (left ? pair.left : pair.right) : "neither",
-                        fmt::format("{} : {}", pair.humans.left, pair.humans.right),
-                        pair.agree() ? "yes" : "no", fmt::format("{:.3f}", pair.chiSquared()),
-                        fmt::format("{:.5f}", pair.binomialP())});
-    }
-    console.line("");
-    console.table({"left", "right", "flips left", "flips right", "observer takes", "twelve people", "agree",
-                   "chi-squared", "binomial p"},
-                  rows);
+    return {
+        {.key = "left", .value = &Pair::left, .heading = "left"},
+        {.key = "right", .value = &Pair::right, .heading = "right"},
+        {.key = "left_flips",
+         .value = [](const Pair& pair) { return pair.flipsLeft.flips; },
+         .heading = "flips left"},
+        {.key = "right_flips",
+         .value = [](const Pair& pair) { return pair.flipsRight.flips; },
+         .heading = "flips right"},
+        {.key = "observer",
+         .value =
+             [sideName](const Pair& pair) {
+                 return pair.observer ? experiments::Json(sideName(pair, *pair.observer))
+                                      : experiments::Json(nullptr);
+             },
+         .heading = "observer takes",
+         .format = {.missing = "neither"}},
+        {.key = "humans_left",
+         .value = [](const Pair& pair) { return pair.humans.left; },
+         .heading = "twelve people",
+         .text =
+             [](const Pair& pair) { return fmt::format("{} : {}", pair.humans.left, pair.humans.right); }},
+        {.key = "humans_right", .value = [](const Pair& pair) { return pair.humans.right; }},
+        {.key = "humans",
+         .value = [sideName](const Pair& pair) { return sideName(pair, pair.humansChoice()); }},
+        {.key = "agree",
+         .value = &Pair::agree,
+         .heading = "agree",
+         .text = [](const Pair& pair) { return pair.agree() ? "yes" : "no"; }},
+        {.key = "chi_squared", .value = &Pair::chiSquared, .heading = "chi-squared", .format = {"{:.3f}"}},
+        {.key = "chi_squared_p",
+         .value = [](const Pair& pair) { return measure::chiSquaredTail(pair.chiSquared()); }},
+        {.key = "binomial_p", .value = &Pair::binomialP, .heading = "binomial p", .format = {"{:.5f}"}}};
 }
 
 std::vector<depth::NamedTechnique> techniquesOf(const FlickerArguments& arguments) {
@@ -166,7 +164,12 @@ void run(const GlobalOptions& global, FlickerArguments& arguments) {
     const Console console(global, arguments.output);
     const auto results = measure(session, console, arguments);
     const auto pairs = experiments::comparePairs(results);
-    printTables(console, results, pairs);
+    const auto columns = flickerColumns();
+    console.table(experiments::tableOf(columns, results));
+    if (!pairs.empty()) {
+        console.line("");
+        console.table(experiments::tableOf(pairColumns(), pairs));
+    }
     console.line(fmt::format("\n{}; {} frames of {}x{}, FLIP of every {}., seed {}",
                              describe(session.device()), options.frames, size.width, size.height,
                              options.flipEvery, options.seed));
@@ -178,13 +181,8 @@ void run(const GlobalOptions& global, FlickerArguments& arguments) {
                                         {"seed", options.seed},
                                         {"near_object", options.nearObject},
                                         {"flip_every", options.flipEvery}});
-    for (const auto& result : results) {
-        document["results"].push_back(toJson(result));
-    }
-    auto& section = base::addSection(document, "pairs");
-    for (const auto& pair : pairs) {
-        section.push_back(toJson(pair));
-    }
+    document["results"] = experiments::jsonOf(columns, results);
+    document["pairs"] = experiments::jsonOf(pairColumns(), pairs);
     writeJson(arguments.output, document);
 }
 

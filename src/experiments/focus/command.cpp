@@ -1,4 +1,5 @@
 #include <cli/comparison.h>
+#include <experiments/columns.h>
 #include <experiments/focus/focus.h>
 
 #include <fmt/format.h>
@@ -14,36 +15,34 @@ struct FocusArguments {
     ComparisonArguments common;
 };
 
-nlohmann::ordered_json toJson(const experiments::FocusResult& result) {
-    return {{"mode", result.mode},
-            {"frame_ms", result.frameMs},
-            {"execute_ms", result.executeMs},
-            {"execute_speedup", result.speedup},
-            {"ci95", {result.speedup95.low, result.speedup95.high}},
-            {"pixels", result.pixels},
-            {"flip", result.flip},
-            {"rmse", result.rmse}};
+experiments::Columns<experiments::FocusResult> focusColumns() {
+    using Result = experiments::FocusResult;
+    const auto megapixels = [](const Result& result) {
+        return fmt::format("{:.2f}", static_cast<double>(result.pixels) / 1e6);
+    };
+    return {
+        {.key = "mode", .value = &Result::mode, .heading = "lens"},
+        {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms", .format = {"{:.2f}"}},
+        {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms", .format = {"{:.2f}"}},
+        {.key = "execute_speedup", .value = &Result::speedup, .heading = "speed-up", .format = {"{:.3f}"}},
+        {.key = "ci95",
+         .value = [](const Result& result) { return experiments::jsonOf(result.speedup95); },
+         .heading = "95 % interval",
+         .format = {"{:.3f} to {:.3f}"}},
+        {.key = "pixels",
+         .value = &Result::pixels,
+         .heading = "megapixels",
+         .text = megapixels,
+         .before = "frame ms"},
+        {.key = "flip", .value = &Result::flip, .heading = "FLIP", .format = {"{:.4f}"}},
+        {.key = "rmse", .value = &Result::rmse, .heading = "RMSE", .format = {"{:.4f}"}}};
 }
 
-nlohmann::ordered_json toJson(const experiments::FocusCascade& cascade) {
-    return {{"near", cascade.nearView}, {"far", cascade.farView}, {"scale", cascade.scale}};
-}
-
-void printTable(const Console& console, const experiments::FocusReport& report) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& result : report.results) {
-        rows.push_back({result.mode, fmt::format("{:.2f}", static_cast<double>(result.pixels) / 1e6),
-                        fmt::format("{:.2f}", result.frameMs), fmt::format("{:.2f}", result.executeMs),
-                        fmt::format("{:.3f}", result.speedup),
-                        fmt::format("{:.3f} to {:.3f}", result.speedup95.low, result.speedup95.high),
-                        fmt::format("{:.4f}", result.flip), fmt::format("{:.4f}", result.rmse)});
-    }
-    console.table(
-        {"lens", "megapixels", "frame ms", "execute ms", "speed-up", "95 % interval", "FLIP", "RMSE"}, rows);
-    for (const auto& cascade : report.cascades) {
-        console.line(fmt::format("cascade from {:.4g} to {:.4g}: {} pixels a pixel", cascade.nearView,
-                                 cascade.farView, cascade.scale));
-    }
+experiments::Columns<experiments::FocusCascade> cascadeColumns() {
+    using Cascade = experiments::FocusCascade;
+    return {{.key = "near", .value = &Cascade::nearView},
+            {.key = "far", .value = &Cascade::farView},
+            {.key = "scale", .value = &Cascade::scale}};
 }
 
 void run(const GlobalOptions& global, FocusArguments& arguments) {
@@ -63,7 +62,12 @@ void run(const GlobalOptions& global, FocusArguments& arguments) {
     console.endProgress();
     session.requireSilentValidation();
 
-    printTable(console, report);
+    const auto columns = focusColumns();
+    console.table(experiments::tableOf(columns, report.results));
+    for (const auto& cascade : report.cascades) {
+        console.line(fmt::format("cascade from {:.4g} to {:.4g}: {} pixels a pixel", cascade.nearView,
+                                 cascade.farView, cascade.scale));
+    }
     console.line(
         fmt::format("\n{}; {}, {} frames, {}x{}, sharp at {} through {}, {} cameras, {}, {} threads; "
                     "commit {}",
@@ -78,12 +82,10 @@ void run(const GlobalOptions& global, FocusArguments& arguments) {
                      {"cameras", options.cameras}});
     auto document = base::makeDocument("focus", session.documentDevice(), std::move(settings));
     for (const auto& result : report.results) {
-        auto& row = document["results"].emplace_back(toJson(result));
+        auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
         keepPicture(arguments.common, "picture", result.mode + ".png", result.picture, row);
     }
-    for (const auto& cascade : report.cascades) {
-        document["cascades"].push_back(toJson(cascade));
-    }
+    document["cascades"] = experiments::jsonOf(cascadeColumns(), report.cascades);
     writeJson(arguments.common.output, document);
 }
 

@@ -2,9 +2,9 @@
 #include <cdr/image/codec.h>
 #include <cli/commands.h>
 #include <cli/console.h>
-#include <cli/wrong_pixels_json.h>
 #include <experiments/gnuplot.h>
 #include <experiments/orbit/orbit.h>
+#include <experiments/wrong_pixels_columns.h>
 #include <scenes/orbit/orbit.h>
 
 #include <fmt/format.h>
@@ -46,22 +46,27 @@ void writePictures(const std::filesystem::path& folder,
                                                results.front().fovYDegrees, device)));
 }
 
-/// @param pictures what the last frame's pictures were written of; empty when none were.
-nlohmann::ordered_json toJson(const experiments::OrbitResult& result,
-                              const std::vector<experiments::PictureResult>& pictures) {
-    nlohmann::ordered_json row{{"scene", "orbit"},
-                               {"frame", result.frame},
-                               {"fov_degrees", result.fovYDegrees},
-                               {"technique", result.technique},
-                               {"cascades", result.cascades}};
-    addWrongPixels(row, result.wrong);
-    for (const experiments::PictureResult& picture : pictures) {
-        if (picture.technique == result.technique) {
-            row["picture"] = fileName(picture) + ".png";
-            row["heat_map"] = fileName(picture) + "_wrong.png";
-        }
-    }
-    return row;
+/// @param pictures of the last frame that were written.
+experiments::Columns<experiments::OrbitResult>
+orbitColumns(const std::vector<experiments::PictureResult>& pictures, std::uint32_t lastFrame) {
+    using Result = experiments::OrbitResult;
+    const auto named = [&pictures, lastFrame](const char* suffix) {
+        return [&pictures, lastFrame, suffix](const Result& result) -> experiments::Json {
+            const auto picture = std::find_if(pictures.begin(), pictures.end(), [&](const auto& each) {
+                return result.frame == lastFrame && each.technique == result.technique;
+            });
+            return picture != pictures.end() ? experiments::Json(fileName(*picture) + suffix)
+                                             : experiments::absent();
+        };
+    };
+    return experiments::joined<Result>(
+        {{{.key = "scene", .value = [](const Result&) { return "orbit"; }},
+          {.key = "frame", .value = &Result::frame},
+          {.key = "fov_degrees", .value = &Result::fovYDegrees},
+          {.key = "technique", .value = &Result::technique},
+          {.key = "cascades", .value = &Result::cascades}},
+         experiments::columnsOf(&Result::wrong, experiments::wrongPixelsColumns()),
+         {{.key = "picture", .value = named(".png")}, {.key = "heat_map", .value = named("_wrong.png")}}});
 }
 
 /// A row per frame, a column per technique.
@@ -77,7 +82,7 @@ void printTable(const Console& console, const std::vector<experiments::OrbitResu
         }
         rows.back().push_back(fmt::format("{:.4f} %", 100.0 * result.wrong.fraction()));
     }
-    console.table(header, rows);
+    console.table({header, rows});
 }
 
 void run(const GlobalOptions& global, OrbitArguments& arguments) {
@@ -123,11 +128,9 @@ void run(const GlobalOptions& global, OrbitArguments& arguments) {
                                         {"height", size.height},
                                         {"frames", arguments.options.frames},
                                         {"instances", setup.scene.instances.size()}});
-    for (const experiments::OrbitResult& row : result.results) {
-        const bool isLast = !arguments.folder.empty() && row.frame == result.results.back().frame;
-        document["results"].push_back(
-            toJson(row, isLast ? result.last : std::vector<experiments::PictureResult>{}));
-    }
+    const auto written = arguments.folder.empty() ? std::vector<experiments::PictureResult>() : result.last;
+    document["results"] =
+        experiments::jsonOf(orbitColumns(written, result.results.back().frame), result.results);
     writeJson(arguments.output, document);
 }
 

@@ -2,8 +2,8 @@
 #include <cdr/image/codec.h>
 #include <cli/commands.h>
 #include <cli/console.h>
-#include <cli/wrong_pixels_json.h>
 #include <experiments/pictures/pictures.h>
+#include <experiments/wrong_pixels_columns.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
@@ -31,29 +31,24 @@ std::string stemOf(const experiments::PictureResult& result) {
     return stem;
 }
 
-nlohmann::ordered_json toJson(const experiments::PictureResult& result) {
-    nlohmann::ordered_json row{{"scene", result.scene},
-                               {"technique", result.technique},
-                               {"fov_degrees", result.fovYDegrees},
-                               {"frames", result.frames}};
-    addWrongPixels(row, result.wrong);
-    row["flips"] = result.flips;
-    row["picture"] = stemOf(result) + ".png";
-    row["heat_map"] = stemOf(result) + "_wrong.png";
-    return row;
-}
-
-void printTable(const Console& console, const std::vector<experiments::PictureResult>& results) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& result : results) {
-        rows.push_back({result.scene, result.technique, std::to_string(result.frames),
-                        std::to_string(result.wrong.pixels), std::to_string(result.wrong.wrong),
-                        fmt::format("{:.4f} %", 100.0 * result.wrong.fraction()),
-                        fmt::format("{:.4f} %", 100.0 * result.wrong.overlapFraction())});
-    }
-    console.table(
-        {"scene", "technique", "frames", "inner pixels", "wrong", "wrong share", "where objects overlap"},
-        rows);
+experiments::Columns<experiments::PictureResult> pictureColumns() {
+    using Result = experiments::PictureResult;
+    const auto named = [](const char* suffix) {
+        return [suffix](const Result& result) { return stemOf(result) + suffix; };
+    };
+    return experiments::joined<Result>(
+        {{{.key = "scene", .value = &Result::scene, .heading = "scene"},
+          {.key = "technique", .value = &Result::technique, .heading = "technique"},
+          {.key = "fov_degrees", .value = &Result::fovYDegrees},
+          {.key = "frames", .value = &Result::frames, .heading = "frames"}},
+         experiments::columnsOf(&Result::wrong,
+                                experiments::wrongPixelsColumns({.pixels = "inner pixels",
+                                                                 .wrong = "wrong",
+                                                                 .share = "wrong share",
+                                                                 .overlapShare = "where objects overlap"})),
+         {{.key = "flips", .value = &Result::flips},
+          {.key = "picture", .value = named(".png")},
+          {.key = "heat_map", .value = named("_wrong.png")}}});
 }
 
 void run(const GlobalOptions& global, PicturesArguments& arguments) {
@@ -84,7 +79,8 @@ void run(const GlobalOptions& global, PicturesArguments& arguments) {
     image::writeImage(sheet, experiments::makeContactSheet(
                                  results, "cdr pictures: red is wrong, orange wrong on an edge; " +
                                               session.device().info().name));
-    printTable(console, results);
+    const auto columns = pictureColumns();
+    console.table(experiments::tableOf(columns, results));
     console.line(fmt::format("\n{}; {} frames a row, seed {}; pictures in {}, all on {}", device,
                              arguments.options.frames, arguments.options.seed, arguments.folder.string(),
                              sheet.string()));
@@ -94,9 +90,7 @@ void run(const GlobalOptions& global, PicturesArguments& arguments) {
                                         {"height", size.height},
                                         {"frames", arguments.options.frames},
                                         {"seed", arguments.options.seed}});
-    for (const auto& result : results) {
-        document["results"].push_back(toJson(result));
-    }
+    document["results"] = experiments::jsonOf(columns, results);
     writeJson(arguments.output, document);
 }
 

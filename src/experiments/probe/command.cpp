@@ -1,12 +1,11 @@
 #include <cdr/base/error.h>
 #include <cli/commands.h>
 #include <cli/console.h>
+#include <experiments/columns.h>
 #include <experiments/probe/probe.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <cmath>
 
 namespace cdr::cli {
 
@@ -20,43 +19,41 @@ struct ProbeArguments {
     OutputOptions output;
 };
 
-/// JSON has no infinity; null stands for it, and for what was not resolved.
-nlohmann::ordered_json numberOrNull(const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
-
 /// Measured over predicted, where both are known.
 std::optional<double> ratioOf(const experiments::ProbeResult& result) {
     return result.resolvedView ? std::optional(*result.resolvedView / result.predictedView) : std::nullopt;
 }
 
-nlohmann::ordered_json toJson(const experiments::ProbeResult& result) {
-    return {{"technique", result.technique},
-            {"format", result.format},
-            {"distance", result.distanceView},
-            {"resolved", numberOrNull(result.resolvedView)},
-            {"predicted", numberOrNull(result.predictedView)},
-            {"ratio", numberOrNull(ratioOf(result))},
-            {"guaranteed", numberOrNull(result.guaranteedView)},
-            {"smallest", result.smallestView},
-            {"largest", result.largestView},
-            {"cascades", result.cascades}};
-}
-
-void printTable(const Console& console, const std::vector<experiments::ProbeResult>& results) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& result : results) {
+experiments::Columns<experiments::ProbeResult> probeColumns() {
+    using Result = experiments::ProbeResult;
+    const auto resolvedText = [](const Result& result) {
+        return result.resolvedView ? fmt::format("{:.3g}", *result.resolvedView)
+                                   : fmt::format("none, > {:.3g}", result.largestView);
+    };
+    const auto ratioText = [](const Result& result) {
         const std::optional<double> ratio = ratioOf(result);
-        rows.push_back(
-            {result.technique, result.format, fmt::format("{}", result.distanceView),
-             result.resolvedView ? fmt::format("{:.3g}", *result.resolvedView)
-                                 : fmt::format("none, > {:.3g}", result.largestView),
-             std::isfinite(result.predictedView) ? fmt::format("{:.3g}", result.predictedView) : "none",
-             ratio && *ratio > 0.0 ? fmt::format("{:.2f}", *ratio) : "", std::to_string(result.cascades)});
-    }
-    console.table(
-        {"technique", "format", "distance", "resolved", "predicted", "measured / predicted", "cascades"},
-        rows);
+        return ratio && *ratio > 0.0 ? fmt::format("{:.2f}", *ratio) : "";
+    };
+    return {{.key = "technique", .value = &Result::technique, .heading = "technique"},
+            {.key = "format", .value = &Result::format, .heading = "format"},
+            {.key = "distance", .value = &Result::distanceView, .heading = "distance"},
+            {.key = "resolved",
+             .value = [](const Result& result) { return experiments::finiteOrNull(result.resolvedView); },
+             .heading = "resolved",
+             .text = resolvedText},
+            {.key = "predicted",
+             .value = [](const Result& result) { return experiments::finiteOrNull(result.predictedView); },
+             .heading = "predicted",
+             .format = {.pattern = "{:.3g}", .missing = "none"}},
+            {.key = "ratio",
+             .value = [](const Result& result) { return experiments::finiteOrNull(ratioOf(result)); },
+             .heading = "measured / predicted",
+             .text = ratioText},
+            {.key = "guaranteed",
+             .value = [](const Result& result) { return experiments::finiteOrNull(result.guaranteedView); }},
+            {.key = "smallest", .value = &Result::smallestView},
+            {.key = "largest", .value = &Result::largestView},
+            {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}};
 }
 
 void run(const GlobalOptions& global, ProbeArguments& arguments) {
@@ -81,16 +78,15 @@ void run(const GlobalOptions& global, ProbeArguments& arguments) {
         });
     console.endProgress();
     session.requireSilentValidation();
-    printTable(console, results);
+    const auto columns = probeColumns();
+    console.table(experiments::tableOf(columns, results));
     console.line(fmt::format("\n{}; seed {}; one picture each of {}x{}", describe(session.device()),
                              arguments.options.seed, size.width, size.height));
 
     auto document = base::makeDocument(
         "probe", session.documentDevice(),
         {{"width", size.width}, {"height", size.height}, {"seed", arguments.options.seed}});
-    for (const auto& result : results) {
-        document["results"].push_back(toJson(result));
-    }
+    document["results"] = experiments::jsonOf(columns, results);
     writeJson(arguments.output, document);
 }
 

@@ -2,6 +2,7 @@
 #include <cdr/base/file.h>
 #include <cli/commands.h>
 #include <cli/console.h>
+#include <experiments/columns.h>
 #include <experiments/gnuplot.h>
 #include <experiments/scaling/scaling.h>
 
@@ -25,89 +26,110 @@ struct ScalingArguments {
     OutputOptions output;
 };
 
-nlohmann::ordered_json toJson(const experiments::ScalingPoint& point) {
-    return {{"targets", nameOf(point.targets)},
-            {"submission", nameOf(point.submission)},
-            {"cascades", point.cascades},
-            {"threads", point.threads},
-            {"cubes", point.cubes},
-            {"draws", point.draws},
-            {"cull_ms", point.cull.medianMs},
-            {"bin_ms", point.bin.medianMs},
-            {"record_ms", point.record.medianMs},
-            {"record_ns_per_draw", point.recordNsPerDraw()},
-            {"execute_ms", point.execute.medianMs},
-            {"frame_ms", point.frame.medianMs},
-            {"speedup", point.recordSpeedUp},
-            {"efficiency", point.efficiency()},
-            {"cull_bin_speedup", point.cullAndBinSpeedUp},
-            {"frame_speedup", point.frameSpeedUp},
-            {"spread",
-             {{"cull", point.cull.spread},
-              {"bin", point.bin.spread},
-              {"record", point.record.spread},
-              {"execute", point.execute.spread},
-              {"frame", point.frame.spread}}},
-            {"hash", point.hash},
-            {"same_image", point.sameImage}};
+experiments::Columns<experiments::ScalingPoint> pointColumns() {
+    using Point = experiments::ScalingPoint;
+    const auto median = [](experiments::Spread Point::*time) {
+        return [time](const Point& point) { return (point.*time).medianMs; };
+    };
+    const auto spreads = [](const Point& point) -> experiments::Json {
+        return {{"cull", point.cull.spread},
+                {"bin", point.bin.spread},
+                {"record", point.record.spread},
+                {"execute", point.execute.spread},
+                {"frame", point.frame.spread}};
+    };
+    return {
+        {.key = "targets",
+         .value = [](const Point& point) { return nameOf(point.targets); },
+         .heading = "targets"},
+        {.key = "submission",
+         .value = [](const Point& point) { return nameOf(point.submission); },
+         .heading = "submission"},
+        {.key = "cascades", .value = &Point::cascades, .heading = "cascades"},
+        {.key = "threads", .value = &Point::threads, .heading = "threads"},
+        {.key = "cubes", .value = &Point::cubes},
+        {.key = "draws", .value = &Point::draws, .heading = "draws", .before = "threads"},
+        {.key = "cull_ms", .value = median(&Point::cull), .heading = "cull ms", .format = {"{:.3f}"}},
+        {.key = "bin_ms", .value = median(&Point::bin), .heading = "bin ms", .format = {"{:.3f}"}},
+        {.key = "record_ms", .value = median(&Point::record), .heading = "record ms", .format = {"{:.3f}"}},
+        {.value = [](const Point& point) { return point.record.spread; },
+         .heading = "+-",
+         .format = {"{:.0f} %", 100.0}},
+        {.key = "record_ns_per_draw",
+         .value = &Point::recordNsPerDraw,
+         .heading = "ns/draw",
+         .format = {"{:.0f}"}},
+        {.key = "execute_ms",
+         .value = median(&Point::execute),
+         .heading = "execute ms",
+         .format = {"{:.3f}"}},
+        {.key = "frame_ms", .value = median(&Point::frame), .heading = "frame ms", .format = {"{:.3f}"}},
+        {.key = "speedup", .value = &Point::recordSpeedUp, .heading = "speed-up", .format = {"{:.2f}"}},
+        {.key = "efficiency", .value = &Point::efficiency, .heading = "efficiency", .format = {"{:.2f}"}},
+        {.key = "cull_bin_speedup", .value = &Point::cullAndBinSpeedUp},
+        {.key = "frame_speedup", .value = &Point::frameSpeedUp},
+        {.key = "spread", .value = spreads},
+        {.key = "hash", .value = &Point::hash},
+        {.key = "same_image", .value = &Point::sameImage, .heading = "image", .text = [](const Point& point) {
+             return point.sameImage ? "same" : "DIFFERS";
+         }}};
 }
 
-nlohmann::ordered_json toJson(const experiments::ScalingFit& fit) {
-    nlohmann::ordered_json json{{"targets", nameOf(fit.targets)},    {"submission", nameOf(fit.submission)},
-                                {"cascades", fit.cascades},          {"cubes", fit.cubes},
-                                {"amdahl_serial_fraction", nullptr}, {"usl_contention", nullptr},
-                                {"usl_coherence", nullptr}};
-    if (fit.serialFraction) {
-        json["amdahl_serial_fraction"] = *fit.serialFraction;
-    }
-    if (fit.universal) {
-        json["usl_contention"] = fit.universal->contention;
-        json["usl_coherence"] = fit.universal->coherence;
-    }
-    return json;
+experiments::Columns<experiments::ScalingFit> fitColumns() {
+    using Fit = experiments::ScalingFit;
+    const auto universal = [](double measure::UniversalScalability::*part) {
+        return [part](const Fit& fit) {
+            return fit.universal ? experiments::Json((*fit.universal).*part) : experiments::Json(nullptr);
+        };
+    };
+    return {
+        {.key = "targets", .value = [](const Fit& fit) { return nameOf(fit.targets); }, .heading = "targets"},
+        {.key = "submission",
+         .value = [](const Fit& fit) { return nameOf(fit.submission); },
+         .heading = "submission"},
+        {.key = "cascades", .value = &Fit::cascades, .heading = "cascades"},
+        {.key = "cubes", .value = &Fit::cubes, .heading = "cubes"},
+        {.key = "amdahl_serial_fraction",
+         .value = [](const Fit& fit) { return experiments::finiteOrNull(fit.serialFraction); },
+         .heading = "serial fraction (Amdahl)",
+         .format = {"{:.3f}"}},
+        {.key = "usl_contention",
+         .value = universal(&measure::UniversalScalability::contention),
+         .heading = "contention (USL)",
+         .format = {"{:.3f}"}},
+        {.key = "usl_coherence",
+         .value = universal(&measure::UniversalScalability::coherence),
+         .heading = "coherence (USL)",
+         .format = {"{:.4f}"}}};
 }
 
 void printTables(const Console& console, const experiments::ScalingResult& result) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& p : result.points) {
-        const auto ms = [](const experiments::Spread& time) { return fmt::format("{:.3f}", time.medianMs); };
-        rows.push_back({std::string(nameOf(p.targets)), std::string(nameOf(p.submission)),
-                        std::to_string(p.cascades), std::to_string(p.draws), std::to_string(p.threads),
-                        ms(p.cull), ms(p.bin), ms(p.record), fmt::format("{:.0f} %", 100.0 * p.record.spread),
-                        fmt::format("{:.0f}", p.recordNsPerDraw()), ms(p.execute), ms(p.frame),
-                        fmt::format("{:.2f}", p.recordSpeedUp), fmt::format("{:.2f}", p.efficiency()),
-                        p.sameImage ? "same" : "DIFFERS"});
-    }
-    console.table({"targets", "submission", "cascades", "draws", "threads", "cull ms", "bin ms", "record ms",
-                   "+-", "ns/draw", "execute ms", "frame ms", "speed-up", "efficiency", "image"},
-                  rows);
-    rows.clear();
-    for (const auto& fit : result.fits) {
-        rows.push_back({std::string(nameOf(fit.targets)), std::string(nameOf(fit.submission)),
-                        std::to_string(fit.cascades), std::to_string(fit.cubes),
-                        fit.serialFraction ? fmt::format("{:.3f}", *fit.serialFraction) : "",
-                        fit.universal ? fmt::format("{:.3f}", fit.universal->contention) : "",
-                        fit.universal ? fmt::format("{:.4f}", fit.universal->coherence) : ""});
-    }
+    console.table(experiments::tableOf(pointColumns(), result.points));
     console.line("\nHow recording scales, fitted:");
-    console.table({"targets", "submission", "cascades", "cubes", "serial fraction (Amdahl)",
-                   "contention (USL)", "coherence (USL)"},
-                  rows);
+    console.table(experiments::tableOf(fitColumns(), result.fits));
 }
 
-void writeCsv(const std::filesystem::path& path, const experiments::ScalingResult& result) {
-    std::string csv =
-        "targets,submission,cascades,threads,cubes,draws,cull_ms,bin_ms,record_ms,record_spread,"
-        "record_ns_per_draw,execute_ms,frame_ms,speedup,efficiency,cull_bin_speedup,frame_speedup,"
-        "hash,same_image\n";
-    for (const auto& p : result.points) {
-        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", nameOf(p.targets),
-                           nameOf(p.submission), p.cascades, p.threads, p.cubes, p.draws, p.cull.medianMs,
-                           p.bin.medianMs, p.record.medianMs, p.record.spread, p.recordNsPerDraw(),
-                           p.execute.medianMs, p.frame.medianMs, p.recordSpeedUp, p.efficiency(),
-                           p.cullAndBinSpeedUp, p.frameSpeedUp, p.hash, p.sameImage);
-    }
-    base::writeText(path, csv);
+void writeCsv(const std::filesystem::path& path, const experiments::Json& points) {
+    base::writeText(path, experiments::csvOf({"targets",
+                                              "submission",
+                                              "cascades",
+                                              "threads",
+                                              "cubes",
+                                              "draws",
+                                              "cull_ms",
+                                              "bin_ms",
+                                              "record_ms",
+                                              {"record_spread", "/spread/record"},
+                                              "record_ns_per_draw",
+                                              "execute_ms",
+                                              "frame_ms",
+                                              "speedup",
+                                              "efficiency",
+                                              "cull_bin_speedup",
+                                              "frame_speedup",
+                                              "hash",
+                                              "same_image"},
+                                             points));
 }
 
 /// What can be wrong with the arguments, before anything is made.
@@ -140,8 +162,9 @@ void checkArguments(ScalingArguments& arguments) {
 void writeResults(const Session& session, const ScalingArguments& arguments,
                   const experiments::ScalingResult& result) {
     const experiments::ScalingOptions& options = arguments.options;
+    const experiments::Json points = experiments::jsonOf(pointColumns(), result.points);
     if (!arguments.csv.empty()) {
-        writeCsv(arguments.csv, result);
+        writeCsv(arguments.csv, points);
     }
     if (!arguments.plot.empty()) {
         experiments::writePlot(arguments.plot, experiments::scalingPlot(result, describe(session.device())));
@@ -153,13 +176,8 @@ void writeResults(const Session& session, const ScalingArguments& arguments,
                             {"repeats", options.repeats},
                             {"placement", options.placement == base::Placement::pinned ? "pinned" : "free"},
                             {"seed", options.seed}});
-    auto& fits = base::addSection(document, "fits");
-    for (const auto& point : result.points) {
-        document["results"].push_back(toJson(point));
-    }
-    for (const auto& fit : result.fits) {
-        fits.push_back(toJson(fit));
-    }
+    document["results"] = points;
+    document["fits"] = experiments::jsonOf(fitColumns(), result.fits);
     writeJson(arguments.output, document);
 }
 

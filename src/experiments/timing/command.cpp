@@ -4,6 +4,7 @@
 #include <cdr/render/renderer.h>
 #include <cli/commands.h>
 #include <cli/console.h>
+#include <experiments/columns.h>
 #include <experiments/gnuplot.h>
 #include <experiments/timing/timing.h>
 
@@ -29,69 +30,68 @@ struct TimingArguments {
 
 using Results = std::vector<experiments::TimingResult>;
 
-nlohmann::ordered_json toJson(const experiments::TimingResult& result) {
-    const std::optional<double>& thesis = result.mode.thesisPercent;
-    const auto part = [&](double experiments::TimingParts::*value) {
-        return result.parts ? nlohmann::ordered_json((*result.parts).*value)
-                            : nlohmann::ordered_json(nullptr);
+/// A part of a frame; null for frames in flight.
+auto partOf(double experiments::TimingParts::*part) {
+    return [part](const experiments::TimingResult& result) {
+        return result.parts ? experiments::Json((*result.parts).*part) : experiments::Json(nullptr);
     };
+}
+
+experiments::Columns<experiments::TimingResult> timingColumns() {
+    using Result = experiments::TimingResult;
     using Parts = experiments::TimingParts;
-    return {{"mode", result.mode.preset},
-            {"name", result.mode.name},
-            {"targets", nameOf(result.mode.targets)},
-            {"submission", nameOf(result.mode.submission)},
-            {"batching", nameOf(result.mode.batching)},
-            {"cascades", result.cascades},
-            {"median_us", result.medianUs},
-            {"p5_us", result.lowUs},
-            {"p95_us", result.highUs},
-            {"cull_bin_us", part(&Parts::cullAndBinUs)},
-            {"record_us", part(&Parts::recordUs)},
-            {"execute_us", part(&Parts::executeUs)},
-            {"draws", part(&Parts::draws)},
-            {"overhead_pct", result.overheadPercent},
-            {"ci95", {result.overheadPercent95.low, result.overheadPercent95.high}},
-            {"thesis_pct", thesis ? nlohmann::ordered_json(*thesis) : nlohmann::ordered_json(nullptr)}};
+    const experiments::CellFormat micros{.pattern = "{:.0f}", .missing = "-"};
+    const auto range = [](const Result& result) {
+        return fmt::format("{:.0f}-{:.0f}", result.lowUs, result.highUs);
+    };
+    return {
+        {.key = "mode", .value = [](const Result& result) { return result.mode.preset; }},
+        {.key = "name", .value = [](const Result& result) { return result.mode.name; }, .heading = "mode"},
+        {.key = "targets", .value = [](const Result& result) { return nameOf(result.mode.targets); }},
+        {.key = "submission", .value = [](const Result& result) { return nameOf(result.mode.submission); }},
+        {.key = "batching", .value = [](const Result& result) { return nameOf(result.mode.batching); }},
+        {.key = "cascades", .value = &Result::cascades, .heading = "cascades"},
+        {.key = "median_us", .value = &Result::medianUs, .heading = "frame us", .format = micros},
+        {.key = "p5_us", .value = &Result::lowUs, .heading = "5-95 %", .text = range},
+        {.key = "p95_us", .value = &Result::highUs},
+        {.key = "cull_bin_us",
+         .value = partOf(&Parts::cullAndBinUs),
+         .heading = "cull+bin us",
+         .format = micros},
+        {.key = "record_us", .value = partOf(&Parts::recordUs), .heading = "record us", .format = micros},
+        {.key = "execute_us", .value = partOf(&Parts::executeUs), .heading = "execute us", .format = micros},
+        {.key = "draws", .value = partOf(&Parts::draws)},
+        {.key = "overhead_pct",
+         .value = &Result::overheadPercent,
+         .heading = "overhead",
+         .format = {"{:+.2f} %"}},
+        {.key = "ci95",
+         .value = [](const Result& result) { return experiments::jsonOf(result.overheadPercent95); },
+         .heading = "95 % interval",
+         .format = {"{:+.2f} to {:+.2f}"}},
+        {.key = "thesis_pct",
+         .value = [](const Result& result) { return experiments::finiteOrNull(result.mode.thesisPercent); },
+         .heading = "thesis",
+         .format = {"{:+.1f} %"}}};
 }
 
-void printTable(const Console& console, const Results& results) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& result : results) {
-        const auto micros = [](double us) { return fmt::format("{:.0f}", us); };
-        const auto part = [&](double experiments::TimingParts::*value) {
-            return result.parts ? micros((*result.parts).*value) : std::string("-");
-        };
-        using Parts = experiments::TimingParts;
-        rows.push_back(
-            {result.mode.name, std::to_string(result.cascades), micros(result.medianUs),
-             fmt::format("{:.0f}-{:.0f}", result.lowUs, result.highUs), part(&Parts::cullAndBinUs),
-             part(&Parts::recordUs), part(&Parts::executeUs),
-             fmt::format("{:+.2f} %", result.overheadPercent),
-             fmt::format("{:+.2f} to {:+.2f}", result.overheadPercent95.low, result.overheadPercent95.high),
-             result.mode.thesisPercent ? fmt::format("{:+.1f} %", *result.mode.thesisPercent) : ""});
-    }
-    console.table({"mode", "cascades", "frame us", "5-95 %", "cull+bin us", "record us", "execute us",
-                   "overhead", "95 % interval", "thesis"},
-                  rows);
-}
-
-void writeCsv(const std::filesystem::path& path, const Results& results) {
-    std::string csv =
-        "name,mode,targets,cascades,median_us,p5_us,p95_us,cull_bin_us,record_us,execute_us,draws,"
-        "overhead_pct,ci95_low,ci95_high,thesis_pct\n";
-    for (const auto& r : results) {
-        const auto part = [&](double experiments::TimingParts::*value) {
-            return r.parts ? fmt::format("{}", (*r.parts).*value) : std::string();
-        };
-        using Parts = experiments::TimingParts;
-        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.mode.name, r.mode.preset,
-                           nameOf(r.mode.targets), r.cascades, r.medianUs, r.lowUs, r.highUs,
-                           part(&Parts::cullAndBinUs), part(&Parts::recordUs), part(&Parts::executeUs),
-                           part(&Parts::draws), r.overheadPercent, r.overheadPercent95.low,
-                           r.overheadPercent95.high,
-                           r.mode.thesisPercent ? fmt::format("{}", *r.mode.thesisPercent) : "");
-    }
-    base::writeText(path, csv);
+void writeCsv(const std::filesystem::path& path, const experiments::Json& rows) {
+    base::writeText(path, experiments::csvOf({"name",
+                                              "mode",
+                                              "targets",
+                                              "cascades",
+                                              "median_us",
+                                              "p5_us",
+                                              "p95_us",
+                                              "cull_bin_us",
+                                              "record_us",
+                                              "execute_us",
+                                              "draws",
+                                              "overhead_pct",
+                                              {"ci95_low", "/ci95/0"},
+                                              {"ci95_high", "/ci95/1"},
+                                              "thesis_pct"},
+                                             rows));
 }
 
 /// What can be wrong with the arguments, before anything is made.
@@ -128,11 +128,9 @@ nlohmann::ordered_json makeDocument(const Session& session, const TimingArgument
                                       "100,000, one turn about y"},
                             {"frames_in_flight", options.framesInFlight},
                             {"mode", options.framesInFlight > 1 ? "throughput" : "latency"}});
-    for (const auto& result : results) {
-        document["results"].push_back(toJson(result));
-    }
+    document["results"] = experiments::jsonOf(timingColumns(), results);
     document["noise_floor_pct"] = results.at(1).overheadPercent;
-    document["noise_floor_ci95"] = toJson(results.at(1)).at("ci95");
+    document["noise_floor_ci95"] = experiments::jsonOf(results.at(1).overheadPercent95);
     return document;
 }
 
@@ -151,7 +149,7 @@ void run(const GlobalOptions& global, TimingArguments& arguments) {
     console.endProgress();
     session.requireSilentValidation();
 
-    printTable(console, results);
+    console.table(experiments::tableOf(timingColumns(), results));
     console.line(fmt::format("\n{}; {} frames a mode after {} dropped, seed {}, {} threads, {}x{}; commit {}",
                              describe(session.device()), arguments.options.frames, experiments::kWarmUpFrames,
                              arguments.options.seed, arguments.options.threads, arguments.options.width,
@@ -160,7 +158,7 @@ void run(const GlobalOptions& global, TimingArguments& arguments) {
                              results.at(1).overheadPercent, results.at(1).overheadPercent95.low,
                              results.at(1).overheadPercent95.high));
     if (!arguments.csv.empty()) {
-        writeCsv(arguments.csv, results);
+        writeCsv(arguments.csv, experiments::jsonOf(timingColumns(), results));
     }
     if (!arguments.plot.empty()) {
         experiments::writePlot(arguments.plot, experiments::timingPlot(results, describe(session.device())));

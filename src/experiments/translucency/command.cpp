@@ -2,6 +2,7 @@
 #include <cdr/image/codec.h>
 #include <cli/commands.h>
 #include <cli/console.h>
+#include <experiments/columns.h>
 #include <experiments/translucency/translucency.h>
 
 #include <fmt/format.h>
@@ -29,38 +30,39 @@ std::string stemOf(const experiments::TranslucencyResult& result) {
     return fmt::format("{}_{}", nameOf(result.stats.method), result.cascades);
 }
 
-nlohmann::ordered_json toJson(const experiments::TranslucencyResult& result) {
-    const measure::LayerDifference& difference = result.difference;
-    return {{"method", nameOf(result.stats.method)},
-            {"technique", result.technique},
-            {"cascades", result.cascades},
-            {"pixels", difference.translucent},
-            {"max_error", difference.largestError},
-            {"mean_error", difference.meanError},
-            {"within_one_step", difference.withinFraction()},
-            {"counted_pixels", difference.pixels},
-            {"miscounted", difference.miscounted},
-            {"draws", result.stats.draws},
-            {"fragments", result.stats.fragments},
-            {"bytes", result.stats.bytes},
-            {"execute_ms", result.executeMs},
-            {"note", result.stats.note}};
-}
-
-void printTable(const Console& console, const std::vector<experiments::TranslucencyResult>& results) {
-    std::vector<std::vector<std::string>> rows;
-    for (const experiments::TranslucencyResult& result : results) {
-        const measure::LayerDifference& difference = result.difference;
-        rows.push_back({std::string(nameOf(result.stats.method)), std::to_string(result.cascades),
-                        std::to_string(difference.largestError), fmt::format("{:.3f}", difference.meanError),
-                        fmt::format("{:.3f} %", 100.0 * difference.withinFraction()),
-                        std::to_string(difference.miscounted), std::to_string(result.stats.draws),
-                        fmt::format("{:.1f}", static_cast<double>(result.stats.bytes) / 0x1p20),
-                        fmt::format("{:.1f}", result.executeMs)});
-    }
-    console.table({"method", "cascades", "max error", "mean error", "within 1/255", "miscounted", "draws",
-                   "MiB", "execute ms"},
-                  rows);
+experiments::Columns<experiments::TranslucencyResult> translucencyColumns() {
+    using Result = experiments::TranslucencyResult;
+    using Difference = measure::LayerDifference;
+    using Stats = render::TranslucencyStats;
+    const experiments::Columns<Difference> differences{
+        {.key = "pixels", .value = &Difference::translucent},
+        {.key = "max_error", .value = &Difference::largestError, .heading = "max error"},
+        {.key = "mean_error", .value = &Difference::meanError, .heading = "mean error", .format = {"{:.3f}"}},
+        {.key = "within_one_step",
+         .value = &Difference::withinFraction,
+         .heading = "within 1/255",
+         .format = {"{:.3f} %", 100.0}},
+        {.key = "counted_pixels", .value = &Difference::pixels},
+        {.key = "miscounted", .value = &Difference::miscounted, .heading = "miscounted"}};
+    const experiments::Columns<Stats> stats{{.key = "draws", .value = &Stats::draws, .heading = "draws"},
+                                            {.key = "fragments", .value = &Stats::fragments}};
+    const auto mebibytes = [](const Result& result) {
+        return fmt::format("{:.1f}", static_cast<double>(result.stats.bytes) / 0x1p20);
+    };
+    return experiments::joined<Result>(
+        {{{.key = "method",
+           .value = [](const Result& result) { return nameOf(result.stats.method); },
+           .heading = "method"},
+          {.key = "technique", .value = &Result::technique},
+          {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}},
+         experiments::columnsOf(&Result::difference, differences),
+         experiments::columnsOf(&Result::stats, stats),
+         {{.key = "bytes",
+           .value = [](const Result& result) { return result.stats.bytes; },
+           .heading = "MiB",
+           .text = mebibytes},
+          {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms", .format = {"{:.1f}"}},
+          {.key = "note", .value = [](const Result& result) { return result.stats.note; }}}});
 }
 
 void writePictures(const std::filesystem::path& folder, const experiments::TranslucencyResults& all) {
@@ -93,7 +95,8 @@ void run(const GlobalOptions& global, TranslucencyArguments& arguments) {
     console.endProgress();
     session.requireSilentValidation();
 
-    printTable(console, all.results);
+    const auto columns = translucencyColumns();
+    console.table(experiments::tableOf(columns, all.results));
     for (const experiments::TranslucencyResult& result : all.results) {
         if (!result.stats.note.empty()) {
             console.line(fmt::format("{} cascades drawn weighted: {}", result.cascades, result.stats.note));
@@ -115,7 +118,7 @@ void run(const GlobalOptions& global, TranslucencyArguments& arguments) {
                                         {"repeats", experiment.repeats},
                                         {"seed", experiment.seed}});
     for (const experiments::TranslucencyResult& result : all.results) {
-        document["results"].push_back(toJson(result));
+        document["results"].push_back(experiments::jsonOf(columns, result));
         if (!arguments.folder.empty()) {
             document["results"].back()["picture"] = stemOf(result) + ".png";
             document["results"].back()["error_picture"] = stemOf(result) + "_error.png";
