@@ -1,5 +1,7 @@
 #include "gnuplot.h"
 
+#include "whole_file.h"
+
 #include <cdr/base/child_process.h>
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
@@ -41,6 +43,7 @@ void writePlot(const std::filesystem::path& path, const std::string& script) {
         base::ChildProcess gnuplot({"gnuplot", "-d", "-"}, {.file = temporary});
         gnuplot.write({reinterpret_cast<const std::uint8_t*>(input.data()), input.size()});
         gnuplot.finish();
+        requireWhole(temporary, path, "gnuplot");
     });
 }
 
