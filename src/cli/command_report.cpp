@@ -132,9 +132,10 @@ nlohmann::ordered_json makeManifest(const Session& session, const report::PlanOp
     return manifest;
 }
 
-/// Runs the plan into `root`; the results and the page's data go there too.
+/// Runs the plan into a folder; the results and the page's data go there too.
 nlohmann::ordered_json fillFolder(const GlobalOptions& global, const ReportArguments& arguments,
-                                  const fs::path& root, const Console& console) {
+                                  report::PendingFolder& folder, const Console& console) {
+    const fs::path& root = folder.temporary();
     const std::vector<report::Section> plan = report::makePlan(arguments.plan);
     nlohmann::ordered_json manifest = makeManifest(Session(global), arguments.plan);
     nlohmann::ordered_json documents = nlohmann::ordered_json::object();
@@ -150,6 +151,7 @@ nlohmann::ordered_json fillFolder(const GlobalOptions& global, const ReportArgum
         inside.section =
             fmt::format("{}/{} {}, {:.0f} s to go", i + 1, plan.size(), section.name, forecast.secondsLeft());
         const SectionOutcome outcome = runSection(inside, section, root);
+        folder.keep();
         console.endProgress();
         forecast.done(section, outcome.seconds);
         console.line(fmt::format("{}/{} {}: {:.1f} s{}", i + 1, plan.size(), section.name, outcome.seconds,
@@ -171,10 +173,19 @@ void run(const GlobalOptions& global, ReportArguments& arguments) {
     report::requirePage();
     arguments.plan.videos = base::isInstalled("ffmpeg");
     requireJsonWritable(arguments.output);
-    const report::PendingFolder folder(arguments.folder);
+    report::PendingFolder folder(arguments.folder);
     const Console console(global, arguments.output);
-    const nlohmann::ordered_json manifest = fillFolder(global, arguments, folder.temporary(), console);
-    folder.commit();
+    nlohmann::ordered_json manifest;
+    try {
+        manifest = fillFolder(global, arguments, folder, console);
+        folder.commit();
+    } catch (const std::exception& error) {
+        if (!folder.isKept()) {
+            throw;
+        }
+        throw base::RunError(
+            fmt::format("{}; what was measured is in {}", error.what(), folder.temporary().string()));
+    }
     console.line(fmt::format("Open {}", (arguments.folder / "index.html").string()));
     writeJson(arguments.output, manifest);
     for (const auto& row : manifest.at("results")) {
