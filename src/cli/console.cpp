@@ -19,6 +19,10 @@ void Console::line(const std::string& text) const {
     }
 }
 
+void Console::warning(const std::string& text) const {
+    fmt::print(m_quiet ? stderr : m_out, "{}\n", text);
+}
+
 void Console::table(const experiments::Table& table) const {
     std::vector<std::size_t> widths;
     for (const std::string& cell : table.header) {
@@ -58,12 +62,6 @@ void Console::progress(std::size_t done, std::size_t all, const std::string& wha
 void Console::endProgress() const {
     if (m_showsProgress) {
         fmt::print(stderr, "\r\x1b[K");
-    }
-}
-
-void writeJson(const OutputOptions& output, const nlohmann::ordered_json& document) {
-    if (output.json) {
-        base::writeDocument(*output.json, document);
     }
 }
 

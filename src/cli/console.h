@@ -1,11 +1,10 @@
 #pragma once
 
-#include "session.h"
+#include "shared_options.h"
 
 #include <experiments/columns.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json_fwd.hpp>
 
 #include <chrono>
 #include <cstddef>
@@ -20,6 +19,8 @@ class Console {
     Console(const GlobalOptions& global, const OutputOptions& output);
 
     void line(const std::string& text) const;
+    /// A line that is shown even when quiet, then on standard error.
+    void warning(const std::string& text) const;
     /// Columns aligned: the first to the left, all others to the right.
     void table(const experiments::Table& table) const;
 
@@ -35,8 +36,5 @@ class Console {
     std::string m_section; ///< of a report, in front of the progress; else empty
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
-
-/// Writes the document where --json asks for it.
-void writeJson(const OutputOptions& output, const nlohmann::ordered_json& document);
 
 } // namespace cdr::cli

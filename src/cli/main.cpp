@@ -1,5 +1,6 @@
 #include "commands.h"
 
+#include <cdr/base/document.h>
 #include <cdr/base/error.h>
 #include <cdr/base/standard_streams.h>
 #include <cdr/base/suggest.h>
@@ -36,7 +37,7 @@ int run(int argc, char** argv) {
     program.add_option("--device", global.device, "Vulkan device by number or part of its name");
     program.add_flag("--validate", global.validate,
                      "Run under the Khronos validation layer; any message is a failure");
-    program.add_flag("--quiet", global.quiet, "Print nothing but errors");
+    program.add_flag("--quiet", global.quiet, "Print nothing but errors and what of a file is not drawn");
     const cdr::base::BuildInfo build = cdr::base::buildInfo();
     program.set_version_flag("--version", fmt::format("cdr {} ({})", build.version, build.commit));
     cdr::cli::addDevices(program, global);

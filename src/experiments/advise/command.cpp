@@ -1,8 +1,8 @@
 #include <cdr/base/error.h>
 #include <cdr/depth/advice.h>
 #include <cdr/scene/camera.h>
+#include <cli/command.h>
 #include <cli/commands.h>
-#include <cli/console.h>
 #include <experiments/advise/measured_advice.h>
 #include <experiments/columns.h>
 
@@ -26,7 +26,6 @@ struct AdviseArguments {
     std::vector<std::string> formats;
     bool measured = false;
     experiments::MeasuredAdviceOptions measuring;
-    OutputOptions output;
 };
 
 depth::AdviceQuestion questionOf(const AdviseArguments& arguments) {
@@ -143,41 +142,33 @@ experiments::Columns<Row> adviceColumns(bool measured) {
 struct Answer {
     depth::AdviceQuestion question;
     depth::Advice advice;
-    std::optional<base::DocumentDevice> device;
     std::string measuredOn;
 };
 
 Answer predict(const depth::AdviceQuestion& question) {
-    return {.question = question, .advice = depth::advise(question), .device = {}, .measuredOn = {}};
+    return {.question = question, .advice = depth::advise(question), .measuredOn = {}};
 }
 
-Answer measure(const GlobalOptions& global, const AdviseArguments& arguments,
-               const depth::AdviceQuestion& question, const Console& console) {
+Answer measure(Command& command, const AdviseArguments& arguments, const depth::AdviceQuestion& question) {
     depth::advise(question); // what is wrong with it comes before any device
-    const Session session(global);
-    Answer answer{.question = experiments::onDevice(session.device(), question),
+    const gpu::Device& device = command.device();
+    Answer answer{.question = experiments::onDevice(device, question),
                   .advice = {},
-                  .device = session.documentDevice(),
                   .measuredOn = fmt::format(
                       "{}; separations: the ladder, one picture each; time: {} frames of "
                       "64,000 cubes each, interleaved, seed {}",
-                      describe(session.device()), arguments.measuring.frames, arguments.measuring.seed)};
+                      command.opened().text(), arguments.measuring.frames, arguments.measuring.seed)};
     answer.advice =
-        experiments::measureAdvice(session.device(), answer.question, arguments.measuring,
-                                   [&](std::size_t done, std::size_t all, const std::string& what) {
-                                       console.progress(done, all, what);
-                                   });
-    console.endProgress();
-    session.requireSilentValidation();
+        experiments::measureAdvice(device, answer.question, arguments.measuring, command.progress());
+    command.endProgress();
     return answer;
 }
 
-void run(const GlobalOptions& global, const AdviseArguments& arguments) {
-    requireJsonWritable(arguments.output);
-    const Console console(global, arguments.output);
+void run(Command& command, AdviseArguments& arguments) {
+    const Console& console = command.console();
     const depth::AdviceQuestion asked = questionOf(arguments);
-    const auto [question, advice, device, measuredOn] =
-        arguments.measured ? measure(global, arguments, asked, console) : predict(asked);
+    const auto [question, advice, measuredOn] =
+        arguments.measured ? measure(command, arguments, asked) : predict(asked);
     const std::vector<std::string> lines = depth::explain(question, advice);
     const auto columns = adviceColumns(arguments.measured);
     console.table(experiments::tableOf(columns, advice.rows));
@@ -188,15 +179,14 @@ void run(const GlobalOptions& global, const AdviseArguments& arguments) {
     if (arguments.measured) {
         console.line("\n" + measuredOn);
     }
-    auto document = base::makeDocument("advise", device.value_or(base::DocumentDevice{}),
-                                       {{"near", question.scene.nearView},
-                                        {"far", question.scene.farView},
-                                        {"fov_degrees", arguments.fovDegrees},
-                                        {"height", arguments.height},
-                                        {"at", question.scene.atView},
-                                        {"span", question.scene.spanView},
-                                        {"separation", question.separationView},
-                                        {"measured", arguments.measured}});
+    auto document = command.makeDocument({{"near", question.scene.nearView},
+                                          {"far", question.scene.farView},
+                                          {"fov_degrees", arguments.fovDegrees},
+                                          {"height", arguments.height},
+                                          {"at", question.scene.atView},
+                                          {"span", question.scene.spanView},
+                                          {"separation", question.separationView},
+                                          {"measured", arguments.measured}});
     if (arguments.measured) {
         document["options"]["frames"] = arguments.measuring.frames;
         document["options"]["seed"] = arguments.measuring.seed;
@@ -206,45 +196,39 @@ void run(const GlobalOptions& global, const AdviseArguments& arguments) {
                                            : nlohmann::ordered_json(nullptr);
     document["widest_span"] = advice.widestSpanView;
     document["advice"] = lines;
-    writeJson(arguments.output, document);
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, AdviseArguments& arguments) {
+    command.add_option("--near", arguments.camera.nearView, "Near plane, view distance")
+        ->capture_default_str();
+    command.add_option("--far", arguments.camera.farView, "Far plane, view distance")->capture_default_str();
+    command.add_option("--fov", arguments.fovDegrees, "Vertical field of view in degrees")
+        ->capture_default_str();
+    command.add_option("--height", arguments.height, "Height of the picture in pixels")
+        ->check(CLI::Range(1u, 1u << 20))
+        ->capture_default_str();
+    command.add_option("--separation", arguments.separationView, "Smallest gap to tell apart, scene units")
+        ->required();
+    command.add_option("--at", arguments.atView, "View distance to tell it apart at; far when not given");
+    command.add_option("--span", arguments.spanView, "Depth of what is visible around that distance")
+        ->capture_default_str();
+    command.add_option("--format", arguments.formats, "Depth formats to consider, a comma between them; all")
+        ->delimiter(',');
+    command.add_flag("--measured", arguments.measured,
+                     "Measure separations and frame times on the device, beside the formulas");
+    addFrames(command, arguments.measuring.frames, "With --measured: frames timed per technique", 1u << 20);
+    addSeed(command, arguments.measuring.seed, "With --measured: seed of both scenes");
+    addThreads(command, arguments.measuring.threads, "With --measured: threads that record");
 }
 
 } // namespace
 
 void addAdvise(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "advise",
-        "Which technique resolves a separation at a distance, what it costs, and the simplest that suffices");
-    auto arguments = std::make_shared<AdviseArguments>();
-    command->add_option("--near", arguments->camera.nearView, "Near plane, view distance")
-        ->capture_default_str();
-    command->add_option("--far", arguments->camera.farView, "Far plane, view distance")
-        ->capture_default_str();
-    command->add_option("--fov", arguments->fovDegrees, "Vertical field of view in degrees")
-        ->capture_default_str();
-    command->add_option("--height", arguments->height, "Height of the picture in pixels")
-        ->check(CLI::Range(1u, 1u << 20))
-        ->capture_default_str();
-    command->add_option("--separation", arguments->separationView, "Smallest gap to tell apart, scene units")
-        ->required();
-    command->add_option("--at", arguments->atView, "View distance to tell it apart at; far when not given");
-    command->add_option("--span", arguments->spanView, "Depth of what is visible around that distance")
-        ->capture_default_str();
-    command
-        ->add_option("--format", arguments->formats, "Depth formats to consider, a comma between them; all")
-        ->delimiter(',');
-    command->add_flag("--measured", arguments->measured,
-                      "Measure separations and frame times on the device, beside the formulas");
-    command
-        ->add_option("--frames", arguments->measuring.frames, "With --measured: frames timed per technique")
-        ->check(CLI::Range(1u, 1u << 20))
-        ->capture_default_str();
-    command->add_option("--seed", arguments->measuring.seed, "With --measured: seed of both scenes")
-        ->capture_default_str();
-    command->add_option("--threads", arguments->measuring.threads, "With --measured: threads that record")
-        ->capture_default_str();
-    addJson(*command, arguments->output);
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<AdviseArguments>(
+        program, global, "advise",
+        "Which technique resolves a separation at a distance, what it costs, and the simplest that suffices",
+        addOptions, run);
 }
 
 } // namespace cdr::cli

@@ -1,3 +1,4 @@
+#include <cli/commands.h>
 #include <cli/comparison.h>
 #include <experiments/columns.h>
 #include <experiments/detail/detail.h>
@@ -12,7 +13,7 @@ struct DetailArguments {
     experiments::DetailOptions options;
     std::string depth = "standard";
     std::string split = "count:5";
-    ComparisonArguments common;
+    std::filesystem::path folder;
 };
 
 experiments::Columns<experiments::DetailResult> detailColumns() {
@@ -43,60 +44,58 @@ experiments::Columns<experiments::DetailResult> detailColumns() {
         {.key = "cracks", .value = &Result::cracks, .heading = "cracks"}};
 }
 
-void run(const GlobalOptions& global, DetailArguments& arguments) {
+void run(Command& command, DetailArguments& arguments) {
     experiments::DetailOptions& options = arguments.options;
     options.technique = depth::Technique{depth::parseMapping(arguments.depth),
                                          depth::parseSplit(arguments.split), depth::DepthFormat::d32f};
     visibility::requireUsable(
         visibility::Detail{.mode = visibility::DetailMode::perObject, .pixels = options.pixels});
-    begin(arguments.common, options);
-    const Session session(global);
-    const Console console(global, arguments.common.output);
-    const experiments::DetailReport report =
-        experiments::runDetail(session.device(), options, [&](std::size_t done, std::size_t all) {
-            console.progress(done, all, "frames of every level of detail");
-        });
-    console.endProgress();
-    session.requireSilentValidation();
+    const PictureFolder folder(arguments.folder, command.files());
+    scene::SceneSetup setup = command.openScene(options.scene, options.seed);
+    const experiments::DetailReport report = experiments::runDetail(
+        command.device(), std::move(setup), options, command.progressOf("frames of every level of detail"));
+    command.endProgress();
 
     const auto columns = detailColumns();
-    console.table(experiments::tableOf(columns, report.results));
-    console.line(fmt::format("\n{}; {} of {} triangles, {} levels made in {:.0f} ms; {} frames, {}x{}, {} "
-                             "pixels of error, {} {}, {} threads; commit {}",
-                             describe(session.device()), options.scene, report.sceneTriangles,
-                             report.meshLevels, report.makeMs, options.frames, options.width, options.height,
-                             options.pixels, arguments.depth, arguments.split, options.threads,
-                             base::buildInfo().commit));
+    command.console().table(experiments::tableOf(columns, report.results));
+    command.console().line(
+        fmt::format("\n{}; {} of {} triangles, {} levels made in {:.0f} ms; {} frames, {}x{}, {} "
+                    "pixels of error, {} {}, {} threads; commit {}",
+                    command.opened().text(), options.scene, report.sceneTriangles, report.meshLevels,
+                    report.makeMs, options.frames, options.width, options.height, options.pixels,
+                    arguments.depth, arguments.split, options.threads, base::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"mapping", nameOf(options.technique.mapping)},
                      {"split", nameOf(options.technique.split)},
                      {"error_pixels", options.pixels}});
-    auto document = base::makeDocument("detail", session.documentDevice(), std::move(settings));
+    auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
-        keepPicture(arguments.common, "picture", result.mode + ".png", result.picture, row);
-        keepPicture(arguments.common, "cracks_picture", result.mode + "_cracks.png", result.cracked, row);
+        folder.write("picture", result.mode + ".png", result.picture, row);
+        folder.write("cracks_picture", result.mode + "_cracks.png", result.cracked, row);
     }
     document["scene_triangles"] = report.sceneTriangles;
     document["levels"] = report.meshLevels;
     document["make_levels_ms"] = report.makeMs;
-    writeJson(arguments.common.output, document);
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, DetailArguments& arguments) {
+    experiments::DetailOptions& options = arguments.options;
+    addComparison(command, options, arguments.folder);
+    command.add_option("--pixels", options.pixels, "Largest error of a level on screen, in pixels")
+        ->capture_default_str();
+    command.add_option("--depth", arguments.depth, "Depth mapping")->capture_default_str();
+    command.add_option("--split", arguments.split, "How cascades are cut")->capture_default_str();
 }
 
 } // namespace
 
 void addDetail(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "detail",
-        "What levels of detail save and change, chosen by object and by cascade (thesis chapter 3)");
-    auto arguments = std::make_shared<DetailArguments>();
-    experiments::DetailOptions& options = arguments->options;
-    addComparison(*command, options, arguments->common);
-    command->add_option("--pixels", options.pixels, "Largest error of a level on screen, in pixels")
-        ->capture_default_str();
-    command->add_option("--depth", arguments->depth, "Depth mapping")->capture_default_str();
-    command->add_option("--split", arguments->split, "How cascades are cut")->capture_default_str();
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<DetailArguments>(
+        program, global, "detail",
+        "What levels of detail save and change, chosen by object and by cascade (thesis chapter 3)",
+        addOptions, run);
 }
 
 } // namespace cdr::cli

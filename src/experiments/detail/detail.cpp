@@ -59,10 +59,10 @@ image::ImageRgba8 markCracks(image::ImageRgba8 picture, const std::vector<measur
 /// A renderer per mode over one scene with levels, and what each showed and took so far.
 class Comparison {
   public:
-    Comparison(const gpu::Device& device, const DetailOptions& options)
+    Comparison(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options)
         : m_options(options),
           m_workers(options.threads),
-          m_setup(scenes::openScene(options.scene, options.seed).setup),
+          m_setup(std::move(setup)),
           m_makeMs(makeLevels()),
           m_gpuScene(device, m_setup.scene),
           m_frames(kModes.size(), options.seed),
@@ -178,14 +178,14 @@ class Comparison {
 
 } // namespace
 
-DetailReport runDetail(const gpu::Device& device, const DetailOptions& options,
+DetailReport runDetail(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options,
                        const DetailProgress& progress) {
     if (options.frames < 1) {
         throw base::InputError("detail needs a frame");
     }
     const std::size_t all = std::size_t{InterleavedFrames::kWarmUp} + 2 * std::size_t{options.frames};
     std::size_t done = 0;
-    Comparison comparison(device, options);
+    Comparison comparison(device, std::move(setup), options);
     comparison.time([&] { progress(done++, all); });
     for (std::uint32_t i = 0; i < options.frames; ++i) {
         progress(done++, all);

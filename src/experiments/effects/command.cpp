@@ -1,4 +1,5 @@
 #include <cdr/render/effects.h>
+#include <cli/commands.h>
 #include <cli/comparison.h>
 #include <experiments/columns.h>
 #include <experiments/effects/effects.h>
@@ -11,7 +12,7 @@ namespace {
 
 struct EffectsArguments {
     experiments::EffectsOptions options;
-    ComparisonArguments common;
+    std::filesystem::path folder;
 };
 
 experiments::Columns<experiments::EffectsResult> effectsColumns() {
@@ -31,52 +32,50 @@ experiments::Columns<experiments::EffectsResult> effectsColumns() {
              .before = "under"}};
 }
 
-void run(const GlobalOptions& global, EffectsArguments& arguments) {
+void run(Command& command, EffectsArguments& arguments) {
     experiments::EffectsOptions& options = arguments.options;
     requireUsable(render::Effects{.occlusion = {.radius = options.occlusionRadius},
                                   .fog = {.visibility = options.visibility}});
-    begin(arguments.common, options);
-    const Session session(global);
-    const Console console(global, arguments.common.output);
+    const PictureFolder folder(arguments.folder, command.files());
+    const scene::SceneSetup setup = command.openScene(options.scene, options.seed);
     const experiments::EffectsReport report =
-        experiments::runEffects(session.device(), options, [&](std::size_t done, std::size_t all) {
-            console.progress(done, all, "frames with effects");
-        });
-    console.endProgress();
-    session.requireSilentValidation();
+        experiments::runEffects(command.device(), setup, options, command.progressOf("frames with effects"));
+    command.endProgress();
 
     const auto columns = effectsColumns();
-    console.table(experiments::tableOf(columns, report.results));
-    console.line(fmt::format("\nocclusion per layer leaves {:.3f} % of the pixels too bright",
-                             100.0 * report.lostPerLayer));
-    console.line(fmt::format("{}; {}, {} frames, {}x{}, radius {}, visibility {}, {} threads; differing: by "
-                             "more than {} of 255 from anchored, which preset most",
-                             describe(session.device()), options.scene, options.frames, options.width,
-                             options.height, options.occlusionRadius, options.visibility, options.threads,
-                             experiments::kEffectTolerance));
+    command.console().table(experiments::tableOf(columns, report.results));
+    command.console().line(fmt::format("\nocclusion per layer leaves {:.3f} % of the pixels too bright",
+                                       100.0 * report.lostPerLayer));
+    command.console().line(fmt::format(
+        "{}; {}, {} frames, {}x{}, radius {}, visibility {}, {} threads; differing: by "
+        "more than {} of 255 from anchored, which preset most",
+        command.opened().text(), options.scene, options.frames, options.width, options.height,
+        options.occlusionRadius, options.visibility, options.threads, experiments::kEffectTolerance));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"occlusion_radius", options.occlusionRadius}, {"visibility", options.visibility}});
-    auto document = base::makeDocument("effects", session.documentDevice(), std::move(settings));
+    auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
-        keepPicture(arguments.common, "picture", result.mode + ".png", result.picture, row);
+        folder.write("picture", result.mode + ".png", result.picture, row);
     }
     document["lost_per_layer"] = report.lostPerLayer;
-    writeJson(arguments.common.output, document);
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, EffectsArguments& arguments) {
+    experiments::EffectsOptions& options = arguments.options;
+    addComparison(command, options, arguments.folder);
+    command.add_option("--occlusion", options.occlusionRadius, "Radius of ambient occlusion, scene units")
+        ->capture_default_str();
+    command.add_option("--fog", options.visibility, "Visibility in fog, scene units")->capture_default_str();
 }
 
 } // namespace
 
 void addEffects(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "effects", "What screen-space effects cost, and whether they look alike under every technique");
-    auto arguments = std::make_shared<EffectsArguments>();
-    experiments::EffectsOptions& options = arguments->options;
-    addComparison(*command, options, arguments->common);
-    command->add_option("--occlusion", options.occlusionRadius, "Radius of ambient occlusion, scene units")
-        ->capture_default_str();
-    command->add_option("--fog", options.visibility, "Visibility in fog, scene units")->capture_default_str();
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<EffectsArguments>(
+        program, global, "effects",
+        "What screen-space effects cost, and whether they look alike under every technique", addOptions, run);
 }
 
 } // namespace cdr::cli

@@ -56,10 +56,10 @@ double shareApart(const image::ImageRgba8& a, const image::ImageRgba8& b, bool s
 /// A renderer per mode over one scene, and what each took so far.
 class Comparison {
   public:
-    Comparison(const gpu::Device& device, const EffectsOptions& options)
+    Comparison(const gpu::Device& device, const scene::SceneSetup& setup, const EffectsOptions& options)
         : m_device(device),
           m_options(options),
-          m_setup(scenes::openScene(options.scene, options.seed).setup),
+          m_setup(setup),
           m_camera(m_setup.path.at(0)),
           m_gpuScene(device, m_setup.scene),
           m_frames(kModes.size(), options.seed) {
@@ -107,7 +107,7 @@ class Comparison {
 
     const gpu::Device& m_device;
     const EffectsOptions& m_options;
-    scene::SceneSetup m_setup;
+    const scene::SceneSetup& m_setup;
     scene::Camera m_camera;
     render::GpuScene m_gpuScene;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
@@ -116,14 +116,14 @@ class Comparison {
 
 } // namespace
 
-EffectsReport runEffects(const gpu::Device& device, const EffectsOptions& options,
-                         const EffectsProgress& progress) {
+EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& setup,
+                         const EffectsOptions& options, const EffectsProgress& progress) {
     if (options.frames < 1) {
         throw base::InputError("effects needs a frame");
     }
     const std::size_t all = std::size_t{InterleavedFrames::kWarmUp} + options.frames + kModes.size();
     std::size_t done = 0;
-    Comparison comparison(device, options);
+    Comparison comparison(device, setup, options);
     comparison.time([&] { progress(done++, all); });
     EffectsReport report;
     for (std::size_t mode = 0; mode < kModes.size(); ++mode) {

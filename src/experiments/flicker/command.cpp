@@ -1,7 +1,7 @@
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
+#include <cli/command.h>
 #include <cli/commands.h>
-#include <cli/console.h>
 #include <experiments/flicker/flicker.h>
 #include <experiments/flicker/output.h>
 #include <experiments/flicker/pairs.h>
@@ -19,14 +19,11 @@ namespace {
 
 struct FlickerArguments {
     experiments::FlickerOptions options;
-    std::string size = "1280x720";
-    std::vector<std::string> techniques; ///< all presets when empty
-    std::string format;                  ///< every technique's own when empty
+    std::string format; ///< every technique's own when empty
     bool moved = false;
     bool fittedRange = false;
     std::optional<std::filesystem::path> videos;
     std::optional<std::filesystem::path> tga;
-    OutputOptions output;
 };
 
 experiments::Columns<experiments::FlickerResult> flickerColumns() {
@@ -95,10 +92,7 @@ experiments::Columns<experiments::FlickerPair> pairColumns() {
 }
 
 std::vector<depth::NamedTechnique> techniquesOf(const FlickerArguments& arguments) {
-    std::vector<depth::NamedTechnique> techniques;
-    for (const std::string& name : arguments.techniques) {
-        techniques.push_back(depth::namedTechnique(name));
-    }
+    std::vector<depth::NamedTechnique> techniques = arguments.options.techniques;
     if (techniques.empty()) {
         techniques.assign(depth::presets().begin(), depth::presets().end());
     }
@@ -116,8 +110,7 @@ std::vector<depth::NamedTechnique> techniquesOf(const FlickerArguments& argument
     return techniques;
 }
 
-std::vector<experiments::FlickerResult> measure(const Session& session, const Console& console,
-                                                const FlickerArguments& arguments) {
+std::vector<experiments::FlickerResult> measure(Command& command, const FlickerArguments& arguments) {
     const experiments::FlickerOptions& options = arguments.options;
     std::vector<std::string> names;
     for (const depth::NamedTechnique& technique : options.techniques) {
@@ -128,9 +121,7 @@ std::vector<experiments::FlickerResult> measure(const Session& session, const Co
         videos.emplace(*arguments.videos, names, options.width, options.height, options.frames);
     }
     experiments::FlickerHooks hooks;
-    hooks.progress = [&](std::size_t done, std::size_t all, const std::string& what) {
-        console.progress(done, all, what);
-    };
+    hooks.progress = command.progress();
     if (videos || arguments.tga) {
         hooks.pictures = [&](std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) {
             if (videos) {
@@ -141,84 +132,76 @@ std::vector<experiments::FlickerResult> measure(const Session& session, const Co
             }
         };
     }
-    auto results = experiments::runFlicker(session.device(), options, hooks);
-    session.requireSilentValidation();
+    auto results = experiments::runFlicker(command.device(), options, hooks);
+    command.endProgress();
     if (videos) {
         videos->finish();
     }
-    console.endProgress();
     return results;
 }
 
-void run(const GlobalOptions& global, FlickerArguments& arguments) {
-    const PictureSize size = parseSize(arguments.size);
+void run(Command& command, FlickerArguments& arguments) {
     experiments::FlickerOptions& options = arguments.options;
-    options.width = size.width;
-    options.height = size.height;
     options.techniques = techniquesOf(arguments);
     if (options.state && std::filesystem::is_directory(*options.state)) {
         *options.state /= "flicker_state.json";
     }
-    requireJsonWritable(arguments.output);
-    const Session session(global);
-    const Console console(global, arguments.output);
-    const auto results = measure(session, console, arguments);
+    if (options.state) {
+        command.files().writes("--state", *options.state);
+    }
+    const auto results = measure(command, arguments);
     const auto pairs = experiments::comparePairs(results);
+    const Console& console = command.console();
     const auto columns = flickerColumns();
     console.table(experiments::tableOf(columns, results));
     if (!pairs.empty()) {
         console.line("");
         console.table(experiments::tableOf(pairColumns(), pairs));
     }
-    console.line(fmt::format("\n{}; {} frames of {}x{}, FLIP of every {}., seed {}",
-                             describe(session.device()), options.frames, size.width, size.height,
-                             options.flipEvery, options.seed));
+    console.line(fmt::format("\n{}; {} frames of {}x{}, FLIP of every {}., seed {}", command.opened().text(),
+                             options.frames, options.width, options.height, options.flipEvery, options.seed));
 
-    auto document = base::makeDocument("flicker", session.documentDevice(),
-                                       {{"width", size.width},
-                                        {"height", size.height},
-                                        {"frames", options.frames},
-                                        {"seed", options.seed},
-                                        {"near_object", options.nearObject},
-                                        {"flip_every", options.flipEvery}});
+    auto document = command.makeDocument({{"width", options.width},
+                                          {"height", options.height},
+                                          {"frames", options.frames},
+                                          {"seed", options.seed},
+                                          {"near_object", options.nearObject},
+                                          {"flip_every", options.flipEvery}});
     document["results"] = experiments::jsonOf(columns, results);
     document["pairs"] = experiments::jsonOf(pairColumns(), pairs);
-    writeJson(arguments.output, document);
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, FlickerArguments& arguments) {
+    experiments::FlickerOptions& options = arguments.options;
+    addFrames(command, options.frames, "Frames, spread evenly over one turn of the camera");
+    addSize(command, options.width, options.height);
+    addTechniques(command, options.techniques);
+    command.add_option("--format", arguments.format, "Depth format of all: d16, d24 or d32f");
+    addSeed(command, options.seed, "Seed of the field");
+    command.add_flag("--near-object", options.nearObject,
+                     "A tiny object stays beside the camera, so fitting near and far does not help");
+    command.add_flag("--moved", arguments.moved,
+                     "Adds cdr with its last boundary moved off the field: cdr-before and cdr-behind");
+    command.add_flag("--fitted-range", arguments.fittedRange,
+                     "Adds standard with near and far fitted to what is visible: standard-fitted");
+    command.add_option("--flip-every", options.flipEvery, "Take FLIP of every so-many-th frame")
+        ->check(CLI::Range(1u, kMaxFrames))
+        ->capture_default_str();
+    addThreads(command, options.threads, "Threads that cull, bin, record and measure");
+    command.add_option("--state", options.state,
+                       "File or folder where the run is kept, to go on from when it is interrupted");
+    command.add_option("--videos", arguments.videos, "Folder for the thesis' six videos (needs ffmpeg)");
+    command.add_option("--tga", arguments.tga, "Folder for every frame as TGA");
 }
 
 } // namespace
 
 void addFlicker(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "flicker", "Wrong pixels, flips and FLIP over the 2AFC experiment's frames (thesis section 6.1)");
-    auto arguments = std::make_shared<FlickerArguments>();
-    experiments::FlickerOptions& options = arguments->options;
-    command->add_option("--frames", options.frames, "Frames, spread evenly over one turn of the camera")
-        ->check(CLI::Range(1u, kMaxFrames))
-        ->capture_default_str();
-    command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command
-        ->add_option("--techniques", arguments->techniques, "Techniques, a comma between them; all presets")
-        ->delimiter(',');
-    command->add_option("--format", arguments->format, "Depth format of all: d16, d24 or d32f");
-    command->add_option("--seed", options.seed, "Seed of the field")->capture_default_str();
-    command->add_flag("--near-object", options.nearObject,
-                      "A tiny object stays beside the camera, so fitting near and far does not help");
-    command->add_flag("--moved", arguments->moved,
-                      "Adds cdr with its last boundary moved off the field: cdr-before and cdr-behind");
-    command->add_flag("--fitted-range", arguments->fittedRange,
-                      "Adds standard with near and far fitted to what is visible: standard-fitted");
-    command->add_option("--flip-every", options.flipEvery, "Take FLIP of every so-many-th frame")
-        ->check(CLI::Range(1u, kMaxFrames))
-        ->capture_default_str();
-    command->add_option("--threads", options.threads, "Threads that cull, bin, record and measure")
-        ->capture_default_str();
-    command->add_option("--state", options.state,
-                        "File or folder where the run is kept, to go on from when it is interrupted");
-    command->add_option("--videos", arguments->videos, "Folder for the thesis' six videos (needs ffmpeg)");
-    command->add_option("--tga", arguments->tga, "Folder for every frame as TGA");
-    addJson(*command, arguments->output);
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<FlickerArguments>(
+        program, global, "flicker",
+        "Wrong pixels, flips and FLIP over the 2AFC experiment's frames (thesis section 6.1)", addOptions,
+        run);
 }
 
 } // namespace cdr::cli

@@ -1,3 +1,4 @@
+#include <cli/commands.h>
 #include <cli/comparison.h>
 #include <experiments/columns.h>
 #include <experiments/focus/focus.h>
@@ -12,7 +13,7 @@ struct FocusArguments {
     experiments::FocusOptions options;
     std::string depth = "reversed";
     std::string split;
-    ComparisonArguments common;
+    std::filesystem::path folder;
 };
 
 experiments::Columns<experiments::FocusResult> focusColumns() {
@@ -45,33 +46,29 @@ experiments::Columns<experiments::FocusCascade> cascadeColumns() {
             {.key = "scale", .value = &Cascade::scale}};
 }
 
-void run(const GlobalOptions& global, FocusArguments& arguments) {
+void run(Command& command, FocusArguments& arguments) {
     experiments::FocusOptions& options = arguments.options;
     options.mapping = depth::parseMapping(arguments.depth);
     if (!arguments.split.empty()) {
         options.split = depth::parseSplit(arguments.split);
     }
     requireUsable(options.lens);
-    begin(arguments.common, options);
-    const Session session(global);
-    const Console console(global, arguments.common.output);
-    const experiments::FocusReport report =
-        experiments::runFocus(session.device(), options, [&](std::size_t done, std::size_t all) {
-            console.progress(done, all, "frames through the lens");
-        });
-    console.endProgress();
-    session.requireSilentValidation();
+    const PictureFolder folder(arguments.folder, command.files());
+    const scene::SceneSetup setup = command.openScene(options.scene, options.seed);
+    const experiments::FocusReport report = experiments::runFocus(
+        command.device(), setup, options, command.progressOf("frames through the lens"));
+    command.endProgress();
 
     const auto columns = focusColumns();
-    console.table(experiments::tableOf(columns, report.results));
+    command.console().table(experiments::tableOf(columns, report.results));
     for (const auto& cascade : report.cascades) {
-        console.line(fmt::format("cascade from {:.4g} to {:.4g}: {} pixels a pixel", cascade.nearView,
-                                 cascade.farView, cascade.scale));
+        command.console().line(fmt::format("cascade from {:.4g} to {:.4g}: {} pixels a pixel",
+                                           cascade.nearView, cascade.farView, cascade.scale));
     }
-    console.line(
+    command.console().line(
         fmt::format("\n{}; {}, {} frames, {}x{}, sharp at {} through {}, {} cameras, {}, {} threads; "
                     "commit {}",
-                    describe(session.device()), options.scene, options.frames, options.width, options.height,
+                    command.opened().text(), options.scene, options.frames, options.width, options.height,
                     options.lens.distance, options.lens.aperture, options.cameras, arguments.depth,
                     options.threads, base::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options);
@@ -80,34 +77,36 @@ void run(const GlobalOptions& global, FocusArguments& arguments) {
                      {"distance", options.lens.distance},
                      {"aperture", options.lens.aperture},
                      {"cameras", options.cameras}});
-    auto document = base::makeDocument("focus", session.documentDevice(), std::move(settings));
+    auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
-        keepPicture(arguments.common, "picture", result.mode + ".png", result.picture, row);
+        folder.write("picture", result.mode + ".png", result.picture, row);
     }
     document["cascades"] = experiments::jsonOf(cascadeColumns(), report.cascades);
-    writeJson(arguments.common.output, document);
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, FocusArguments& arguments) {
+    experiments::FocusOptions& options = arguments.options;
+    addComparison(command, options, arguments.folder);
+    command.add_option("--distance", options.lens.distance, "View distance that is sharp")
+        ->capture_default_str();
+    command.add_option("--aperture", options.lens.aperture, "Diameter of the lens, scene units")
+        ->capture_default_str();
+    command.add_option("--cameras", options.cameras, "Cameras on the lens of the reference")
+        ->check(CLI::Range(1u, 4096u))
+        ->capture_default_str();
+    command.add_option("--depth", arguments.depth, "Depth mapping")->capture_default_str();
+    command.add_option("--split", arguments.split,
+                       "How cascades are cut; where circles of confusion double unless given");
 }
 
 } // namespace
 
 void addFocus(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "focus", "What depth of field by per-cascade resolution saves and shows (thesis chapter 3)");
-    auto arguments = std::make_shared<FocusArguments>();
-    experiments::FocusOptions& options = arguments->options;
-    addComparison(*command, options, arguments->common);
-    command->add_option("--distance", options.lens.distance, "View distance that is sharp")
-        ->capture_default_str();
-    command->add_option("--aperture", options.lens.aperture, "Diameter of the lens, scene units")
-        ->capture_default_str();
-    command->add_option("--cameras", options.cameras, "Cameras on the lens of the reference")
-        ->check(CLI::Range(1u, 4096u))
-        ->capture_default_str();
-    command->add_option("--depth", arguments->depth, "Depth mapping")->capture_default_str();
-    command->add_option("--split", arguments->split,
-                        "How cascades are cut; where circles of confusion double unless given");
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<FocusArguments>(
+        program, global, "focus",
+        "What depth of field by per-cascade resolution saves and shows (thesis chapter 3)", addOptions, run);
 }
 
 } // namespace cdr::cli

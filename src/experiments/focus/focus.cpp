@@ -53,10 +53,10 @@ double rmseOf(const image::ImageRgba8& a, const image::ImageRgba8& b) {
 /// A renderer per mode over one scene, and what each showed and took so far.
 class Comparison {
   public:
-    Comparison(const gpu::Device& device, const FocusOptions& options)
+    Comparison(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options)
         : m_options(options),
           m_workers(options.threads),
-          m_setup(scenes::openScene(options.scene, options.seed).setup),
+          m_setup(setup),
           m_camera(m_setup.path.at(0)),
           m_lens(options.lens, std::tan(0.5 * m_camera.fovY), options.height),
           m_gpuScene(device, m_setup.scene),
@@ -159,7 +159,7 @@ class Comparison {
 
     const FocusOptions& m_options;
     base::WorkerPool m_workers;
-    scene::SceneSetup m_setup;
+    const scene::SceneSetup& m_setup;
     scene::Camera m_camera;
     render::FocusLens m_lens;
     render::GpuScene m_gpuScene;
@@ -173,7 +173,8 @@ class Comparison {
 
 } // namespace
 
-FocusReport runFocus(const gpu::Device& device, const FocusOptions& options, const FocusProgress& progress) {
+FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options,
+                     const FocusProgress& progress) {
     if (options.frames < 1 || options.cameras < 1) {
         throw base::InputError("focus needs a frame and a camera");
     }
@@ -184,7 +185,7 @@ FocusReport runFocus(const gpu::Device& device, const FocusOptions& options, con
     const std::size_t all =
         std::size_t{InterleavedFrames::kWarmUp} + options.frames + std::size_t{options.cameras};
     std::size_t done = 0;
-    Comparison comparison(device, options);
+    Comparison comparison(device, setup, options);
     comparison.time([&] { progress(done++, all); });
     for (std::uint32_t i = 0; i < options.cameras; ++i) {
         progress(done++, all);

@@ -1,6 +1,6 @@
 #include <cdr/base/file.h>
+#include <cli/command.h>
 #include <cli/commands.h>
-#include <cli/console.h>
 #include <experiments/columns.h>
 #include <experiments/precision/precision.h>
 
@@ -15,7 +15,6 @@ namespace {
 struct PrecisionArguments {
     experiments::PrecisionOptions options;
     std::string curveFile;
-    OutputOptions output;
 };
 
 experiments::Columns<experiments::PrecisionCell> precisionColumns() {
@@ -52,20 +51,22 @@ void writeCurve(const std::string& file, const experiments::PrecisionResult& res
     for (const auto& point : result.curve) {
         csv += fmt::format("{},{}\n", point.distanceView, fmt::join(point.separations, ","));
     }
-    base::writeFile(file, {reinterpret_cast<const std::uint8_t*>(csv.data()), csv.size()});
+    base::writeText(file, csv);
 }
 
-void run(const GlobalOptions& global, const PrecisionArguments& arguments) {
+void run(Command& command, PrecisionArguments& arguments) {
+    if (!arguments.curveFile.empty()) {
+        command.files().writes("--curve", arguments.curveFile);
+    }
     const experiments::PrecisionResult result = experiments::runPrecision(arguments.options);
-    const Console console(global, arguments.output);
+    const Console& console = command.console();
     const auto columns = precisionColumns();
     console.line("Table 4.1 of the thesis, by its own formulas, 24 bits:");
     console.table(experiments::tableOf(columns, result.table));
     console.line("\nEvery technique and depth format, by the exact step of the buffer alone:");
     console.table(experiments::tableOf(columns, result.byFormat));
 
-    auto document = base::makeDocument(
-        "precision", {},
+    auto document = command.makeDocument(
         {{"near", arguments.options.nearView}, {"far", arguments.options.farView}, {"bits", 24}});
     document["results"] = experiments::jsonOf(columns, result.table);
     document["by_format"] = experiments::jsonOf(columns, result.byFormat);
@@ -78,22 +79,22 @@ void run(const GlobalOptions& global, const PrecisionArguments& arguments) {
     if (!arguments.curveFile.empty()) {
         writeCurve(arguments.curveFile, result);
     }
-    writeJson(arguments.output, document);
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, PrecisionArguments& arguments) {
+    command.add_option("--near", arguments.options.nearView, "Near plane, view distance")
+        ->capture_default_str();
+    command.add_option("--far", arguments.options.farView, "Far plane, view distance")->capture_default_str();
+    command.add_option("--curve", arguments.curveFile, "Write the curves of Figure 4.1 as CSV");
 }
 
 } // namespace
 
 void addPrecision(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "precision", "Smallest resolvable separation over distance, by formula (Table 4.1)");
-    auto arguments = std::make_shared<PrecisionArguments>();
-    command->add_option("--near", arguments->options.nearView, "Near plane, view distance")
-        ->capture_default_str();
-    command->add_option("--far", arguments->options.farView, "Far plane, view distance")
-        ->capture_default_str();
-    command->add_option("--curve", arguments->curveFile, "Write the curves of Figure 4.1 as CSV");
-    addJson(*command, arguments->output);
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<PrecisionArguments>(program, global, "precision",
+                                   "Smallest resolvable separation over distance, by formula (Table 4.1)",
+                                   addOptions, run);
 }
 
 } // namespace cdr::cli

@@ -1,11 +1,15 @@
 #include <cdr/base/error.h>
+#include <cli/command.h>
 #include <cli/commands.h>
-#include <cli/console.h>
 #include <experiments/columns.h>
 #include <experiments/probe/probe.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string_view>
 
 namespace cdr::cli {
 
@@ -13,10 +17,7 @@ namespace {
 
 struct ProbeArguments {
     experiments::ProbeOptions options;
-    std::vector<std::string> techniques;
     std::vector<std::string> formats;
-    std::string size = "1280x720";
-    OutputOptions output;
 };
 
 /// Measured over predicted, where both are known.
@@ -56,61 +57,62 @@ experiments::Columns<experiments::ProbeResult> probeColumns() {
             {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}};
 }
 
-void run(const GlobalOptions& global, ProbeArguments& arguments) {
-    const PictureSize size = parseSize(arguments.size);
-    arguments.options.width = size.width;
-    arguments.options.height = size.height;
-    for (const std::string& name : arguments.techniques) {
-        arguments.options.techniques.push_back(depth::namedTechnique(name));
-    }
-    if (!arguments.formats.empty()) {
-        arguments.options.formats.clear();
-        for (const std::string& name : arguments.formats) {
-            arguments.options.formats.push_back(depth::parseDepthFormat(name));
+/// The formats that are left out because the device lacks them; none where formats were asked for.
+std::vector<std::string_view> missingFormats(const gpu::Device& device,
+                                             const experiments::ProbeOptions& options) {
+    const std::vector<depth::DepthFormat>& has = device.info().depthFormats;
+    std::vector<std::string_view> missing;
+    for (const depth::DepthFormat format : depth::kDepthFormats) {
+        if (options.formats.empty() && std::find(has.begin(), has.end(), format) == has.end()) {
+            missing.push_back(nameOf(format));
         }
     }
-    requireJsonWritable(arguments.output);
-    const Session session(global);
-    const Console console(global, arguments.output);
-    const auto results = experiments::runProbe(
-        session.device(), arguments.options, [&](std::size_t done, std::size_t all, const std::string& what) {
-            console.progress(done, all, what);
-        });
-    console.endProgress();
-    session.requireSilentValidation();
-    const auto columns = probeColumns();
-    console.table(experiments::tableOf(columns, results));
-    console.line(fmt::format("\n{}; seed {}; one picture each of {}x{}", describe(session.device()),
-                             arguments.options.seed, size.width, size.height));
+    return missing;
+}
 
-    auto document = base::makeDocument(
-        "probe", session.documentDevice(),
-        {{"width", size.width}, {"height", size.height}, {"seed", arguments.options.seed}});
+void run(Command& command, ProbeArguments& arguments) {
+    experiments::ProbeOptions& options = arguments.options;
+    for (const std::string& name : arguments.formats) {
+        options.formats.push_back(depth::parseDepthFormat(name));
+    }
+    const std::vector<std::string_view> missing = missingFormats(command.device(), options);
+    const auto results = experiments::runProbe(command.device(), options, command.progress());
+    command.endProgress();
+    const auto columns = probeColumns();
+    command.console().table(experiments::tableOf(columns, results));
+    if (!missing.empty()) {
+        command.console().line(
+            fmt::format("left out, the device cannot draw to it: {}", fmt::join(missing, ", ")));
+    }
+    command.console().line(fmt::format("\n{}; seed {}; one picture each of {}x{}", command.opened().text(),
+                                       options.seed, options.width, options.height));
+
+    auto document =
+        command.makeDocument({{"width", options.width}, {"height", options.height}, {"seed", options.seed}});
     document["results"] = experiments::jsonOf(columns, results);
-    writeJson(arguments.output, document);
+    document["missing_formats"] = missing;
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, ProbeArguments& arguments) {
+    experiments::ProbeOptions& options = arguments.options;
+    command.add_option("--distances", options.distancesView, "View distances, a comma between them")
+        ->delimiter(',')
+        ->capture_default_str();
+    addTechniques(command, options.techniques);
+    command.add_option("--formats", arguments.formats, "Depth formats, a comma between them; all")
+        ->delimiter(',');
+    addSize(command, options.width, options.height);
+    addThreads(command, options.threads, "Threads that cull, bin and record");
+    addSeed(command, options.seed, "Seed of the ladder");
 }
 
 } // namespace
 
 void addProbe(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "probe", "Smallest separation each technique resolves, measured and predicted");
-    auto arguments = std::make_shared<ProbeArguments>();
-    command
-        ->add_option("--distances", arguments->options.distancesView, "View distances, a comma between them")
-        ->delimiter(',')
-        ->capture_default_str();
-    command
-        ->add_option("--techniques", arguments->techniques, "Techniques, a comma between them; all presets")
-        ->delimiter(',');
-    command->add_option("--formats", arguments->formats, "Depth formats, a comma between them; all")
-        ->delimiter(',');
-    command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--threads", arguments->options.threads, "Threads that cull, bin and record")
-        ->capture_default_str();
-    command->add_option("--seed", arguments->options.seed, "Seed of the ladder")->capture_default_str();
-    addJson(*command, arguments->output);
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<ProbeArguments>(program, global, "probe",
+                               "Smallest separation each technique resolves, measured and predicted",
+                               addOptions, run);
 }
 
 } // namespace cdr::cli

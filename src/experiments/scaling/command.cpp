@@ -1,7 +1,7 @@
 #include <cdr/base/error.h>
 #include <cdr/base/file.h>
+#include <cli/command.h>
 #include <cli/commands.h>
-#include <cli/console.h>
 #include <experiments/columns.h>
 #include <experiments/gnuplot.h>
 #include <experiments/scaling/scaling.h>
@@ -18,12 +18,10 @@ namespace {
 
 struct ScalingArguments {
     experiments::ScalingOptions options;
-    std::string size = "640x360";
     std::vector<std::string> targets;
     std::vector<std::string> submissions;
     std::filesystem::path csv;
     std::filesystem::path plot;
-    OutputOptions output;
 };
 
 experiments::Columns<experiments::ScalingPoint> pointColumns() {
@@ -133,10 +131,7 @@ void writeCsv(const std::filesystem::path& path, const experiments::Json& points
 }
 
 /// What can be wrong with the arguments, before anything is made.
-void checkArguments(ScalingArguments& arguments) {
-    const PictureSize size = parseSize(arguments.size);
-    arguments.options.width = size.width;
-    arguments.options.height = size.height;
+void checkArguments(ScalingArguments& arguments, CommandFiles& files) {
     if (!arguments.targets.empty()) {
         arguments.options.targets.clear();
         for (const std::string& name : arguments.targets) {
@@ -150,16 +145,16 @@ void checkArguments(ScalingArguments& arguments) {
         }
     }
     experiments::requireUsable(arguments.options);
-    requireJsonWritable(arguments.output);
     if (!arguments.csv.empty()) {
-        base::requireWritable(arguments.csv);
+        files.writes("--csv", arguments.csv);
     }
     if (!arguments.plot.empty()) {
         experiments::requirePlottable(arguments.plot);
+        files.writes("--plot", arguments.plot);
     }
 }
 
-void writeResults(const Session& session, const ScalingArguments& arguments,
+void writeResults(Command& command, const ScalingArguments& arguments,
                   const experiments::ScalingResult& result) {
     const experiments::ScalingOptions& options = arguments.options;
     const experiments::Json points = experiments::jsonOf(pointColumns(), result.points);
@@ -167,37 +162,32 @@ void writeResults(const Session& session, const ScalingArguments& arguments,
         writeCsv(arguments.csv, points);
     }
     if (!arguments.plot.empty()) {
-        experiments::writePlot(arguments.plot, experiments::scalingPlot(result, describe(session.device())));
+        experiments::writePlot(arguments.plot, experiments::scalingPlot(result, command.opened().text()));
     }
     auto document =
-        base::makeDocument("scaling", session.documentDevice(),
-                           {{"width", options.width},
-                            {"height", options.height},
-                            {"repeats", options.repeats},
-                            {"placement", options.placement == base::Placement::pinned ? "pinned" : "free"},
-                            {"seed", options.seed}});
+        command.makeDocument({{"width", options.width},
+                              {"height", options.height},
+                              {"repeats", options.repeats},
+                              {"placement", options.placement == base::Placement::pinned ? "pinned" : "free"},
+                              {"seed", options.seed}});
     document["results"] = points;
     document["fits"] = experiments::jsonOf(fitColumns(), result.fits);
-    writeJson(arguments.output, document);
+    command.writeDocument(document);
 }
 
-void run(const GlobalOptions& global, ScalingArguments& arguments) {
-    checkArguments(arguments);
-    const Session session(global);
-    const Console console(global, arguments.output);
-    const experiments::ScalingResult result = experiments::runScaling(
-        session.device(), arguments.options, [&](std::size_t done, std::size_t all, const std::string& what) {
-            console.progress(done, all, what);
-        });
-    console.endProgress();
-    session.requireSilentValidation();
+void run(Command& command, ScalingArguments& arguments) {
+    checkArguments(arguments, command.files());
+    const experiments::ScalingOptions& options = arguments.options;
+    const experiments::ScalingResult result =
+        experiments::runScaling(command.device(), options, command.progress());
+    command.endProgress();
 
-    printTables(console, result);
-    console.line(fmt::format(
+    printTables(command.console(), result);
+    command.console().line(fmt::format(
         "\n{}; medians of {} frames a point, +- the quartiles' distance, seed {}, {}x{}; commit {}",
-        describe(session.device()), arguments.options.repeats, arguments.options.seed,
-        arguments.options.width, arguments.options.height, base::buildInfo().commit));
-    writeResults(session, arguments, result);
+        command.opened().text(), options.repeats, options.seed, options.width, options.height,
+        base::buildInfo().commit));
+    writeResults(command, arguments, result);
     const auto differs = std::find_if(result.points.begin(), result.points.end(),
                                       [](const auto& point) { return !point.sameImage; });
     if (differs != result.points.end()) {
@@ -207,39 +197,39 @@ void run(const GlobalOptions& global, ScalingArguments& arguments) {
     }
 }
 
+void addOptions(CLI::App& command, ScalingArguments& arguments) {
+    experiments::ScalingOptions& options = arguments.options;
+    command.add_option("--draws", options.draws, "Numbers of cubes, such as 1000,50000")
+        ->delimiter(',')
+        ->capture_default_str();
+    command
+        .add_option("--threads", options.threads,
+                    "Numbers of threads, such as 1,2,4; 1 joins in any case (default: to twice the CPUs)")
+        ->delimiter(',');
+    command.add_option("--targets", arguments.targets, "Kinds of targets (default: all)")->delimiter(',');
+    command
+        .add_option("--submissions", arguments.submissions,
+                    "How draws reach the device: secondaries, primaries (the control; both by default), "
+                    "gpu-driven")
+        ->delimiter(',');
+    command.add_flag_callback(
+        "--free", [&options] { options.placement = base::Placement::free; },
+        "Let the kernel place threads, instead of pinning each to a CPU");
+    command.add_option("--cascades", options.cascades, "Numbers of cascades")
+        ->delimiter(',')
+        ->capture_default_str();
+    command.add_option("--repeats", options.repeats, "Timed frames of each point")->capture_default_str();
+    addSize(command, options.width, options.height);
+    addSeed(command, options.seed, "Seed of the scene");
+    command.add_option("--csv", arguments.csv, "Write the results as CSV to FILE");
+    command.add_option("--plot", arguments.plot, "Plot into a .png or .svg file, by gnuplot");
+}
+
 } // namespace
 
 void addScaling(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command =
-        program.add_subcommand("scaling", "How culling, binning and recording scale with threads");
-    auto arguments = std::make_shared<ScalingArguments>();
-    experiments::ScalingOptions& options = arguments->options;
-    command->add_option("--draws", options.draws, "Numbers of cubes, such as 1000,50000")
-        ->delimiter(',')
-        ->capture_default_str();
-    command
-        ->add_option("--threads", options.threads,
-                     "Numbers of threads, such as 1,2,4; 1 joins in any case (default: to twice the CPUs)")
-        ->delimiter(',');
-    command->add_option("--targets", arguments->targets, "Kinds of targets (default: all)")->delimiter(',');
-    command
-        ->add_option("--submissions", arguments->submissions,
-                     "How draws reach the device: secondaries, primaries (the control; both by default), "
-                     "gpu-driven")
-        ->delimiter(',');
-    command->add_flag_callback(
-        "--free", [&options] { options.placement = base::Placement::free; },
-        "Let the kernel place threads, instead of pinning each to a CPU");
-    command->add_option("--cascades", options.cascades, "Numbers of cascades")
-        ->delimiter(',')
-        ->capture_default_str();
-    command->add_option("--repeats", options.repeats, "Timed frames of each point")->capture_default_str();
-    command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--seed", options.seed, "Seed of the scene")->capture_default_str();
-    command->add_option("--csv", arguments->csv, "Write the results as CSV to FILE");
-    command->add_option("--plot", arguments->plot, "Plot into a .png or .svg file, by gnuplot");
-    addJson(*command, arguments->output);
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<ScalingArguments>(program, global, "scaling",
+                                 "How culling, binning and recording scale with threads", addOptions, run);
 }
 
 } // namespace cdr::cli

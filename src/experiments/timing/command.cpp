@@ -2,8 +2,8 @@
 #include <cdr/base/trace.h>
 #include <cdr/base/worker_pool.h>
 #include <cdr/render/renderer.h>
+#include <cli/command.h>
 #include <cli/commands.h>
-#include <cli/console.h>
 #include <experiments/columns.h>
 #include <experiments/gnuplot.h>
 #include <experiments/timing/timing.h>
@@ -20,12 +20,10 @@ namespace {
 
 struct TimingArguments {
     experiments::TimingOptions options;
-    std::string size = "1280x720";
     std::vector<std::string> modes;
     std::filesystem::path csv;
     std::filesystem::path plot;
     std::filesystem::path trace;
-    OutputOptions output;
 };
 
 using Results = std::vector<experiments::TimingResult>;
@@ -95,65 +93,59 @@ void writeCsv(const std::filesystem::path& path, const experiments::Json& rows) 
 }
 
 /// What can be wrong with the arguments, before anything is made.
-void checkArguments(TimingArguments& arguments) {
-    const PictureSize size = parseSize(arguments.size);
-    arguments.options.width = size.width;
-    arguments.options.height = size.height;
+void checkArguments(TimingArguments& arguments, CommandFiles& files) {
     if (!arguments.modes.empty()) {
         arguments.options.modes = experiments::timingModesNamed(arguments.modes);
     }
-    requireJsonWritable(arguments.output);
-    for (const std::filesystem::path& path : {arguments.csv, arguments.trace}) {
-        if (!path.empty()) {
-            base::requireWritable(path);
-        }
+    if (!arguments.csv.empty()) {
+        files.writes("--csv", arguments.csv);
+    }
+    if (!arguments.trace.empty()) {
+        files.writes("--trace", arguments.trace);
     }
     if (!arguments.plot.empty()) {
         experiments::requirePlottable(arguments.plot);
+        files.writes("--plot", arguments.plot);
     }
 }
 
-nlohmann::ordered_json makeDocument(const Session& session, const TimingArguments& arguments,
+nlohmann::ordered_json makeDocument(const Command& command, const TimingArguments& arguments,
                                     const Results& results) {
     const experiments::TimingOptions& options = arguments.options;
     auto document =
-        base::makeDocument("timing", session.documentDevice(),
-                           {{"width", options.width},
-                            {"height", options.height},
-                            {"frames", options.frames},
-                            {"warm_up_frames", experiments::kWarmUpFrames},
-                            {"threads", options.threads},
-                            {"seed", options.seed},
-                            {"scene", "64,000 unit cubes in a 400^3 field, 60 degrees, near 0.1, far "
-                                      "100,000, one turn about y"},
-                            {"frames_in_flight", options.framesInFlight},
-                            {"mode", options.framesInFlight > 1 ? "throughput" : "latency"}});
+        command.makeDocument({{"width", options.width},
+                              {"height", options.height},
+                              {"frames", options.frames},
+                              {"warm_up_frames", experiments::kWarmUpFrames},
+                              {"threads", options.threads},
+                              {"seed", options.seed},
+                              {"scene", "64,000 unit cubes in a 400^3 field, 60 degrees, near 0.1, far "
+                                        "100,000, one turn about y"},
+                              {"frames_in_flight", options.framesInFlight},
+                              {"mode", options.framesInFlight > 1 ? "throughput" : "latency"}});
     document["results"] = experiments::jsonOf(timingColumns(), results);
     document["noise_floor_pct"] = results.at(1).overheadPercent;
     document["noise_floor_ci95"] = experiments::jsonOf(results.at(1).overheadPercent95);
     return document;
 }
 
-void run(const GlobalOptions& global, TimingArguments& arguments) {
-    checkArguments(arguments);
+void run(Command& command, TimingArguments& arguments) {
+    checkArguments(arguments, command.files());
+    experiments::TimingOptions& options = arguments.options;
     std::optional<base::Trace> trace;
     if (!arguments.trace.empty()) {
-        arguments.options.trace = &trace.emplace(arguments.options.threads);
+        options.trace = &trace.emplace(options.threads);
     }
-    const Session session(global);
-    const Console console(global, arguments.output);
     const Results results =
-        experiments::runTiming(session.device(), arguments.options, [&](std::size_t done, std::size_t all) {
-            console.progress(done, all, "frames of every mode");
-        });
-    console.endProgress();
-    session.requireSilentValidation();
+        experiments::runTiming(command.device(), options, command.progressOf("frames of every mode"));
+    command.endProgress();
 
+    const Console& console = command.console();
+    const std::string device = command.opened().text();
     console.table(experiments::tableOf(timingColumns(), results));
     console.line(fmt::format("\n{}; {} frames a mode after {} dropped, seed {}, {} threads, {}x{}; commit {}",
-                             describe(session.device()), arguments.options.frames, experiments::kWarmUpFrames,
-                             arguments.options.seed, arguments.options.threads, arguments.options.width,
-                             arguments.options.height, base::buildInfo().commit));
+                             device, options.frames, experiments::kWarmUpFrames, options.seed,
+                             options.threads, options.width, options.height, base::buildInfo().commit));
     console.line(fmt::format("Noise floor, standard over itself: {:+.2f} %, 95 % {:+.2f} to {:+.2f}",
                              results.at(1).overheadPercent, results.at(1).overheadPercent95.low,
                              results.at(1).overheadPercent95.high));
@@ -161,47 +153,42 @@ void run(const GlobalOptions& global, TimingArguments& arguments) {
         writeCsv(arguments.csv, experiments::jsonOf(timingColumns(), results));
     }
     if (!arguments.plot.empty()) {
-        experiments::writePlot(arguments.plot, experiments::timingPlot(results, describe(session.device())));
+        experiments::writePlot(arguments.plot, experiments::timingPlot(results, device));
     }
     if (trace) {
         trace->write(arguments.trace);
     }
-    writeJson(arguments.output, makeDocument(session, arguments, results));
+    command.writeDocument(makeDocument(command, arguments, results));
+}
+
+void addOptions(CLI::App& command, TimingArguments& arguments) {
+    experiments::TimingOptions& options = arguments.options;
+    addFrames(command, options.frames, "Measured frames of every mode");
+    addSize(command, options.width, options.height);
+    addThreads(command, options.threads, "Threads that cull, bin and record");
+    command
+        .add_option("--in-flight", options.framesInFlight,
+                    "Frames in flight: 1 times latency, as the thesis; more time throughput")
+        ->check(CLI::Range(std::size_t{1}, render::kMaxFramesInFlight))
+        ->capture_default_str();
+    addSeed(command, options.seed, "Seed of the scene, the orders and the bootstrap");
+    command
+        .add_option("--modes", arguments.modes,
+                    "Only these beside standard, such as cdr-2,log,logcdr-5; also naive and standard/NAME "
+                    "with a batching or submission")
+        ->delimiter(',');
+    command.add_option("--csv", arguments.csv, "Write the results as CSV to FILE");
+    command.add_option("--plot", arguments.plot, "Draw the figure into a .png or .svg file, by gnuplot");
+    command.add_option("--trace", arguments.trace,
+                       "Write the dropped frames as a trace for ui.perfetto.dev or chrome://tracing");
 }
 
 } // namespace
 
 void addTiming(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "timing", "What each technique costs over standard, frame by frame (Figure 6.4)");
-    auto arguments = std::make_shared<TimingArguments>();
-    experiments::TimingOptions& options = arguments->options;
-    command->add_option("--frames", options.frames, "Measured frames of every mode")
-        ->check(CLI::Range(1u, kMaxFrames))
-        ->capture_default_str();
-    command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--threads", options.threads, "Threads that cull, bin and record")
-        ->check(CLI::Range(std::size_t{1}, base::WorkerPool::kMaxThreads))
-        ->capture_default_str();
-    command
-        ->add_option("--in-flight", options.framesInFlight,
-                     "Frames in flight: 1 times latency, as the thesis; more time throughput")
-        ->check(CLI::Range(std::size_t{1}, render::kMaxFramesInFlight))
-        ->capture_default_str();
-    command->add_option("--seed", options.seed, "Seed of the scene, the orders and the bootstrap")
-        ->capture_default_str();
-    command
-        ->add_option(
-            "--modes", arguments->modes,
-            "Only these beside standard, such as cdr-2,log,logcdr-5; also naive and standard/NAME with a "
-            "batching or submission")
-        ->delimiter(',');
-    command->add_option("--csv", arguments->csv, "Write the results as CSV to FILE");
-    command->add_option("--plot", arguments->plot, "Draw the figure into a .png or .svg file, by gnuplot");
-    command->add_option("--trace", arguments->trace,
-                        "Write the dropped frames as a trace for ui.perfetto.dev or chrome://tracing");
-    addJson(*command, arguments->output);
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<TimingArguments>(program, global, "timing",
+                                "What each technique costs over standard, frame by frame (Figure 6.4)",
+                                addOptions, run);
 }
 
 } // namespace cdr::cli
