@@ -1,6 +1,6 @@
 #include "camera_options.h"
 
-#include "commands.h"
+#include "shared_options.h"
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace cdr::cli {
 
@@ -78,6 +79,11 @@ FrameCameras::FrameCameras(const CameraOptions& options)
       frames(options.frames.value_or(1)),
       m_options(options) {
     if (options.path.empty()) {
+        if (frames - 1 > std::numeric_limits<std::uint32_t>::max() - first) {
+            throw base::InputError(
+                fmt::format("--frame {} --frames {}: the last frame's number is at most {}", first, frames,
+                            std::numeric_limits<std::uint32_t>::max()));
+        }
         return;
     }
     const scene::CameraRecording recording = scene::readRecording(options.path);

@@ -1,13 +1,20 @@
+#include "command.h"
 #include "commands.h"
-#include "console.h"
+
+#include <cdr/base/error.h>
+#include <cdr/gpu/device_query.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace cdr::cli {
 
 namespace {
+
+struct NoArguments {};
 
 nlohmann::ordered_json toJson(const gpu::DeviceInfo& info) {
     return {{"index", info.index},
@@ -24,12 +31,22 @@ nlohmann::ordered_json toJson(const gpu::DeviceInfo& info) {
             {"timestamp_period_ns", info.timestampPeriodNs}};
 }
 
-void runDevices(const GlobalOptions& global, const OutputOptions& output) {
-    const gpu::Instance instance({.validate = global.validate, .extensions = {}});
-    const Console console(global, output);
-    auto document = host::makeDocument("devices", {}, nlohmann::ordered_json::object());
+/// base::InputError when --device names none of them.
+void requireListed(const std::string& choice, const std::vector<gpu::DeviceInfo>& devices) {
+    if (!choice.empty() && std::none_of(devices.begin(), devices.end(), [&](const gpu::DeviceInfo& info) {
+            return gpu::isChosen(info, choice);
+        })) {
+        throw base::InputError(fmt::format("no Vulkan device matches '{}'", choice.substr(0, 60)));
+    }
+}
+
+void runDevices(Command& command, NoArguments&) {
+    const gpu::Instance instance({.validate = command.global().validate, .extensions = {}});
+    auto document = command.makeDocument(nlohmann::ordered_json::object());
     std::vector<std::vector<std::string>> rows;
-    for (const gpu::DeviceInfo& info : gpu::listDevices(instance)) {
+    const std::vector<gpu::DeviceInfo> devices = gpu::listDevices(instance);
+    requireListed(command.global().device, devices);
+    for (const gpu::DeviceInfo& info : devices) {
         rows.push_back(
             {fmt::format("{} {}", info.index, info.name), info.kind, info.driver, info.api,
              std::to_string(info.queues),
@@ -39,22 +56,21 @@ void runDevices(const GlobalOptions& global, const OutputOptions& output) {
         document["results"].push_back(toJson(info));
     }
     if (rows.empty()) {
-        console.line("no Vulkan device found; for a software one install mesa-vulkan-drivers");
+        command.console().line("no Vulkan device found; for a software one install mesa-vulkan-drivers");
     } else {
-        console.table(
-            {"device", "kind", "driver", "Vulkan", "queues", "depth formats", "largest side", "usable"},
-            rows);
+        command.console().table(
+            {{"device", "kind", "driver", "Vulkan", "queues", "depth formats", "largest side", "usable"},
+             rows});
     }
-    writeJson(output, document);
+    command.writeDocument(document);
 }
 
 } // namespace
 
 void addDevices(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand("devices", "List every Vulkan device and what it can do here");
-    auto output = std::make_shared<OutputOptions>();
-    addJson(*command, *output);
-    command->callback([&global, output] { runDevices(global, *output); });
+    addCommand<NoArguments>(
+        program, global, "devices", "List every Vulkan device and what it can do here",
+        [](CLI::App&, NoArguments&) {}, runDevices);
 }
 
 } // namespace cdr::cli

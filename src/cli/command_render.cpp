@@ -1,14 +1,12 @@
 #include "camera_options.h"
+#include "command.h"
 #include "commands.h"
-#include "console.h"
 #include "effect_options.h"
 #include "frame_output.h"
-#include "scene_choice.h"
 #include "sequence_name.h"
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
-#include <cdr/host/file.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/lod/levels.h>
 #include <experiments/frame_notes.h>
@@ -37,7 +35,8 @@ struct RenderArguments {
     EffectArguments effects;
     std::string detail = "none";
     std::size_t threads = 1;
-    std::string size = "1280x720";
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
     std::string aov = "color";
     std::string file;
     bool hash = false;
@@ -45,7 +44,6 @@ struct RenderArguments {
     CameraOptions camera;
     std::uint64_t seed = scenes::kDefaultSeed;
     scene::GltfChoice choice;
-    OutputOptions output;
 };
 
 depth::NamedTechnique techniqueOf(const RenderArguments& arguments) {
@@ -68,7 +66,8 @@ depth::NamedTechnique techniqueOf(const RenderArguments& arguments) {
 }
 
 /// What can be wrong with the arguments, before anything is loaded or made.
-void checkArguments(const RenderArguments& arguments, const FrameCameras& cameras, const SequenceName& name) {
+void checkArguments(const RenderArguments& arguments, const FrameCameras& cameras, const SequenceName& name,
+                    CommandFiles& files) {
     if (cameras.frames > 1 && !arguments.file.empty() && !name.hasNumber()) {
         throw base::InputError(
             fmt::format("{}: several frames need a number in the name, such as %04d", arguments.file));
@@ -79,30 +78,23 @@ void checkArguments(const RenderArguments& arguments, const FrameCameras& camera
         if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
             throw base::InputError(base::unknownName("picture format", extension, kExtensions));
         }
-        host::requireWritable(name.at(cameras.first));
+        files.writes("-o", name.at(cameras.first));
     }
     if (!arguments.trace.empty()) {
-        host::requireWritable(arguments.trace);
+        files.writes("--trace", arguments.trace);
     }
-    requireJsonWritable(arguments.output);
 }
 
-nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth::Technique& technique,
-                                   const PictureSize& size) {
-    return {{"scene", arguments.scene},
-            {"mapping", nameOf(technique.mapping)},
-            {"split", nameOf(technique.split)},
-            {"format", nameOf(technique.format)},
-            {"width", size.width},
-            {"height", size.height},
-            {"seed", arguments.seed},
-            {"aov", arguments.aov}};
+nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth::Technique& technique) {
+    return {{"scene", arguments.scene},         {"mapping", nameOf(technique.mapping)},
+            {"split", nameOf(technique.split)}, {"format", nameOf(technique.format)},
+            {"width", arguments.width},         {"height", arguments.height},
+            {"seed", arguments.seed},           {"aov", arguments.aov}};
 }
 
-render::RenderOptions optionsOf(const RenderArguments& arguments, const PictureSize& size,
-                                experiments::Aov aov) {
-    render::RenderOptions options{.width = size.width,
-                                  .height = size.height,
+render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::Aov aov) {
+    render::RenderOptions options{.width = arguments.width,
+                                  .height = arguments.height,
                                   .technique = techniqueOf(arguments).technique,
                                   .targets = render::parseTargets(arguments.targets),
                                   .threads = arguments.threads,
@@ -119,14 +111,14 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, const PictureS
 /// Draws frame after frame of a scene, and casts its truth where the output shows it.
 class FrameMaker {
   public:
-    FrameMaker(const Session& session, const scene::OpenedScene& opened, const render::RenderOptions& options,
+    FrameMaker(const gpu::Device& device, const scene::Scene& scene, const render::RenderOptions& options,
                bool wantsTruth, host::WorkerPool& workers)
         : m_options(options),
           m_workers(workers),
-          m_onDevice(session.device(), opened.setup.scene),
-          m_renderer(session.device(), opened.setup.scene, m_onDevice, options) {
+          m_onDevice(device, scene),
+          m_renderer(device, scene, m_onDevice, options) {
         if (wantsTruth) {
-            m_caster.emplace(opened.setup.scene, workers);
+            m_caster.emplace(scene, workers);
         }
     }
 
@@ -150,66 +142,66 @@ class FrameMaker {
     std::optional<measure::TruthCaster> m_caster;
 };
 
-void run(const GlobalOptions& global, const RenderArguments& arguments) {
-    const PictureSize size = parseSize(arguments.size);
+/// What differs from what was asked, in words.
+void sayNotes(Command& command, std::uint32_t number, bool isFirst, const FrameOutput& made) {
+    const render::Frame& frame = made.frame();
+    if (const auto& refusal = frame.stats.translucency.refusal) {
+        const std::string why =
+            experiments::noteOn(*refusal, command.device().info().name, frame.width(), frame.height());
+        command.console().line(fmt::format("frame {} drawn with --translucency weighted: {}", number, why));
+    }
+    if (isFirst && frame.stats.lostShine) {
+        command.console().line(fmt::format("drawn otherwise than asked: {}", experiments::noteOnLostShine()));
+    }
+}
+
+void runRender(Command& command, RenderArguments& arguments) {
     const experiments::Aov aov = experiments::parseAov(arguments.aov);
     const SequenceName name(arguments.file);
-    render::RenderOptions options = optionsOf(arguments, size, aov);
+    render::RenderOptions options = optionsOf(arguments, aov);
+    if (!arguments.camera.path.empty()) {
+        command.files().reads(arguments.camera.path);
+    }
     const FrameCameras cameras(arguments.camera);
-    checkArguments(arguments, cameras, name);
+    checkArguments(arguments, cameras, name, command.files());
     host::WorkerPool workers(arguments.threads);
     std::optional<host::Trace> trace;
     if (!arguments.trace.empty()) {
         options.trace = &trace.emplace(options.threads);
     }
-    scene::OpenedScene opened = openChosen(arguments.scene, arguments.seed, arguments.choice);
+    scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
     if (options.detail.mode != visibility::DetailMode::none) {
-        scene::makeLevels(opened.setup.scene, workers);
+        scene::makeLevels(setup.scene, workers);
     }
-    const scene::CameraPath& path = opened.setup.path;
-    cameras.at(path, cameras.first); // an unusable camera ends here, before the device is made
+    cameras.at(setup.path, cameras.first); // an unusable camera ends here, before the device is made
 
-    const Session session(global);
-    const Console console(global, arguments.output);
-    for (const std::string& note : opened.notes) {
-        console.line("ignored: " + note);
-    }
-    FrameMaker maker(session, opened, options, aov == experiments::Aov::wrong, workers);
+    const Console& console = command.console();
+    FrameMaker maker(command.device(), setup.scene, options, aov == experiments::Aov::wrong, workers);
     const std::string technique = techniqueOf(arguments).name;
-    auto document = host::makeDocument("render", session.documentDevice(),
-                                       optionsJson(arguments, options.technique, size));
-    std::vector<std::vector<std::string>> rows;
-    for (std::uint32_t number = cameras.first; number < cameras.first + cameras.frames; ++number) {
-        console.progress(number - cameras.first, cameras.frames, arguments.scene);
-        const FrameOutput made = maker.make(number, cameras.at(path, number));
-        session.requireSilentValidation();
-        const render::FrameStats& stats = made.frame().stats;
-        if (stats.translucency.refusal) {
-            console.line(
-                fmt::format("frame {} drawn with --translucency weighted: {}", number,
-                            experiments::noteOn(*stats.translucency.refusal, session.device().info().name,
-                                                size.width, size.height)));
-        }
-        if (stats.lostShine && number == cameras.first) {
-            console.line(fmt::format("drawn otherwise than asked: {}", experiments::noteOnLostShine()));
-        }
+    auto document = command.makeDocument(optionsJson(arguments, options.technique));
+    experiments::Table table{.header = FrameOutput::tableHeader(), .rows = {}};
+    table.header.emplace_back(arguments.hash ? "sha-256" : "");
+    for (std::uint32_t i = 0; i < cameras.frames; ++i) {
+        const std::uint32_t number = cameras.first + i;
+        console.progress(i, cameras.frames, arguments.scene);
+        const FrameOutput made = maker.make(number, cameras.at(setup.path, number));
+        command.opened().requireSilentValidation();
+        sayNotes(command, number, i == 0, made);
         if (!arguments.file.empty()) {
             made.write(name.at(number), aov);
         }
-        const std::string hash = arguments.hash || arguments.output.json ? made.hash(aov) : "";
+        const std::string hash = arguments.hash || command.output().json ? made.hash(aov) : "";
         document["results"].push_back(made.toJson(technique, options, hash));
-        rows.push_back(made.tableRow(arguments.scene, technique));
-        rows.back().push_back(arguments.hash ? hash : "");
+        table.rows.push_back(made.tableRow(arguments.scene, technique));
+        table.rows.back().push_back(arguments.hash ? hash : "");
     }
-    console.endProgress();
-    std::vector<std::string> header = FrameOutput::tableHeader();
-    header.emplace_back(arguments.hash ? "sha-256" : "");
-    console.table(header, rows);
-    console.line(describe(session.device()));
+    command.endProgress();
+    console.table(table);
+    console.line(command.opened().text());
     if (trace) {
         trace->write(arguments.trace);
     }
-    writeJson(arguments.output, document);
+    command.writeDocument(document);
 }
 
 void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
@@ -242,33 +234,33 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
         ->capture_default_str();
 }
 
+void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
+    command
+        .add_option("scene", arguments.scene,
+                    fmt::format("{}, or a .gltf or .glb file", fmt::join(scenes::generatedScenes(), ", ")))
+        ->required();
+    addTechniqueOptions(command, arguments);
+    addEffectOptions(command, arguments.effects);
+    addCameraOptions(command, arguments.camera);
+    addSceneChoice(command, arguments.choice);
+    addSeed(command, arguments.seed, "Seed of a random scene");
+    addSize(command, arguments.width, arguments.height);
+    command
+        .add_option("--aov", arguments.aov, "Output: color, id, distance, normal, cascade, wrong or coverage")
+        ->capture_default_str();
+    command.add_option("-o,--output", arguments.file,
+                       "Picture to write: .png, .tga or .exr; %04d stands for the frame");
+    command.add_option(
+        "--trace", arguments.trace,
+        "Write workers, cascades and execute as a trace for ui.perfetto.dev or chrome://tracing");
+    command.add_flag("--hash", arguments.hash, "Print a SHA-256 of each output's values");
+}
+
 } // namespace
 
 void addRender(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand("render", "Render a scene into pictures");
-    auto arguments = std::make_shared<RenderArguments>();
-    command
-        ->add_option("scene", arguments->scene,
-                     fmt::format("{}, or a .gltf or .glb file", fmt::join(scenes::generatedScenes(), ", ")))
-        ->required();
-    addTechniqueOptions(*command, *arguments);
-    addEffectOptions(*command, arguments->effects);
-    addCameraOptions(*command, arguments->camera);
-    addSceneChoice(*command, arguments->choice);
-    command->add_option("--seed", arguments->seed, "Seed of a random scene")->capture_default_str();
-    command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command
-        ->add_option("--aov", arguments->aov,
-                     "Output: color, id, distance, normal, cascade, wrong or coverage")
-        ->capture_default_str();
-    command->add_option("-o,--output", arguments->file,
-                        "Picture to write: .png, .tga or .exr; %04d stands for the frame");
-    command->add_option(
-        "--trace", arguments->trace,
-        "Write workers, cascades and execute as a trace for ui.perfetto.dev or chrome://tracing");
-    command->add_flag("--hash", arguments->hash, "Print a SHA-256 of each output's values");
-    addJson(*command, arguments->output);
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<RenderArguments>(program, global, "render", "Render a scene into pictures", addRenderOptions,
+                                runRender);
 }
 
 } // namespace cdr::cli

@@ -1,5 +1,5 @@
+#include "command.h"
 #include "commands.h"
-#include "console.h"
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
@@ -45,7 +45,6 @@ constexpr std::uintmax_t kMaxJsonBytes = 200'000'000;
 struct ReportArguments {
     report::PlanOptions plan;
     fs::path folder = "report";
-    OutputOptions output;
 };
 
 /// What one section came to.
@@ -123,20 +122,22 @@ nlohmann::ordered_json describe(const report::Section& section, const SectionOut
 
 constexpr base::EnumNames<report::Effort, 3> kEfforts{"effort", {"smallest", "quick", "full"}};
 
-nlohmann::ordered_json makeManifest(const Session& session, const report::PlanOptions& options) {
-    nlohmann::ordered_json manifest = host::makeDocument(
-        "report", session.documentDevice(),
+nlohmann::ordered_json makeManifest(const Command& command, const report::PlanOptions& options) {
+    nlohmann::ordered_json manifest = command.makeDocument(
         {{"effort", kEfforts.nameOf(options.effort)}, {"threads", options.threads}, {"seed", options.seed}});
     manifest["videos"] = options.videos;
     manifest["made_at"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     return manifest;
 }
 
-/// Runs the plan into `root`; the results and the page's data go there too.
-nlohmann::ordered_json fillFolder(const GlobalOptions& global, const ReportArguments& arguments,
-                                  const fs::path& root, const Console& console) {
+/// Runs the plan into a folder; the results and the page's data go there too.
+nlohmann::ordered_json fillFolder(Command& command, const ReportArguments& arguments,
+                                  report::PendingFolder& folder) {
+    const GlobalOptions& global = command.global();
+    const Console& console = command.console();
+    const fs::path& root = folder.temporary();
     const std::vector<report::Section> plan = report::makePlan(arguments.plan);
-    nlohmann::ordered_json manifest = makeManifest(Session(global), arguments.plan);
+    nlohmann::ordered_json manifest = makeManifest(command, arguments.plan);
     nlohmann::ordered_json documents = nlohmann::ordered_json::object();
     fs::create_directory(root / "data");
     Forecast forecast(plan);
@@ -150,6 +151,7 @@ nlohmann::ordered_json fillFolder(const GlobalOptions& global, const ReportArgum
         inside.section =
             fmt::format("{}/{} {}, {:.0f} s to go", i + 1, plan.size(), section.name, forecast.secondsLeft());
         const SectionOutcome outcome = runSection(inside, section, root);
+        folder.keep();
         console.endProgress();
         forecast.done(section, outcome.seconds);
         console.line(fmt::format("{}/{} {}: {:.1f} s{}", i + 1, plan.size(), section.name, outcome.seconds,
@@ -167,16 +169,38 @@ nlohmann::ordered_json fillFolder(const GlobalOptions& global, const ReportArgum
     return manifest;
 }
 
-void run(const GlobalOptions& global, ReportArguments& arguments) {
+/// base::InputError when --json names a file in the report, which holds nothing but its own files.
+void requireOutside(const fs::path& folder, const OutputOptions& output) {
+    if (!output.json || *output.json == "-") {
+        return;
+    }
+    const fs::path inside = fs::weakly_canonical(fs::absolute(*output.json))
+                                .lexically_relative(fs::weakly_canonical(fs::absolute(folder)));
+    if (!inside.empty() && *inside.begin() != "..") {
+        throw base::InputError(
+            fmt::format("{}: lies in the report, which holds its own files alone", output.json->string()));
+    }
+}
+
+void runReport(Command& command, ReportArguments& arguments) {
     report::requirePage();
     arguments.plan.videos = host::isInstalled("ffmpeg");
-    requireJsonWritable(arguments.output);
-    const report::PendingFolder folder(arguments.folder);
-    const Console console(global, arguments.output);
-    const nlohmann::ordered_json manifest = fillFolder(global, arguments, folder.temporary(), console);
-    folder.commit();
-    console.line(fmt::format("Open {}", (arguments.folder / "index.html").string()));
-    writeJson(arguments.output, manifest);
+    requireOutside(arguments.folder, command.output());
+    report::PendingFolder folder(arguments.folder);
+    command.opened(); // without a device there is no report
+    nlohmann::ordered_json manifest;
+    try {
+        manifest = fillFolder(command, arguments, folder);
+        folder.commit();
+    } catch (const std::exception& error) {
+        if (!folder.isKept()) {
+            throw;
+        }
+        throw base::RunError(
+            fmt::format("{}; what was measured is in {}", error.what(), folder.temporary().string()));
+    }
+    command.console().line(fmt::format("Open {}", (arguments.folder / "index.html").string()));
+    command.writeDocument(manifest);
     for (const auto& row : manifest.at("results")) {
         if (!row.at("failure").is_null()) {
             throw base::RunError(fmt::format("{}: {}; the report says so too",
@@ -186,15 +210,10 @@ void run(const GlobalOptions& global, ReportArguments& arguments) {
     }
 }
 
-} // namespace
-
-void addReport(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "report", "Every experiment in one folder with a page that opens offline, the thesis beside it");
-    auto arguments = std::make_shared<ReportArguments>();
+void addReportOptions(CLI::App& command, ReportArguments& arguments) {
     const auto effort = [&](const char* name, report::Effort value, const char* help) {
-        return command->add_flag_callback(
-            name, [arguments, value] { arguments->plan.effort = value; }, help);
+        return command.add_flag_callback(
+            name, [&arguments, value] { arguments.plan.effort = value; }, help);
     };
     CLI::Option* quick = effort("--quick", report::Effort::quick, "A few frames of each: minutes (default)");
     CLI::Option* full = effort("--full", report::Effort::full, "The thesis' own numbers of frames: hours");
@@ -202,16 +221,19 @@ void addReport(CLI::App& program, const GlobalOptions& global) {
         effort("--smallest", report::Effort::smallest, "As little as fills a page, for its tests");
     quick->excludes(full)->excludes(smallest);
     full->excludes(smallest);
-    command->add_option("-o,--out", arguments->folder, "Folder of the report; an older report is replaced")
+    command.add_option("-o,--out", arguments.folder, "Folder of the report; an older report is replaced")
         ->capture_default_str();
-    command
-        ->add_option("--threads", arguments->plan.threads,
-                     "Threads that cull, bin, record and cast the truth")
-        ->check(CLI::Range(std::size_t{1}, host::WorkerPool::kMaxThreads))
-        ->capture_default_str();
-    command->add_option("--seed", arguments->plan.seed, "Seed of everything random")->capture_default_str();
-    addJson(*command, arguments->output);
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addThreads(command, arguments.plan.threads, "Threads that cull, bin, record and cast the truth");
+    addSeed(command, arguments.plan.seed, "Seed of everything random");
+}
+
+} // namespace
+
+void addReport(CLI::App& program, const GlobalOptions& global) {
+    addCommand<ReportArguments>(
+        program, global, "report",
+        "Every experiment in one folder with a page that opens offline, the thesis beside it",
+        addReportOptions, runReport);
 }
 
 } // namespace cdr::cli

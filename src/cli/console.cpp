@@ -26,13 +26,16 @@ void Console::line(const std::string& text) const {
     }
 }
 
-void Console::table(const std::vector<std::string>& header,
-                    const std::vector<std::vector<std::string>>& rows) const {
+void Console::warning(const std::string& text) const {
+    fmt::print(m_quiet ? stderr : m_out, "{}\n", text);
+}
+
+void Console::table(const experiments::Table& table) const {
     std::vector<std::size_t> widths;
-    for (const std::string& cell : header) {
+    for (const std::string& cell : table.header) {
         widths.push_back(cell.size());
     }
-    for (const auto& row : rows) {
+    for (const auto& row : table.rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {
             widths[i] = std::max(widths[i], row[i].size());
         }
@@ -46,8 +49,8 @@ void Console::table(const std::vector<std::string>& header,
         }
         line(text);
     };
-    print(header);
-    for (const auto& row : rows) {
+    print(table.header);
+    for (const auto& row : table.rows) {
         print(row);
     }
 }
@@ -66,12 +69,6 @@ void Console::progress(std::size_t done, std::size_t all, const std::string& wha
 void Console::endProgress() const {
     if (m_showsProgress) {
         fmt::print(stderr, "\r\x1b[K");
-    }
-}
-
-void writeJson(const OutputOptions& output, const nlohmann::ordered_json& document) {
-    if (output.json) {
-        host::writeDocument(*output.json, document);
     }
 }
 

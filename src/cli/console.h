@@ -1,14 +1,14 @@
 #pragma once
 
-#include "session.h"
+#include "shared_options.h"
+
+#include <experiments/columns.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json_fwd.hpp>
 
 #include <chrono>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace cdr::cli {
 
@@ -19,9 +19,10 @@ class Console {
     Console(const GlobalOptions& global, const OutputOptions& output);
 
     void line(const std::string& text) const;
-    /// Rows of cells under a header, columns aligned, numbers to the right by the caller's formatting.
-    void table(const std::vector<std::string>& header,
-               const std::vector<std::vector<std::string>>& rows) const;
+    /// A line that is shown even when quiet, then on standard error.
+    void warning(const std::string& text) const;
+    /// Columns aligned: the first to the left, all others to the right.
+    void table(const experiments::Table& table) const;
 
     /// A counter with the time left, on standard error and only where that is a terminal.
     void progress(std::size_t done, std::size_t all, const std::string& what) const;
@@ -35,8 +36,5 @@ class Console {
     std::string m_section; ///< of a report, in front of the progress; else empty
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
-
-/// Writes the document where --json asks for it.
-void writeJson(const OutputOptions& output, const nlohmann::ordered_json& document);
 
 } // namespace cdr::cli

@@ -1,6 +1,6 @@
 #include "effect_options.h"
 
-#include "commands.h"
+#include "shared_options.h"
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>

@@ -1,6 +1,6 @@
 #include "frame_output.h"
 
-#include "wrong_pixels_json.h"
+#include <experiments/wrong_pixels_columns.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -50,7 +50,7 @@ nlohmann::ordered_json FrameOutput::toJson(const std::string& technique, const r
                                {"record_ms", stats.times.recordMs},
                                {"execute_ms", stats.times.executeMs}};
     if (m_wrong) {
-        addWrongPixels(row, *m_wrong);
+        row.update(experiments::jsonOf(experiments::wrongPixelsColumns(), *m_wrong));
     }
     return row;
 }

@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/gpu/failure.h>
+#include <cdr/host/document.h>
 #include <cdr/host/standard_streams.h>
 
 #include <fmt/format.h>
@@ -37,7 +38,7 @@ int run(int argc, char** argv) {
     program.add_option("--device", global.device, "Vulkan device by number or part of its name");
     program.add_flag("--validate", global.validate,
                      "Run under the Khronos validation layer; any message is a failure");
-    program.add_flag("--quiet", global.quiet, "Print nothing but errors");
+    program.add_flag("--quiet", global.quiet, "Print nothing but errors and what of a file is not drawn");
     const cdr::host::BuildInfo build = cdr::host::buildInfo();
     program.set_version_flag("--version", fmt::format("cdr {} ({})", build.version, build.commit));
     cdr::cli::addDevices(program, global);

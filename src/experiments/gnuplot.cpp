@@ -1,5 +1,7 @@
 #include "gnuplot.h"
 
+#include "whole_file.h"
+
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/host/child_process.h>
@@ -41,6 +43,7 @@ void writePlot(const std::filesystem::path& path, const std::string& script) {
         host::ChildProcess gnuplot({"gnuplot", "-d", "-"}, {.file = temporary});
         gnuplot.write({reinterpret_cast<const std::uint8_t*>(input.data()), input.size()});
         gnuplot.finish();
+        requireWhole(temporary, path, "gnuplot");
     });
 }
 

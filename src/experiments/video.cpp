@@ -1,5 +1,7 @@
 #include "video.h"
 
+#include "whole_file.h"
+
 #include <cdr/base/error.h>
 
 #include <fmt/format.h>
@@ -63,6 +65,7 @@ VideoWriter::VideoWriter(const std::filesystem::path& path, std::uint32_t width,
                          const VideoTiming& timing)
     : m_width(width),
       m_height(height),
+      m_path(path),
       m_file(checked(path, width, height)),
       m_encoder(encoderArguments(m_file.temporary(), width, height, timing), {}) {}
 
@@ -76,6 +79,7 @@ void VideoWriter::add(const image::ImageRgba8& frame) {
 
 void VideoWriter::finish() {
     m_encoder.finish();
+    requireWhole(m_file.temporary(), m_path, "ffmpeg");
     m_file.commit();
 }
 

@@ -31,12 +31,14 @@ class VideoWriter {
     /// base::RunError, with ffmpeg's own words, when it has ended; base::InputError for another size.
     void add(const image::ImageRgba8& frame);
 
-    /// Waits for ffmpeg and puts the file in place. base::RunError, with ffmpeg's own words, when it fails.
+    /// Waits for ffmpeg and puts the file in place. base::RunError, with ffmpeg's own words, when it
+    /// fails, or when it has not written all of the file.
     void finish();
 
   private:
     std::uint32_t m_width;
     std::uint32_t m_height;
+    std::filesystem::path m_path;
     host::PendingFile m_file;
     host::ChildProcess m_encoder;
 };

@@ -1,5 +1,7 @@
 #include "folder.h"
 
+#include "mount_point.h"
+
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
 
@@ -9,6 +11,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 #include <system_error>
 
 namespace cdr::report {
@@ -40,6 +43,41 @@ std::set<std::string> ownFiles(const fs::path& folder) {
         fmt::format("{}: not empty and not a report, so it is left as it is", folder.string()));
 }
 
+/// What lies in a folder, without one name.
+std::vector<fs::path> entriesOf(const fs::path& folder, const fs::path& except) {
+    std::vector<fs::path> entries;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.path() != except) {
+            entries.push_back(entry.path());
+        }
+    }
+    return entries;
+}
+
+/// base::InputError unless a report may stand there.
+/// @param except a folder in it that does not count.
+void requireReplaceable(const fs::path& folder, const fs::path& except) {
+    if (!fs::exists(folder)) {
+        return;
+    }
+    if (!fs::is_directory(folder)) {
+        throw base::InputError(
+            fmt::format("{}: a file, where the report's folder is to be", folder.string()));
+    }
+    if (entriesOf(folder, except).empty()) {
+        return;
+    }
+    const std::set<std::string> own = ownFiles(folder);
+    const std::string skipped = except.filename().generic_string() + "/";
+    for (const fs::path& file : filesUnder(folder)) {
+        const std::string name = file.generic_string();
+        if (!own.contains(name) && (except.empty() || !name.starts_with(skipped))) {
+            throw base::InputError(fmt::format("{}: holds {}, which is not the report's; move it away first",
+                                               folder.string(), file.string()));
+        }
+    }
+}
+
 /// With links followed and no slash at the end, so that what stands beside it is a name with a suffix.
 fs::path resolved(const fs::path& path) {
     std::error_code error;
@@ -53,10 +91,40 @@ fs::path resolved(const fs::path& path) {
     return whole;
 }
 
-/// A name beside `path` that no other process uses.
-fs::path beside(const fs::path& path, std::string_view what) {
-    return path.parent_path() /
-           fmt::format(".{}.{}.{}", path.filename().string(), static_cast<long>(::getpid()), what);
+/// A hidden name in `folder` that no other process uses.
+fs::path hiddenIn(const fs::path& folder, const fs::path& path, std::string_view what) {
+    return folder / fmt::format(".{}.{}.{}", path.filename().string(), static_cast<long>(::getpid()), what);
+}
+
+/// Whether the current folder is `path`. base::InputError when it lies deeper in it: it would be removed.
+bool isCurrent(const fs::path& path) {
+    std::error_code error;
+    const fs::path current = fs::canonical(fs::current_path(error), error);
+    const fs::path inside = current.lexically_relative(path);
+    if (!error && !inside.empty() && inside != "." && *inside.begin() != "..") {
+        throw base::InputError(fmt::format("{}: the current folder lies in it", path.string()));
+    }
+    return !error && inside == ".";
+}
+
+/// Renames entries into another folder; when one fails, the others go back.
+void moveAll(const std::vector<fs::path>& entries, const fs::path& to, std::error_code& error) {
+    std::vector<fs::path> moved;
+    for (const fs::path& entry : entries) {
+        fs::rename(entry, to / entry.filename(), error);
+        if (error) {
+            std::error_code ignored;
+            for (const fs::path& back : moved) {
+                fs::rename(to / back.filename(), back, ignored);
+            }
+            return;
+        }
+        moved.push_back(entry);
+    }
+}
+
+[[noreturn]] void throwNotInPlace(const fs::path& path, const std::error_code& error) {
+    throw base::RunError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
 }
 
 } // namespace
@@ -72,45 +140,37 @@ std::vector<fs::path> filesUnder(const fs::path& folder) {
     return files;
 }
 
-void requireReplaceable(const fs::path& path) {
-    const fs::path folder = resolved(path);
-    if (!fs::exists(folder)) {
-        return;
-    }
-    if (!fs::is_directory(folder)) {
-        throw base::InputError(fmt::format("{}: a file, where the report's folder is to be", path.string()));
-    }
-    if (fs::is_empty(folder)) {
-        return;
-    }
-    const std::set<std::string> own = ownFiles(folder);
-    for (const fs::path& file : filesUnder(folder)) {
-        if (!own.contains(file.generic_string())) {
-            throw base::InputError(fmt::format("{}: holds {}, which is not the report's; move it away first",
-                                               folder.string(), file.string()));
-        }
-    }
-}
-
 PendingFolder::PendingFolder(const fs::path& path) : m_path(resolved(path)) {
-    requireReplaceable(m_path);
-    m_temporary = beside(m_path, "new");
+    requireReplaceable(m_path, {});
+    m_isInside = fs::exists(m_path) && (isCurrent(m_path) || isMountPoint(m_path));
+    const fs::path folder = m_isInside ? m_path : m_path.parent_path();
+    m_temporary = hiddenIn(folder, m_path, "new");
     std::error_code error;
     if (!fs::create_directory(m_temporary, error)) {
-        throw base::InputError(
-            fmt::format("{}: no folder can be made here: {}", m_path.parent_path().string(),
-                        error ? error.message() : m_temporary.filename().string() + " is in the way"));
+        const std::string why = error ? error.message() : m_temporary.filename().string() + " is in the way";
+        throw base::InputError(fmt::format("{}: no folder can be made here: {}", folder.string(), why));
     }
 }
 
 PendingFolder::~PendingFolder() {
-    std::error_code ignored;
-    fs::remove_all(m_temporary, ignored);
+    if (!m_isKept) {
+        std::error_code ignored;
+        fs::remove_all(m_temporary, ignored);
+    }
 }
 
-void PendingFolder::commit() const {
-    requireReplaceable(m_path); // hours may have passed
-    const fs::path old = beside(m_path, "old");
+void PendingFolder::commit() {
+    requireReplaceable(m_path, m_isInside ? m_temporary : fs::path()); // hours may have passed
+    if (m_isInside) {
+        moveIntoPlace();
+    } else {
+        renameIntoPlace();
+    }
+    m_isKept = false; // what the temporary folder is not any more
+}
+
+void PendingFolder::renameIntoPlace() const {
+    const fs::path old = hiddenIn(m_path.parent_path(), m_path, "old");
     std::error_code error;
     if (fs::exists(m_path)) {
         fs::rename(m_path, old, error);
@@ -123,9 +183,33 @@ void PendingFolder::commit() const {
         }
     }
     if (error) {
-        throw base::InputError(fmt::format("{}: cannot be written: {}", m_path.string(), error.message()));
+        throwNotInPlace(m_path, error);
     }
     fs::remove_all(old, error);
+}
+
+void PendingFolder::moveIntoPlace() const {
+    const fs::path old = hiddenIn(m_path, m_path, "old");
+    const std::vector<fs::path> replaced = entriesOf(m_path, m_temporary);
+    std::error_code error;
+    fs::create_directory(old, error);
+    if (!error) {
+        moveAll(replaced, old, error);
+    }
+    if (!error) {
+        moveAll(entriesOf(m_temporary, {}), m_path, error);
+        if (error) {
+            std::error_code ignored;
+            moveAll(entriesOf(old, {}), m_path, ignored);
+        }
+    }
+    if (error) {
+        std::error_code ignored;
+        fs::remove(old, ignored); // where it is empty
+        throwNotInPlace(m_path, error);
+    }
+    fs::remove_all(old, error);
+    fs::remove(m_temporary, error);
 }
 
 } // namespace cdr::report

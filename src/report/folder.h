@@ -9,17 +9,18 @@ namespace cdr::report {
 /// The file in a report's folder that says it is one, and lists the files that belong to it.
 inline constexpr const char* kManifest = "report.json";
 
-/// base::InputError unless a report may stand at `path`: where nothing is, an empty folder, or a report that
-/// holds nothing but its own files. Call before long work.
-void requireReplaceable(const std::filesystem::path& path);
-
 /// Every file under a folder, relative to it, in order.
 std::vector<std::filesystem::path> filesUnder(const std::filesystem::path& folder);
 
-/// A report in the making, in a folder beside `path`. It goes with the object unless it was put in place.
+/// A report in the making, in a temporary folder. That folder goes with the object unless it was put in place or
+/// is to be kept.
+///
+/// It lies beside `path` and is renamed to it. A folder that cannot be renamed, a mount point or the current
+/// folder, is filled instead: the temporary folder lies in it.
 class PendingFolder {
   public:
-    /// base::InputError as requireReplaceable(), and where no folder can be made beside `path`.
+    /// base::InputError where no report may stand: at a file, at a folder that is neither empty nor a report with
+    /// nothing but its own files, at one in which the current folder lies deeper, and where no folder can be made.
     explicit PendingFolder(const std::filesystem::path& path);
     ~PendingFolder();
     PendingFolder(const PendingFolder&) = delete;
@@ -28,13 +29,23 @@ class PendingFolder {
     /// Where to write.
     const std::filesystem::path& temporary() const { return m_temporary; }
 
-    /// Renames it to the path, and an old report there away. base::InputError, and all as before, when that
+    /// From now on what was written stays, in the temporary folder if it cannot be put in place. Call it when
+    /// there is something worth keeping.
+    void keep() { m_isKept = true; }
+    bool isKept() const { return m_isKept; }
+
+    /// Puts the report in place of an old one. base::RunError or base::InputError, and all as before, when that
     /// fails.
-    void commit() const;
+    void commit();
 
   private:
+    void renameIntoPlace() const;
+    void moveIntoPlace() const;
+
     std::filesystem::path m_path;
     std::filesystem::path m_temporary;
+    bool m_isInside = false; ///< the temporary folder lies in the path
+    bool m_isKept = false;
 };
 
 } // namespace cdr::report

@@ -32,7 +32,7 @@ constexpr std::array kGenerators{
     Generator{"boulders", [](std::uint64_t seed) { return makeBoulders(seed); }},
     Generator{"sheets", [](std::uint64_t seed) { return makeSheets(seed); }},
     Generator{"alley", [](std::uint64_t seed) { return makeAlley(seed); }},
-    Generator{"orbit", [](std::uint64_t) { return openOrbit(orbitFiles()); }},
+    Generator{"orbit", [](std::uint64_t) { return openOrbit(orbitFiles()).setup; }},
 };
 
 constexpr auto kNames = [] {

@@ -133,7 +133,26 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"scaling --cascades 65", "cascades must be 1 to"},
         BadInput{"scaling --targets singel", "did you mean 'single'"},
         BadInput{"scaling --repeats 0", "repeats must be 1 to"},
-        BadInput{"scaling --plot no/such/folder/p.png", "cannot be written"}));
+        BadInput{"scaling --plot no/such/folder/p.png", "cannot be written"},
+        BadInput{"precision --curve no/such/folder/c.csv", "cannot be written"},
+        BadInput{"pictures --scenes cubes,nosuch", "unknown scene 'nosuch'"},
+        BadInput{"orbit --threads 0", "--threads"},
+        BadInput{"devices --device nothing-like-this", "no Vulkan device matches 'nothing-like-this'"},
+        BadInput{"render cubes --frame 4294967295 --frames 2 -o a%d.png", "at most 4294967295"},
+        BadInput{"render cubes --seed=-1 -o a.png", "from 0 to 18446744073709551615, not -1"},
+        BadInput{"render cubes --seed -1 -o a.png", "from 0 to 18446744073709551615, not -1"},
+        BadInput{"timing --seed 18446744073709551616", "not 18446744073709551616"},
+        BadInput{"render cubes --seed 5x -o a.png", "--seed"}));
+
+/// An output that would take the place of another.
+INSTANTIATE_TEST_SUITE_P(
+    Outputs, BadInputTest,
+    testing::Values(BadInput{"precision --json a --curve a", "both --json and --curve"},
+                    BadInput{"timing --csv a --trace ./a", "both --csv and --trace"},
+                    BadInput{"render afc -o a.png --json ./a.png", "both --json and -o"},
+                    BadInput{"pictures --out . --json cubes_log.png", "both --out and --json"},
+                    BadInput{"effects --out . --json plain.png", "both --out and --json"},
+                    BadInput{"pictures --techniques log,cdr,log", "both be written as *_log.png"}));
 
 /// A glTF that does not hold what it promises.
 struct BadFile {

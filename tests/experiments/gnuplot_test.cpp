@@ -74,6 +74,25 @@ TEST_F(GnuplotTest, AMissingGnuplotIsNamed) {
     ::setenv("PATH", path.c_str(), 1);
 }
 
+/// What gnuplot does on a full disk: it ends with status 0.
+TEST_F(GnuplotTest, AFileThatIsCutIsNotKept) {
+    const std::string path = std::getenv("PATH");
+    std::ofstream(folder() / "gnuplot") << "#!/bin/sh\ncat >/dev/null\nprintf '\\211PNG\\r\\n'\n";
+    fs::permissions(folder() / "gnuplot", fs::perms::owner_all);
+    ::setenv("PATH", (folder().string() + ":" + path).c_str(), 1);
+    for (const char* name : {"p.png", "p.svg"}) {
+        try {
+            writePlot(folder() / name, "plot x\n");
+            ADD_FAILURE() << "nothing was thrown";
+        } catch (const RunError& error) {
+            EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+            EXPECT_NE(std::string(error.what()).find("the disk may be full"), std::string::npos);
+        }
+        EXPECT_FALSE(fs::exists(folder() / name));
+    }
+    ::setenv("PATH", path.c_str(), 1);
+}
+
 TEST(GnuplotQuote, KeepsTextInItsQuotes) {
     EXPECT_EQ(gnuplotQuote("plain"), "'plain'");
     EXPECT_EQ(gnuplotQuote("it's"), "'it''s'");

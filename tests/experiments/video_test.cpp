@@ -69,6 +69,28 @@ TEST_F(VideoTest, AnUnfinishedVideoLeavesNothing) {
     EXPECT_TRUE(fs::is_empty(folder()));
 }
 
+/// A program that does what ffmpeg does on a full disk: it leaves a cut file and ends with status 0.
+class CutVideoTest : public VideoTest, public testing::WithParamInterface<const char*> {};
+
+TEST_P(CutVideoTest, IsNotKept) {
+    const std::string path = std::getenv("PATH");
+    std::ofstream(folder() / "ffmpeg")
+        << "#!/bin/sh\ncat >/dev/null\nfor last; do :; done\ncase $last in file:*) printf '" << GetParam()
+        << "' >\"${last#file:}\" ;; esac\n";
+    fs::permissions(folder() / "ffmpeg", fs::perms::owner_all);
+    ::setenv("PATH", (folder().string() + ":" + path).c_str(), 1);
+    {
+        VideoWriter video(folder() / "v.mp4", 64, 36, {});
+        EXPECT_THROW(video.finish(), base::RunError);
+    }
+    ::setenv("PATH", path.c_str(), 1);
+    EXPECT_FALSE(fs::exists(folder() / "v.mp4"));
+}
+
+/// Nothing; no index; a box that reaches beyond the end.
+INSTANTIATE_TEST_SUITE_P(Cut, CutVideoTest,
+                         testing::Values("", "\\0\\0\\0\\10ftyp", "\\0\\0\\0\\10moov\\0\\0\\0\\20mdat"));
+
 TEST_F(VideoTest, RefusesWhatItCannotEncode) {
     EXPECT_THROW(VideoWriter(folder() / "v.mp4", 63, 36, {}), base::InputError);
     EXPECT_THROW(VideoWriter(folder() / "v.mp4", 0, 0, {}), base::InputError);

@@ -144,7 +144,8 @@ TEST_F(ReportCommand, LeavesNothingBehindWhenItCannotRun) {
     fs::create_directory(path("empty"));
     write("file", "x");
     for (const char* arguments : {"-o file", "-o missing/report", "-o /", "--quick", "--full", "--threads 0",
-                                  "--device nobody-has-this -o empty", "--json missing/x.json -o empty"}) {
+                                  "--device nobody-has-this -o empty", "--json missing/x.json -o empty",
+                                  "--json empty/x.json -o empty"}) {
         const ProgramResult result = report(arguments);
         EXPECT_EQ(result.status, 2) << arguments << result.err;
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;

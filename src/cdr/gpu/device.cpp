@@ -25,18 +25,6 @@ std::string lower(std::string text) {
     return text;
 }
 
-bool isChosen(const DeviceInfo& info, const std::string& choice) {
-    const bool isNumber = !choice.empty() && std::all_of(choice.begin(), choice.end(), [](unsigned char c) {
-        return std::isdigit(c) != 0;
-    });
-    if (isNumber) {
-        return std::to_string(info.index) == choice;
-    }
-    // Mesa's software device calls itself llvmpipe; people know the driver as lavapipe.
-    const std::string wanted = lower(choice) == "lavapipe" ? "llvmpipe" : lower(choice);
-    return lower(info.name).find(wanted) != std::string::npos;
-}
-
 /// Lower is better when the user has no preference.
 int rankOf(const DeviceInfo& info) {
     constexpr std::array<std::string_view, 4> kOrder{"discrete", "integrated", "virtual", "cpu"};
@@ -89,6 +77,18 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
 }
 
 } // namespace
+
+bool isChosen(const DeviceInfo& info, const std::string& choice) {
+    const bool isNumber = !choice.empty() && std::all_of(choice.begin(), choice.end(), [](unsigned char c) {
+        return std::isdigit(c) != 0;
+    });
+    if (isNumber) {
+        return std::to_string(info.index) == choice;
+    }
+    // Mesa's software device calls itself llvmpipe; people know the driver as lavapipe.
+    const std::string wanted = lower(choice) == "lavapipe" ? "llvmpipe" : lower(choice);
+    return lower(info.name).find(wanted) != std::string::npos;
+}
 
 void Device::AllocatorDeleter::operator()(VmaAllocator_T* allocator) const {
     vmaDestroyAllocator(allocator);

@@ -14,4 +14,7 @@ std::optional<vk::Format> findDepthFormat(vk::PhysicalDevice physical, depth::De
 
 DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index);
 
+/// Whether --device, a number or a part of a name in any case, means this device. An empty choice means all.
+bool isChosen(const DeviceInfo& info, const std::string& choice);
+
 } // namespace cdr::gpu

@@ -84,14 +84,19 @@ Instance::Instance(const InstanceOptions& options) : m_validation(std::make_shar
     const vk::ValidationFeaturesEXT features{.pNext = &messenger,
                                              .enabledValidationFeatureCount = kEnabled.size(),
                                              .pEnabledValidationFeatures = kEnabled.data()};
-    m_instance = vk::createInstanceUnique({
-        .pNext = options.validate ? &features : nullptr,
-        .pApplicationInfo = &application,
-        .enabledLayerCount = options.validate ? 1u : 0u,
-        .ppEnabledLayerNames = &kValidationLayer,
-        .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
-        .ppEnabledExtensionNames = extensions.data(),
-    });
+    try {
+        m_instance = vk::createInstanceUnique({
+            .pNext = options.validate ? &features : nullptr,
+            .pApplicationInfo = &application,
+            .enabledLayerCount = options.validate ? 1u : 0u,
+            .ppEnabledLayerNames = &kValidationLayer,
+            .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+            .ppEnabledExtensionNames = extensions.data(),
+        });
+    } catch (const vk::IncompatibleDriverError&) {
+        throw base::RunError(
+            "no Vulkan driver found; install the graphics card's, or for a software one mesa-vulkan-drivers");
+    }
     if (options.validate && m_hasDebugUtils) {
         const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
             m_instance->getProcAddr("vkCreateDebugUtilsMessengerEXT"));

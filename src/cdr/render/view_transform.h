@@ -10,9 +10,6 @@
 
 namespace cdr::render {
 
-/// What ShadingInputs::update() calls a frustum.
-using Lens = scene::Frustum;
-
 /// Turns instances into what one cascade's vertex shader wants. The camera's position, and the cascade's
 /// anchor, are subtracted in float64; only the small remainder is rounded to float32.
 class DrawRecordMaker {

@@ -1,4 +1,6 @@
+#include <cli/commands.h>
 #include <cli/comparison.h>
+#include <experiments/columns.h>
 #include <experiments/detail/detail.h>
 
 #include <fmt/format.h>
@@ -11,93 +13,89 @@ struct DetailArguments {
     experiments::DetailOptions options;
     std::string depth = "standard";
     std::string split = "count:5";
-    ComparisonArguments common;
+    std::filesystem::path folder;
 };
 
-nlohmann::ordered_json toJson(const experiments::DetailResult& result) {
-    return {{"mode", result.mode},
-            {"frame_ms", result.frameMs},
-            {"record_ms", result.recordMs},
-            {"execute_ms", result.executeMs},
-            {"execute_speedup", result.speedup},
-            {"ci95", {result.speedup95.low, result.speedup95.high}},
-            {"triangles", result.triangles},
-            {"flip", result.flip},
-            {"largest_flip", result.largestFlip},
-            {"pixels", result.pixels},
-            {"other_ids", result.otherIds},
-            {"cracks", result.cracks}};
-}
-
-void printTable(const Console& console, const experiments::DetailReport& report) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& result : report.results) {
+experiments::Columns<experiments::DetailResult> detailColumns() {
+    using Result = experiments::DetailResult;
+    const auto othersShare = [](const Result& result) {
         const double share = static_cast<double>(result.otherIds) / static_cast<double>(result.pixels);
-        rows.push_back({result.mode, fmt::format("{:.0f}", result.triangles),
-                        fmt::format("{:.2f}", result.frameMs), fmt::format("{:.2f}", result.executeMs),
-                        fmt::format("{:.2f}", result.speedup),
-                        fmt::format("{:.2f} to {:.2f}", result.speedup95.low, result.speedup95.high),
-                        fmt::format("{:.5f}", result.flip), fmt::format("{:.4f} %", 100.0 * share),
-                        std::to_string(result.cracks)});
-    }
-    console.table({"detail", "triangles", "frame ms", "execute ms", "speed-up", "95 % interval", "FLIP",
-                   "other objects", "cracks"},
-                  rows);
+        return fmt::format("{:.4f} %", 100.0 * share);
+    };
+    return {
+        {.key = "mode", .value = &Result::mode, .heading = "detail"},
+        {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms", .format = {"{:.2f}"}},
+        {.key = "record_ms", .value = &Result::recordMs},
+        {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms", .format = {"{:.2f}"}},
+        {.key = "execute_speedup", .value = &Result::speedup, .heading = "speed-up", .format = {"{:.2f}"}},
+        {.key = "ci95",
+         .value = [](const Result& result) { return experiments::jsonOf(result.speedup95); },
+         .heading = "95 % interval",
+         .format = {"{:.2f} to {:.2f}"}},
+        {.key = "triangles",
+         .value = &Result::triangles,
+         .heading = "triangles",
+         .format = {"{:.0f}"},
+         .before = "frame ms"},
+        {.key = "flip", .value = &Result::flip, .heading = "FLIP", .format = {"{:.5f}"}},
+        {.key = "largest_flip", .value = &Result::largestFlip},
+        {.key = "pixels", .value = &Result::pixels},
+        {.key = "other_ids", .value = &Result::otherIds, .heading = "other objects", .text = othersShare},
+        {.key = "cracks", .value = &Result::cracks, .heading = "cracks"}};
 }
 
-void run(const GlobalOptions& global, DetailArguments& arguments) {
+void run(Command& command, DetailArguments& arguments) {
     experiments::DetailOptions& options = arguments.options;
     options.technique = depth::Technique{depth::parseMapping(arguments.depth),
                                          depth::parseSplit(arguments.split), depth::DepthFormat::d32f};
     visibility::requireUsable(
         visibility::Detail{.mode = visibility::DetailMode::perObject, .pixels = options.pixels});
-    begin(arguments.common, options);
-    const Session session(global);
-    const Console console(global, arguments.common.output);
-    const experiments::DetailReport report =
-        experiments::runDetail(session.device(), options, [&](std::size_t done, std::size_t all) {
-            console.progress(done, all, "frames of every level of detail");
-        });
-    console.endProgress();
-    session.requireSilentValidation();
+    const PictureFolder folder(arguments.folder, command.files());
+    scene::SceneSetup setup = command.openScene(options.scene, options.seed);
+    const experiments::DetailReport report = experiments::runDetail(
+        command.device(), std::move(setup), options, command.progressOf("frames of every level of detail"));
+    command.endProgress();
 
-    printTable(console, report);
-    console.line(fmt::format("\n{}; {} of {} triangles, {} levels made in {:.0f} ms; {} frames, {}x{}, {} "
-                             "pixels of error, {} {}, {} threads; commit {}",
-                             describe(session.device()), options.scene, report.sceneTriangles,
-                             report.meshLevels, report.makeMs, options.frames, options.width, options.height,
-                             options.pixels, arguments.depth, arguments.split, options.threads,
-                             host::buildInfo().commit));
+    const auto columns = detailColumns();
+    command.console().table(experiments::tableOf(columns, report.results));
+    command.console().line(
+        fmt::format("\n{}; {} of {} triangles, {} levels made in {:.0f} ms; {} frames, {}x{}, {} "
+                    "pixels of error, {} {}, {} threads; commit {}",
+                    command.opened().text(), options.scene, report.sceneTriangles, report.meshLevels,
+                    report.makeMs, options.frames, options.width, options.height, options.pixels,
+                    arguments.depth, arguments.split, options.threads, host::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"mapping", nameOf(options.technique.mapping)},
                      {"split", nameOf(options.technique.split)},
                      {"error_pixels", options.pixels}});
-    auto document = host::makeDocument("detail", session.documentDevice(), std::move(settings));
+    auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
-        auto& row = document["results"].emplace_back(toJson(result));
-        keepPicture(arguments.common, "picture", result.mode + ".png", result.picture, row);
-        keepPicture(arguments.common, "cracks_picture", result.mode + "_cracks.png", result.cracked, row);
+        auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
+        folder.write("picture", result.mode + ".png", result.picture, row);
+        folder.write("cracks_picture", result.mode + "_cracks.png", result.cracked, row);
     }
     document["scene_triangles"] = report.sceneTriangles;
     document["levels"] = report.meshLevels;
     document["make_levels_ms"] = report.makeMs;
-    writeJson(arguments.common.output, document);
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, DetailArguments& arguments) {
+    experiments::DetailOptions& options = arguments.options;
+    addComparison(command, options, arguments.folder);
+    command.add_option("--pixels", options.pixels, "Largest error of a level on screen, in pixels")
+        ->capture_default_str();
+    command.add_option("--depth", arguments.depth, "Depth mapping")->capture_default_str();
+    command.add_option("--split", arguments.split, "How cascades are cut")->capture_default_str();
 }
 
 } // namespace
 
 void addDetail(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "detail",
-        "What levels of detail save and change, chosen by object and by cascade (thesis chapter 3)");
-    auto arguments = std::make_shared<DetailArguments>();
-    experiments::DetailOptions& options = arguments->options;
-    addComparison(*command, options, arguments->common);
-    command->add_option("--pixels", options.pixels, "Largest error of a level on screen, in pixels")
-        ->capture_default_str();
-    command->add_option("--depth", arguments->depth, "Depth mapping")->capture_default_str();
-    command->add_option("--split", arguments->split, "How cascades are cut")->capture_default_str();
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<DetailArguments>(
+        program, global, "detail",
+        "What levels of detail save and change, chosen by object and by cascade (thesis chapter 3)",
+        addOptions, run);
 }
 
 } // namespace cdr::cli

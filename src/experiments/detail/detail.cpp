@@ -5,7 +5,7 @@
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/lod/levels.h>
-#include <experiments/shuffled_order.h>
+#include <experiments/interleaved_frames.h>
 
 #include <algorithm>
 #include <array>
@@ -28,19 +28,9 @@ constexpr std::array kModes{
     Mode{"none", visibility::DetailMode::none}, Mode{"none-again", visibility::DetailMode::none},
     Mode{"object", visibility::DetailMode::perObject}, Mode{"cascade", visibility::DetailMode::perCascade}};
 
-/// Cameras drawn and dropped first: pipelines compile, memory is touched, caches fill.
-constexpr std::uint32_t kWarmUpFrames = 2;
-
 double millisecondsSince(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
-
-/// What one mode took, one entry per frame.
-struct Samples {
-    std::vector<double> frameMs;
-    std::vector<double> recordMs;
-    std::vector<double> executeMs;
-};
 
 measure::SeenImage seenIn(const render::Frame& frame) {
     measure::SeenImage seen(frame.width(), frame.height());
@@ -69,14 +59,13 @@ image::ImageRgba8 markCracks(image::ImageRgba8 picture, const std::vector<measur
 /// A renderer per mode over one scene with levels, and what each showed and took so far.
 class Comparison {
   public:
-    Comparison(const gpu::Device& device, const DetailOptions& options)
+    Comparison(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options)
         : m_options(options),
           m_workers(options.threads),
-          m_setup(scenes::openScene(options.scene, options.seed).setup),
+          m_setup(std::move(setup)),
           m_makeMs(makeLevels()),
           m_gpuScene(device, m_setup.scene),
-          m_order(kModes.size(), options.seed),
-          m_samples(kModes.size()),
+          m_frames(kModes.size(), options.seed),
           m_results(kModes.size()) {
         for (const Mode& mode : kModes) {
             m_renderers.push_back(std::make_unique<render::Renderer>(
@@ -89,18 +78,11 @@ class Comparison {
         }
     }
 
-    void time(std::uint32_t frame) {
-        const scene::Camera camera = cameraOf(frame);
-        for (const std::size_t mode : m_order.next()) {
-            const auto begin = Clock::now();
-            const render::FrameStats stats = m_renderers[mode]->draw(camera);
-            m_samples[mode].frameMs.push_back(millisecondsSince(begin));
-            m_samples[mode].recordMs.push_back(stats.times.recordMs);
-            m_samples[mode].executeMs.push_back(stats.times.executeMs);
-        }
+    void time(const std::function<void()>& step) {
+        m_frames.run(m_options.frames, step, [&](std::size_t mode, std::uint32_t frame) {
+            return m_renderers[mode]->draw(cameraOf(frame));
+        });
     }
-
-    void forgetSamples() { std::fill(m_samples.begin(), m_samples.end(), Samples{}); }
 
     void compare(std::uint32_t frame) {
         const scene::Camera camera = cameraOf(frame);
@@ -172,15 +154,11 @@ class Comparison {
     }
 
     void summarise(std::size_t mode, DetailResult& result) const {
-        const Samples& samples = m_samples[mode];
-        const Samples& none = m_samples.front();
-        std::vector<double> ratios(samples.executeMs.size());
-        std::transform(none.executeMs.begin(), none.executeMs.end(), samples.executeMs.begin(),
-                       ratios.begin(), [](double noneMs, double ms) { return noneMs / ms; });
+        const std::vector<double> ratios = m_frames.ratios(0, mode, &FrameSample::executeMs);
         result.mode = kModes[mode].name;
-        result.frameMs = measure::median(samples.frameMs);
-        result.recordMs = measure::median(samples.recordMs);
-        result.executeMs = measure::median(samples.executeMs);
+        result.frameMs = m_frames.median(mode, &FrameSample::frameMs);
+        result.recordMs = m_frames.median(mode, &FrameSample::recordMs);
+        result.executeMs = m_frames.median(mode, &FrameSample::executeMs);
         result.speedup = measure::median(ratios);
         result.speedup95 = measure::bootstrapMedian(ratios, m_options.seed + mode);
     }
@@ -191,8 +169,7 @@ class Comparison {
     double m_makeMs;
     render::GpuScene m_gpuScene;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
-    ShuffledOrder m_order;
-    std::vector<Samples> m_samples; ///< by mode
+    InterleavedFrames m_frames;
     std::vector<DetailResult> m_results;
     measure::FlipDifference m_flip;
     visibility::VisibleList m_visible;
@@ -201,23 +178,15 @@ class Comparison {
 
 } // namespace
 
-DetailReport runDetail(const gpu::Device& device, const DetailOptions& options,
+DetailReport runDetail(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options,
                        const DetailProgress& progress) {
     if (options.frames < 1) {
         throw base::InputError("detail needs a frame");
     }
-    const std::size_t all = std::size_t{kWarmUpFrames} + 2 * std::size_t{options.frames};
+    const std::size_t all = std::size_t{InterleavedFrames::kWarmUp} + 2 * std::size_t{options.frames};
     std::size_t done = 0;
-    Comparison comparison(device, options);
-    for (std::uint32_t i = 0; i < kWarmUpFrames; ++i) {
-        progress(done++, all);
-        comparison.time(i % options.frames);
-    }
-    comparison.forgetSamples();
-    for (std::uint32_t i = 0; i < options.frames; ++i) {
-        progress(done++, all);
-        comparison.time(i);
-    }
+    Comparison comparison(device, std::move(setup), options);
+    comparison.time([&] { progress(done++, all); });
     for (std::uint32_t i = 0; i < options.frames; ++i) {
         progress(done++, all);
         comparison.compare(i);

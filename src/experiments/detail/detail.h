@@ -58,7 +58,8 @@ using DetailProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Every mode draws a camera, in an order shuffled anew, before the next camera; then each renders it once
 /// more to be compared. base::InputError for no frames or an unusable detail.
-DetailReport runDetail(const gpu::Device& device, const DetailOptions& options,
+/// @param setup what options.scene names.
+DetailReport runDetail(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options,
                        const DetailProgress& progress);
 
 } // namespace cdr::experiments

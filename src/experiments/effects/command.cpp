@@ -1,5 +1,7 @@
 #include <cdr/render/effects.h>
+#include <cli/commands.h>
 #include <cli/comparison.h>
+#include <experiments/columns.h>
 #include <experiments/effects/effects.h>
 
 #include <fmt/format.h>
@@ -10,74 +12,70 @@ namespace {
 
 struct EffectsArguments {
     experiments::EffectsOptions options;
-    ComparisonArguments common;
+    std::filesystem::path folder;
 };
 
-nlohmann::ordered_json toJson(const experiments::EffectsResult& result) {
-    return {{"mode", result.mode},
-            {"execute_ms", result.executeMs},
-            {"execute_ratio", result.ratio},
-            {"ci95", {result.ratio95.low, result.ratio95.high}},
-            {"least_alike", result.leastAlike},
-            {"differing", result.differing}};
+experiments::Columns<experiments::EffectsResult> effectsColumns() {
+    using Result = experiments::EffectsResult;
+    return {{.key = "mode", .value = &Result::mode, .heading = "effect"},
+            {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms", .format = {"{:.2f}"}},
+            {.key = "execute_ratio", .value = &Result::ratio, .heading = "over plain", .format = {"{:.3f}"}},
+            {.key = "ci95",
+             .value = [](const Result& result) { return experiments::jsonOf(result.ratio95); },
+             .heading = "95 % interval",
+             .format = {"{:.3f} to {:.3f}"}},
+            {.key = "least_alike", .value = &Result::leastAlike, .heading = "under"},
+            {.key = "differing",
+             .value = &Result::differing,
+             .heading = "differing",
+             .format = {"{:.4f} %", 100.0},
+             .before = "under"}};
 }
 
-void printTable(const Console& console, const experiments::EffectsReport& report) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& result : report.results) {
-        rows.push_back({result.mode, fmt::format("{:.2f}", result.executeMs),
-                        fmt::format("{:.3f}", result.ratio),
-                        fmt::format("{:.3f} to {:.3f}", result.ratio95.low, result.ratio95.high),
-                        fmt::format("{:.4f} %", 100.0 * result.differing), result.leastAlike});
-    }
-    console.table({"effect", "execute ms", "over plain", "95 % interval", "differing", "under"}, rows);
-    console.line(fmt::format("\nocclusion per layer leaves {:.3f} % of the pixels too bright",
-                             100.0 * report.lostPerLayer));
-}
-
-void run(const GlobalOptions& global, EffectsArguments& arguments) {
+void run(Command& command, EffectsArguments& arguments) {
     experiments::EffectsOptions& options = arguments.options;
     requireUsable(render::Effects{.occlusion = {.radius = options.occlusionRadius},
                                   .fog = {.visibility = options.visibility}});
-    begin(arguments.common, options);
-    const Session session(global);
-    const Console console(global, arguments.common.output);
+    const PictureFolder folder(arguments.folder, command.files());
+    const scene::SceneSetup setup = command.openScene(options.scene, options.seed);
     const experiments::EffectsReport report =
-        experiments::runEffects(session.device(), options, [&](std::size_t done, std::size_t all) {
-            console.progress(done, all, "frames with effects");
-        });
-    console.endProgress();
-    session.requireSilentValidation();
+        experiments::runEffects(command.device(), setup, options, command.progressOf("frames with effects"));
+    command.endProgress();
 
-    printTable(console, report);
-    console.line(fmt::format("{}; {}, {} frames, {}x{}, radius {}, visibility {}, {} threads; differing: by "
-                             "more than {} of 255 from anchored, which preset most",
-                             describe(session.device()), options.scene, options.frames, options.width,
-                             options.height, options.occlusionRadius, options.visibility, options.threads,
-                             experiments::kEffectTolerance));
+    const auto columns = effectsColumns();
+    command.console().table(experiments::tableOf(columns, report.results));
+    command.console().line(fmt::format("\nocclusion per layer leaves {:.3f} % of the pixels too bright",
+                                       100.0 * report.lostPerLayer));
+    command.console().line(fmt::format(
+        "{}; {}, {} frames, {}x{}, radius {}, visibility {}, {} threads; differing: by "
+        "more than {} of 255 from anchored, which preset most",
+        command.opened().text(), options.scene, options.frames, options.width, options.height,
+        options.occlusionRadius, options.visibility, options.threads, experiments::kEffectTolerance));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"occlusion_radius", options.occlusionRadius}, {"visibility", options.visibility}});
-    auto document = host::makeDocument("effects", session.documentDevice(), std::move(settings));
+    auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
-        auto& row = document["results"].emplace_back(toJson(result));
-        keepPicture(arguments.common, "picture", result.mode + ".png", result.picture, row);
+        auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
+        folder.write("picture", result.mode + ".png", result.picture, row);
     }
     document["lost_per_layer"] = report.lostPerLayer;
-    writeJson(arguments.common.output, document);
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, EffectsArguments& arguments) {
+    experiments::EffectsOptions& options = arguments.options;
+    addComparison(command, options, arguments.folder);
+    command.add_option("--occlusion", options.occlusionRadius, "Radius of ambient occlusion, scene units")
+        ->capture_default_str();
+    command.add_option("--fog", options.visibility, "Visibility in fog, scene units")->capture_default_str();
 }
 
 } // namespace
 
 void addEffects(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "effects", "What screen-space effects cost, and whether they look alike under every technique");
-    auto arguments = std::make_shared<EffectsArguments>();
-    experiments::EffectsOptions& options = arguments->options;
-    addComparison(*command, options, arguments->common);
-    command->add_option("--occlusion", options.occlusionRadius, "Radius of ambient occlusion, scene units")
-        ->capture_default_str();
-    command->add_option("--fog", options.visibility, "Visibility in fog, scene units")->capture_default_str();
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<EffectsArguments>(
+        program, global, "effects",
+        "What screen-space effects cost, and whether they look alike under every technique", addOptions, run);
 }
 
 } // namespace cdr::cli

@@ -2,7 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/render/renderer.h>
-#include <experiments/shuffled_order.h>
+#include <experiments/interleaved_frames.h>
 
 #include <algorithm>
 #include <array>
@@ -16,9 +16,6 @@ namespace {
 constexpr std::array kModes{"plain", "edges", "occlusion", "occlusion-layers", "fog"};
 constexpr std::size_t kWhole = 2;
 constexpr std::size_t kPerLayer = 3;
-
-/// Frames drawn and dropped first: pipelines compile, memory is touched, caches fill.
-constexpr std::uint32_t kWarmUpFrames = 2;
 
 /// Twelve cascades, so that boundaries run through what is near.
 depth::Technique shownTechnique() {
@@ -59,34 +56,27 @@ double shareApart(const image::ImageRgba8& a, const image::ImageRgba8& b, bool s
 /// A renderer per mode over one scene, and what each took so far.
 class Comparison {
   public:
-    Comparison(const gpu::Device& device, const EffectsOptions& options)
+    Comparison(const gpu::Device& device, const scene::SceneSetup& setup, const EffectsOptions& options)
         : m_device(device),
           m_options(options),
-          m_setup(scenes::openScene(options.scene, options.seed).setup),
+          m_setup(setup),
           m_camera(m_setup.path.at(0)),
           m_gpuScene(device, m_setup.scene),
-          m_order(kModes.size(), options.seed),
-          m_executeMs(kModes.size()) {
+          m_frames(kModes.size(), options.seed) {
         for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
             m_renderers.push_back(makeRenderer(mode, shownTechnique()));
         }
     }
 
-    void time() {
-        for (const std::size_t mode : m_order.next()) {
-            m_executeMs[mode].push_back(m_renderers[mode]->draw(m_camera).times.executeMs);
-        }
+    void time(const std::function<void()>& step) {
+        m_frames.run(m_options.frames, step,
+                     [&](std::size_t mode, std::uint32_t) { return m_renderers[mode]->draw(m_camera); });
     }
 
-    void forgetTimes() { std::fill(m_executeMs.begin(), m_executeMs.end(), std::vector<double>{}); }
-
     EffectsResult summarise(std::size_t mode) {
-        const std::vector<double>& ms = m_executeMs[mode];
-        std::vector<double> ratios(ms.size());
-        std::transform(ms.begin(), ms.end(), m_executeMs.front().begin(), ratios.begin(),
-                       [](double own, double plain) { return own / plain; });
+        const std::vector<double> ratios = m_frames.ratios(mode, 0, &FrameSample::executeMs);
         EffectsResult result{.mode = kModes[mode],
-                             .executeMs = measure::median(ms),
+                             .executeMs = m_frames.median(mode, &FrameSample::executeMs),
                              .ratio = measure::median(ratios),
                              .ratio95 = measure::bootstrapMedian(ratios, m_options.seed + mode),
                              .leastAlike = {},
@@ -117,31 +107,24 @@ class Comparison {
 
     const gpu::Device& m_device;
     const EffectsOptions& m_options;
-    scene::SceneSetup m_setup;
+    const scene::SceneSetup& m_setup;
     scene::Camera m_camera;
     render::GpuScene m_gpuScene;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
-    ShuffledOrder m_order;
-    std::vector<std::vector<double>> m_executeMs; ///< by mode, then frame
+    InterleavedFrames m_frames;
 };
 
 } // namespace
 
-EffectsReport runEffects(const gpu::Device& device, const EffectsOptions& options,
-                         const EffectsProgress& progress) {
+EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& setup,
+                         const EffectsOptions& options, const EffectsProgress& progress) {
     if (options.frames < 1) {
         throw base::InputError("effects needs a frame");
     }
-    const std::size_t all = std::size_t{kWarmUpFrames} + options.frames + kModes.size();
+    const std::size_t all = std::size_t{InterleavedFrames::kWarmUp} + options.frames + kModes.size();
     std::size_t done = 0;
-    Comparison comparison(device, options);
-    for (std::uint32_t i = 0; i < kWarmUpFrames + options.frames; ++i) {
-        if (i == kWarmUpFrames) {
-            comparison.forgetTimes();
-        }
-        progress(done++, all);
-        comparison.time();
-    }
+    Comparison comparison(device, setup, options);
+    comparison.time([&] { progress(done++, all); });
     EffectsReport report;
     for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
         progress(done++, all);

@@ -50,7 +50,8 @@ using EffectsProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Every mode draws a frame, in an order shuffled anew, before the next; then each is drawn by every preset.
 /// base::InputError for no frames.
-EffectsReport runEffects(const gpu::Device& device, const EffectsOptions& options,
-                         const EffectsProgress& progress);
+/// @param setup what options.scene names.
+EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& setup,
+                         const EffectsOptions& options, const EffectsProgress& progress);
 
 } // namespace cdr::experiments

@@ -1,11 +1,11 @@
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
+#include <cli/command.h>
 #include <cli/commands.h>
-#include <cli/console.h>
-#include <cli/wrong_pixels_json.h>
 #include <experiments/flicker/flicker.h>
 #include <experiments/flicker/output.h>
 #include <experiments/flicker/pairs.h>
+#include <experiments/wrong_pixels_columns.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,88 +19,80 @@ namespace {
 
 struct FlickerArguments {
     experiments::FlickerOptions options;
-    std::string size = "1280x720";
-    std::vector<std::string> techniques; ///< all presets when empty
-    std::string format;                  ///< every technique's own when empty
+    std::string format; ///< every technique's own when empty
     bool moved = false;
     bool fittedRange = false;
     std::optional<std::filesystem::path> videos;
     std::optional<std::filesystem::path> tga;
-    OutputOptions output;
 };
 
-nlohmann::ordered_json toJson(const experiments::FlickerResult& result) {
-    nlohmann::ordered_json row{{"scene", result.scene},
-                               {"technique", result.technique},
-                               {"format", result.format},
-                               {"frames", result.frames}};
-    addWrongPixels(row, result.wrong);
-    row.update({{"flips", result.flips.flips},
-                {"compared", result.flips.compared},
-                {"flips_per_thousand", result.flips.perThousand()},
-                {"mean_flip", result.meanFlip()},
-                {"flip_frames", result.flipFrames},
-                {"duplication", result.duplication()},
-                {"cascades", result.cascades}});
-    return row;
+experiments::Columns<experiments::FlickerResult> flickerColumns() {
+    using Result = experiments::FlickerResult;
+    return experiments::joined<Result>(
+        {{{.key = "scene", .value = &Result::scene},
+          {.key = "technique", .value = &Result::technique, .heading = "technique"},
+          {.key = "format", .value = &Result::format, .heading = "format"},
+          {.key = "frames", .value = &Result::frames}},
+         experiments::columnsOf(&Result::wrong, experiments::wrongPixelsColumns({.pixels = "inner pixels",
+                                                                                 .wrong = "wrong",
+                                                                                 .share = "wrong share",
+                                                                                 .shareFormat = "{:.5f} %"})),
+         {{.key = "flips",
+           .value = [](const Result& result) { return result.flips.flips; },
+           .heading = "flips"},
+          {.key = "compared", .value = [](const Result& result) { return result.flips.compared; }},
+          {.key = "flips_per_thousand",
+           .value = [](const Result& result) { return result.flips.perThousand(); },
+           .heading = "flips / 1000",
+           .format = {"{:.4f}"}},
+          {.key = "mean_flip", .value = &Result::meanFlip, .heading = "mean FLIP", .format = {"{:.6f}"}},
+          {.key = "flip_frames", .value = &Result::flipFrames},
+          {.key = "duplication", .value = &Result::duplication},
+          {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}}});
 }
 
-nlohmann::ordered_json toJson(const experiments::FlickerPair& pair) {
-    const auto sideName = [&](experiments::Side side) {
+experiments::Columns<experiments::FlickerPair> pairColumns() {
+    using Pair = experiments::FlickerPair;
+    const auto sideName = [](const Pair& pair, experiments::Side side) {
         return side == experiments::Side::left ? pair.left : pair.right;
     };
-    return {{"left", pair.left},
-            {"right", pair.right},
-            {"left_flips", pair.flipsLeft.flips},
-            {"right_flips", pair.flipsRight.flips},
-            {"observer", pair.observer ? nlohmann::ordered_json(sideName(*pair.observer))
-                                       : nlohmann::ordered_json(nullptr)},
-            {"humans_left", pair.humans.left},
-            {"humans_right", pair.humans.right},
-            {"humans", sideName(pair.humansChoice())},
-            {"agree", pair.agree()},
-            {"chi_squared", pair.chiSquared()},
-            {"chi_squared_p", measure::chiSquaredTail(pair.chiSquared())},
-            {"binomial_p", pair.binomialP()}};
-}
-
-void printTables(const Console& console, const std::vector<experiments::FlickerResult>& results,
-                 const std::vector<experiments::FlickerPair>& pairs) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& result : results) {
-        rows.push_back({result.technique, result.format, std::to_string(result.wrong.pixels),
-                        std::to_string(result.wrong.wrong),
-                        fmt::format("{:.5f} %", 100.0 * result.wrong.fraction()),
-                        std::to_string(result.flips.flips), fmt::format("{:.4f}", result.flips.perThousand()),
-                        fmt::format("{:.6f}", result.meanFlip()), std::to_string(result.cascades)});
-    }
-    console.table({"technique", "format", "inner pixels", "wrong", "wrong share", "flips", "flips / 1000",
-                   "mean FLIP", "cascades"},
-                  rows);
-    if (pairs.empty()) {
-        return;
-    }
-    rows.clear();
-    for (const auto& pair : pairs) {
-        const bool left = pair.observer == experiments::Side::left;
-        rows.push_back({pair.left, pair.right, std::to_string(pair.flipsLeft.flips),
-                        std::to_string(pair.flipsRight.flips),
-                        pair.observer ? (left ? pair.left : pair.right) : "neither",
-                        fmt::format("{} : {}", pair.humans.left, pair.humans.right),
-                        pair.agree() ? "yes" : "no", fmt::format("{:.3f}", pair.chiSquared()),
-                        fmt::format("{:.5f}", pair.binomialP())});
-    }
-    console.line("");
-    console.table({"left", "right", "flips left", "flips right", "observer takes", "twelve people", "agree",
-                   "chi-squared", "binomial p"},
-                  rows);
+    return {
+        {.key = "left", .value = &Pair::left, .heading = "left"},
+        {.key = "right", .value = &Pair::right, .heading = "right"},
+        {.key = "left_flips",
+         .value = [](const Pair& pair) { return pair.flipsLeft.flips; },
+         .heading = "flips left"},
+        {.key = "right_flips",
+         .value = [](const Pair& pair) { return pair.flipsRight.flips; },
+         .heading = "flips right"},
+        {.key = "observer",
+         .value =
+             [sideName](const Pair& pair) {
+                 return pair.observer ? experiments::Json(sideName(pair, *pair.observer))
+                                      : experiments::Json(nullptr);
+             },
+         .heading = "observer takes",
+         .format = {.missing = "neither"}},
+        {.key = "humans_left",
+         .value = [](const Pair& pair) { return pair.humans.left; },
+         .heading = "twelve people",
+         .text =
+             [](const Pair& pair) { return fmt::format("{} : {}", pair.humans.left, pair.humans.right); }},
+        {.key = "humans_right", .value = [](const Pair& pair) { return pair.humans.right; }},
+        {.key = "humans",
+         .value = [sideName](const Pair& pair) { return sideName(pair, pair.humansChoice()); }},
+        {.key = "agree",
+         .value = &Pair::agree,
+         .heading = "agree",
+         .text = [](const Pair& pair) { return pair.agree() ? "yes" : "no"; }},
+        {.key = "chi_squared", .value = &Pair::chiSquared, .heading = "chi-squared", .format = {"{:.3f}"}},
+        {.key = "chi_squared_p",
+         .value = [](const Pair& pair) { return measure::chiSquaredTail(pair.chiSquared()); }},
+        {.key = "binomial_p", .value = &Pair::binomialP, .heading = "binomial p", .format = {"{:.5f}"}}};
 }
 
 std::vector<depth::NamedTechnique> techniquesOf(const FlickerArguments& arguments) {
-    std::vector<depth::NamedTechnique> techniques;
-    for (const std::string& name : arguments.techniques) {
-        techniques.push_back(depth::namedTechnique(name));
-    }
+    std::vector<depth::NamedTechnique> techniques = arguments.options.techniques;
     if (techniques.empty()) {
         techniques.assign(depth::presets().begin(), depth::presets().end());
     }
@@ -118,8 +110,7 @@ std::vector<depth::NamedTechnique> techniquesOf(const FlickerArguments& argument
     return techniques;
 }
 
-std::vector<experiments::FlickerResult> measure(const Session& session, const Console& console,
-                                                const FlickerArguments& arguments) {
+std::vector<experiments::FlickerResult> measure(Command& command, const FlickerArguments& arguments) {
     const experiments::FlickerOptions& options = arguments.options;
     std::vector<std::string> names;
     for (const depth::NamedTechnique& technique : options.techniques) {
@@ -130,9 +121,7 @@ std::vector<experiments::FlickerResult> measure(const Session& session, const Co
         videos.emplace(*arguments.videos, names, options.width, options.height, options.frames);
     }
     experiments::FlickerHooks hooks;
-    hooks.progress = [&](std::size_t done, std::size_t all, const std::string& what) {
-        console.progress(done, all, what);
-    };
+    hooks.progress = command.progress();
     if (videos || arguments.tga) {
         hooks.pictures = [&](std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) {
             if (videos) {
@@ -143,84 +132,76 @@ std::vector<experiments::FlickerResult> measure(const Session& session, const Co
             }
         };
     }
-    auto results = experiments::runFlicker(session.device(), options, hooks);
-    session.requireSilentValidation();
+    auto results = experiments::runFlicker(command.device(), options, hooks);
+    command.endProgress();
     if (videos) {
         videos->finish();
     }
-    console.endProgress();
     return results;
 }
 
-void run(const GlobalOptions& global, FlickerArguments& arguments) {
-    const PictureSize size = parseSize(arguments.size);
+void run(Command& command, FlickerArguments& arguments) {
     experiments::FlickerOptions& options = arguments.options;
-    options.width = size.width;
-    options.height = size.height;
     options.techniques = techniquesOf(arguments);
     if (options.state && std::filesystem::is_directory(*options.state)) {
         *options.state /= "flicker_state.json";
     }
-    requireJsonWritable(arguments.output);
-    const Session session(global);
-    const Console console(global, arguments.output);
-    const auto results = measure(session, console, arguments);
+    if (options.state) {
+        command.files().writes("--state", *options.state);
+    }
+    const auto results = measure(command, arguments);
     const auto pairs = experiments::comparePairs(results);
-    printTables(console, results, pairs);
-    console.line(fmt::format("\n{}; {} frames of {}x{}, FLIP of every {}., seed {}",
-                             describe(session.device()), options.frames, size.width, size.height,
-                             options.flipEvery, options.seed));
+    const Console& console = command.console();
+    const auto columns = flickerColumns();
+    console.table(experiments::tableOf(columns, results));
+    if (!pairs.empty()) {
+        console.line("");
+        console.table(experiments::tableOf(pairColumns(), pairs));
+    }
+    console.line(fmt::format("\n{}; {} frames of {}x{}, FLIP of every {}., seed {}", command.opened().text(),
+                             options.frames, options.width, options.height, options.flipEvery, options.seed));
 
-    auto document = host::makeDocument("flicker", session.documentDevice(),
-                                       {{"width", size.width},
-                                        {"height", size.height},
-                                        {"frames", options.frames},
-                                        {"seed", options.seed},
-                                        {"near_object", options.nearObject},
-                                        {"flip_every", options.flipEvery}});
-    for (const auto& result : results) {
-        document["results"].push_back(toJson(result));
-    }
-    auto& section = host::addSection(document, "pairs");
-    for (const auto& pair : pairs) {
-        section.push_back(toJson(pair));
-    }
-    writeJson(arguments.output, document);
+    auto document = command.makeDocument({{"width", options.width},
+                                          {"height", options.height},
+                                          {"frames", options.frames},
+                                          {"seed", options.seed},
+                                          {"near_object", options.nearObject},
+                                          {"flip_every", options.flipEvery}});
+    document["results"] = experiments::jsonOf(columns, results);
+    document["pairs"] = experiments::jsonOf(pairColumns(), pairs);
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, FlickerArguments& arguments) {
+    experiments::FlickerOptions& options = arguments.options;
+    addFrames(command, options.frames, "Frames, spread evenly over one turn of the camera");
+    addSize(command, options.width, options.height);
+    addTechniques(command, options.techniques);
+    command.add_option("--format", arguments.format, "Depth format of all: d16, d24 or d32f");
+    addSeed(command, options.seed, "Seed of the field");
+    command.add_flag("--near-object", options.nearObject,
+                     "A tiny object stays beside the camera, so fitting near and far does not help");
+    command.add_flag("--moved", arguments.moved,
+                     "Adds cdr with its last boundary moved off the field: cdr-before and cdr-behind");
+    command.add_flag("--fitted-range", arguments.fittedRange,
+                     "Adds standard with near and far fitted to what is visible: standard-fitted");
+    command.add_option("--flip-every", options.flipEvery, "Take FLIP of every so-many-th frame")
+        ->check(CLI::Range(1u, kMaxFrames))
+        ->capture_default_str();
+    addThreads(command, options.threads, "Threads that cull, bin, record and measure");
+    command.add_option("--state", options.state,
+                       "File or folder where the run is kept, to go on from when it is interrupted");
+    command.add_option("--videos", arguments.videos, "Folder for the thesis' six videos (needs ffmpeg)");
+    command.add_option("--tga", arguments.tga, "Folder for every frame as TGA");
 }
 
 } // namespace
 
 void addFlicker(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "flicker", "Wrong pixels, flips and FLIP over the 2AFC experiment's frames (thesis section 6.1)");
-    auto arguments = std::make_shared<FlickerArguments>();
-    experiments::FlickerOptions& options = arguments->options;
-    command->add_option("--frames", options.frames, "Frames, spread evenly over one turn of the camera")
-        ->check(CLI::Range(1u, kMaxFrames))
-        ->capture_default_str();
-    command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command
-        ->add_option("--techniques", arguments->techniques, "Techniques, a comma between them; all presets")
-        ->delimiter(',');
-    command->add_option("--format", arguments->format, "Depth format of all: d16, d24 or d32f");
-    command->add_option("--seed", options.seed, "Seed of the field")->capture_default_str();
-    command->add_flag("--near-object", options.nearObject,
-                      "A tiny object stays beside the camera, so fitting near and far does not help");
-    command->add_flag("--moved", arguments->moved,
-                      "Adds cdr with its last boundary moved off the field: cdr-before and cdr-behind");
-    command->add_flag("--fitted-range", arguments->fittedRange,
-                      "Adds standard with near and far fitted to what is visible: standard-fitted");
-    command->add_option("--flip-every", options.flipEvery, "Take FLIP of every so-many-th frame")
-        ->check(CLI::Range(1u, kMaxFrames))
-        ->capture_default_str();
-    command->add_option("--threads", options.threads, "Threads that cull, bin, record and measure")
-        ->capture_default_str();
-    command->add_option("--state", options.state,
-                        "File or folder where the run is kept, to go on from when it is interrupted");
-    command->add_option("--videos", arguments->videos, "Folder for the thesis' six videos (needs ffmpeg)");
-    command->add_option("--tga", arguments->tga, "Folder for every frame as TGA");
-    addJson(*command, arguments->output);
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<FlickerArguments>(
+        program, global, "flicker",
+        "Wrong pixels, flips and FLIP over the 2AFC experiment's frames (thesis section 6.1)", addOptions,
+        run);
 }
 
 } // namespace cdr::cli

@@ -7,7 +7,7 @@
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/frustum.h>
-#include <experiments/shuffled_order.h>
+#include <experiments/interleaved_frames.h>
 
 #include <algorithm>
 #include <array>
@@ -34,18 +34,9 @@ constexpr std::array kModes{Mode{"single", render::TargetsKind::single, false, f
 /// All others are compared with it.
 constexpr std::size_t kBase = 1;
 
-/// Frames drawn and dropped first: pipelines compile, memory is touched, caches fill.
-constexpr std::uint32_t kWarmUpFrames = 2;
-
 double millisecondsSince(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
-
-/// What one mode took, one entry per frame.
-struct Samples {
-    std::vector<double> frameMs;
-    std::vector<double> executeMs;
-};
 
 /// Of linear light, over all channels.
 double rmseOf(const image::ImageRgba8& a, const image::ImageRgba8& b) {
@@ -63,32 +54,25 @@ double rmseOf(const image::ImageRgba8& a, const image::ImageRgba8& b) {
 /// A renderer per mode over one scene, and what each showed and took so far.
 class Comparison {
   public:
-    Comparison(const gpu::Device& device, const FocusOptions& options)
+    Comparison(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options)
         : m_options(options),
           m_workers(options.threads),
-          m_setup(scenes::openScene(options.scene, options.seed).setup),
+          m_setup(setup),
           m_camera(m_setup.path.at(0)),
           m_lens(options.lens, scene::frustumOf(m_camera, options.width, options.height).tanY,
                  options.height),
           m_gpuScene(device, m_setup.scene),
-          m_order(kModes.size(), options.seed),
-          m_samples(kModes.size()) {
+          m_frames(kModes.size(), options.seed) {
         for (const Mode& mode : kModes) {
             m_renderers.push_back(
                 std::make_unique<render::Renderer>(device, m_setup.scene, m_gpuScene, renderOptions(mode)));
         }
     }
 
-    void time() {
-        for (const std::size_t mode : m_order.next()) {
-            const auto begin = Clock::now();
-            const render::FrameStats stats = m_renderers[mode]->draw(m_camera);
-            m_samples[mode].frameMs.push_back(millisecondsSince(begin));
-            m_samples[mode].executeMs.push_back(stats.times.executeMs);
-        }
+    void time(const std::function<void()>& step) {
+        m_frames.run(m_options.frames, step,
+                     [&](std::size_t mode, std::uint32_t) { return m_renderers[mode]->draw(m_camera); });
     }
-
-    void forgetSamples() { std::fill(m_samples.begin(), m_samples.end(), Samples{}); }
 
     /// The reference is of pictures by "single".
     void addToReference(std::uint32_t camera) {
@@ -166,14 +150,10 @@ class Comparison {
     }
 
     FocusResult summarise(std::size_t mode) const {
-        const Samples& samples = m_samples[mode];
-        const std::vector<double>& base = m_samples[kBase].executeMs;
-        std::vector<double> ratios(base.size());
-        std::transform(base.begin(), base.end(), samples.executeMs.begin(), ratios.begin(),
-                       [](double baseMs, double ms) { return baseMs / ms; });
+        const std::vector<double> ratios = m_frames.ratios(kBase, mode, &FrameSample::executeMs);
         return {.mode = kModes[mode].name,
-                .frameMs = measure::median(samples.frameMs),
-                .executeMs = measure::median(samples.executeMs),
+                .frameMs = m_frames.median(mode, &FrameSample::frameMs),
+                .executeMs = m_frames.median(mode, &FrameSample::executeMs),
                 .speedup = measure::median(ratios),
                 .speedup95 = measure::bootstrapMedian(ratios, m_options.seed + mode),
                 .picture = {}};
@@ -181,13 +161,12 @@ class Comparison {
 
     const FocusOptions& m_options;
     host::WorkerPool m_workers;
-    scene::SceneSetup m_setup;
+    const scene::SceneSetup& m_setup;
     scene::Camera m_camera;
     render::FocusLens m_lens;
     render::GpuScene m_gpuScene;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
-    ShuffledOrder m_order;
-    std::vector<Samples> m_samples; ///< by mode
+    InterleavedFrames m_frames;
     LensReference m_reference;
     double m_referenceMs = 0.0;
     double m_referenceExecuteMs = 0.0;
@@ -196,7 +175,8 @@ class Comparison {
 
 } // namespace
 
-FocusReport runFocus(const gpu::Device& device, const FocusOptions& options, const FocusProgress& progress) {
+FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options,
+                     const FocusProgress& progress) {
     if (options.frames < 1 || options.cameras < 1) {
         throw base::InputError("focus needs a frame and a camera");
     }
@@ -204,18 +184,11 @@ FocusReport runFocus(const gpu::Device& device, const FocusOptions& options, con
     if (!options.lens.isOn() || !(options.lens.aperture > 0.0)) {
         throw base::InputError("focus needs a distance and an aperture above 0");
     }
-    const std::size_t all = std::size_t{kWarmUpFrames} + options.frames + options.cameras;
+    const std::size_t all =
+        std::size_t{InterleavedFrames::kWarmUp} + options.frames + std::size_t{options.cameras};
     std::size_t done = 0;
-    Comparison comparison(device, options);
-    for (std::uint32_t i = 0; i < kWarmUpFrames; ++i) {
-        progress(done++, all);
-        comparison.time();
-    }
-    comparison.forgetSamples();
-    for (std::uint32_t i = 0; i < options.frames; ++i) {
-        progress(done++, all);
-        comparison.time();
-    }
+    Comparison comparison(device, setup, options);
+    comparison.time([&] { progress(done++, all); });
     for (std::uint32_t i = 0; i < options.cameras; ++i) {
         progress(done++, all);
         comparison.addToReference(i);

@@ -63,6 +63,8 @@ using FocusProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// Every mode draws a frame, in an order shuffled anew, before the next; then each is compared once with the
 /// mean, in linear light, of cameras spread over the lens, each turned to the point in focus.
 /// base::InputError for no frames or cameras, or an unusable or no focus.
-FocusReport runFocus(const gpu::Device& device, const FocusOptions& options, const FocusProgress& progress);
+/// @param setup what options.scene names.
+FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options,
+                     const FocusProgress& progress);
 
 } // namespace cdr::experiments

@@ -1,27 +1,27 @@
-#include <cdr/host/file.h>
-#include <cdr/image/codec.h>
+#include <cdr/base/error.h>
+#include <cli/command.h>
 #include <cli/commands.h>
-#include <cli/console.h>
-#include <cli/wrong_pixels_json.h>
+#include <cli/picture_folder.h>
 #include <experiments/pictures/pictures.h>
-#include <scenes/open_scene.h>
+#include <experiments/wrong_pixels_columns.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace cdr::cli {
 
 namespace {
 
+constexpr const char* kSheet = "contact_sheet.png";
+
 struct PicturesArguments {
     experiments::PicturesOptions options;
-    std::string size = "1280x720";
-    std::vector<std::string> techniques; ///< all presets when empty
+    std::vector<std::string> scenes{"cubes", "afc"};
     std::filesystem::path folder = "out";
-    OutputOptions output;
 };
 
 /// Name of a result's files, without what the kinds of file add.
@@ -31,101 +31,98 @@ std::string stemOf(const experiments::PictureResult& result) {
     return stem;
 }
 
-nlohmann::ordered_json toJson(const experiments::PictureResult& result) {
-    nlohmann::ordered_json row{{"scene", result.scene},
-                               {"technique", result.technique},
-                               {"fov_degrees", result.fovYDegrees},
-                               {"frames", result.frames}};
-    addWrongPixels(row, result.wrong);
-    row["flips"] = result.flips;
-    row["picture"] = stemOf(result) + ".png";
-    row["heat_map"] = stemOf(result) + "_wrong.png";
-    return row;
+experiments::Columns<experiments::PictureResult> pictureColumns() {
+    using Result = experiments::PictureResult;
+    const auto named = [](const char* suffix) {
+        return [suffix](const Result& result) { return stemOf(result) + suffix; };
+    };
+    return experiments::joined<Result>(
+        {{{.key = "scene", .value = &Result::scene, .heading = "scene"},
+          {.key = "technique", .value = &Result::technique, .heading = "technique"},
+          {.key = "fov_degrees", .value = &Result::fovYDegrees},
+          {.key = "frames", .value = &Result::frames, .heading = "frames"}},
+         experiments::columnsOf(&Result::wrong,
+                                experiments::wrongPixelsColumns({.pixels = "inner pixels",
+                                                                 .wrong = "wrong",
+                                                                 .share = "wrong share",
+                                                                 .overlapShare = "where objects overlap"})),
+         {{.key = "flips", .value = &Result::flips},
+          {.key = "picture", .value = named(".png")},
+          {.key = "heat_map", .value = named("_wrong.png")}}});
 }
 
-void printTable(const Console& console, const std::vector<experiments::PictureResult>& results) {
-    std::vector<std::vector<std::string>> rows;
+void writePictures(const PictureFolder& folder, const std::vector<experiments::PictureResult>& results,
+                   const std::string& device) {
     for (const auto& result : results) {
-        rows.push_back({result.scene, result.technique, std::to_string(result.frames),
-                        std::to_string(result.wrong.pixels), std::to_string(result.wrong.wrong),
-                        fmt::format("{:.4f} %", 100.0 * result.wrong.fraction()),
-                        fmt::format("{:.4f} %", 100.0 * result.wrong.overlapFraction())});
+        folder.write(stemOf(result) + ".png", result.picture);
+        folder.write(stemOf(result) + "_wrong.png", result.heatMap);
     }
-    console.table(
-        {"scene", "technique", "frames", "inner pixels", "wrong", "wrong share", "where objects overlap"},
-        rows);
+    folder.write(kSheet, experiments::makeContactSheet(
+                             results, "cdr pictures: red is wrong, orange wrong on an edge; " + device));
 }
 
-void run(const GlobalOptions& global, PicturesArguments& arguments) {
-    const PictureSize size = parseSize(arguments.size);
-    arguments.options.width = size.width;
-    arguments.options.height = size.height;
-    for (const std::string& name : arguments.techniques) {
-        arguments.options.techniques.push_back(depth::namedTechnique(name));
+/// base::InputError for scenes or techniques whose pictures would have one name.
+std::vector<scene::SceneSetup> openScenes(Command& command, const PicturesArguments& arguments) {
+    std::map<std::string, std::string> stems;
+    const auto require = [&](const std::string& stem, const std::string& what) {
+        const auto [other, isNew] = stems.try_emplace(stem, what);
+        if (!isNew) {
+            throw base::InputError(
+                fmt::format("{} and {} would both be written as {}", other->second, what, stem));
+        }
+    };
+    std::vector<scene::SceneSetup> scenes;
+    for (const std::string& name : arguments.scenes) {
+        scenes.push_back(command.openScene(name, arguments.options.seed));
+        require(scenes.back().scene.name + "_*.png", name);
     }
-    requireJsonWritable(arguments.output);
-    host::makeFolder(arguments.folder);
-    const Session session(global);
-    const Console console(global, arguments.output);
-    const auto results = experiments::runPictures(
-        session.device(), arguments.options, [&](std::size_t done, std::size_t all, const std::string& what) {
-            console.progress(done, all, what);
-        });
-    console.endProgress();
-    session.requireSilentValidation();
+    for (const depth::NamedTechnique& technique : arguments.options.techniques) {
+        require(fmt::format("*_{}.png", technique.name), technique.name);
+    }
+    return scenes;
+}
 
-    const std::string device = describe(session.device());
-    for (const auto& result : results) {
-        const std::string stem = stemOf(result);
-        image::writeImage(arguments.folder / (stem + ".png"), result.picture);
-        image::writeImage(arguments.folder / (stem + "_wrong.png"), result.heatMap);
-    }
-    const std::filesystem::path sheet = arguments.folder / "contact_sheet.png";
-    image::writeImage(sheet, experiments::makeContactSheet(
-                                 results, "cdr pictures: red is wrong, orange wrong on an edge; " +
-                                              session.device().info().name));
-    printTable(console, results);
-    console.line(fmt::format("\n{}; {} frames a row, seed {}; pictures in {}, all on {}", device,
-                             arguments.options.frames, arguments.options.seed, arguments.folder.string(),
-                             sheet.string()));
+void run(Command& command, PicturesArguments& arguments) {
+    const experiments::PicturesOptions& options = arguments.options;
+    const PictureFolder folder(arguments.folder, command.files());
+    std::vector<scene::SceneSetup> scenes = openScenes(command, arguments);
+    const auto results =
+        experiments::runPictures(command.device(), std::move(scenes), options, command.progress());
+    command.endProgress();
 
-    auto document = host::makeDocument("pictures", session.documentDevice(),
-                                       {{"width", size.width},
-                                        {"height", size.height},
-                                        {"frames", arguments.options.frames},
-                                        {"seed", arguments.options.seed}});
-    for (const auto& result : results) {
-        document["results"].push_back(toJson(result));
-    }
-    writeJson(arguments.output, document);
+    writePictures(folder, results, command.device().info().name);
+    const auto columns = pictureColumns();
+    command.console().table(experiments::tableOf(columns, results));
+    command.console().line(fmt::format("\n{}; {} frames a row, seed {}; pictures in {}, all on {}",
+                                       command.opened().text(), options.frames, options.seed,
+                                       folder.path().string(), (folder.path() / kSheet).string()));
+    auto document = command.makeDocument({{"width", options.width},
+                                          {"height", options.height},
+                                          {"frames", options.frames},
+                                          {"seed", options.seed}});
+    document["results"] = experiments::jsonOf(columns, results);
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, PicturesArguments& arguments) {
+    experiments::PicturesOptions& options = arguments.options;
+    command.add_option("--out", arguments.folder, "Folder for the pictures")->capture_default_str();
+    command.add_option("--scenes", arguments.scenes, "Scenes, a comma between them")
+        ->delimiter(',')
+        ->capture_default_str();
+    addTechniques(command, options.techniques);
+    addSize(command, options.width, options.height);
+    addFrames(command, options.frames, "Frames per scene, spread over its camera path");
+    addThreads(command, options.threads, "Threads that cull, bin, record and cast the truth");
+    addSeed(command, options.seed, "Seed of the random scenes");
 }
 
 } // namespace
 
 void addPictures(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* command = program.add_subcommand(
-        "pictures", "One picture per technique with its wrong pixels (Figures 6.1 to 6.3)");
-    auto arguments = std::make_shared<PicturesArguments>();
-    command->add_option("--out", arguments->folder, "Folder for the pictures")->capture_default_str();
-    command->add_option("--scenes", arguments->options.scenes, "Scenes, a comma between them")
-        ->delimiter(',')
-        ->capture_default_str();
-    command
-        ->add_option("--techniques", arguments->techniques, "Techniques, a comma between them; all presets")
-        ->delimiter(',');
-    command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command
-        ->add_option("--frames", arguments->options.frames, "Frames per scene, spread over its camera path")
-        ->check(CLI::Range(1u, kMaxFrames))
-        ->capture_default_str();
-    command
-        ->add_option("--threads", arguments->options.threads,
-                     "Threads that cull, bin, record and cast the truth")
-        ->capture_default_str();
-    command->add_option("--seed", arguments->options.seed, "Seed of the random scenes")
-        ->capture_default_str();
-    addJson(*command, arguments->output);
-    command->callback([&global, arguments] { run(global, *arguments); });
+    addCommand<PicturesArguments>(program, global, "pictures",
+                                  "One picture per technique with its wrong pixels (Figures 6.1 to 6.3)",
+                                  addOptions, run);
 }
 
 } // namespace cdr::cli

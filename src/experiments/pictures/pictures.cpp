@@ -2,13 +2,13 @@
 
 #include <cdr/measure/compare/flips.h>
 #include <cdr/render/renderer.h>
-#include <scenes/open_scene.h>
 
 #include <algorithm>
 #include <iterator>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace cdr::experiments {
 
@@ -31,9 +31,8 @@ void addFrame(const render::Frame& frame, const measure::TruthImage& truth,
 
 /// All techniques over one scene; they share the truth of each frame.
 std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOptions& options,
-                                    const std::string& sceneName,
+                                    const scene::SceneSetup& setup,
                                     const std::function<void(const std::string&)>& step) {
-    const scene::SceneSetup setup = scenes::openScene(sceneName, options.seed).setup;
     const render::GpuScene gpuScene(device, setup.scene);
     host::WorkerPool workers(options.threads);
     std::vector<std::unique_ptr<render::Renderer>> renderers;
@@ -60,7 +59,7 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
         const measure::TruthImage truth =
             measure::castTruth(setup.scene, camera, options.width, options.height, workers);
         for (std::size_t t = 0; t < renderers.size(); ++t) {
-            step(sceneName + " " + results[t].technique);
+            step(results[t].scene + " " + results[t].technique);
             const render::Frame frame = renderers[t]->render(camera);
             addFrame(frame, truth, before[t], results[t]);
             before[t] = measure::IdFrame{frame.ids(), truth};
@@ -71,18 +70,19 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
 
 } // namespace
 
-std::vector<PictureResult> runPictures(const gpu::Device& device, const PicturesOptions& given,
-                                       const Progress& progress) {
+std::vector<PictureResult> runPictures(const gpu::Device& device, std::vector<scene::SceneSetup> scenes,
+                                       const PicturesOptions& given, const Progress& progress) {
     PicturesOptions options = given;
     if (options.techniques.empty()) {
         options.techniques.assign(depth::presets().begin(), depth::presets().end());
     }
-    const std::size_t all = options.scenes.size() * options.techniques.size() * options.frames;
+    const std::size_t all = scenes.size() * options.techniques.size() * options.frames;
     std::size_t done = 0;
     std::vector<PictureResult> results;
-    for (const std::string& scene : options.scenes) {
+    for (scene::SceneSetup& scene : scenes) {
+        const scene::SceneSetup own = std::move(scene); // its memory goes before the next scene's turn
         auto part =
-            runScene(device, options, scene, [&](const std::string& what) { progress(done++, all, what); });
+            runScene(device, options, own, [&](const std::string& what) { progress(done++, all, what); });
         std::move(part.begin(), part.end(), std::back_inserter(results));
     }
     return results;

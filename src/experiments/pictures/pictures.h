@@ -4,6 +4,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/scene/scene_setup.h>
 
 #include <cstdint>
 #include <functional>
@@ -18,8 +19,7 @@ struct PicturesOptions {
     std::uint32_t height = 720;
     std::uint32_t frames = 3; ///< spread evenly over each scene's camera path; a still scene has one
     std::size_t threads = 1;
-    std::uint64_t seed = 2013;
-    std::vector<std::string> scenes{"cubes", "afc"};
+    std::uint64_t seed = 2013;                     ///< of the scenes
     std::vector<depth::NamedTechnique> techniques; ///< all presets when empty
 };
 
@@ -38,8 +38,8 @@ struct PictureResult {
 /// Called before each frame with how many of all frames are done.
 using Progress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
 
-std::vector<PictureResult> runPictures(const gpu::Device& device, const PicturesOptions& given,
-                                       const Progress& progress);
+std::vector<PictureResult> runPictures(const gpu::Device& device, std::vector<scene::SceneSetup> scenes,
+                                       const PicturesOptions& given, const Progress& progress);
 
 /// All pictures over their heat maps with captions, one column per technique, two rows per scene.
 image::ImageRgba8 makeContactSheet(const std::vector<PictureResult>& results, const std::string& title);

@@ -103,8 +103,10 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
     for (const double distanceView : options.distancesView) {
         ladderAt(distanceView, options); // an unusable one ends here, before any work
     }
+    const std::vector<depth::DepthFormat>& formats =
+        options.formats.empty() ? device.info().depthFormats : options.formats;
     host::WorkerPool workers(options.threads);
-    const std::size_t all = options.distancesView.size() * techniques.size() * options.formats.size();
+    const std::size_t all = options.distancesView.size() * techniques.size() * formats.size();
     std::vector<ProbeResult> results;
     for (const double distanceView : options.distancesView) {
         const scenes::LadderOptions ladder = ladderAt(distanceView, options);
@@ -114,7 +116,7 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
         const measure::TruthImage truth =
             measure::castTruth(setup.scene, camera, options.width, options.height, workers);
         for (auto [name, technique] : techniques) {
-            for (const depth::DepthFormat format : options.formats) {
+            for (const depth::DepthFormat format : formats) {
                 technique.format = format;
                 progress(results.size(), all, fmt::format("{} at {}", name, distanceView));
                 render::Renderer renderer(device, setup.scene, gpuScene,

@@ -23,7 +23,7 @@ struct ProbeOptions {
     std::optional<double> nearView;
     std::optional<double>
         farView; ///< at least 1.02 times the distance is taken, so that the field is before it
-    std::vector<depth::DepthFormat> formats{depth::kDepthFormats.begin(), depth::kDepthFormats.end()};
+    std::vector<depth::DepthFormat> formats; ///< all that the device can draw to when empty
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
     std::size_t threads = 1;

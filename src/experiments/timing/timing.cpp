@@ -2,7 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/render/renderer.h>
-#include <experiments/shuffled_order.h>
+#include <experiments/interleaved_frames.h>
 #include <scenes/cubes.h>
 
 #include <algorithm>
@@ -13,37 +13,17 @@ namespace cdr::experiments {
 
 namespace {
 
-/// What one mode took, one entry per frame.
-struct Samples {
-    std::vector<double> frameUs;
-    std::vector<double> cullAndBinUs;
-    std::vector<double> recordUs;
-    std::vector<double> executeUs;
-    std::vector<double> draws;
-};
-
 constexpr double kUsPerMs = 1000.0;
 
-void drawAndTime(render::Renderer& renderer, const scene::Camera& camera, Samples& samples) {
-    const auto begin = std::chrono::steady_clock::now();
-    const render::FrameStats stats = renderer.draw(camera);
-    const std::chrono::duration<double, std::micro> passed = std::chrono::steady_clock::now() - begin;
-    samples.frameUs.push_back(passed.count());
-    samples.cullAndBinUs.push_back(kUsPerMs * (stats.times.cullMs + stats.times.binMs));
-    samples.recordUs.push_back(kUsPerMs * stats.times.recordMs);
-    samples.executeUs.push_back(kUsPerMs * stats.times.executeMs);
-    samples.draws.push_back(static_cast<double>(stats.draws));
-}
-
 /// Draws a run of cameras with frames in flight; the sample is one frame's share.
-void drawRunAndTime(render::Renderer& renderer, const std::vector<scene::Camera>& cameras, Samples& samples) {
+FrameSample timedRun(render::Renderer& renderer, const std::vector<scene::Camera>& cameras) {
     const auto begin = std::chrono::steady_clock::now();
     for (const scene::Camera& camera : cameras) {
         renderer.submit(camera);
     }
     renderer.finish();
-    const std::chrono::duration<double, std::micro> passed = std::chrono::steady_clock::now() - begin;
-    samples.frameUs.push_back(passed.count() / static_cast<double>(cameras.size()));
+    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+    return {.frameMs = passed.count() / static_cast<double>(cameras.size())};
 }
 
 scene::Scene unshared(scene::Scene scene) {
@@ -52,28 +32,6 @@ scene::Scene unshared(scene::Scene scene) {
         material.doubleSided = true; // no face is culled
     }
     return scene;
-}
-
-TimingResult summarise(const TimingMode& mode, const Samples& samples, const Samples& standard,
-                       std::uint64_t seed) {
-    std::vector<double> overheads(samples.frameUs.size());
-    std::transform(samples.frameUs.begin(), samples.frameUs.end(), standard.frameUs.begin(),
-                   overheads.begin(),
-                   [](double us, double standardUs) { return 100.0 * (us / standardUs - 1.0); });
-    TimingResult result;
-    result.mode = mode;
-    result.medianUs = measure::median(samples.frameUs);
-    result.lowUs = measure::percentile(samples.frameUs, 5.0);
-    result.highUs = measure::percentile(samples.frameUs, 95.0);
-    if (!samples.recordUs.empty()) {
-        result.parts = TimingParts{.cullAndBinUs = measure::median(samples.cullAndBinUs),
-                                   .recordUs = measure::median(samples.recordUs),
-                                   .executeUs = measure::median(samples.executeUs),
-                                   .draws = measure::median(samples.draws)};
-    }
-    result.overheadPercent = measure::median(overheads);
-    result.overheadPercent95 = measure::bootstrapMedian(overheads, seed);
-    return result;
 }
 
 /// Every mode's renderer over one scene, and what each took so far.
@@ -85,8 +43,7 @@ class Race {
           m_gpuScene(device, m_setup.scene),
           m_unsharedScene(unshared(m_setup.scene)),
           m_unsharedGpuScene(device, m_unsharedScene),
-          m_order(options.modes.size(), options.seed),
-          m_samples(options.modes.size()) {
+          m_frames(options.modes.size(), options.seed) {
         for (const TimingMode& mode : options.modes) {
             const bool isIndexed = mode.meshes == TimingMeshes::indexed;
             m_renderers.push_back(std::make_unique<render::Renderer>(
@@ -108,12 +65,12 @@ class Race {
 
     void drawFrame(std::uint32_t number) {
         const scene::Camera camera = m_path.at(number);
-        for (const std::size_t mode : m_order.next()) {
+        m_frames.draw([&](std::size_t mode) {
             if (m_options.trace != nullptr) {
                 m_options.trace->beginFrame(m_options.modes[mode].name);
             }
-            drawAndTime(*m_renderers[mode], camera, m_samples[mode]);
-        }
+            return timed([&] { return m_renderers[mode]->draw(camera); });
+        });
     }
 
     /// Every mode draws `count` frames from `first` on, several in flight.
@@ -122,28 +79,46 @@ class Race {
         for (std::uint32_t frame = first; frame < first + count; ++frame) {
             cameras.push_back(m_path.at(frame));
         }
-        for (const std::size_t mode : m_order.next()) {
-            drawRunAndTime(*m_renderers[mode], cameras, m_samples[mode]);
-        }
+        m_frames.draw([&](std::size_t mode) { return timedRun(*m_renderers[mode], cameras); });
     }
 
-    void forgetSamples() {
-        for (Samples& samples : m_samples) {
-            samples = {};
-        }
-    }
+    void forgetSamples() { m_frames.forget(); }
 
     std::vector<TimingResult> results() {
         std::vector<TimingResult> results;
         for (std::size_t mode = 0; mode < m_renderers.size(); ++mode) {
-            results.push_back(
-                summarise(m_options.modes[mode], m_samples[mode], m_samples.front(), m_options.seed + mode));
+            results.push_back(summarise(mode));
             results.back().cascades = m_renderers[mode]->render(m_path.at(0)).cascades.size();
         }
         return results;
     }
 
   private:
+    double medianUs(std::size_t mode, double FrameSample::*part) const {
+        return kUsPerMs * m_frames.median(mode, part);
+    }
+
+    TimingResult summarise(std::size_t mode) const {
+        std::vector<double> overheads = m_frames.ratios(mode, 0, &FrameSample::frameMs);
+        std::transform(overheads.begin(), overheads.end(), overheads.begin(),
+                       [](double ratio) { return 100.0 * (ratio - 1.0); });
+        const std::vector<double> frameMs = m_frames.samples(mode, &FrameSample::frameMs);
+        TimingResult result;
+        result.mode = m_options.modes[mode];
+        result.medianUs = medianUs(mode, &FrameSample::frameMs);
+        result.lowUs = kUsPerMs * measure::percentile(frameMs, 5.0);
+        result.highUs = kUsPerMs * measure::percentile(frameMs, 95.0);
+        if (m_options.framesInFlight <= 1) {
+            result.parts = TimingParts{.cullAndBinUs = medianUs(mode, &FrameSample::cullAndBinMs),
+                                       .recordUs = medianUs(mode, &FrameSample::recordMs),
+                                       .executeUs = medianUs(mode, &FrameSample::executeMs),
+                                       .draws = m_frames.median(mode, &FrameSample::draws)};
+        }
+        result.overheadPercent = measure::median(overheads);
+        result.overheadPercent95 = measure::bootstrapMedian(overheads, m_options.seed + mode);
+        return result;
+    }
+
     const TimingOptions& m_options;
     scene::SceneSetup m_setup;
     scene::CameraPath m_path;
@@ -151,8 +126,7 @@ class Race {
     scene::Scene m_unsharedScene;
     render::GpuScene m_unsharedGpuScene;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
-    ShuffledOrder m_order;
-    std::vector<Samples> m_samples; ///< by mode
+    InterleavedFrames m_frames;
 };
 
 } // namespace

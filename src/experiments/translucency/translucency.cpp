@@ -5,7 +5,6 @@
 #include <cdr/render/renderer.h>
 #include <cdr/visibility/blended.h>
 #include <experiments/frame_notes.h>
-#include <scenes/open_scene.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -52,9 +51,9 @@ TranslucencyResult compare(const gpu::Device& device, const scene::SceneSetup& s
 
 } // namespace
 
-TranslucencyResults runTranslucency(const gpu::Device& device, const TranslucencyExperiment& experiment,
+TranslucencyResults runTranslucency(const gpu::Device& device, const scene::SceneSetup& setup,
+                                    const TranslucencyExperiment& experiment,
                                     const TranslucencyProgress& progress) {
-    const scene::SceneSetup setup = scenes::openScene(experiment.scene, experiment.seed).setup;
     if (!visibility::hasBlended(setup.scene)) {
         throw base::InputError(setup.scene.name + ": the scene has no translucent surfaces");
     }

@@ -5,6 +5,7 @@
 #include <cdr/image/image.h>
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/render/translucency/translucency.h>
+#include <cdr/scene/scene_setup.h>
 
 #include <cstdint>
 #include <functional>
@@ -45,7 +46,9 @@ struct TranslucencyResults {
 using TranslucencyProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// base::InputError for a scene without translucent surfaces, or an unusable number of cascades.
-TranslucencyResults runTranslucency(const gpu::Device& device, const TranslucencyExperiment& experiment,
+/// @param setup what experiment.scene names.
+TranslucencyResults runTranslucency(const gpu::Device& device, const scene::SceneSetup& setup,
+                                    const TranslucencyExperiment& experiment,
                                     const TranslucencyProgress& progress);
 
 /// How far a picture is from the truth, eight times as bright.

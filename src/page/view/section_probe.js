@@ -11,6 +11,10 @@ export function fillProbe(document) {
         slot("probe", "plot").append(first ? plot : h("details", { class: "source" },
             h("summary", {}, `The same in ${format.toUpperCase()}`), h("div", {}, plot)));
     }
+    const missing = (document.missing_formats ?? []).map((format) => format.toUpperCase());
+    if (missing.length > 0) {
+        slot("probe", "table").append(h("p", {}, `Left out, since this device cannot draw to it: ${missing.join(", ")}.`));
+    }
     slot("probe", "table").append(h("details", { class: "source" }, h("summary", {}, "Every measurement as a table"),
         h("div", {}, makeTable(document))));
 }

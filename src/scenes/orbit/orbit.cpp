@@ -109,12 +109,12 @@ scene::SceneSetup makeOrbit(EarthMaps maps, const scene::Scene* parked) {
     return setup;
 }
 
-scene::SceneSetup openOrbit(const OrbitFiles& files) {
+scene::OpenedScene openOrbit(const OrbitFiles& files) {
     if (files.model.empty()) {
-        return makeOrbit(loadEarthMaps(files.folder));
+        return {.setup = makeOrbit(loadEarthMaps(files.folder)), .notes = {}};
     }
-    const scene::GltfImport model = scene::loadGltf(files.model);
-    return makeOrbit(loadEarthMaps(files.folder), &model.scene);
+    scene::GltfImport model = scene::loadGltf(files.model);
+    return {.setup = makeOrbit(loadEarthMaps(files.folder), &model.scene), .notes = std::move(model.ignored)};
 }
 
 } // namespace cdr::scenes

@@ -30,6 +30,6 @@ TileDetail orbitDetail(const StationPose& station);
 scene::SceneSetup makeOrbit(EarthMaps maps, const scene::Scene* parked = nullptr);
 
 /// makeOrbit() of what the files hold. base::InputError as loadEarthMaps() and loadGltf().
-scene::SceneSetup openOrbit(const OrbitFiles& files);
+scene::OpenedScene openOrbit(const OrbitFiles& files);
 
 } // namespace cdr::scenes

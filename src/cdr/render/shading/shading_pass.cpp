@@ -70,13 +70,13 @@ ShadingInputs ShadingPass::makeInputs(const scene::Scene& scene) const {
     return inputs;
 }
 
-void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camera, const Lens& lens,
-                           std::span<const double> anchorsView) {
+void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camera,
+                           const scene::Frustum& frustum, std::span<const double> anchorsView) {
     shaders::ShadingHeader& header = m_lights.as<shaders::ShadingHeader>(1).front();
     header.ambient = glm::vec4(scene.ambient, 0.0f);
     const Fog& fog = m_effects.fog;
     header.background = glm::vec4(fog.visibility > 0.0 ? fog.color : scene.background, 0.0f);
-    header.rayScale = glm::vec2(lens.tanX, lens.tanY);
+    header.rayScale = glm::vec2(frustum.tanX, frustum.tanY);
     header.lightCount = static_cast<std::uint32_t>(scene.lights.size());
     header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
     header.fog = glm::vec4(fog.color, fog.extinction());

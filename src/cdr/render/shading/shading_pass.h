@@ -4,6 +4,7 @@
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/shading/occlusion_pass.h>
 #include <cdr/render/view_transform.h>
+#include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 
 #include <vulkan/vulkan.hpp>
@@ -18,7 +19,7 @@ namespace cdr::render {
 class ShadingInputs {
   public:
     /// Uploads a frame's; the last frame that used them must have finished.
-    void update(const scene::Scene& scene, const scene::Camera& camera, const Lens& lens,
+    void update(const scene::Scene& scene, const scene::Camera& camera, const scene::Frustum& frustum,
                 std::span<const double> anchorsView);
 
     /// shaders::ShadingHeader and the lights, as shaders/lighting.glsl reads them.

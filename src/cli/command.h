@@ -1,0 +1,86 @@
+#pragma once
+
+#include "command_files.h"
+#include "console.h"
+#include "opened_device.h"
+#include "shared_options.h"
+
+#include <CLI/CLI.hpp>
+#include <cdr/scene/gltf/open_gltf.h>
+#include <cdr/scene/scene_setup.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cdr::cli {
+
+/// A command that runs: where it prints, the files it reads and writes, the device it opens, its JSON.
+class Command {
+  public:
+    /// base::InputError when --json names a file that cannot be written.
+    Command(std::string name, const GlobalOptions& global, OutputOptions output);
+
+    const GlobalOptions& global() const { return m_global; }
+    const OutputOptions& output() const { return m_output; }
+    const Console& console() const { return m_console; }
+    CommandFiles& files() { return m_files; }
+
+    /// Opens a scene as scenes::openScene(), or of a glTF file what is chosen, and notes what of the file is
+    /// not drawn. base::InputError when something is chosen of a scene that is no file.
+    scene::SceneSetup openScene(const std::string& nameOrPath, std::uint64_t seed,
+                                const scene::GltfChoice& choice = {});
+
+    /// Says what of a file is not drawn: in a line each, on standard error where the command is quiet, and in
+    /// JSON as "notes". A command that opens a scene calls it, if only with no lines.
+    void note(const std::vector<std::string>& ignored);
+
+    /// The device that the global options name; the first call opens it.
+    const OpenedDevice& opened();
+    const gpu::Device& device() { return opened().device(); }
+
+    /// Shows how far the work is; for an experiment to call before each step.
+    std::function<void(std::size_t done, std::size_t all, const std::string& what)> progress() const;
+    std::function<void(std::size_t done, std::size_t all)> progressOf(const std::string& what) const;
+    /// After the last step. base::RunError when the validation layers had anything to say.
+    void endProgress() const;
+
+    /// What the command's JSON begins with.
+    nlohmann::ordered_json makeDocument(nlohmann::ordered_json options) const;
+    /// Writes the document where --json asks for it.
+    void writeDocument(nlohmann::ordered_json document) const;
+
+  private:
+    std::string m_name;
+    const GlobalOptions& m_global;
+    OutputOptions m_output;
+    Console m_console;
+    CommandFiles m_files;
+    std::optional<std::vector<std::string>> m_notes; ///< none where no scene was opened
+    std::optional<OpenedDevice> m_opened;
+};
+
+/// Adds a command to the program, with --json; it runs when it is chosen.
+/// @param addOptions the options that fill the arguments.
+template <typename Arguments>
+void addCommand(CLI::App& program, const GlobalOptions& global, const std::string& name,
+                const std::string& help, void (*addOptions)(CLI::App&, Arguments&),
+                void (*run)(Command&, Arguments&)) {
+    CLI::App* app = program.add_subcommand(name, help);
+    auto arguments = std::make_shared<std::pair<Arguments, OutputOptions>>();
+    addOptions(*app, arguments->first);
+    addJson(*app, arguments->second);
+    app->callback([&global, name, arguments, run] {
+        Command command(name, global, arguments->second);
+        run(command, arguments->first);
+    });
+}
+
+} // namespace cdr::cli

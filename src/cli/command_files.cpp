@@ -1,0 +1,84 @@
+#include "command_files.h"
+
+#include <cdr/base/error.h>
+#include <cdr/host/file.h>
+
+#include <fmt/format.h>
+
+namespace cdr::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// With links followed as far as there are files.
+fs::path resolved(const fs::path& path) {
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(fs::absolute(path, error), error);
+    return error ? path.lexically_normal() : whole;
+}
+
+/// By name, or as two names of one file.
+bool isSame(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    return resolved(a) == resolved(b) || fs::equivalent(a, b, error);
+}
+
+/// Whether there is something at the path that is no regular file, such as a device.
+bool isSpecial(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+} // namespace
+
+void CommandFiles::reads(const fs::path& path) {
+    m_inputs.push_back(path);
+    for (const Output& output : m_outputs) {
+        requireApart(output);
+    }
+}
+
+void CommandFiles::writes(const std::string& option, const fs::path& path) {
+    host::requireWritable(path);
+    if (isSpecial(path)) {
+        return;
+    }
+    const Output output{option, path};
+    requireApart(output);
+    for (const Output& other : m_outputs) {
+        if (isSame(other.path, path)) {
+            throw base::InputError(
+                fmt::format("{}: both {} and {} would write it", path.string(), other.option, option));
+        }
+    }
+    m_outputs.push_back(output);
+}
+
+void CommandFiles::writesPictures(const std::string& option, const fs::path& folder,
+                                  const std::string& stem) {
+    m_pictures.push_back({option, folder, stem});
+    for (const Output& output : m_outputs) {
+        requireApart(output);
+    }
+}
+
+void CommandFiles::requireApart(const Output& output) const {
+    for (const fs::path& input : m_inputs) {
+        if (isSame(input, output.path)) {
+            throw base::InputError(fmt::format("{}: {} would replace what the command reads",
+                                               output.path.string(), output.option));
+        }
+    }
+    for (const Pictures& pictures : m_pictures) {
+        const fs::path file = resolved(output.path);
+        if (file.parent_path() == resolved(pictures.folder / "x").parent_path() &&
+            file.extension() == ".png" && file.filename().string().starts_with(pictures.stem)) {
+            throw base::InputError(fmt::format("{}: both {} and {} would write it", output.path.string(),
+                                               pictures.option, output.option));
+        }
+    }
+}
+
+} // namespace cdr::cli

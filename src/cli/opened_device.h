@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cdr/gpu/device.h>
+#include <cdr/host/document.h>
+
+#include <string>
+
+namespace cdr::cli {
+
+/// A Vulkan instance and device for one command.
+class OpenedDevice {
+  public:
+    /// @param choice as gpu::Device takes it.
+    OpenedDevice(const std::string& choice, bool validate);
+
+    const gpu::Device& device() const { return m_device; }
+    host::DocumentDevice documentDevice() const;
+    /// "name, driver, Vulkan version": what a number was measured on.
+    std::string text() const;
+
+    /// base::RunError, with the first message, when the validation layers had anything to say.
+    void requireSilentValidation() const;
+
+  private:
+    gpu::Instance m_instance;
+    gpu::Device m_device;
+};
+
+} // namespace cdr::cli

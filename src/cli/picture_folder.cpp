@@ -1,0 +1,61 @@
+#include "picture_folder.h"
+
+#include <cdr/base/error.h>
+#include <cdr/host/file.h>
+#include <cdr/image/codec.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <utility>
+
+namespace cdr::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// base::InputError unless the folder can be made, or is there and can be written.
+void requireFolder(const fs::path& path) {
+    std::error_code error;
+    fs::path nearest = fs::absolute(path, error).lexically_normal();
+    while (!fs::exists(fs::status(nearest, error)) && nearest.has_relative_path()) {
+        nearest = nearest.parent_path();
+    }
+    if (!fs::is_directory(nearest, error)) {
+        throw base::InputError(
+            fmt::format("{}: cannot be made: {} is no folder", path.string(), nearest.string()));
+    }
+    if (::access(nearest.c_str(), W_OK | X_OK) != 0) {
+        throw base::InputError(
+            fmt::format("{}: cannot be written: {} is read-only", path.string(), nearest.string()));
+    }
+}
+
+} // namespace
+
+PictureFolder::PictureFolder(fs::path path, CommandFiles& files, const std::string& stem)
+    : m_path(std::move(path)) {
+    if (isWanted()) {
+        requireFolder(m_path);
+        files.writesPictures("--out", m_path, stem);
+    }
+}
+
+void PictureFolder::write(const std::string& name, const image::ImageRgba8& picture) const {
+    if (isWanted()) {
+        host::makeFolder(m_path);
+        image::writeImage(m_path / name, picture);
+    }
+}
+
+void PictureFolder::write(const char* key, const std::string& name, const image::ImageRgba8& picture,
+                          nlohmann::ordered_json& row) const {
+    if (isWanted()) {
+        write(name, picture);
+        row[key] = name;
+    }
+}
+
+} // namespace cdr::cli

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "command_files.h"
+
+#include <cdr/image/image.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace cdr::cli {
+
+/// The folder that a command writes pictures into, if it was asked to. It is made with the first picture.
+class PictureFolder {
+  public:
+    /// @param path of --out; none when empty.
+    /// @param files of the command, which none of the pictures may replace.
+    /// @param stem that all pictures' names begin with.
+    /// base::InputError when pictures cannot be written there.
+    PictureFolder(std::filesystem::path path, CommandFiles& files, const std::string& stem = "");
+
+    bool isWanted() const { return !m_path.empty(); }
+    const std::filesystem::path& path() const { return m_path; }
+
+    /// Writes a picture, if the folder is wanted.
+    void write(const std::string& name, const image::ImageRgba8& picture) const;
+    /// The same, and its name as a field of a row.
+    void write(const char* key, const std::string& name, const image::ImageRgba8& picture,
+               nlohmann::ordered_json& row) const;
+
+  private:
+    std::filesystem::path m_path;
+};
+
+} // namespace cdr::cli

@@ -1,0 +1,109 @@
+#include "shared_options.h"
+
+#include <cdr/base/error.h>
+#include <cdr/host/worker_pool.h>
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
+#include <string_view>
+#include <system_error>
+
+namespace cdr::cli {
+
+namespace {
+
+/// CLI11 takes -1 for 2^64 - 1, and so all that is too large.
+const CLI::Validator kWholeNumber(
+    [](const std::string& text) -> std::string {
+        constexpr std::string_view kDigits = "0123456789";
+        std::uint64_t value = 0;
+        const char* end = text.data() + text.size();
+        const bool isDecimal = text.find_first_not_of(kDigits) == std::string::npos;
+        const bool isTooLarge = std::from_chars(text.data(), end, value).ec == std::errc::result_out_of_range;
+        if (text.starts_with('-') || (isDecimal && isTooLarge)) {
+            return fmt::format("must be a whole number from 0 to {}, not {}",
+                               std::numeric_limits<std::uint64_t>::max(), text.substr(0, 60));
+        }
+        return "";
+    },
+    "");
+
+struct PictureSize {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+};
+
+PictureSize parseSize(const std::string& text) {
+    PictureSize size;
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    const bool hasWidth = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+    const auto height = hasWidth ? std::from_chars(width.ptr + 1, end, size.height) : width;
+    if (!hasWidth || height.ec != std::errc() || height.ptr != end || size.width < 1 || size.height < 1) {
+        throw base::InputError(fmt::format("size must be WIDTHxHEIGHT in pixels, such as 1280x720, not '{}'",
+                                           text.substr(0, 60)));
+    }
+    return size;
+}
+
+} // namespace
+
+void addJson(CLI::App& command, OutputOptions& output) {
+    command
+        .add_option_function<std::string>(
+            "--json", [&output](const std::string& file) { output.json = file.empty() ? "-" : file; },
+            "Write the results as JSON to FILE, or to standard output without one")
+        ->expected(0, 1)
+        ->type_name("FILE");
+}
+
+void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height) {
+    command
+        .add_option_function<std::string>(
+            "--size",
+            [&width, &height](const std::string& text) {
+                const PictureSize size = parseSize(text);
+                width = size.width;
+                height = size.height;
+            },
+            "WIDTHxHEIGHT in pixels")
+        ->default_str(fmt::format("{}x{}", width, height));
+}
+
+void addThreads(CLI::App& command, std::size_t& threads, const std::string& help) {
+    command.add_option("--threads", threads, help)
+        ->check(CLI::Range(std::size_t{1}, host::WorkerPool::kMaxThreads))
+        ->capture_default_str();
+}
+
+void addSeed(CLI::App& command, std::uint64_t& seed, const std::string& help) {
+    command.add_option("--seed", seed, help)->check(kWholeNumber)->capture_default_str();
+}
+
+void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help, std::uint32_t most) {
+    command.add_option("--frames", frames, help)->check(CLI::Range(1u, most))->capture_default_str();
+}
+
+void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--techniques",
+            [&techniques](const std::vector<std::string>& names) {
+                for (const std::string& name : names) {
+                    techniques.push_back(depth::namedTechnique(name));
+                }
+            },
+            "Techniques, a comma between them; all presets")
+        ->expected(CLI::detail::expected_max_vector_size)
+        ->delimiter(',');
+}
+
+void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
+    command.add_option("--gltf-scene", choice.scene, "Scene of a glTF file, from 0; its default one");
+    command.add_option("--camera", choice.camera,
+                       "Look through a glTF scene's perspective camera, from 0; else all of it is framed");
+}
+
+} // namespace cdr::cli

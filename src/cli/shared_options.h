@@ -1,0 +1,59 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cdr/depth/technique.h>
+#include <cdr/scene/gltf/open_gltf.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::cli {
+
+/// Options that stand before the command.
+struct GlobalOptions {
+    std::string device; ///< index or part of a name; empty for the best
+    bool validate = false;
+    bool quiet = false;
+    std::string section; ///< of a report that the command runs for: only its progress shows, under this name
+};
+
+/// What every command takes.
+struct OutputOptions {
+    std::optional<std::filesystem::path> json; ///< "-" is standard output
+};
+
+/// Most frames one call renders.
+inline constexpr std::uint32_t kMaxFrames = 1'000'000;
+
+/// Most MiB that --translucency-memory takes: 4 TiB.
+inline constexpr std::uint64_t kMostTranslucencyMiB = std::uint64_t{1} << 22u;
+
+// Each adds an option; what it refers to must live as long as the command.
+
+/// `--json [FILE]`; without a file, or with "-", JSON goes to standard output and the table to standard error.
+void addJson(CLI::App& command, OutputOptions& output);
+
+/// `--size WIDTHxHEIGHT`. base::InputError for anything that is not two whole numbers above 0.
+void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height);
+
+/// `--threads`, 1 to host::WorkerPool::kMaxThreads.
+void addThreads(CLI::App& command, std::size_t& threads, const std::string& help);
+
+/// `--seed`.
+void addSeed(CLI::App& command, std::uint64_t& seed, const std::string& help);
+
+/// `--frames`, 1 to `most`.
+void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help,
+               std::uint32_t most = kMaxFrames);
+
+/// `--techniques A,B,...`; none: all presets.
+void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques);
+
+/// `--gltf-scene` and `--camera`.
+void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
+
+} // namespace cdr::cli

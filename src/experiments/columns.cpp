@@ -1,0 +1,57 @@
+#include "columns.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace cdr::experiments {
+
+namespace {
+
+std::string plainText(const Json& value) {
+    if (value.is_null()) {
+        return "";
+    }
+    if (value.is_number_float()) {
+        return fmt::format("{}", value.get<double>());
+    }
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+} // namespace
+
+CsvField::CsvField(const char* key) : heading(key), pointer(fmt::format("/{}", key)) {}
+
+CsvField::CsvField(std::string name, std::string path) : heading(std::move(name)), pointer(std::move(path)) {}
+
+std::string cellOf(const Json& value, const CellFormat& format) {
+    const auto pattern = fmt::runtime(format.pattern);
+    if (value.is_null() || value.is_discarded()) {
+        return format.missing;
+    }
+    if (value.is_array()) {
+        return fmt::format(pattern, format.scale * value.at(0).get<double>(),
+                           format.scale * value.at(1).get<double>());
+    }
+    if (value.is_number_float()) {
+        return fmt::format(pattern, format.scale * value.get<double>());
+    }
+    return fmt::format(pattern, plainText(value));
+}
+
+std::string csvOf(const std::vector<CsvField>& fields, const Json& rows) {
+    std::vector<std::string> cells;
+    for (const CsvField& field : fields) {
+        cells.push_back(field.heading);
+    }
+    std::string csv = fmt::format("{}\n", fmt::join(cells, ","));
+    for (const Json& row : rows) {
+        cells.clear();
+        for (const CsvField& field : fields) {
+            cells.push_back(plainText(row.at(Json::json_pointer(field.pointer))));
+        }
+        csv += fmt::format("{}\n", fmt::join(cells, ","));
+    }
+    return csv;
+}
+
+} // namespace cdr::experiments

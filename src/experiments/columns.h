@@ -1,0 +1,163 @@
+#pragma once
+
+#include <cdr/measure/statistics/statistics.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace cdr::experiments {
+
+using Json = nlohmann::ordered_json;
+
+/// How a table writes a value.
+struct CellFormat {
+    std::string pattern = "{}"; ///< of fmt; for an array of two numbers it takes both
+    double scale = 1.0;         ///< numbers are multiplied by it, such as 100 for percent
+    std::string missing{};      ///< what stands for null and for what is absent
+};
+
+/// A field of a result: its name in JSON, its heading in the table, its value.
+template <typename Row>
+struct Column {
+    std::string key{}; ///< in JSON; empty: the table alone has it
+    std::function<Json(const Row&)> value{};
+    std::string heading{}; ///< in the table; empty: JSON alone has it
+    CellFormat format{};
+    std::function<std::string(const Row&)> text{}; ///< what the table says instead of the formatted value
+    std::string before{}; ///< heading that it stands before in the table; else the order is that of JSON
+};
+
+/// The fields of an experiment's results, in the order of JSON. One list makes both JSON and the table.
+template <typename Row>
+using Columns = std::vector<Column<Row>>;
+
+/// A header and rows of cells.
+struct Table {
+    std::vector<std::string> header;
+    std::vector<std::vector<std::string>> rows;
+};
+
+/// A value that JSON leaves out.
+inline Json absent() {
+    return Json(Json::value_t::discarded);
+}
+
+/// JSON has no infinity: null stands for it, and for what is not known.
+inline Json finiteOrNull(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+inline Json finiteOrNull(const std::optional<double>& value) {
+    return value ? finiteOrNull(*value) : Json(nullptr);
+}
+
+/// Both ends, as CellFormat's patterns take them.
+inline Json jsonOf(const measure::Interval& interval) {
+    return {interval.low, interval.high};
+}
+
+/// One cell of a table.
+std::string cellOf(const Json& value, const CellFormat& format);
+
+template <typename Row>
+Json jsonOf(const Columns<Row>& columns, const Row& row) {
+    Json json = Json::object();
+    for (const Column<Row>& column : columns) {
+        if (column.key.empty()) {
+            continue;
+        }
+        if (Json value = column.value(row); !value.is_discarded()) {
+            json[column.key] = std::move(value);
+        }
+    }
+    return json;
+}
+
+/// An array of jsonOf().
+template <typename Row>
+Json jsonOf(const Columns<Row>& columns, const std::vector<Row>& rows) {
+    Json json = Json::array();
+    for (const Row& row : rows) {
+        json.push_back(jsonOf(columns, row));
+    }
+    return json;
+}
+
+/// The columns that have a heading, in the table's order.
+template <typename Row>
+Columns<Row> shownOf(const Columns<Row>& columns) {
+    Columns<Row> shown;
+    std::copy_if(columns.begin(), columns.end(), std::back_inserter(shown),
+                 [](const Column<Row>& column) { return !column.heading.empty() && column.before.empty(); });
+    for (const Column<Row>& column : columns) {
+        if (!column.heading.empty() && !column.before.empty()) {
+            const auto place = std::find_if(shown.begin(), shown.end(), [&](const Column<Row>& other) {
+                return other.heading == column.before;
+            });
+            shown.insert(place, column);
+        }
+    }
+    return shown;
+}
+
+template <typename Row>
+Table tableOf(const Columns<Row>& columns, const std::vector<Row>& rows) {
+    const Columns<Row> shown = shownOf(columns);
+    Table table;
+    for (const Column<Row>& column : shown) {
+        table.header.push_back(column.heading);
+    }
+    for (const Row& row : rows) {
+        std::vector<std::string>& cells = table.rows.emplace_back();
+        for (const Column<Row>& column : shown) {
+            cells.push_back(column.text ? column.text(row) : cellOf(column.value(row), column.format));
+        }
+    }
+    return table;
+}
+
+/// The columns of a part of a row as columns of the row.
+template <typename Row, typename Part>
+Columns<Row> columnsOf(Part Row::*part, const Columns<Part>& columns) {
+    Columns<Row> result;
+    for (const Column<Part>& column : columns) {
+        result.push_back({.key = column.key,
+                          .value = [part, value = column.value](const Row& row) { return value(row.*part); },
+                          .heading = column.heading,
+                          .format = column.format,
+                          .before = column.before});
+    }
+    return result;
+}
+
+/// Lists of columns, one after the other.
+template <typename Row>
+Columns<Row> joined(const std::vector<Columns<Row>>& lists) {
+    Columns<Row> all;
+    for (const Columns<Row>& list : lists) {
+        all.insert(all.end(), list.begin(), list.end());
+    }
+    return all;
+}
+
+/// A column of a CSV file: a value in rows of JSON.
+struct CsvField {
+    CsvField(const char* key);
+    CsvField(std::string name, std::string path);
+
+    std::string heading;
+    std::string pointer; ///< JSON pointer into a row
+};
+
+/// Rows of jsonOf() as CSV with a header. Null is an empty field.
+std::string csvOf(const std::vector<CsvField>& fields, const Json& rows);
+
+} // namespace cdr::experiments

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cdr/render/frame.h>
+#include <experiments/shuffled_order.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// What drawing one frame took.
+struct FrameSample {
+    double frameMs = 0.0; ///< from the camera until the device is done
+    double cullAndBinMs = 0.0;
+    double recordMs = 0.0;
+    double executeMs = 0.0;
+    double draws = 0.0;
+};
+
+/// Times one frame.
+FrameSample timed(const std::function<render::FrameStats()>& draw);
+
+/// Modes that draw the same frames in turns, and what each frame took. The order of the modes is shuffled anew for
+/// each frame, so that what slows the machine for a while slows all modes alike.
+class InterleavedFrames {
+  public:
+    InterleavedFrames(std::size_t modes, std::uint64_t seed);
+
+    /// Draws one frame of every mode.
+    void draw(const std::function<FrameSample(std::size_t mode)>& draw);
+
+    /// Draws kWarmUp frames that are dropped, then `frames` that count.
+    /// @param step called before each of them.
+    /// @param draw draws a frame of a mode, with Renderer::draw().
+    void run(std::uint32_t frames, const std::function<void()>& step,
+             const std::function<render::FrameStats(std::size_t mode, std::uint32_t frame)>& draw);
+
+    /// Drops what was drawn so far.
+    void forget();
+
+    /// A part of each frame of a mode, in the order of the frames.
+    std::vector<double> samples(std::size_t mode, double FrameSample::*part) const;
+    /// The median of samples().
+    double median(std::size_t mode, double FrameSample::*part) const;
+    /// A mode's part over another's, frame by frame, so that what slows a whole frame cancels.
+    std::vector<double> ratios(std::size_t mode, std::size_t over, double FrameSample::*part) const;
+
+    /// Pipelines compile, memory is touched, caches fill.
+    static constexpr std::uint32_t kWarmUp = 2;
+
+  private:
+    ShuffledOrder m_order;
+    std::vector<std::vector<FrameSample>> m_samples; ///< by mode, then frame
+};
+
+} // namespace cdr::experiments

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace cdr::experiments {
+
+/// Checks that another program has written all of a file. Some end with status 0 although the disk was full.
+/// @param written the file, a .png, .svg or .mp4.
+/// @param name what messages call it.
+/// base::RunError when it has no end: a PNG its last chunk, an SVG its closing tag, an MP4 all of its boxes.
+void requireWhole(const std::filesystem::path& written, const std::filesystem::path& name,
+                  const std::string& program);
+
+} // namespace cdr::experiments

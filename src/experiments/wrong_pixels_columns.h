@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cdr/measure/compare/wrong_pixels.h>
+#include <experiments/columns.h>
+
+#include <string>
+
+namespace cdr::experiments {
+
+/// What tables call the counts; they leave out those without a name.
+struct WrongPixelsHeadings {
+    std::string pixels{};
+    std::string wrong{};
+    std::string share{};
+    std::string overlapShare{};
+    std::string shareFormat = "{:.4f} %";
+};
+
+/// The fields that say how a picture compares with the truth, named alike wherever one is counted:
+/// "pixels" (inner ones), "wrong", "wrong_fraction", "overlap_pixels", "overlap_wrong",
+/// "overlap_wrong_fraction" and "edge_wrong".
+Columns<measure::WrongPixels> wrongPixelsColumns(const WrongPixelsHeadings& headings = {});
+
+} // namespace cdr::experiments

@@ -1,0 +1,122 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <string>
+
+namespace cdr::cli_test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// A glTF file of which something is not drawn.
+void writeNotedModel(const fs::path& path) {
+    json model = json::parse(readText(CDR_SOURCE_DIR "/tests/golden/shapes.gltf"));
+    model["extensionsUsed"].push_back("KHR_nobody_has_this");
+    std::ofstream(path) << model.dump();
+}
+
+TEST(Files, AnOutputNeverReplacesTheInput) {
+    const TemporaryFolder folder;
+    writeNotedModel(folder.path() / "in.gltf");
+    fs::create_symlink("in.gltf", folder.path() / "link.gltf");
+    fs::create_hard_link(folder.path() / "in.gltf", folder.path() / "other.json");
+    const std::string before = readText(folder.path() / "in.gltf");
+    for (const char* arguments : {"render in.gltf --json in.gltf", "render in.gltf --json link.gltf",
+                                  "render in.gltf --json other.json", "render in.gltf --trace in.gltf",
+                                  "pictures --scenes in.gltf --json in.gltf", "detail in.gltf --json in.gltf",
+                                  "render cubes --path in.gltf --json in.gltf"}) {
+        const ProgramResult result = runProgram(arguments, folder.path());
+        EXPECT_EQ(result.status, 2) << arguments;
+        EXPECT_NE(result.err.find("would replace what the command reads"), std::string::npos) << result.err;
+        EXPECT_EQ(readText(folder.path() / "in.gltf"), before) << arguments;
+    }
+}
+
+TEST(Files, ScenesOfOneNameAreRefused) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a", "b"}) {
+        fs::create_directory(folder.path() / name);
+        writeNotedModel(folder.path() / name / "m.gltf");
+    }
+    const ProgramResult result = runProgram("--quiet pictures --scenes a/m.gltf,b/m.gltf", folder.path());
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("a/m.gltf and b/m.gltf would both be written as m_*.png"), std::string::npos)
+        << result.err;
+    EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
+TEST(Files, DevicesTakeSeveralOutputs) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("precision --json /dev/null --curve /dev/null", folder.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+}
+
+class NotesTest : public testing::TestWithParam<const char*> {};
+
+/// What a file holds that is not drawn is said in the terminal, however quiet, and in JSON.
+TEST_P(NotesTest, AreSaidEverywhere) {
+    const TemporaryFolder folder;
+    writeNotedModel(folder.path() / "m.gltf");
+    const std::string arguments = std::string(GetParam()) + " --size 32x18 --json r.json";
+    const ProgramResult loud = runProgram(arguments, folder.path());
+    ASSERT_EQ(loud.status, 0) << loud.err;
+    EXPECT_NE(loud.out.find("ignored: KHR_nobody_has_this: extension not used"), std::string::npos)
+        << loud.out;
+    const json notes = json::parse(readText(folder.path() / "r.json")).at("notes");
+    EXPECT_NE(std::find(notes.begin(), notes.end(), "KHR_nobody_has_this: extension not used"), notes.end());
+    const ProgramResult quiet = runProgram("--quiet " + arguments, folder.path());
+    EXPECT_EQ(quiet.out, "");
+    EXPECT_NE(quiet.err.find("ignored: KHR_nobody_has_this: extension not used"), std::string::npos)
+        << quiet.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Commands, NotesTest,
+                         testing::Values("render m.gltf",
+                                         "pictures --scenes m.gltf --frames 1 --techniques log",
+                                         "detail m.gltf --frames 1", "effects m.gltf --frames 1",
+                                         "focus m.gltf --frames 1 --cameras 1"));
+
+TEST(Notes, AreAnEmptyListWhereAllIsDrawn) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("render cubes --size 32x18 --json r.json", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(json::parse(readText(folder.path() / "r.json")).at("notes"), json::array());
+}
+
+TEST(Driver, AMissingOneIsNamedWithItsPackage) {
+    const TemporaryFolder folder;
+    for (const char* arguments : {"render cubes", "devices"}) {
+        const ProgramResult result =
+            runProgram(arguments, folder.path(), "VK_DRIVER_FILES=/nowhere VK_ICD_FILENAMES=/nowhere");
+        EXPECT_EQ(result.status, 1) << arguments;
+        EXPECT_NE(result.err.find("mesa-vulkan-drivers"), std::string::npos) << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    }
+}
+
+TEST(Probe, NamesTheFormatsThatTheDeviceLacks) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(runProgram("devices --json d.json", folder.path()).status, 0);
+    const ProgramResult result =
+        runProgram("probe --distances 100 --size 32x18 --json p.json", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json formats =
+        json::parse(readText(folder.path() / "d.json")).at("results").at(0).at("depth_formats");
+    const json missing = json::parse(readText(folder.path() / "p.json")).at("missing_formats");
+    EXPECT_EQ(formats.size() + missing.size(), 3u);
+    for (const json& format : missing) {
+        EXPECT_EQ(std::find(formats.begin(), formats.end(), format), formats.end()) << format;
+    }
+}
+
+} // namespace
+
+} // namespace cdr::cli_test

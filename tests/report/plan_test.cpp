@@ -1,0 +1,55 @@
+#include <report/plan.h>
+#include <report/plan_table.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace cdr::report_test {
+
+namespace {
+
+using namespace cdr::report;
+
+std::string lineOf(const PlanOptions& options, const std::string& name) {
+    const std::vector<Section> plan = makePlan(options);
+    const auto section =
+        std::find_if(plan.begin(), plan.end(), [&](const Section& each) { return each.name == name; });
+    return section != plan.end() ? commandLine(*section, "") : "";
+}
+
+TEST(Plan, EveryOptionHasAValueForEveryEffort) {
+    std::set<std::string> names;
+    for (const PlanRow& row : planTable()) {
+        EXPECT_TRUE(names.insert(row.name).second) << row.name;
+        EXPECT_LE(row.quickSeconds, row.fullSeconds) << row.name;
+        for (const PlanOption& option : row.options) {
+            const std::size_t values = option.values.size();
+            EXPECT_TRUE(values == 0 || values == 1 || values == 3) << row.name << " " << option.name;
+        }
+    }
+}
+
+TEST(Plan, CommandsDifferByEffort) {
+    EXPECT_EQ(
+        lineOf({.effort = Effort::smallest, .threads = 2, .seed = 7}, "flicker"),
+        "cdr flicker --frames 4 --size 160x90 --flip-every 2 --moved --fitted-range --threads 2 --seed 7 "
+        "--videos videos --json data/flicker.json");
+    EXPECT_EQ(lineOf({.effort = Effort::full, .videos = false}, "flicker"),
+              "cdr flicker --frames 360 --size 1280x720 --flip-every 1 --moved --fitted-range --threads 1 "
+              "--seed 2013 --json data/flicker.json");
+    EXPECT_EQ(
+        lineOf({.effort = Effort::smallest}, "timing"),
+        "cdr timing --frames 2 --size 64x36 --modes cdr-2,cdr-5,log,logcdr-5,reversed,anchored --threads 1 "
+        "--seed 2013 --json data/timing.json");
+    EXPECT_EQ(lineOf({}, "scaling"), "cdr scaling --draws 1000,20000 --cascades 1,4 --repeats 5 --seed 2013 "
+                                     "--json data/scaling.json");
+    EXPECT_EQ(lineOf({}, "detail"), "cdr detail boulders --frames 6 --size 1280x720 --threads 1 --seed 2013 "
+                                    "--out detail --json data/detail.json");
+    EXPECT_EQ(lineOf({}, "precision"), "cdr precision --json data/precision.json");
+}
+
+} // namespace
+
+} // namespace cdr::report_test
