@@ -27,7 +27,11 @@ void Console::line(const std::string& text) const {
 }
 
 void Console::warning(const std::string& text) const {
-    fmt::print(m_quiet ? stderr : m_out, "{}\n", text);
+    if (m_quiet || m_toError) {
+        host::printError(text);
+    } else {
+        host::printOutput(text + "\n");
+    }
 }
 
 void Console::table(const experiments::Table& table) const {

@@ -79,11 +79,11 @@ TEST_F(ChildProcessTest, WritingToOneThatHasEndedIsAnError) {
                 ended.write(block); // more than any buffer holds
             }
         },
-        RunError);
+        base::RunError);
 }
 
 TEST_F(ChildProcessTest, AMissingProgramIsBadInput) {
-    EXPECT_THROW(ChildProcess({"no-such-program-cdr"}, {}), InputError);
+    EXPECT_THROW(ChildProcess({"no-such-program-cdr"}, {}), base::InputError);
     EXPECT_FALSE(isInstalled("no-such-program-cdr"));
     EXPECT_TRUE(isInstalled("cat"));
 }
