@@ -74,6 +74,10 @@ struct LightRecord {
     vec4 color;        // linear
 };
 
+// Up to this many lights reach the fragments of the shading pass as flat varyings: with what the header hands over, they
+// fill the 64 components that every device has. More are read from the buffer.
+CDR_CONST kFlatLights = 4u;
+
 // What merging needs of a layer to work out its ambient occlusion; push constants.
 struct LayerPush {
     vec2 rayScale; // as ShadingHeader has it
@@ -95,8 +99,8 @@ struct LayerFade {
 // What the shading pass needs, followed by the lights.
 struct ShadingHeader {
     vec4 ambient;
-    vec4 background;
-    vec2 rayScale; // view-space x and y per unit of view distance at the right and top edges of the picture
+    vec4 background; // linear colour; that of the fog where there is fog
+    vec2 rayScale;   // view-space x and y per unit of view distance at the right and top edges of the picture
     uint lightCount;
     float occlusionRadius;
     vec4 fog;                    // linear colour, and what it takes per unit of distance

@@ -1,8 +1,8 @@
-// Depth mappings for any engine. This file needs GLSL 3.30 or newer and nothing else of cdr. cdr's own shaders use it, so
+// Depth mappings for any engine. This file needs GLSL 3.30 or newer, or HLSL by cdr_depth.hlsl, and nothing else of cdr. cdr's own shaders use it, so
 // the tests of cdr cover it. src/cdr/README.md shows how to use it, on the CPU and in a shader.
 //
 // What you do
-// - On the CPU, in float64, per cascade: cdr::depth::clipTerms() gives the three numbers of CdrDepth.
+// - On the CPU, in float64, per cascade: cdr::depth::cascadeConstants() gives the 32 bytes of CdrCascade.
 // - On the CPU, in float64, per object and cascade: ahead0 = dot(forward, centre - eye) - anchorView, then round. That
 //   subtraction is all there is to anchored depth; done in float32 on the GPU it would come too late.
 // - In the vertex shader: ahead = ahead0 + the view distance of the rotated and scaled local vertex; then the functions
@@ -63,5 +63,28 @@ vec4 cdrClipPositionLogTangent(vec2 projected, float ahead, float touchView, Cdr
 // Signed distances to the near and far plane of a cascade, positive inside, for gl_ClipDistance[0] and [1].
 // rangeAhead: the planes of cdr::depth::clipRange(), less anchorView, subtracted in float64.
 vec2 cdrInside(float ahead, vec2 rangeAhead) { return vec2(ahead - rangeAhead.x, rangeAhead.y - ahead); }
+
+// One cascade: cdr::depth::CascadeConstants. Two vec4, so that its 32 bytes are the same as push constants, in a uniform
+// buffer, in a storage buffer, and in a constant buffer of HLSL.
+struct CdrCascade {
+    vec4 terms; // CdrDepth's anchorView, scale, offset; unused
+    vec4 range; // nearAhead, farAhead, and what view-space x and y are multiplied by
+};
+
+CdrDepth cdrDepthOf(CdrCascade cascade) {
+    CdrDepth depth;
+    depth.anchorView = cascade.terms.x;
+    depth.scale = cascade.terms.y;
+    depth.offset = cascade.terms.z;
+    return depth;
+}
+
+// Clip position of a point by its view-space x and y and what lies beyond the anchor, for mappings without a logarithm.
+vec4 cdrCascadePosition(vec2 across, float ahead, CdrCascade cascade) {
+    return cdrClipPosition(across * vec2(cascade.range.z, cascade.range.w), ahead, cdrDepthOf(cascade));
+}
+
+// cdrInside() of a cascade.
+vec2 cdrInsideCascade(float ahead, CdrCascade cascade) { return cdrInside(ahead, vec2(cascade.range.x, cascade.range.y)); }
 
 #endif

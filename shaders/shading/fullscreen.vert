@@ -1,6 +1,5 @@
 #version 460
-// One triangle that covers the picture.
-void main() {
-    vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
-    gl_Position = vec4(corner, 0.0, 1.0);
-}
+#extension GL_GOOGLE_include_directive : require
+#include "shading/fullscreen.glsl"
+
+void main() { gl_Position = fullscreenCorner(); }

@@ -1,18 +1,28 @@
 // Ambient and point lights on a surface, for the deferred pass and for what is drawn after it. Define LIGHTING_SET and
-// LIGHTING_BINDING first. Knows view distances, not how they were mapped to depth.
+// LIGHTING_BINDING first. Knows view distances, not how they were mapped to depth. FLAT_LIGHTING: what all pixels share
+// comes as flat varyings from shading.vert (flat_lighting.glsl), not from the buffer.
 #ifndef CDR_SHADERS_LIGHTING_GLSL
 #define CDR_SHADERS_LIGHTING_GLSL
 
+#include "shading/lighting_buffer.glsl"
 #include "shading/shine.glsl"
 
-layout(set = LIGHTING_SET, binding = LIGHTING_BINDING, std430) readonly buffer Lighting {
-    ShadingHeader header;
-    LightRecord lights[];
-};
+#ifdef FLAT_LIGHTING
+#include "shading/flat_lighting.glsl"
+#else
+vec3 ambientLight() { return header.ambient.rgb; }
+vec3 fogColor() { return header.fog.rgb; }
+float fogExtinction() { return header.fog.a; }
+vec3 backgroundColor() { return header.background.rgb; }
+vec2 rayScale() { return header.rayScale; }
+float occlusionRadius() { return header.occlusionRadius; }
+uint lightCount() { return header.lightCount; }
+LightRecord lightAt(uint i) { return lights[i]; }
+#endif
 
 // View-space x and y per unit of view distance at a pixel.
 vec2 rayAt(vec2 pixel, vec2 pictureSize) {
-    return (pixel / pictureSize * 2.0 - 1.0) * vec2(1.0, -1.0) * header.rayScale;
+    return (pixel / pictureSize * 2.0 - 1.0) * vec2(1.0, -1.0) * rayScale();
 }
 
 // Difference of two view distances, each an anchor plane (a float and its rest) and what lies ahead of it.
@@ -23,7 +33,7 @@ float distanceBetween(vec2 fromAnchor, float fromAhead, vec2 toAnchor, float toA
 // What a colour becomes through the fog between the camera and a point on a ray.
 vec3 throughFog(vec3 color, vec2 ray, float distanceView) {
     float distance = distanceView * length(vec3(ray, 1.0));
-    return mix(header.fog.rgb, color, exp(-header.fog.a * distance));
+    return mix(fogColor(), color, exp(-fogExtinction() * distance));
 }
 
 // A point that is lit, in view space.
@@ -46,9 +56,9 @@ vec3 wayTo(LightRecord light, LitPoint point) {
 
 // Light that falls on a matt surface: what its albedo is multiplied by.
 vec3 lightOn(LitPoint point) {
-    vec3 light = point.openness * header.ambient.rgb;
-    for (uint i = 0u; i < header.lightCount; ++i) {
-        LightRecord record = lights[i];
+    vec3 light = point.openness * ambientLight();
+    for (uint i = 0u; i < lightCount(); ++i) {
+        LightRecord record = lightAt(i);
         vec3 way = wayTo(record, point);
         float distanceSquared = dot(way, way);
         float lambert = max(dot(point.normal, way) * inversesqrt(max(distanceSquared, 1e-30)), 0.0);
@@ -62,9 +72,9 @@ vec3 lightOn(LitPoint point) {
 vec3 shinyLight(Shine shine, LitPoint point) {
     vec3 toCamera = normalize(vec3(-point.ray, 1.0));
     float facing = facingOf(point.normal, toCamera);
-    vec3 light = point.openness * header.ambient.rgb * ambientReflectance(shine, facing);
-    for (uint i = 0u; i < header.lightCount; ++i) {
-        LightRecord record = lights[i];
+    vec3 light = point.openness * ambientLight() * ambientReflectance(shine, facing);
+    for (uint i = 0u; i < lightCount(); ++i) {
+        LightRecord record = lightAt(i);
         vec3 way = wayTo(record, point);
         float distanceSquared = dot(way, way);
         vec3 direction = way * inversesqrt(max(distanceSquared, 1e-30));

@@ -4,6 +4,9 @@
 #include "targets/gbuffer.glsl"
 #define LIGHTING_SET 0
 #define LIGHTING_BINDING 1
+#ifndef LAYER
+#define FLAT_LIGHTING
+#endif
 #include "shading/lighting.glsl"
 
 // Deferred shading of the final G-buffer.
@@ -28,7 +31,7 @@ vec4 covering(vec3 color, float ahead) {
     return vec4(coverage * color, 1.0 - coverage);
 }
 #else
-vec4 background() { return vec4(kFoggy != 0u ? header.fog.rgb : header.background.rgb, 1.0); }
+vec4 background() { return vec4(backgroundColor(), 1.0); }
 vec4 covering(vec3 color, float ahead) { return vec4(color, 1.0); }
 #endif
 
@@ -45,7 +48,7 @@ float opennessAt(ivec2 pixel, uvec4 texel, vec3 normal) {
         ivec2 there = clamp(pixel + ivec2(i & 3, i >> 2) - 2, ivec2(0), last);
         uvec4 other = texelFetch(gbuffer, there, 0);
         float apart = distanceBetween(anchorOf(texel), aheadOf(texel), anchorOf(other), aheadOf(other));
-        if (other.w != 0u && abs(apart) < header.occlusionRadius && dot(normal, normalOf(other)) > 0.8) {
+        if (other.w != 0u && abs(apart) < occlusionRadius() && dot(normal, normalOf(other)) > 0.8) {
             sum += vec2(occlusionIn(there, other), 1.0);
         }
     }
@@ -55,13 +58,7 @@ float opennessAt(ivec2 pixel, uvec4 texel, vec3 normal) {
 #endif
 }
 
-void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    uvec4 texel = texelFetch(gbuffer, pixel, 0);
-    if (texel.w == 0u) {
-        outColor = background();
-        return;
-    }
+vec4 shade(ivec2 pixel, uvec4 texel) {
     vec3 color = albedoOf(texel);
     float ahead = aheadOf(texel);
     vec2 anchor = anchorOf(texel);
@@ -74,5 +71,16 @@ void main() {
     if (kFoggy != 0u) {
         color = throughFog(color, ray, anchor.x + ahead);
     }
-    outColor = covering(color, ahead);
+    return covering(color, ahead);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    uvec4 texel = texelFetch(gbuffer, pixel, 0);
+    outColor = background();
+    // A loop of no turn or one: software rasterisers skip what no pixel loops through, but may run both sides of an if.
+    uint turns = texel.w == 0u ? 0u : 1u;
+    for (uint turn = 0u; turn < turns; ++turn) {
+        outColor = shade(pixel, texel);
+    }
 }

@@ -73,7 +73,7 @@ void Command::endProgress() const {
 }
 
 nlohmann::ordered_json Command::makeDocument(nlohmann::ordered_json options) const {
-    return base::makeDocument(m_name, m_opened ? m_opened->documentDevice() : base::DocumentDevice{},
+    return host::makeDocument(m_name, m_opened ? m_opened->documentDevice() : host::DocumentDevice{},
                               std::move(options));
 }
 
@@ -82,7 +82,7 @@ void Command::writeDocument(nlohmann::ordered_json document) const {
         if (m_notes) {
             document["notes"] = *m_notes;
         }
-        base::writeDocument(*m_output.json, document);
+        host::writeDocument(*m_output.json, document);
     }
 }
 

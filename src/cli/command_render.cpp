@@ -111,7 +111,7 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::A
 class FrameMaker {
   public:
     FrameMaker(const gpu::Device& device, const scene::Scene& scene, const render::RenderOptions& options,
-               bool wantsTruth, base::WorkerPool& workers)
+               bool wantsTruth, host::WorkerPool& workers)
         : m_options(options),
           m_workers(workers),
           m_onDevice(device, scene),
@@ -135,7 +135,7 @@ class FrameMaker {
 
   private:
     const render::RenderOptions& m_options;
-    base::WorkerPool& m_workers;
+    host::WorkerPool& m_workers;
     render::GpuScene m_onDevice;
     render::Renderer m_renderer;
     std::optional<measure::TruthCaster> m_caster;
@@ -160,8 +160,8 @@ void runRender(Command& command, RenderArguments& arguments) {
     }
     const FrameCameras cameras(arguments.camera);
     checkArguments(arguments, cameras, name, command.files());
-    base::WorkerPool workers(arguments.threads);
-    std::optional<base::Trace> trace;
+    host::WorkerPool workers(arguments.threads);
+    std::optional<host::Trace> trace;
     if (!arguments.trace.empty()) {
         options.trace = &trace.emplace(options.threads);
     }

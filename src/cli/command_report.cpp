@@ -1,11 +1,11 @@
 #include "command.h"
 #include "commands.h"
 
-#include <cdr/base/child_process.h>
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/child_process.h>
+#include <cdr/host/file.h>
+#include <cdr/host/worker_pool.h>
 #include <report/folder.h>
 #include <report/page.h>
 #include <report/plan.h>
@@ -74,7 +74,7 @@ SectionOutcome runSection(const GlobalOptions& global, const report::Section& se
     }
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (const fs::path json = root / section.jsonFile(); fs::exists(json)) {
-        outcome.document = nlohmann::ordered_json::parse(base::readFile(json, kMaxJsonBytes));
+        outcome.document = nlohmann::ordered_json::parse(host::readFile(json, kMaxJsonBytes));
     }
     return outcome;
 }
@@ -165,7 +165,7 @@ nlohmann::ordered_json fillFolder(Command& command, const ReportArguments& argum
     for (const fs::path& file : report::filesUnder(root)) {
         manifest["files"].push_back(file.generic_string());
     }
-    base::writeDocument(root / report::kManifest, manifest);
+    host::writeDocument(root / report::kManifest, manifest);
     return manifest;
 }
 
@@ -184,7 +184,7 @@ void requireOutside(const fs::path& folder, const OutputOptions& output) {
 
 void runReport(Command& command, ReportArguments& arguments) {
     report::requirePage();
-    arguments.plan.videos = base::isInstalled("ffmpeg");
+    arguments.plan.videos = host::isInstalled("ffmpeg");
     requireOutside(arguments.folder, command.output());
     report::PendingFolder folder(arguments.folder);
     command.opened(); // without a device there is no report

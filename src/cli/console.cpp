@@ -1,5 +1,7 @@
 #include "console.h"
 
+#include <cdr/host/standard_streams.h>
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,20 +9,32 @@
 
 namespace cdr::cli {
 
+namespace {
+
+void print(const std::string& text, bool toError) {
+    if (toError) {
+        host::printError(text);
+    } else {
+        host::printOutput(text + "\n");
+    }
+}
+
+} // namespace
+
 Console::Console(const GlobalOptions& global, const OutputOptions& output)
-    : m_out(output.json == "-" ? stderr : stdout),
+    : m_toError(output.json == "-"),
       m_quiet(global.quiet || !global.section.empty()),
       m_showsProgress(!global.quiet && ::isatty(STDERR_FILENO) != 0),
       m_section(global.section.empty() ? "" : global.section + ": ") {}
 
 void Console::line(const std::string& text) const {
     if (!m_quiet) {
-        fmt::print(m_out, "{}\n", text);
+        print(text, m_toError);
     }
 }
 
 void Console::warning(const std::string& text) const {
-    fmt::print(m_quiet ? stderr : m_out, "{}\n", text);
+    print(text, m_quiet || m_toError);
 }
 
 void Console::table(const experiments::Table& table) const {

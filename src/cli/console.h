@@ -30,7 +30,7 @@ class Console {
     void endProgress() const;
 
   private:
-    std::FILE* m_out;
+    bool m_toError;
     bool m_quiet; ///< no lines and tables
     bool m_showsProgress;
     std::string m_section; ///< of a report, in front of the progress; else empty

@@ -1,14 +1,15 @@
 #include "commands.h"
 
-#include <cdr/base/document.h>
 #include <cdr/base/error.h>
-#include <cdr/base/standard_streams.h>
 #include <cdr/base/suggest.h>
 #include <cdr/gpu/failure.h>
+#include <cdr/host/document.h>
+#include <cdr/host/standard_streams.h>
 
 #include <fmt/format.h>
 
 #include <exception>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,7 +39,7 @@ int run(int argc, char** argv) {
     program.add_flag("--validate", global.validate,
                      "Run under the Khronos validation layer; any message is a failure");
     program.add_flag("--quiet", global.quiet, "Print nothing but errors and what of a file is not drawn");
-    const cdr::base::BuildInfo build = cdr::base::buildInfo();
+    const cdr::host::BuildInfo build = cdr::host::buildInfo();
     program.set_version_flag("--version", fmt::format("cdr {} ({})", build.version, build.commit));
     cdr::cli::addDevices(program, global);
     cdr::cli::addRender(program, global);
@@ -47,7 +48,10 @@ int run(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {
-        return program.exit(success);
+        std::ostringstream text;
+        const int status = program.exit(success, text, text);
+        cdr::host::printOutput(text.str());
+        return status;
     } catch (const CLI::RequiredError& error) {
         throw cdr::base::InputError(explainMissing(program, error));
     } catch (const CLI::ParseError& error) {
@@ -61,11 +65,11 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     try {
         const int status = run(argc, argv);
-        cdr::base::flushStandardOutput();
+        cdr::host::flushStandardOutput();
         return status;
     } catch (...) {
         const cdr::gpu::Failure failure = cdr::gpu::failureOf(std::current_exception());
-        cdr::base::printError("cdr: " + failure.line);
+        cdr::host::printError("cdr: " + failure.line);
         return failure.status;
     }
 }

@@ -10,7 +10,7 @@ OpenedDevice::OpenedDevice(const std::string& choice, bool validate)
     : m_instance({.validate = validate, .extensions = {}}),
       m_device(m_instance, choice) {}
 
-base::DocumentDevice OpenedDevice::documentDevice() const {
+host::DocumentDevice OpenedDevice::documentDevice() const {
     const gpu::DeviceInfo& info = m_device.info();
     return {.name = info.name, .driver = info.driver, .api = info.api};
 }

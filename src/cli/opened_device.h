@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/base/document.h>
 #include <cdr/gpu/device.h>
+#include <cdr/host/document.h>
 
 #include <string>
 
@@ -14,7 +14,7 @@ class OpenedDevice {
     OpenedDevice(const std::string& choice, bool validate);
 
     const gpu::Device& device() const { return m_device; }
-    base::DocumentDevice documentDevice() const;
+    host::DocumentDevice documentDevice() const;
     /// "name, driver, Vulkan version": what a number was measured on.
     std::string text() const;
 

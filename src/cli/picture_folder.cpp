@@ -1,7 +1,7 @@
 #include "picture_folder.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ PictureFolder::PictureFolder(fs::path path, CommandFiles& files, const std::stri
 
 void PictureFolder::write(const std::string& name, const image::ImageRgba8& picture) const {
     if (isWanted()) {
-        base::makeFolder(m_path);
+        host::makeFolder(m_path);
         image::writeImage(m_path / name, picture);
     }
 }

@@ -1,7 +1,7 @@
 #include "shared_options.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/worker_pool.h>
 
 #include <fmt/format.h>
 
@@ -74,7 +74,7 @@ void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height) {
 
 void addThreads(CLI::App& command, std::size_t& threads, const std::string& help) {
     command.add_option("--threads", threads, help)
-        ->check(CLI::Range(std::size_t{1}, base::WorkerPool::kMaxThreads))
+        ->check(CLI::Range(std::size_t{1}, host::WorkerPool::kMaxThreads))
         ->capture_default_str();
 }
 

@@ -40,7 +40,7 @@ void addJson(CLI::App& command, OutputOptions& output);
 /// `--size WIDTHxHEIGHT`. base::InputError for anything that is not two whole numbers above 0.
 void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height);
 
-/// `--threads`, 1 to base::WorkerPool::kMaxThreads.
+/// `--threads`, 1 to host::WorkerPool::kMaxThreads.
 void addThreads(CLI::App& command, std::size_t& threads, const std::string& help);
 
 /// `--seed`.

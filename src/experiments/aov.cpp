@@ -2,7 +2,7 @@
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/base/sha256.h>
+#include <cdr/host/sha256.h>
 #include <cdr/image/srgb.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 
@@ -143,7 +143,7 @@ std::vector<image::ExrChannel> colorChannels(const render::Frame& frame, const i
 std::string hashOfWords(const render::Frame& frame, std::uint32_t (*word)(const render::GBufferPixel&)) {
     std::vector<std::uint32_t> words(frame.gbuffer.pixels.size());
     std::transform(frame.gbuffer.pixels.begin(), frame.gbuffer.pixels.end(), words.begin(), word);
-    return base::sha256Of(words);
+    return host::sha256Of(words);
 }
 
 } // namespace
@@ -211,11 +211,11 @@ std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
 std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth) {
     switch (aov) {
     case Aov::color:
-        return base::sha256Of(frame.color.pixels);
+        return host::sha256Of(frame.color.pixels);
     case Aov::wrong:
-        return base::sha256Of(wrongPicture(frame, truth).pixels);
+        return host::sha256Of(wrongPicture(frame, truth).pixels);
     case Aov::id:
-        return base::sha256Of(frame.ids().pixels);
+        return host::sha256Of(frame.ids().pixels);
     case Aov::distance:
         return hashOfWords(frame, [](const render::GBufferPixel& pixel) {
             return std::bit_cast<std::uint32_t>(pixel.ahead);
@@ -225,7 +225,7 @@ std::string hashOf(const render::Frame& frame, Aov aov, const measure::TruthImag
     case Aov::cascade:
         return hashOfWords(frame, [](const render::GBufferPixel& pixel) { return pixel.idAndCascade; });
     case Aov::coverage:
-        return base::sha256Of(frame.fragmentCounts.pixels);
+        return host::sha256Of(frame.fragmentCounts.pixels);
     }
     throw base::RunError("output out of range");
 }

@@ -2,10 +2,10 @@
 
 #include "whole_file.h"
 
-#include <cdr/base/child_process.h>
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
 #include <cdr/base/suggest.h>
+#include <cdr/host/child_process.h>
+#include <cdr/host/file.h>
 
 #include <algorithm>
 #include <array>
@@ -27,8 +27,8 @@ void requirePlottable(const std::filesystem::path& path) {
     if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
         throw base::InputError(base::unknownName("plot format", extension, kExtensions));
     }
-    base::requireWritable(path);
-    if (!base::isInstalled("gnuplot")) {
+    host::requireWritable(path);
+    if (!host::isInstalled("gnuplot")) {
         throw base::InputError("plots need gnuplot, which is not installed (Debian, Ubuntu: gnuplot-nox)");
     }
 }
@@ -38,9 +38,9 @@ void writePlot(const std::filesystem::path& path, const std::string& script) {
                                        : "set terminal svg noenhanced size 1200,700 font 'sans,14' "
                                          "background 'white'\n";
     const std::string input = terminal + script;
-    base::writeBesideThenRename(path, [&](const std::filesystem::path& temporary) {
+    host::writeBesideThenRename(path, [&](const std::filesystem::path& temporary) {
         // -d: nobody's own start-up file has a say.
-        base::ChildProcess gnuplot({"gnuplot", "-d", "-"}, {.file = temporary});
+        host::ChildProcess gnuplot({"gnuplot", "-d", "-"}, {.file = temporary});
         gnuplot.write({reinterpret_cast<const std::uint8_t*>(input.data()), input.size()});
         gnuplot.finish();
         requireWhole(temporary, path, "gnuplot");

@@ -43,7 +43,7 @@ std::vector<std::string> encoderArguments(const std::filesystem::path& output, s
 const std::filesystem::path& checked(const std::filesystem::path& path, std::uint32_t width,
                                      std::uint32_t height) {
     requireEncodable(width, height);
-    base::requireWritable(path);
+    host::requireWritable(path);
     return path;
 }
 
@@ -56,7 +56,7 @@ void requireEncodable(std::uint32_t width, std::uint32_t height) {
         throw base::InputError(fmt::format("a video's sides must be even and 2 to {} pixels, not {}x{}",
                                            kMostSide, width, height));
     }
-    if (!base::isInstalled("ffmpeg")) {
+    if (!host::isInstalled("ffmpeg")) {
         throw base::InputError("videos need ffmpeg, which is not installed (Debian, Ubuntu: ffmpeg)");
     }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/base/child_process.h>
-#include <cdr/base/file.h>
+#include <cdr/host/child_process.h>
+#include <cdr/host/file.h>
 #include <cdr/image/image.h>
 
 #include <cstdint>
@@ -39,8 +39,8 @@ class VideoWriter {
     std::uint32_t m_width;
     std::uint32_t m_height;
     std::filesystem::path m_path;
-    base::PendingFile m_file;
-    base::ChildProcess m_encoder;
+    host::PendingFile m_file;
+    host::ChildProcess m_encoder;
 };
 
 } // namespace cdr::experiments

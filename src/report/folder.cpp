@@ -3,7 +3,7 @@
 #include "mount_point.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -26,7 +26,7 @@ constexpr std::uintmax_t kMaxManifestBytes = 10'000'000;
 std::set<std::string> ownFiles(const fs::path& folder) {
     const fs::path manifest = folder / kManifest;
     if (fs::is_regular_file(manifest)) {
-        const base::Bytes bytes = base::readFile(manifest, kMaxManifestBytes);
+        const host::Bytes bytes = host::readFile(manifest, kMaxManifestBytes);
         const auto json = nlohmann::json::parse(bytes, nullptr, false);
         if (json.is_object() && json.value("command", nlohmann::json()) == "report" &&
             json.contains("files") && json.at("files").is_array()) {

@@ -28,7 +28,7 @@ struct CullFixture {
     scene::SceneSetup setup;
     scene::Camera camera;
     depth::Cascades cascades;
-    base::WorkerPool workers;
+    host::WorkerPool workers;
 
     explicit CullFixture(const benchmark::State& state)
         : setup(static_cast<Field>(state.range(2)) == Field::rotation

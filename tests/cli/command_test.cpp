@@ -1,6 +1,6 @@
 #include "program.h"
 
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 image::ImageRgba8 readPicture(const fs::path& path) {
-    return image::decodeImage(base::readFile(path, 1 << 26), path.string());
+    return image::decodeImage(host::readFile(path, 1 << 26), path.string());
 }
 
 void expectEnvelope(const json& document, const std::string& command) {

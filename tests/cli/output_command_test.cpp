@@ -20,7 +20,7 @@ ProgramResult runRedirected(const std::string& arguments, const std::string& red
 
 TEST(Outputs, WhatStandardOutputCannotTakeIsAFailure) {
     const TemporaryFolder folder;
-    for (const char* arguments : {"precision --json", "precision", "--version", "precision --help"}) {
+    for (const char* arguments : {"--quiet precision --json", "precision", "--version", "precision --help"}) {
         const ProgramResult result = runRedirected(arguments, ">/dev/full", folder.path());
         EXPECT_EQ(result.status, 1) << arguments;
         EXPECT_EQ(result.err, "cdr: standard output: write failed: No space left on device\n") << arguments;

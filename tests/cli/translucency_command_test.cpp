@@ -1,6 +1,6 @@
 #include "program.h"
 
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(TranslucencyCommand, CoverageIsAnOutput) {
         runProgram("--validate render sheets --size 160x90 --aov coverage -o c.png", folder.path());
     ASSERT_EQ(result.status, 0) << result.err;
     const image::ImageRgba8 picture =
-        image::decodeImage(base::readFile(folder.path() / "c.png", 1 << 20), "c.png");
+        image::decodeImage(host::readFile(folder.path() / "c.png", 1 << 20), "c.png");
     std::set<int> greys;
     for (const image::Rgba8& pixel : picture.pixels) {
         greys.insert(pixel[0]);

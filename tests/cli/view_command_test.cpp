@@ -1,6 +1,6 @@
 #include "program.h"
 
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/camera_recording.h>
 #include <experiments/aov.h>

@@ -1,3 +1,4 @@
+#include <cdr/depth/cascade_constants.h>
 #include <cdr/depth/make_cascades.h>
 
 #include <gtest/gtest.h>
@@ -22,31 +23,20 @@ struct Object {
     Vec3 centre; ///< view space: the eye is subtracted and axes are turned in float64
     double radius;
 };
-struct CascadeConstants;
 struct Pass;
 struct Engine {
     double nearView, farView, footprintSlope;
     std::vector<Object> visible;
-    float projectionX = 1.0f;
-    float projectionY = -1.0f;
+    cdr::depth::Projection projection;
     std::vector<Pass> passes;
 
     void clearDepth(float value);
-    void setCascade(const CascadeConstants& constants);
+    void setCascade(const cdr::depth::CascadeConstants& constants);
     void draw(const Object& object, float x, float y, float ahead);
 };
 
 // quoted in src/cdr/README.md: begin
 using namespace cdr::depth;
-
-// The shader's push constants, byte by byte. A vec2 begins at a multiple of 8, so rangeAhead begins at byte
-// 16.
-struct CascadeConstants {
-    float anchorView, scale, offset; // CdrDepth: bytes 0 to 11
-    float unused = 0.0f;             // bytes 12 to 15
-    float nearAhead, farAhead;       // rangeAhead: bytes 16 to 23
-    float projectionX, projectionY;  // projection: bytes 24 to 31
-};
 
 void drawAnchored(Engine& engine, Cascades& cascades) { // keep `cascades` from frame to frame
     std::vector<Interval> occupied;
@@ -62,20 +52,14 @@ void drawAnchored(Engine& engine, Cascades& cascades) { // keep `cascades` from 
                                      .previous = cascades});
     for (std::size_t i = cascades.size(); i-- > 0;) { // farthest first
         const Cascade range = clipRange(Mapping::anchored, cascades, i);
-        const ClipTerms terms = clipTerms(depthRange(Mapping::anchored, cascades, i));
+        const double anchorView = clipTerms(depthRange(Mapping::anchored, cascades, i)).anchorView;
         engine.clearDepth(1.0f);
-        engine.setCascade({.anchorView = float(terms.anchorView),
-                           .scale = float(terms.scale),
-                           .offset = float(terms.offset),
-                           .nearAhead = float(range.nearView - terms.anchorView),
-                           .farAhead = float(range.farView - terms.anchorView),
-                           .projectionX = engine.projectionX,
-                           .projectionY = engine.projectionY});
+        engine.setCascade(cascadeConstants(Mapping::anchored, cascades, i, engine.projection));
         for (const Object& object : engine.visible) {
             const double w = -object.centre.z;
             if (w + object.radius >= range.nearView && w - object.radius <= range.farView) {
                 engine.draw(object, float(object.centre.x), float(object.centre.y),
-                            float(w - terms.anchorView)); // subtracted in float64, then rounded
+                            float(w - anchorView)); // subtracted in float64, then rounded
             }
         }
     }
@@ -94,7 +78,7 @@ struct Pass {
 void Engine::clearDepth(float) {
     passes.emplace_back();
 }
-void Engine::setCascade(const CascadeConstants& constants) {
+void Engine::setCascade(const cdr::depth::CascadeConstants& constants) {
     passes.back().constants = constants;
 }
 void Engine::draw(const Object& object, float x, float y, float ahead) {
@@ -109,9 +93,9 @@ std::vector<std::uint32_t> readSpirv(const char* path) {
     return words;
 }
 
-/// Byte offsets of the members of a module's one block that has any, by OpDecorate and OpMemberDecorate
-/// (SPIR-V 1.6, sections 3.20 and 3.52.3).
-std::vector<std::uint32_t> blockOffsets(const std::vector<std::uint32_t>& words) {
+/// Byte offsets of the members of the one structure that lies in a block of a module, by OpDecorate and
+/// OpMemberDecorate (SPIR-V 1.6, sections 3.20 and 3.52.3).
+std::vector<std::uint32_t> cascadeOffsets(const std::vector<std::uint32_t>& words) {
     std::set<std::uint32_t> blocks;
     std::map<std::uint32_t, std::vector<std::uint32_t>> offsets; // by type, in member order
     for (std::size_t at = 5; at < words.size() && words[at] >> 16 != 0; at += words[at] >> 16) {
@@ -122,20 +106,16 @@ std::vector<std::uint32_t> blockOffsets(const std::vector<std::uint32_t>& words)
             offsets[words[at + 1]].push_back(words[at + 4]);
         }
     }
-    for (const auto& [type, members] : offsets) {
-        if (blocks.contains(type)) {
-            return members;
-        }
-    }
-    return {};
+    std::erase_if(offsets, [&](const auto& type) { return blocks.contains(type.first); });
+    return offsets.size() == 1 ? offsets.begin()->second : std::vector<std::uint32_t>{};
 }
 
-/// What setCascade() hands over lies where the shader reads it, as its compiler has laid it out.
-TEST(AdoptionExample, PushConstantsLieWhereTheShaderReadsThem) {
-    EXPECT_EQ(blockOffsets(readSpirv(CDR_ADOPTION_SHADER)),
-              (std::vector<std::uint32_t>{offsetof(CascadeConstants, anchorView),
-                                          offsetof(CascadeConstants, nearAhead),
-                                          offsetof(CascadeConstants, projectionX)}));
+/// What setCascade() hands over lies where the shaders read it, as their compiler has laid it out.
+TEST(AdoptionExample, PushConstantsLieWhereTheShadersReadThem) {
+    const std::vector<std::uint32_t> vec4s{offsetof(CascadeConstants, anchorView),
+                                           offsetof(CascadeConstants, nearAhead)};
+    EXPECT_EQ(cascadeOffsets(readSpirv(CDR_ADOPTION_SHADER)), vec4s);
+    EXPECT_EQ(cascadeOffsets(readSpirv(CDR_ADOPTION_SHADER_HLSL)), vec4s);
 }
 
 /// cdr_depth.glsl's clip position in float32, as a depth buffer of floats would store it.
@@ -149,6 +129,7 @@ TEST(AdoptionExample, OrdersWhatFloat32DistancesCannot) {
                   .farView = 2e6,
                   .footprintSlope = 5e-8,
                   .visible = {{{0.0, 0.0, -0.01}, 0.002}},
+                  .projection = {.fovY = 1.0, .aspect = 1.5},
                   .passes = {}};
     for (int i = 0; i < 100; ++i) {
         engine.visible.push_back({{0.0, 0.0, -1e6 + 0.1 * i}, 0.5});

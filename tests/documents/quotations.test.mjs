@@ -13,7 +13,7 @@ function dedented(code) {
     return `${lines.map((line) => line.slice(indent)).join("\n")}\n`;
 }
 
-const sources = files().filter((path) => /\.(cpp|h|vert|frag|glsl)$/.test(path));
+const sources = files().filter((path) => /\.(cpp|h|vert|frag|glsl|hlsl)$/.test(path));
 const quotations = sources.flatMap((source) =>
     [...read(source).matchAll(kMark)].map(([, page, code]) => ({ source, page, code: dedented(code) })));
 
@@ -29,7 +29,7 @@ test("pages show no other C++ and GLSL than what is quoted", () => {
     const quoted = new Set(quotations.map(({ page, code }) => `${page}\n${code}`));
     for (const page of new Set(quotations.map((quotation) => quotation.page))) {
         for (const { language, body } of blocks(read(page))) {
-            assert.ok(!["cpp", "glsl"].includes(language) || quoted.has(`${page}\n${body}`), `${page} shows code that nothing compiles:\n${body}`);
+            assert.ok(!["cpp", "glsl", "hlsl"].includes(language) || quoted.has(`${page}\n${body}`), `${page} shows code that nothing compiles:\n${body}`);
         }
     }
 });

@@ -2,8 +2,8 @@
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
-#include <cdr/base/sha256.h>
+#include <cdr/host/file.h>
+#include <cdr/host/sha256.h>
 #include <experiments/flicker/flicker.h>
 #include <experiments/flicker/pairs.h>
 
@@ -72,7 +72,7 @@ struct Watcher {
                 .pictures =
                     [this](std::uint32_t frame, const std::vector<image::ImageRgba8>& shown) {
                         for (const image::ImageRgba8& picture : shown) {
-                            pictures[frame].push_back(base::sha256Of(picture.pixels));
+                            pictures[frame].push_back(host::sha256Of(picture.pixels));
                         }
                     }};
     }
@@ -154,11 +154,11 @@ TEST_F(FlickerTest, ADamagedStateIsRefused) {
     options.frames = 1;
     options.state = state();
     runFlicker(device(), options);
-    const base::Bytes whole = base::readFile(state(), 1 << 20);
+    const host::Bytes whole = host::readFile(state(), 1 << 20);
     const std::string text(whole.begin(), whole.end());
     for (const std::string& damaged : {text.substr(0, text.size() / 2), std::string("[]"), std::string(),
                                        std::string(2 << 20, ' '), std::string("{\"digest\": 3}")}) {
-        base::writeText(state(), damaged);
+        host::writeText(state(), damaged);
         EXPECT_THROW(runFlicker(device(), options), base::InputError) << damaged.substr(0, 40);
     }
 }

@@ -19,7 +19,7 @@ using namespace cdr::experiments;
 class VideoTest : public testing::Test {
   protected:
     void SetUp() override {
-        if (!base::isInstalled("ffmpeg")) {
+        if (!host::isInstalled("ffmpeg")) {
             GTEST_SKIP() << "ffmpeg is not installed";
         }
     }
@@ -37,7 +37,7 @@ image::ImageRgba8 frameOf(std::uint8_t grey) {
 /// Asks ffmpeg itself for the frames back, as grey bytes.
 std::string decoded(const fs::path& video, const fs::path& folder) {
     const fs::path raw = folder / "raw";
-    base::ChildProcess({"ffmpeg", "-loglevel", "error", "-i", video.string(), "-pix_fmt", "gray", "-f",
+    host::ChildProcess({"ffmpeg", "-loglevel", "error", "-i", video.string(), "-pix_fmt", "gray", "-f",
                         "rawvideo", raw.string()},
                        {})
         .finish();

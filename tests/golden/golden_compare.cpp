@@ -3,7 +3,7 @@
 // Exit status: 0 the same, 1 different, 2 a picture is missing or unreadable.
 
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 #include <cdr/image/compare.h>
 #include <cdr/image/compose.h>
@@ -19,7 +19,7 @@ using namespace cdr;
 
 image::ImageRgba8 readPicture(const std::string& path) {
     constexpr std::uintmax_t kMostBytes = 64 << 20;
-    return image::decodeImage(base::readFile(path, kMostBytes), path);
+    return image::decodeImage(host::readFile(path, kMostBytes), path);
 }
 
 void writeSheet(const std::string& path, const image::ImageRgba8& golden, const image::ImageRgba8& render) {

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 
 #include <gtest/gtest.h>
@@ -143,7 +143,7 @@ class Jpeg : public testing::Test {
         if (!fs::exists(path)) {
             GTEST_SKIP() << "no real JPEG: " << path << " is absent";
         }
-        m_bytes = base::readFile(path, 1u << 24);
+        m_bytes = host::readFile(path, 1u << 24);
     }
     std::vector<std::uint8_t> m_bytes;
 };
@@ -203,8 +203,8 @@ TEST_F(Folder, WriteImageGoesByTheExtension) {
     const ImageRgba8 image = noise(8, 4);
     writeImage(file("a.png"), image);
     writeImage(file("a.TGA"), image);
-    EXPECT_EQ(base::readFile(file("a.png"), 1u << 20), encodePng(image));
-    EXPECT_EQ(base::readFile(file("a.TGA"), 1u << 20), encodeTga(image));
+    EXPECT_EQ(host::readFile(file("a.png"), 1u << 20), encodePng(image));
+    EXPECT_EQ(host::readFile(file("a.TGA"), 1u << 20), encodeTga(image));
     EXPECT_THROW(writeImage(file("a.jpg"), image), base::InputError);
     EXPECT_THROW(writeImage(file("a"), image), base::InputError);
     EXPECT_THROW(writeImage(file("missing/a.png"), image), base::InputError);

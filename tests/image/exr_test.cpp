@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -83,7 +83,7 @@ TEST_F(Exr, IsZipCompressedFloat32) {
 TEST_F(Exr, IsTheSameBytesEachTime) {
     writeExr(m_folder / "a.exr", std::vector{ramp("Z", 64, 64, 0.7f)});
     writeExr(m_folder / "b.exr", std::vector{ramp("Z", 64, 64, 0.7f)});
-    EXPECT_EQ(base::readFile(m_folder / "a.exr", 1u << 20), base::readFile(m_folder / "b.exr", 1u << 20));
+    EXPECT_EQ(host::readFile(m_folder / "a.exr", 1u << 20), host::readFile(m_folder / "b.exr", 1u << 20));
 }
 
 TEST_F(Exr, RefusesWhatItCannotWriteAndLeavesNothing) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>

@@ -47,7 +47,7 @@ TEST_F(AnchoredTest, FittedSplitsDrawRightUnderEveryMapping) {
     scene::SceneSetup setup = scenes::makeRotation(5, 64'000);
     const scene::Camera camera = setup.path.at(0);
     const render::GpuScene gpuScene(device(), setup.scene);
-    base::WorkerPool workers(2);
+    host::WorkerPool workers(2);
     const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"fitted", "fitted:1e-5px", "fitted:0.5px", "fitted:0.001", "minimax:5"}) {

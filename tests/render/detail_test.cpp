@@ -22,7 +22,7 @@ constexpr Detail kByObject{.mode = DetailMode::perObject, .pixels = 0.5};
 constexpr Detail kByCascade{.mode = DetailMode::perCascade, .pixels = 0.5};
 
 void addLevels(scene::Scene& scene) {
-    base::WorkerPool workers(2);
+    host::WorkerPool workers(2);
     scene::makeLevels(scene, workers);
 }
 

@@ -36,11 +36,11 @@ scene::Scene cornerScene() {
 }
 
 /// Looks down at the corners.
-const scene::Camera kCamera = scene::lookAt({.fovY = 0.7, .nearView = 0.5, .farView = 100.0},
-                                            glm::dvec3(0.0, 5.0, 2.0), glm::dvec3(0.0, -1.0, -12.0));
+const scene::Camera kEffectsCamera = scene::lookAt({.fovY = 0.7, .nearView = 0.5, .farView = 100.0},
+                                                   glm::dvec3(0.0, 5.0, 2.0), glm::dvec3(0.0, -1.0, -12.0));
 
 /// A boundary on the floor right before the wall: what darkens it is in the other cascade.
-const std::string kCornerCut = fmt::format("at:{}", kCamera.viewDistance({0.0, -1.0, -13.9}));
+const std::string kCornerCut = fmt::format("at:{}", kEffectsCamera.viewDistance({0.0, -1.0, -13.9}));
 
 RenderOptions occluded(const depth::Technique& technique, bool perLayer = false) {
     RenderOptions options = smallOptions(technique);
@@ -68,8 +68,8 @@ class EffectsTest : public RenderTest {};
 
 TEST_F(EffectsTest, OcclusionDarkensCornersAndLeavesOpenFloorAlone) {
     const scene::Scene scene = cornerScene();
-    const Frame open = draw(scene, kCamera, smallOptions(depth::parseTechnique("reversed")));
-    const Frame frame = draw(scene, kCamera, occluded(depth::parseTechnique("reversed")));
+    const Frame open = draw(scene, kEffectsCamera, smallOptions(depth::parseTechnique("reversed")));
+    const Frame frame = draw(scene, kEffectsCamera, occluded(depth::parseTechnique("reversed")));
     std::size_t corners = 0;
     std::size_t flat = 0;
     for (std::uint32_t y = 4; y + 4 < frame.height();
@@ -101,11 +101,11 @@ TEST_F(EffectsTest, OcclusionAndFogAreTheSameWhateverTheTechnique) {
     const scene::Scene scene = cornerScene();
     RenderOptions options = occluded(depth::parseTechnique("reversed"));
     options.effects.fog.visibility = 300.0;
-    const Frame first = draw(scene, kCamera, options);
+    const Frame first = draw(scene, kEffectsCamera, options);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const std::string& split : {std::string("none"), std::string("count:6"), kCornerCut}) {
             options.technique = technique(mapping, split.c_str());
-            const Frame frame = draw(scene, kCamera, options);
+            const Frame frame = draw(scene, kEffectsCamera, options);
             EXPECT_LT(differing(frame.color, first.color, 2), first.color.pixels.size() / 1000)
                 << nameOf(options.technique);
         }
@@ -115,24 +115,24 @@ TEST_F(EffectsTest, OcclusionAndFogAreTheSameWhateverTheTechnique) {
 TEST_F(EffectsTest, PerLayerLosesWhatOtherCascadesHold) {
     const scene::Scene scene = cornerScene();
     const depth::Technique oneCascade = technique(depth::Mapping::reversed, "none");
-    EXPECT_LT(differing(draw(scene, kCamera, occluded(oneCascade, true)).color,
-                        draw(scene, kCamera, occluded(oneCascade)).color, 2),
+    EXPECT_LT(differing(draw(scene, kEffectsCamera, occluded(oneCascade, true)).color,
+                        draw(scene, kEffectsCamera, occluded(oneCascade)).color, 2),
               100u);
     const depth::Technique cut = technique(depth::Mapping::reversed, kCornerCut.c_str());
-    const Frame whole = draw(scene, kCamera, occluded(cut));
-    const Frame layers = draw(scene, kCamera, occluded(cut, true));
+    const Frame whole = draw(scene, kEffectsCamera, occluded(cut));
+    const Frame layers = draw(scene, kEffectsCamera, occluded(cut, true));
     EXPECT_GT(differing(layers.color, whole.color, 8), 1'000u);
 }
 
 TEST_F(EffectsTest, PerLayerIsTheSameOverTargets) {
     const scene::Scene scene = cornerScene();
     RenderOptions options = occluded(technique(depth::Mapping::anchored, "count:5"), true);
-    const std::string first = hashOf(draw(scene, kCamera, options));
+    const std::string first = hashOf(draw(scene, kEffectsCamera, options));
     for (const render::TargetsChoice choice :
          {render::TargetsChoice::pool(2), render::TargetsChoice(render::TargetsKind::layers)}) {
         options.targets = choice;
         options.threads = 2;
-        EXPECT_EQ(hashOf(draw(scene, kCamera, options)), first) << nameOf(choice);
+        EXPECT_EQ(hashOf(draw(scene, kEffectsCamera, options)), first) << nameOf(choice);
     }
 }
 
@@ -162,11 +162,11 @@ TEST_F(EffectsTest, RefusesWhatCannotBe) {
     const scene::Scene scene = cornerScene();
     RenderOptions options = occluded(depth::parseTechnique("cdr"), true);
     options.targets = render::TargetsKind::onePass;
-    EXPECT_THROW(draw(scene, kCamera, options), base::InputError);
+    EXPECT_THROW(draw(scene, kEffectsCamera, options), base::InputError);
     options.effects = {.fog = {.visibility = std::numeric_limits<double>::infinity()}};
-    EXPECT_THROW(draw(scene, kCamera, options), base::InputError);
+    EXPECT_THROW(draw(scene, kEffectsCamera, options), base::InputError);
     options.effects = {.fog = {.visibility = 1.0, .color = glm::vec3(2.0f)}};
-    EXPECT_THROW(draw(scene, kCamera, options), base::InputError);
+    EXPECT_THROW(draw(scene, kEffectsCamera, options), base::InputError);
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 
 #include "../support/shared_device.h"
 
-#include <cdr/base/sha256.h>
+#include <cdr/host/sha256.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
@@ -24,7 +24,7 @@ class RenderTest : public test::DeviceTest {
 
     measure::WrongPixels wrongIn(const render::Frame& frame, const scene::Scene& scene,
                                  const scene::Camera& camera) {
-        base::WorkerPool workers(2);
+        host::WorkerPool workers(2);
         return measure::countWrong(frame.ids(),
                                    measure::castTruth(scene, camera, frame.width(), frame.height(), workers));
     }
@@ -40,7 +40,7 @@ inline render::RenderOptions smallOptions(const depth::Technique& technique) {
 
 /// One hash over everything a frame holds, pixel by pixel.
 inline std::string hashOf(const render::Frame& frame) {
-    return base::sha256Of(frame.color.pixels) + base::sha256Of(frame.gbuffer.pixels);
+    return host::sha256Of(frame.color.pixels) + host::sha256Of(frame.gbuffer.pixels);
 }
 
 /// A scene of boxes with one white material, ambient light and the unit box as mesh 0.

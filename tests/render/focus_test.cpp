@@ -43,8 +43,8 @@ scene::Scene alleyScene() {
     return scene;
 }
 
-const scene::Camera kCamera = scene::lookAt({.fovY = 0.9, .nearView = 0.5, .farView = 1000.0},
-                                            glm::dvec3(0.0, 1.0, 2.0), glm::dvec3(0.0, -1.2, -10.0));
+const scene::Camera kFocusCamera = scene::lookAt({.fovY = 0.9, .nearView = 0.5, .farView = 1000.0},
+                                                 glm::dvec3(0.0, 1.0, 2.0), glm::dvec3(0.0, -1.2, -10.0));
 
 /// Sharp at 10, up to some 9 pixels at infinity in small pictures.
 constexpr Focus kFocus{.distance = 10.0, .aperture = 0.3};
@@ -94,12 +94,12 @@ TEST_F(FocusTest, ALensWithNextToNoApertureShowsTheOrdinaryPicture) {
     for (const depth::Mapping mapping : {depth::Mapping::standard, depth::Mapping::reversed,
                                          depth::Mapping::log, depth::Mapping::anchored}) {
         RenderOptions options = focused({.distance = 10.0, .aperture = 1e-9}, "at:5,7.5,15,30", mapping);
-        const Frame sharp = draw(scene, kCamera, options);
+        const Frame sharp = draw(scene, kFocusCamera, options);
         options.focus.blend = true;
-        const Frame blended = draw(scene, kCamera, options);
+        const Frame blended = draw(scene, kFocusCamera, options);
         options.focus = {};
-        const Frame ordinary = draw(scene, kCamera, options);
-        EXPECT_EQ(base::sha256Of(sharp.gbuffer.pixels), base::sha256Of(ordinary.gbuffer.pixels))
+        const Frame ordinary = draw(scene, kFocusCamera, options);
+        EXPECT_EQ(host::sha256Of(sharp.gbuffer.pixels), host::sha256Of(ordinary.gbuffer.pixels))
             << nameOf(mapping);
         for (const Frame* frame : {&sharp, &blended}) {
             const image::Comparison difference =
@@ -112,8 +112,8 @@ TEST_F(FocusTest, ALensWithNextToNoApertureShowsTheOrdinaryPicture) {
 
 TEST_F(FocusTest, WhatIsOutOfFocusIsDrawnSmallerAndLooksSmoother) {
     const scene::Scene scene = alleyScene();
-    const Frame blurred = draw(scene, kCamera, focused(kFocus));
-    const Frame sharp = draw(scene, kCamera, focused({}));
+    const Frame blurred = draw(scene, kFocusCamera, focused(kFocus));
+    const Frame sharp = draw(scene, kFocusCamera, focused({}));
     const FocusLens lens = lensOfPicture(blurred, kFocus);
     std::set<std::uint32_t> scales;
     for (std::uint32_t cascade = 0; cascade < blurred.cascades.size(); ++cascade) {
@@ -166,11 +166,11 @@ std::size_t darkened(const Frame& frame) {
 
 TEST_F(FocusTest, BlendingHidesTheSeamsWhereCascadesMeet) {
     const scene::Scene scene = floorScene();
-    EXPECT_EQ(darkened(draw(scene, kCamera, focused({}))), 0u);
+    EXPECT_EQ(darkened(draw(scene, kFocusCamera, focused({}))), 0u);
     for (const depth::Mapping mapping : {depth::Mapping::standard, depth::Mapping::reversed,
                                          depth::Mapping::log, depth::Mapping::anchored}) {
-        const Frame cut = draw(scene, kCamera, focused(kFocus, "at:5,7.5,15,30", mapping));
-        const Frame blended = draw(scene, kCamera, focused(kBlended, "at:5,7.5,15,30", mapping));
+        const Frame cut = draw(scene, kFocusCamera, focused(kFocus, "at:5,7.5,15,30", mapping));
+        const Frame blended = draw(scene, kFocusCamera, focused(kBlended, "at:5,7.5,15,30", mapping));
         EXPECT_GT(darkened(cut), cut.width()) << nameOf(mapping); // a line or more across the picture
         EXPECT_EQ(darkened(blended), 0u) << nameOf(mapping);
     }
@@ -191,10 +191,10 @@ int apart(const Frame& a, const Frame& b, const Frame& surfaces, const depth::Ca
 
 TEST_F(FocusTest, ACascadeFadesIntoTheNext) {
     const scene::Scene scene = alleyScene();
-    const Frame sharp = draw(scene, kCamera, focused(kFocus, "none"));
-    const Frame blurred = draw(scene, kCamera, focused(kFocus, "at:13.2")); // 2 pixels from there on
+    const Frame sharp = draw(scene, kFocusCamera, focused(kFocus, "none"));
+    const Frame blurred = draw(scene, kFocusCamera, focused(kFocus, "at:13.2")); // 2 pixels from there on
     const Frame blended =
-        draw(scene, kCamera, focused(kBlended, "at:15")); // both draw from 12, fading from 13.5
+        draw(scene, kFocusCamera, focused(kBlended, "at:15")); // both draw from 12, fading from 13.5
     const depth::Cascade before{12.2, 13.4};
     const depth::Cascade end{14.7, 14.99};
     EXPECT_GT(apart(sharp, blurred, sharp, end), 500);
@@ -215,7 +215,7 @@ TEST_F(FocusTest, IsOneImageHoweverSubmitted) {
                 options.submission = submission;
                 options.threads = threads;
                 render::Renderer renderer(device(), scene, gpuScene, options);
-                ofFocus.insert(hashOf(renderer.render(kCamera)));
+                ofFocus.insert(hashOf(renderer.render(kFocusCamera)));
             }
         }
         EXPECT_EQ(ofFocus.size(), 1u);
@@ -230,7 +230,7 @@ TEST_F(FocusTest, LayersMayChangeTheirSizeWhileFramesAreInFlight) {
     RenderOptions options = focused(kBlended, "count:4");
     options.framesInFlight = 3;
     render::Renderer renderer(device(), scene, gpuScene, options);
-    scene::Camera camera = kCamera;
+    scene::Camera camera = kFocusCamera;
     for (const double nearView : {0.5, 2.0, 4.0, 9.0, 0.2, 0.5}) {
         camera.nearView = nearView;
         renderer.submit(camera);
@@ -240,14 +240,14 @@ TEST_F(FocusTest, LayersMayChangeTheirSizeWhileFramesAreInFlight) {
 
 TEST_F(FocusTest, TranslucentSurfacesAreLaidOverIt) {
     scene::Scene scene = alleyScene();
-    const Frame before = draw(scene, kCamera, focused(kFocus));
+    const Frame before = draw(scene, kFocusCamera, focused(kFocus));
     scene.materials.push_back({.name = "glass",
                                .baseColorFactor = glm::vec4(1.0f, 0.0f, 0.0f, 0.5f),
                                .unlit = true,
                                .alphaMode = scene::AlphaMode::blend});
     const auto glass = static_cast<std::uint32_t>(scene.materials.size() - 1);
     scene::addInstance(scene, 0, glass, 100, glm::dvec3(0.0, -1.0, -8.0), glm::mat3(1.0f));
-    const Frame after = draw(scene, kCamera, focused(kFocus));
+    const Frame after = draw(scene, kFocusCamera, focused(kFocus));
     EXPECT_EQ(before.ids().pixels, after.ids().pixels);
     std::size_t reddened = 0;
     for (std::size_t i = 0; i < after.color.pixels.size(); ++i) {
@@ -265,15 +265,17 @@ TEST_F(FocusTest, RefusesWhatCannotBe) {
         RenderOptions options = focused(kFocus);
         options.targets = targets;
         if (targets != render::TargetsKind::layers) {
-            EXPECT_THROW(draw(scene, kCamera, options), base::InputError) << nameOf(targets);
+            EXPECT_THROW(draw(scene, kFocusCamera, options), base::InputError) << nameOf(targets);
         }
     }
     RenderOptions occluded = focused(kFocus);
     occluded.effects.occlusion.radius = 1.0;
-    EXPECT_THROW(draw(scene, kCamera, occluded), base::InputError);
+    EXPECT_THROW(draw(scene, kFocusCamera, occluded), base::InputError);
     for (const double wrong : {-1.0, kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_THROW(draw(scene, kCamera, focused({.distance = wrong, .aperture = 1.0})), base::InputError);
-        EXPECT_THROW(draw(scene, kCamera, focused({.distance = 1.0, .aperture = wrong})), base::InputError);
+        EXPECT_THROW(draw(scene, kFocusCamera, focused({.distance = wrong, .aperture = 1.0})),
+                     base::InputError);
+        EXPECT_THROW(draw(scene, kFocusCamera, focused({.distance = 1.0, .aperture = wrong})),
+                     base::InputError);
     }
 }
 

@@ -1,7 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/sha256.h>
+#include <cdr/host/sha256.h>
 #include <scenes/cubes.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST_F(FrameTest, IsUprightAndNotMirrored) {
 TEST_F(FrameTest, DistanceIsMetricWhateverTheTechnique) {
     const scene::SceneSetup setup = scenes::makeRotation(1, 64'000);
     const scene::Camera camera = setup.path.at(0);
-    base::WorkerPool workers(1);
+    host::WorkerPool workers(1);
     const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:4"}) {

@@ -10,7 +10,7 @@ namespace cdr::render_test {
 
 namespace {
 
-const scene::Camera kCamera =
+const scene::Camera kMaterialCamera =
     scene::lookAt({.fovY = 0.6, .nearView = 0.1, .farView = 100.0}, {0.5, 0.4, 8.0}, glm::dvec3(0.0));
 
 /// A square across the z axis, corners in colours of their own, its texture tiled twice.
@@ -60,9 +60,9 @@ class MaterialTest : public RenderTest {
   protected:
     /// The share of the picture's pixels, edges left out, that are off by more than two steps of 255.
     double offIn(const render::Frame& frame, const scene::Scene& scene) {
-        base::WorkerPool workers(2);
+        host::WorkerPool workers(2);
         const measure::LayeredTruth truth =
-            measure::castLayers(scene, kCamera, frame.width(), frame.height(), workers);
+            measure::castLayers(scene, kMaterialCamera, frame.width(), frame.height(), workers);
         const image::ImageRgba8 wanted = measure::pictureOf(truth);
         std::size_t inner = 0;
         std::size_t off = 0;
@@ -90,7 +90,8 @@ TEST_F(MaterialTest, LooksAsTheTruthDoes) {
          {std::optional<scene::Shine>(), std::optional(scene::Shine{.metallic = 1.0f, .roughness = 0.5f}),
           std::optional(scene::Shine{.metallic = 0.0f, .roughness = 0.3f})}) {
         const scene::Scene scene = paintedScene(shine);
-        const render::Frame frame = draw(scene, kCamera, smallOptions(depth::parseTechnique("reversed")));
+        const render::Frame frame =
+            draw(scene, kMaterialCamera, smallOptions(depth::parseTechnique("reversed")));
         EXPECT_LT(offIn(frame, scene), 0.005) << (shine ? shine->metallic : -1.0f);
         // Each square shows, and through the mask the background.
         std::array<std::size_t, 5> pixels{};
@@ -111,7 +112,7 @@ TEST_F(MaterialTest, BacksOfOneSideAreNotDrawn) {
     for (std::size_t i = 0; i < 4; ++i) {
         scene.instances.basis[i] = glm::mat3(-1, 0, 0, 0, 1, 0, 0, 0, -1);
     }
-    const render::Frame frame = draw(scene, kCamera, smallOptions(depth::parseTechnique("reversed")));
+    const render::Frame frame = draw(scene, kMaterialCamera, smallOptions(depth::parseTechnique("reversed")));
     const std::vector<std::uint32_t> ids = frame.ids().pixels;
     for (const std::uint32_t id : {1u, 2u, 4u}) {
         EXPECT_EQ(std::count(ids.begin(), ids.end(), id), 0) << id;

@@ -21,7 +21,7 @@ std::uint32_t codeAt(const Frame& frame, std::uint32_t x, std::uint32_t y) {
 /// Square roots are of 8 bits, so that the G-buffer keeps it as it is.
 const glm::vec4 kCopper(0.64f, 0.36f, 0.16f, 1.0f);
 
-const scene::Camera kCamera =
+const scene::Camera kShineCamera =
     scene::lookAt({.fovY = 0.6, .nearView = 0.1, .farView = 1000.0}, {0.0, 0.0, 8.0}, glm::dvec3(0.0));
 
 /// A slab that fills the picture, its face towards the camera, lit from beside the camera.
@@ -38,7 +38,7 @@ scene::Scene slabScene(const std::optional<Shine>& shine) {
 class ShineTest : public RenderTest {
   protected:
     Frame drawSlab(const std::optional<Shine>& shine) {
-        return draw(slabScene(shine), kCamera, smallOptions(depth::parseTechnique("reversed")));
+        return draw(slabScene(shine), kShineCamera, smallOptions(depth::parseTechnique("reversed")));
     }
 };
 
@@ -54,7 +54,8 @@ TEST_F(ShineTest, MetalsMirrorInTheirColorAndDielectricsInTheLights) {
     const image::Rgba8 matt = brightest(drawSlab({}));
     scene::Scene dim = slabScene(Shine{.metallic = 1.0f, .roughness = 0.6f});
     dim.lights[0].color = glm::vec3(0.25f); // so that no channel is cut off
-    const image::Rgba8 metal = brightest(draw(dim, kCamera, smallOptions(depth::parseTechnique("reversed"))));
+    const image::Rgba8 metal =
+        brightest(draw(dim, kShineCamera, smallOptions(depth::parseTechnique("reversed"))));
     const image::Rgba8 dielectric = brightest(drawSlab(Shine{.metallic = 0.0f, .roughness = 0.3f}));
     // Blue is a quarter of red, 0.52 of it in sRGB.
     EXPECT_NEAR(metal[2], 0.52 * metal[0], 0.04 * metal[0]);
@@ -79,7 +80,7 @@ TEST_F(ShineTest, MetalsInAmbientLightAreNotBlack) {
     for (const float roughness : {0.0f, 0.5f, 1.0f}) {
         scene::Scene scene = slabScene(Shine{.metallic = 1.0f, .roughness = roughness});
         scene.lights.clear();
-        const Frame frame = draw(scene, kCamera, smallOptions(depth::parseTechnique("reversed")));
+        const Frame frame = draw(scene, kShineCamera, smallOptions(depth::parseTechnique("reversed")));
         EXPECT_GT(frame.color.at(240, 135)[0], 40) << roughness;
     }
 }
@@ -115,7 +116,7 @@ TEST_F(ShineTest, EverySurfaceHoldsItsCode) {
                 options.submission = submission;
                 options.batching = batching;
                 render::Renderer renderer(device(), scene, gpuScene, options);
-                const Frame frame = renderer.render(kCamera);
+                const Frame frame = renderer.render(kShineCamera);
                 std::vector<std::size_t> pixels(materials);
                 for (std::uint32_t y = 0; y < frame.height(); ++y) {
                     for (std::uint32_t x = 0; x < frame.width(); ++x) {
@@ -143,16 +144,16 @@ TEST_F(ShineTest, OcclusionPerLayerLeavesAllMattAndSaysSo) {
     render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
     options.targets = render::TargetsKind::accumulate;
     options.effects.occlusion = {.radius = 0.5, .perLayer = true};
-    const Frame frame = draw(shiny, kCamera, options);
+    const Frame frame = draw(shiny, kShineCamera, options);
     EXPECT_NE(frame.stats.note.find("matt"), std::string::npos);
-    const Frame wanted = draw(matt, kCamera, options);
+    const Frame wanted = draw(matt, kShineCamera, options);
     EXPECT_EQ(hashOf(frame), hashOf(wanted));
     EXPECT_TRUE(wanted.stats.note.empty());
     // Over the whole picture both go together.
     options.effects.occlusion.perLayer = false;
-    const Frame whole = draw(shiny, kCamera, options);
+    const Frame whole = draw(shiny, kShineCamera, options);
     EXPECT_TRUE(whole.stats.note.empty());
-    EXPECT_NE(hashOf(whole), hashOf(draw(matt, kCamera, options)));
+    EXPECT_NE(hashOf(whole), hashOf(draw(matt, kShineCamera, options)));
     EXPECT_NE(codeAt(whole, 240, 135), 0u);
 }
 
@@ -161,9 +162,9 @@ TEST_F(ShineTest, LayersOfALensShineToo) {
     const scene::Scene scene = slabScene(Shine{.metallic = 1.0f, .roughness = 0.4f});
     render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
     options.targets = render::TargetsKind::layers;
-    const Frame plain = draw(scene, kCamera, options);
+    const Frame plain = draw(scene, kShineCamera, options);
     options.focus = {.distance = 5.0, .aperture = 1e-6};
-    const Frame layered = draw(scene, kCamera, options);
+    const Frame layered = draw(scene, kShineCamera, options);
     int largest = 0;
     for (std::size_t i = 0; i < plain.color.pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
@@ -190,7 +191,7 @@ TEST_F(ShineTest, SheetsShineAsInTheTruth) {
     options.height = 108;
     options.translucency = {.method = render::Translucency::sorted, .countsFragments = true};
     const Frame frame = draw(scene, camera, options);
-    base::WorkerPool workers(2);
+    host::WorkerPool workers(2);
     const measure::LayerDifference difference =
         measure::compareLayers(frame.color, frame.fragmentCounts,
                                measure::castLayers(scene, camera, frame.width(), frame.height(), workers));
@@ -212,7 +213,7 @@ TEST_F(ShineTest, WhatASurfaceSendsIsBounded) {
     for (const render::Translucency method : render::kTranslucencies) {
         render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
         options.translucency.method = method;
-        EXPECT_NEAR(brightest(draw(scene, kCamera, options))[0], 111, 2) << nameOf(method);
+        EXPECT_NEAR(brightest(draw(scene, kShineCamera, options))[0], 111, 2) << nameOf(method);
     }
 }
 

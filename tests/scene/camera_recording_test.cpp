@@ -1,7 +1,7 @@
 #include "../support/temporary_folder.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/scene/camera_recording.h>
 #include <scenes/cubes.h>
 
@@ -178,7 +178,7 @@ TEST(CameraRecordingFile, RefusesWhatIsNotOneInOneLineThatNamesIt) {
     const TemporaryFolder folder;
     const auto path = folder.path() / "p.json";
     writeRecording(path, flown());
-    const nlohmann::json sound = nlohmann::json::parse(base::readFile(path, 1 << 20));
+    const nlohmann::json sound = nlohmann::json::parse(host::readFile(path, 1 << 20));
     const std::vector<Spoiled> spoiled{
         {"not a camera path", [](auto& j) { j["format"] = "gltf"; }},
         {"not a camera path",
@@ -220,13 +220,13 @@ TEST(CameraRecordingFile, RefusesWhatIsNotOneInOneLineThatNamesIt) {
     for (const Spoiled& spoil : spoiled) {
         nlohmann::json json = sound;
         spoil.spoil(json);
-        base::writeText(path, json.dump());
+        host::writeText(path, json.dump());
         const std::string said = message([&] { readRecording(path); });
         EXPECT_NE(said.find(spoil.what), std::string::npos) << spoil.what << ": " << said;
         EXPECT_EQ(said.find(path.string()), 0u) << said;
         EXPECT_EQ(said.find('\n'), std::string::npos) << said;
     }
-    base::writeText(path, sound.dump());
+    host::writeText(path, sound.dump());
     EXPECT_EQ(readRecording(path).cameras.size(), 12u);
 }
 
@@ -235,13 +235,13 @@ TEST(CameraRecordingFile, RefusesWhatIsNotJsonOrTooDeepOrHuge) {
     const auto path = folder.path() / "p.json";
     const std::string sound = [&] {
         writeRecording(path, flown());
-        const base::Bytes bytes = base::readFile(path, 1 << 20);
+        const host::Bytes bytes = host::readFile(path, 1 << 20);
         return std::string(bytes.begin(), bytes.end());
     }();
     for (const std::string& text :
          {std::string(), std::string("{"), std::string(100'000, '['), sound.substr(0, sound.size() / 2),
           std::string("{\"format\":1e999}"), std::string("\xff\xfe\0\0", 4)}) {
-        base::writeText(path, text);
+        host::writeText(path, text);
         EXPECT_NE(message([&] { readRecording(path); }).find("camera path"), std::string::npos)
             << text.substr(0, 40);
     }
@@ -251,7 +251,7 @@ TEST(CameraRecordingFile, RefusesWhatIsNotJsonOrTooDeepOrHuge) {
     for (std::size_t i = 0; i < sound.size(); i += 7) {
         std::string flipped = sound;
         flipped[i] = static_cast<char>(flipped[i] ^ (1 << (i % 7)));
-        base::writeText(path, flipped);
+        host::writeText(path, flipped);
         message([&] { readRecording(path); });
     }
 }

@@ -28,7 +28,7 @@ TEST(Blended, InstancesAreSplitByMaterial) {
     }
     const Instances opaque = withoutBlended(scene);
     ASSERT_EQ(opaque.size(), scene.instances.size());
-    base::WorkerPool workers(1);
+    host::WorkerPool workers(1);
     VisibleList visible;
     cullSpheres(opaque, setup.path.at(0), 16.0 / 9.0, workers, visible);
     EXPECT_GT(visible.count, 10u);

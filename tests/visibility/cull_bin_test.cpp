@@ -15,8 +15,8 @@ namespace {
 using namespace cdr::scene;
 using namespace cdr::scenes;
 using namespace cdr::visibility;
-using cdr::base::WorkerPool;
 using cdr::depth::Cascades;
+using cdr::host::WorkerPool;
 
 constexpr double kAspect = 16.0 / 9.0;
 constexpr double kNoWide = std::numeric_limits<double>::infinity();

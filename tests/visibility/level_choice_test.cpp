@@ -28,7 +28,7 @@ struct Listed {
 Listed listed(const Scene& scene, const Camera& camera, const Cascades& ranges, const Detail& detail,
               std::size_t threads) {
     Listed result;
-    cdr::base::WorkerPool workers(threads);
+    cdr::host::WorkerPool workers(threads);
     cullSpheres(scene.instances, camera, 16.0 / 9.0, workers, result.visible);
     binByDistance(result.visible, ranges, kNoneWide, workers, result.lists);
     chooseLevels(scene, camera, ranges, levelRule(detail, camera, kHeight), workers, result.lists);
@@ -37,7 +37,7 @@ Listed listed(const Scene& scene, const Camera& camera, const Cascades& ranges, 
 
 SceneSetup levelled() {
     SceneSetup setup = makeBoulders(2, {.boulders = 200, .shapes = 2, .subdivisions = 3});
-    cdr::base::WorkerPool workers(2);
+    cdr::host::WorkerPool workers(2);
     makeLevels(setup.scene, workers);
     return setup;
 }
@@ -124,7 +124,7 @@ TEST(Detail, NoneLeavesNoLevelsBehind) {
     const Camera camera = setup.path.at(0);
     Listed made = listed(setup.scene, camera, kRanges, {.mode = DetailMode::perObject}, 1);
     const std::uint64_t saved = trianglesDrawn(setup.scene, made.lists);
-    cdr::base::WorkerPool workers(1);
+    cdr::host::WorkerPool workers(1);
     chooseLevels(setup.scene, camera, kRanges, {}, workers, made.lists);
     EXPECT_TRUE(made.lists.level.empty());
     EXPECT_EQ(trianglesDrawn(setup.scene, made.lists), made.lists.draws() * 20 * 64);

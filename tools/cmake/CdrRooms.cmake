@@ -56,7 +56,9 @@ function(cdr_room name)
     list(TRANSFORM headers PREPEND "${include_root}/${folder}/")
     target_sources(cdr_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${include_root}" FILES ${headers})
     target_compile_features(cdr_${name} PUBLIC cxx_std_20)
-    target_link_libraries(cdr_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE} cdr_options)
+    target_link_libraries(cdr_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:cdr_options>)
+    # For engines that link it into a shared library.
+    set_target_properties(cdr_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
 # cdr_test(NAME [DRIVER] [SUITES] [EXCLUDE REGEX] LIBRARIES target...): every .cpp of the folder and its subfolders as one

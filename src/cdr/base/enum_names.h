@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/base/error.h>
+#include <cdr/base/result.h>
 #include <cdr/base/suggest.h>
 
 #include <algorithm>
@@ -18,14 +18,17 @@ struct EnumNames {
 
     constexpr std::string_view nameOf(Enum value) const { return names[static_cast<std::size_t>(value)]; }
 
-    /// InputError with a suggestion for an unknown name.
-    Enum parse(std::string_view name) const {
+    /// Refused with a suggestion: an unknown name.
+    Result<Enum> tryParse(std::string_view name) const {
         const auto found = std::find(names.begin(), names.end(), name);
         if (found == names.end()) {
-            throw InputError(unknownName(what, name, names));
+            return Refusal{unknownName(what, name, names)};
         }
         return static_cast<Enum>(found - names.begin());
     }
+
+    /// InputError with a suggestion for an unknown name.
+    Enum parse(std::string_view name) const { return tryParse(name).orThrow(); }
 };
 
 } // namespace cdr::base

@@ -3,6 +3,11 @@
 #include <stdexcept>
 #include <string>
 
+#if !defined(__cpp_exceptions)
+#include <cstdio>
+#include <cstdlib>
+#endif
+
 namespace cdr::base {
 
 /// The caller's fault: an argument, a file, or a limit that was exceeded. Programs exit with status 2.
@@ -16,5 +21,17 @@ class RunError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
+
+/// Throws an InputError or a RunError. Compiled without exceptions, it prints the message and aborts: such programs
+/// call the function's form that returns a Result.
+template <typename Error>
+[[noreturn]] void raise(const std::string& message) {
+#if defined(__cpp_exceptions)
+    throw Error(message);
+#else
+    std::fprintf(stderr, "%s\n", message.c_str());
+    std::abort();
+#endif
+}
 
 } // namespace cdr::base

@@ -1,8 +1,5 @@
-#include <cdr/base/error.h>
+#include <cdr/base/number_text.h>
 #include <cdr/base/suggest.h>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -42,16 +39,24 @@ std::string unknownName(std::string_view what, std::string_view given,
             return editDistance(shown, a) < editDistance(shown, b);
         });
     if (closest != known.end() && editDistance(shown, *closest) <= 1 + closest->size() / 2) {
-        hint = fmt::format("; did you mean '{}'?", *closest);
+        hint = concat("; did you mean '", *closest, "'?");
     }
-    return fmt::format("unknown {} '{}'{} (known: {})", what, shown, hint, fmt::join(known, ", "));
+    std::string list;
+    for (const std::string_view name : known) {
+        list += concat(list.empty() ? "" : ", ", name);
+    }
+    return concat("unknown ", what, " '", shown, "'", hint, " (known: ", list, ")");
 }
 
-double parseNumber(std::string_view what, const std::string& text) {
+double parseNumber(std::string_view what, std::string_view text) {
+    return tryParseNumber(what, text).orThrow();
+}
+
+Result<double> tryParseNumber(std::string_view what, std::string_view text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-        throw InputError(fmt::format("{} must be a finite number, not '{}'", what, text.substr(0, 60)));
+        return Refusal{concat(what, " must be a finite number, not '", text.substr(0, 60), "'")};
     }
     return value;
 }

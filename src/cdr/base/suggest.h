@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/result.h>
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +14,8 @@ std::string unknownName(std::string_view what, std::string_view given,
                         std::span<const std::string_view> known);
 
 /// A finite decimal number. InputError with `what` for anything else.
-double parseNumber(std::string_view what, const std::string& text);
+double parseNumber(std::string_view what, std::string_view text);
+/// The same, refused instead of thrown.
+Result<double> tryParseNumber(std::string_view what, std::string_view text);
 
 } // namespace cdr::base

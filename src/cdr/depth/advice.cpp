@@ -1,11 +1,10 @@
-#include <cdr/base/error.h>
+#include <cdr/base/number_text.h>
 #include <cdr/depth/advice.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace cdr::depth {
 
@@ -27,7 +26,8 @@ Technique anchoredFor(double separationView, DepthFormat format) {
 }
 
 bool resolves(const Technique& technique, const ForecastScene& scene, double separationView) {
-    return forecast(technique, scene).resolvedView() <= separationView;
+    const auto made = tryForecast(technique, scene);
+    return made && made->resolvedView() <= separationView;
 }
 
 double widestSpan(const AdviceQuestion& question) {
@@ -85,20 +85,38 @@ std::string limitOf(const AdviceRow& row) {
 
 std::string describe(const AdviceRow& row) {
     const std::string cascades =
-        row.forecast.cascades == 1 ? "one cascade" : fmt::format("{} cascades", row.forecast.cascades);
-    return fmt::format("{} with {} in {}", nameOf(row.technique), nameOf(row.technique.format), cascades);
+        row.forecast.cascades == 1 ? "one cascade" : base::concat(row.forecast.cascades, " cascades");
+    return base::concat(nameOf(row.technique), " with ", nameOf(row.technique.format), " in ", cascades);
 }
 
 /// What the row costs over standard.
 std::string costLine(const AdviceRow& row) {
     if (!row.measured) {
-        return fmt::format("Cost over standard: {}.", costOf(row));
+        return base::concat("Cost over standard: ", costOf(row), ".");
     }
     const Measurement& measured = *row.measured;
-    const auto percent = [](double ratio) { return 100.0 * (ratio - 1.0); };
-    return fmt::format("Cost over standard: {}; measured, {:+.1f} % of a frame ({:+.1f} to {:+.1f}).",
-                       costOf(row), percent(measured.timeRatio), percent(measured.timeRatioLow),
-                       percent(measured.timeRatioHigh));
+    const auto percent = [](double ratio) {
+        const double more = 100.0 * (ratio - 1.0);
+        return base::concat(std::signbit(more) ? "" : "+", base::fixed(more, 1));
+    };
+    return base::concat("Cost over standard: ", costOf(row), "; measured, ", percent(measured.timeRatio),
+                        " % of a frame (", percent(measured.timeRatioLow), " to ",
+                        percent(measured.timeRatioHigh), ").");
+}
+
+/// What advise() makes a row of each.
+std::vector<Technique> techniquesFor(const AdviceQuestion& question) {
+    std::vector<Technique> techniques;
+    for (const char* name : kSimplestFirst) {
+        for (const DepthFormat format : question.formats) {
+            techniques.push_back(parseTechnique(name));
+            techniques.back().format = format;
+        }
+    }
+    for (const DepthFormat format : question.formats) {
+        techniques.push_back(anchoredFor(question.separationView, format));
+    }
+    return techniques;
 }
 
 } // namespace
@@ -112,27 +130,24 @@ double AdviceRow::resolvedView() const {
 }
 
 Advice advise(const AdviceQuestion& question) {
+    return tryAdvise(question).orThrow();
+}
+
+base::Result<Advice> tryAdvise(const AdviceQuestion& question) {
     if (!(question.separationView > 0.0) || !std::isfinite(question.separationView)) {
-        throw base::InputError(
-            fmt::format("separation must be finite and above 0, not {}", question.separationView));
-    }
-    std::vector<Technique> techniques;
-    for (const char* name : kSimplestFirst) {
-        for (const DepthFormat format : question.formats) {
-            techniques.push_back(parseTechnique(name));
-            techniques.back().format = format;
-        }
-    }
-    for (const DepthFormat format : question.formats) {
-        techniques.push_back(anchoredFor(question.separationView, format));
+        return base::Refusal{
+            base::concat("separation must be finite and above 0, not ", question.separationView)};
     }
     Advice advice;
-    for (const Technique& technique : techniques) {
-        const Forecast made = forecast(technique, question.scene);
+    for (const Technique& technique : techniquesFor(question)) {
+        const auto made = tryForecast(technique, question.scene);
+        if (!made) {
+            return made.refusal();
+        }
         advice.rows.push_back({.technique = technique,
-                               .forecast = made,
+                               .forecast = *made,
                                .measured = std::nullopt,
-                               .suffices = made.resolvedView() <= question.separationView});
+                               .suffices = made->resolvedView() <= question.separationView});
     }
     advice.simplest = simplestOf(advice.rows);
     advice.widestSpanView = widestSpan(question);
@@ -140,10 +155,19 @@ Advice advise(const AdviceQuestion& question) {
 }
 
 Advice advise(const AdviceQuestion& question, const std::vector<std::optional<Measurement>>& measurements) {
-    Advice advice = advise(question);
+    return tryAdvise(question, measurements).orThrow();
+}
+
+base::Result<Advice> tryAdvise(const AdviceQuestion& question,
+                               const std::vector<std::optional<Measurement>>& measurements) {
+    base::Result<Advice> forecast = tryAdvise(question);
+    if (!forecast) {
+        return forecast;
+    }
+    Advice advice = std::move(forecast).orThrow();
     if (measurements.size() != advice.rows.size()) {
-        throw base::InputError(
-            fmt::format("{} measurements for {} techniques", measurements.size(), advice.rows.size()));
+        return base::Refusal{
+            base::concat(measurements.size(), " measurements for ", advice.rows.size(), " techniques")};
     }
     for (std::size_t i = 0; i < advice.rows.size(); ++i) {
         AdviceRow& row = advice.rows[i];
@@ -163,8 +187,7 @@ std::string costOf(const AdviceRow& row) {
                                                            : "";
     if (row.forecast.cascades > 1) {
         const std::size_t clears = row.forecast.cascades - 1;
-        cost +=
-            fmt::format("{}{} more depth clear{}", cost.empty() ? "" : ", ", clears, clears == 1 ? "" : "s");
+        cost += base::concat(cost.empty() ? "" : ", ", clears, " more depth clear", clears == 1 ? "" : "s");
     }
     return cost.empty() ? "nothing" : cost;
 }
@@ -174,9 +197,9 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
     const double at = question.scene.atView;
     if (advice.simplest) {
         const AdviceRow& row = advice.rows[*advice.simplest];
-        lines.push_back(fmt::format("{} is enough: it {} {:.3g} at {:g}, and {:g} is asked for.",
-                                    describe(row), saysOf(row), row.resolvedView(), at,
-                                    question.separationView));
+        lines.push_back(base::concat(describe(row), " is enough: it ", saysOf(row), " ",
+                                     base::general(row.resolvedView(), 3), " at ", base::general(at),
+                                     ", and ", base::general(question.separationView), " is asked for."));
         lines.push_back(costLine(row));
         if (row.forecast.cascades > 1) {
             lines.emplace_back("What straddles a boundary between cascades is drawn once more.");
@@ -187,20 +210,20 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
         }
     } else {
         const AdviceRow& best = advice.rows.back();
-        lines.push_back(fmt::format("Nothing here resolves {:g} at {:g}: {} comes to {:.3g}, limited by {}.",
-                                    question.separationView, at, describe(best), best.resolvedView(),
-                                    limitOf(best)));
+        lines.push_back(base::concat("Nothing here resolves ", base::general(question.separationView), " at ",
+                                     base::general(at), ": ", describe(best), " comes to ",
+                                     base::general(best.resolvedView(), 3), ", limited by ", limitOf(best),
+                                     "."));
     }
     const bool needsAnchored =
         !advice.simplest || isAnchored(advice.rows[*advice.simplest].technique.mapping);
     if (needsAnchored && advice.widestSpanView > 0.0) {
-        lines.push_back(
-            fmt::format("anchored resolves it while what is visible there is at most {:.3g} deep.",
-                        advice.widestSpanView));
+        lines.push_back(base::concat("anchored resolves it while what is visible there is at most ",
+                                     base::general(advice.widestSpanView, 3), " deep."));
     }
     if (at * 0x1p-52 > 0.1 * question.separationView) {
-        lines.push_back(
-            fmt::format("float64 positions themselves are {:.3g} apart at {:g}.", at * 0x1p-52, at));
+        lines.push_back(base::concat("float64 positions themselves are ", base::general(at * 0x1p-52, 3),
+                                     " apart at ", base::general(at), "."));
     }
     return lines;
 }

@@ -49,11 +49,16 @@ struct Advice {
 /// first.
 /// base::InputError for an unusable range, distance, content or separation.
 Advice advise(const AdviceQuestion& question);
+/// The same, refused instead of thrown.
+base::Result<Advice> tryAdvise(const AdviceQuestion& question);
 
 /// The same, with measurements in place of predictions.
 /// @param measurements one per row of advise(question), empty where there is none; base::InputError for
 ///        another number.
 Advice advise(const AdviceQuestion& question, const std::vector<std::optional<Measurement>>& measurements);
+/// The same, refused instead of thrown.
+base::Result<Advice> tryAdvise(const AdviceQuestion& question,
+                               const std::vector<std::optional<Measurement>>& measurements);
 
 /// What a technique needs from an engine and a device, in words.
 std::string costOf(const AdviceRow& row);

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cdr/base/result.h>
+
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace cdr::depth {
@@ -25,7 +28,9 @@ inline constexpr std::size_t kMaxCascades = 64;
 inline constexpr double kLeastView = 1e-40;
 inline constexpr double kMostView = 1e40;
 
-/// base::InputError unless kLeastView <= near < far <= kMostView.
+/// Why these are no near and far plane: empty where kLeastView <= near < far <= kMostView.
+std::optional<base::Refusal> rangeProblem(double nearView, double farView);
+/// base::InputError where there is a rangeProblem().
 void requireRange(double nearView, double farView);
 
 } // namespace cdr::depth

@@ -1,9 +1,7 @@
-#include <cdr/base/error.h>
+#include <cdr/base/number_text.h>
 #include <cdr/depth/forecast.h>
 #include <cdr/depth/make_cascades.h>
 #include <cdr/depth/separation.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,33 +10,41 @@ namespace cdr::depth {
 
 namespace {
 
-void requireUsable(const ForecastScene& scene) {
-    requireRange(scene.nearView, scene.farView);
+std::optional<base::Refusal> problemOf(const ForecastScene& scene) {
+    if (auto problem = rangeProblem(scene.nearView, scene.farView)) {
+        return problem;
+    }
     if (!(scene.atView >= scene.nearView && scene.atView <= scene.farView)) {
-        throw base::InputError(
-            fmt::format("the distance asked for must lie from near ({}) to far ({}), not {}", scene.nearView,
-                        scene.farView, scene.atView));
+        return base::Refusal{base::concat("the distance asked for must lie from near (", scene.nearView,
+                                          ") to far (", scene.farView, "), not ", scene.atView)};
     }
     if (!(scene.spanView > 0.0) || !std::isfinite(scene.spanView)) {
-        throw base::InputError(
-            fmt::format("the depth of what is visible must be above 0, not {}", scene.spanView));
+        return base::Refusal{
+            base::concat("the depth of what is visible must be above 0, not ", scene.spanView)};
     }
+    return std::nullopt;
 }
 
 } // namespace
 
 Cascades forecastCascades(const Technique& technique, const ForecastScene& scene) {
-    requireUsable(scene);
+    return tryForecastCascades(technique, scene).orThrow();
+}
+
+base::Result<Cascades> tryForecastCascades(const Technique& technique, const ForecastScene& scene) {
+    if (const auto problem = problemOf(scene)) {
+        return *problem;
+    }
     const double half = 0.5 * scene.spanView;
     std::vector<Interval> content{{scene.atView - half, scene.atView + half}};
     if (scene.somethingNear) {
         content.push_back({scene.nearView, scene.nearView * 1.1});
     }
-    return makeCascades(technique.split, {.nearView = scene.nearView,
-                                          .farView = scene.farView,
-                                          .model = {technique.mapping, technique.format},
-                                          .footprintSlope = scene.footprintSlope,
-                                          .visible = content});
+    return tryMakeCascades(technique.split, {.nearView = scene.nearView,
+                                             .farView = scene.farView,
+                                             .model = {technique.mapping, technique.format},
+                                             .footprintSlope = scene.footprintSlope,
+                                             .visible = content});
 }
 
 double Forecast::resolvedView() const {
@@ -48,18 +54,27 @@ double Forecast::resolvedView() const {
 }
 
 Forecast forecast(const Technique& technique, const ForecastScene& scene) {
-    const Cascades cascades = forecastCascades(technique, scene);
+    return tryForecast(technique, scene).orThrow();
+}
+
+base::Result<Forecast> tryForecast(const Technique& technique, const ForecastScene& scene) {
+    const auto made = tryForecastCascades(technique, scene);
+    if (!made) {
+        return made.refusal();
+    }
+    const Cascades& cascades = *made;
     const double w = scene.atView;
     const auto holder = std::find_if(cascades.begin(), cascades.end(),
                                      [&](const Cascade& cascade) { return w <= cascade.farView; });
     const Cascade& cascade = holder == cascades.end() ? cascades.back() : *holder;
-    const bool closed = std::holds_alternative<SplitFitted>(technique.split);
-    const DepthRange range =
-        depthRange(technique.mapping, {cascade}, 0,
-                   closed || holder + 1 != cascades.end() ? FarEnd::closed : FarEnd::open);
-    return {.cascades = cascades.size(),
-            .bufferStepView = separationView(range, technique.format, w),
-            .rounding = depthRounding(range, w)};
+    const bool open = technique.mapping == Mapping::reversed && cascades.end() - holder == 1 &&
+                      !std::holds_alternative<SplitFitted>(technique.split);
+    const DepthRange range{.mapping = technique.mapping,
+                           .nearView = cascade.nearView,
+                           .farView = open ? std::nullopt : std::optional(cascade.farView)};
+    return Forecast{.cascades = cascades.size(),
+                    .bufferStepView = separationView(range, technique.format, w),
+                    .rounding = depthRounding(range, w)};
 }
 
 } // namespace cdr::depth

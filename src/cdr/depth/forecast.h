@@ -36,8 +36,12 @@ struct Forecast {
 /// Predicts the smallest separation a technique resolves. base::InputError for an unusable range, a
 /// distance outside it, or a split fitted to pixels without footprintSlope.
 Forecast forecast(const Technique& technique, const ForecastScene& scene);
+/// The same, refused instead of thrown.
+base::Result<Forecast> tryForecast(const Technique& technique, const ForecastScene& scene);
 
 /// The cascades the technique would cut.
 Cascades forecastCascades(const Technique& technique, const ForecastScene& scene);
+/// The same, refused instead of thrown.
+base::Result<Cascades> tryForecastCascades(const Technique& technique, const ForecastScene& scene);
 
 } // namespace cdr::depth

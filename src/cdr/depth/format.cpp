@@ -37,6 +37,10 @@ DepthFormat parseDepthFormat(std::string_view name) {
     return kFormatNames.parse(name);
 }
 
+base::Result<DepthFormat> tryParseDepthFormat(std::string_view name) {
+    return kFormatNames.tryParse(name);
+}
+
 double depthStep(DepthFormat format, double zNdc) {
     if (!traitsOf(format).isFloat) {
         return 1.0 / steps(format);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/result.h>
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -38,6 +40,8 @@ std::vector<std::string_view> namesOf(std::span<const DepthFormat> formats);
 
 /// base::InputError with a suggestion for any other name.
 DepthFormat parseDepthFormat(std::string_view name);
+/// The same, refused instead of thrown.
+base::Result<DepthFormat> tryParseDepthFormat(std::string_view name);
 
 /// The gap between neighbouring stored values around depth `zNdc` in [0, 1]: 1 / (2^bits - 1) for the
 /// fractions (Vulkan: fixed-point conversion), the spacing of float32 just below zNdc for the float.

@@ -1,8 +1,6 @@
-#include <cdr/base/error.h>
+#include <cdr/base/number_text.h>
 #include <cdr/depth/fitted_split.h>
 #include <cdr/depth/make_cascades.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +12,9 @@ namespace cdr::depth {
 
 namespace {
 
-[[noreturn]] void throwTooMany(const Split& split, double cascades) {
-    throw base::InputError(fmt::format("split {} gives {:.0f} cascades, at most {} are allowed",
-                                       nameOf(split), cascades, kMaxCascades));
+base::Refusal tooMany(const Split& split, double cascades) {
+    return {base::concat("split ", nameOf(split), " gives ", base::fixed(cascades, 0), " cascades, at most ",
+                         kMaxCascades, " are allowed")};
 }
 
 /// Cuts the camera's range at boundaries that ascend.
@@ -38,13 +36,15 @@ Cascades cutAt(const std::vector<double>& boundaries, const SplitContext& contex
 struct Cut {
     const SplitContext& context;
 
-    Cascades operator()(const SplitNone&) const { return {{context.nearView, context.farView}}; }
+    base::Result<Cascades> operator()(const SplitNone&) const {
+        return Cascades{{context.nearView, context.farView}};
+    }
 
-    Cascades operator()(const SplitRatio& split) const {
+    base::Result<Cascades> operator()(const SplitRatio& split) const {
         const double cascades =
             std::ceil(std::log(context.farView / context.nearView) / std::log(split.ratio));
         if (!(split.ratio > 1.0) || cascades > static_cast<double>(kMaxCascades)) {
-            throwTooMany(split, cascades);
+            return tooMany(split, cascades);
         }
         std::vector<double> boundaries;
         for (double b = context.nearView * split.ratio; b < context.farView; b *= split.ratio) {
@@ -53,7 +53,7 @@ struct Cut {
         return cutAt(boundaries, context);
     }
 
-    Cascades operator()(const SplitCount& split) const {
+    base::Result<Cascades> operator()(const SplitCount& split) const {
         std::vector<double> boundaries;
         for (unsigned i = 1; i < split.count; ++i) {
             boundaries.push_back(context.nearView * std::pow(context.farView / context.nearView,
@@ -62,13 +62,17 @@ struct Cut {
         return cutAt(boundaries, context);
     }
 
-    Cascades operator()(const SplitAt& split) const { return cutAt(split.boundariesView, context); }
+    base::Result<Cascades> operator()(const SplitAt& split) const {
+        return cutAt(split.boundariesView, context);
+    }
 
-    Cascades operator()(const SplitMinimax& split) const { return minimaxCascades(split, context); }
+    base::Result<Cascades> operator()(const SplitMinimax& split) const {
+        return minimaxCascades(split, context);
+    }
 
-    Cascades operator()(const SplitFitted& split) const {
+    base::Result<Cascades> operator()(const SplitFitted& split) const {
         if (split.unit == SplitFitted::Unit::pixels && !(context.footprintSlope > 0.0)) {
-            throw base::InputError("a split fitted to pixels needs to know what a pixel covers");
+            return base::Refusal{"a split fitted to pixels needs to know what a pixel covers"};
         }
         return fitCascades(split, context);
     }
@@ -76,22 +80,36 @@ struct Cut {
 
 } // namespace
 
-void requireRange(double nearView, double farView) {
+std::optional<base::Refusal> rangeProblem(double nearView, double farView) {
     if (!std::isfinite(nearView) || !std::isfinite(farView) || nearView <= 0.0 || farView <= nearView) {
-        throw base::InputError(
-            fmt::format("a split needs 0 < near < far, both finite, not near {} far {}", nearView, farView));
+        return base::Refusal{
+            base::concat("a split needs 0 < near < far, both finite, not near ", nearView, " far ", farView)};
     }
     if (nearView < kLeastView || farView > kMostView) {
-        throw base::InputError(fmt::format("near and far must lie from {:g} to {:g}, not near {} far {}",
-                                           kLeastView, kMostView, nearView, farView));
+        return base::Refusal{base::concat("near and far must lie from ", base::general(kLeastView), " to ",
+                                          base::general(kMostView), ", not near ", nearView, " far ",
+                                          farView)};
+    }
+    return std::nullopt;
+}
+
+void requireRange(double nearView, double farView) {
+    if (const auto problem = rangeProblem(nearView, farView)) {
+        base::raise<base::InputError>(problem->message);
     }
 }
 
 Cascades makeCascades(const Split& split, const SplitContext& context) {
-    requireRange(context.nearView, context.farView);
-    Cascades cascades = std::visit(Cut{context}, split);
-    if (cascades.size() > kMaxCascades) {
-        throwTooMany(split, static_cast<double>(cascades.size()));
+    return tryMakeCascades(split, context).orThrow();
+}
+
+base::Result<Cascades> tryMakeCascades(const Split& split, const SplitContext& context) {
+    if (const auto problem = rangeProblem(context.nearView, context.farView)) {
+        return *problem;
+    }
+    base::Result<Cascades> cascades = std::visit(Cut{context}, split);
+    if (cascades && cascades->size() > kMaxCascades) {
+        return tooMany(split, static_cast<double>(cascades->size()));
     }
     return cascades;
 }

@@ -33,5 +33,7 @@ struct SplitContext {
 /// base::InputError for a range that requireRange() refuses, for more than kMaxCascades, and for a split that
 /// is fitted to pixels without a footprint slope above 0.
 Cascades makeCascades(const Split& split, const SplitContext& context);
+/// The same, refused instead of thrown.
+base::Result<Cascades> tryMakeCascades(const Split& split, const SplitContext& context);
 
 } // namespace cdr::depth

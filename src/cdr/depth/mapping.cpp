@@ -20,6 +20,10 @@ Mapping parseMapping(std::string_view name) {
     return kNames.parse(name);
 }
 
+base::Result<Mapping> tryParseMapping(std::string_view name) {
+    return kNames.tryParse(name);
+}
+
 Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index) {
     Cascade range = cascades[index];
     if (index + 1 < cascades.size() && cascades[index + 1].nearView == range.farView) {
@@ -91,7 +95,7 @@ ClipTerms clipTerms(const DepthRange& range) {
     case Mapping::anchoredReversed:
         return {.anchorView = f, .scale = -n / depth, .offset = 0.0};
     }
-    throw base::RunError("depth mapping out of range");
+    base::raise<base::RunError>("depth mapping out of range");
 }
 
 } // namespace cdr::depth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/result.h>
 #include <cdr/depth/cascade.h>
 
 #include <array>
@@ -31,6 +32,8 @@ std::string_view nameOf(Mapping mapping);
 
 /// base::InputError with a suggestion for an unknown name.
 Mapping parseMapping(std::string_view name);
+/// The same, refused instead of thrown.
+base::Result<Mapping> tryParseMapping(std::string_view name);
 
 /// Nearer surfaces have the larger depth: clear to 0, compare GREATER_OR_EQUAL.
 constexpr bool isReversed(Mapping mapping) {

@@ -76,7 +76,7 @@ double thesisSeparationView(Mapping mapping, const Cascades& cascades, int bits,
     if (mapping == Mapping::log) {
         return distanceView * std::expm1(std::log(f / n) / (std::exp2(bits) - 1.0));
     }
-    throw base::InputError("the thesis gives separations for standard and log alone");
+    base::raise<base::InputError>("the thesis gives separations for standard and log alone");
 }
 
 std::optional<Crossing> findCrossing(const std::function<double(double)>& curve, double separation,

@@ -1,15 +1,13 @@
-#include <cdr/base/error.h>
+#include <cdr/base/number_text.h>
 #include <cdr/base/suggest.h>
 #include <cdr/depth/split.h>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <string_view>
+#include <utility>
 
 namespace cdr::depth {
 
@@ -18,98 +16,135 @@ namespace {
 constexpr std::array<std::string_view, 6> kForms{"none",       "ratio:R",   "count:K",
                                                  "at:A,B,...", "minimax:K", "fitted:TARGET"};
 
-unsigned parseCount(const std::string& what, const std::string& text) {
-    const double count = base::parseNumber(what, text);
-    if (count < 1.0 || count > static_cast<double>(kMaxCascades) || count != std::floor(count)) {
-        throw base::InputError(
-            fmt::format("{} must be a whole number from 1 to {}, not {}", what, kMaxCascades, text));
+base::Result<unsigned> parseCount(std::string_view what, std::string_view text) {
+    const auto count = base::tryParseNumber(what, text);
+    if (!count) {
+        return count.refusal();
     }
-    return static_cast<unsigned>(count);
+    if (*count < 1.0 || *count > static_cast<double>(kMaxCascades) || *count != std::floor(*count)) {
+        return base::Refusal{
+            base::concat(what, " must be a whole number from 1 to ", kMaxCascades, ", not ", text)};
+    }
+    return static_cast<unsigned>(*count);
+}
+
+/// Puts a count into the split that has it.
+template <typename Counted>
+base::Result<Split> parseCounted(std::string_view text) {
+    const auto count = parseCount("split count", text);
+    return count ? base::Result<Split>(Counted{*count}) : count.refusal();
+}
+
+base::Result<Split> parseRatio(std::string_view text) {
+    const auto ratio = base::tryParseNumber("split ratio", text);
+    if (!ratio) {
+        return ratio.refusal();
+    }
+    if (*ratio <= 1.0) {
+        return base::Refusal{base::concat("split ratio must be above 1, not ", *ratio)};
+    }
+    return Split(SplitRatio{*ratio});
 }
 
 /// What follows "fitted:".
-SplitFitted parseFitted(std::string text) {
+base::Result<Split> parseFitted(std::string_view text) {
     SplitFitted split;
     constexpr std::string_view kMost = ",max=";
-    const std::size_t most = text.find(kMost);
-    if (most != std::string::npos) {
-        split.most = parseCount("most cascades of a fitted split", text.substr(most + kMost.size()));
-        text.resize(most);
+    if (const std::size_t comma = text.find(kMost); comma != std::string_view::npos) {
+        const auto most = parseCount("most cascades of a fitted split", text.substr(comma + kMost.size()));
+        if (!most) {
+            return most.refusal();
+        }
+        split.most = *most;
+        text = text.substr(0, comma);
     }
     const bool inPixels = text.ends_with("px");
     split.unit = inPixels ? SplitFitted::Unit::pixels : SplitFitted::Unit::scene;
-    split.target =
-        base::parseNumber("target of a fitted split", text.substr(0, text.size() - (inPixels ? 2 : 0)));
-    if (split.target <= 0.0) {
-        throw base::InputError(fmt::format("target of a fitted split must be above 0, not {}", text));
+    const auto target =
+        base::tryParseNumber("target of a fitted split", text.substr(0, text.size() - (inPixels ? 2 : 0)));
+    if (!target) {
+        return target.refusal();
     }
-    return split;
+    if (*target <= 0.0) {
+        return base::Refusal{base::concat("target of a fitted split must be above 0, not ", text)};
+    }
+    split.target = *target;
+    return Split(split);
 }
 
-std::vector<double> parseBoundaries(const std::string& list) {
-    std::vector<double> boundaries;
+base::Result<Split> parseBoundaries(std::string_view list) {
+    SplitAt split;
     std::size_t begin = 0;
     while (begin <= list.size()) {
         const std::size_t comma = std::min(list.find(',', begin), list.size());
-        boundaries.push_back(base::parseNumber("split boundary", list.substr(begin, comma - begin)));
+        const auto boundary = base::tryParseNumber("split boundary", list.substr(begin, comma - begin));
+        if (!boundary) {
+            return boundary.refusal();
+        }
+        split.boundariesView.push_back(*boundary);
         begin = comma + 1;
     }
+    const std::vector<double>& boundaries = split.boundariesView;
     if (!std::is_sorted(boundaries.begin(), boundaries.end(), std::less_equal<>()) ||
         boundaries.front() <= 0.0) {
-        throw base::InputError("split boundaries must be above 0 and ascend");
+        return base::Refusal{"split boundaries must be above 0 and ascend"};
     }
-    return boundaries;
+    return Split(std::move(split));
 }
 
 } // namespace
 
-Split parseSplit(const std::string& text) {
-    const std::size_t colon = text.find(':');
-    const std::string form = text.substr(0, colon);
-    const std::string argument = colon == std::string::npos ? "" : text.substr(colon + 1);
+Split parseSplit(std::string_view text) {
+    return tryParseSplit(text).orThrow();
+}
+
+base::Result<Split> tryParseSplit(std::string_view text) {
     if (text == "none") {
-        return SplitNone{};
-    }
-    if (form == "ratio") {
-        const double ratio = base::parseNumber("split ratio", argument);
-        if (ratio <= 1.0) {
-            throw base::InputError(fmt::format("split ratio must be above 1, not {}", ratio));
-        }
-        return SplitRatio{ratio};
-    }
-    if (form == "count") {
-        return SplitCount{parseCount("split count", argument)};
-    }
-    if (form == "minimax") {
-        return SplitMinimax{parseCount("split count", argument)};
+        return Split(SplitNone{});
     }
     if (text == "fitted") {
-        return SplitFitted{};
+        return Split(SplitFitted{});
+    }
+    const std::size_t colon = text.find(':');
+    const std::string_view form = text.substr(0, colon);
+    const std::string_view argument = colon == std::string_view::npos ? "" : text.substr(colon + 1);
+    if (form == "ratio") {
+        return parseRatio(argument);
+    }
+    if (form == "count") {
+        return parseCounted<SplitCount>(argument);
+    }
+    if (form == "minimax") {
+        return parseCounted<SplitMinimax>(argument);
     }
     if (form == "fitted") {
         return parseFitted(argument);
     }
     if (form == "at") {
-        return SplitAt{parseBoundaries(argument)};
+        return parseBoundaries(argument);
     }
-    throw base::InputError(base::unknownName("split", text, kForms));
+    return base::Refusal{base::unknownName("split", text, kForms)};
 }
 
 std::string nameOf(const Split& split) {
     struct Name {
         std::string operator()(const SplitNone&) const { return "none"; }
-        std::string operator()(const SplitRatio& s) const { return fmt::format("ratio:{}", s.ratio); }
-        std::string operator()(const SplitCount& s) const { return fmt::format("count:{}", s.count); }
+        std::string operator()(const SplitRatio& s) const { return base::concat("ratio:", s.ratio); }
+        std::string operator()(const SplitCount& s) const { return base::concat("count:", s.count); }
         std::string operator()(const SplitAt& s) const {
-            return fmt::format("at:{}", fmt::join(s.boundariesView, ","));
+            std::string text;
+            for (const double boundary : s.boundariesView) {
+                text += base::concat(text.empty() ? "at:" : ",", boundary);
+            }
+            return text;
         }
-        std::string operator()(const SplitMinimax& s) const { return fmt::format("minimax:{}", s.count); }
+        std::string operator()(const SplitMinimax& s) const { return base::concat("minimax:", s.count); }
         std::string operator()(const SplitFitted& s) const {
             if (s == SplitFitted{}) {
                 return "fitted";
             }
-            return fmt::format("fitted:{}{}{}", s.target, s.unit == SplitFitted::Unit::pixels ? "px" : "",
-                               s.most == SplitFitted{}.most ? "" : fmt::format(",max={}", s.most));
+            return base::concat("fitted:", s.target, s.unit == SplitFitted::Unit::pixels ? "px" : "",
+                                s.most == SplitFitted{}.most ? "" : base::concat(",max=", s.most));
         }
     };
     return std::visit(Name{}, split);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cdr/base/result.h>
 #include <cdr/depth/cascade.h>
 
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -54,7 +56,9 @@ using Split = std::variant<SplitNone, SplitRatio, SplitCount, SplitAt, SplitFitt
 
 /// Reads "none", "ratio:R", "count:K", "at:a,b,...", "minimax:K" or "fitted[:TARGET[px][,max=K]]", TARGET in
 /// scene units, or in pixels with "px". base::InputError says what is wrong.
-Split parseSplit(const std::string& text);
+Split parseSplit(std::string_view text);
+/// The same, refused instead of thrown.
+base::Result<Split> tryParseSplit(std::string_view text);
 
 /// The text parseSplit() reads.
 std::string nameOf(const Split& split);

@@ -1,8 +1,6 @@
-#include <cdr/base/error.h>
+#include <cdr/base/number_text.h>
 #include <cdr/base/suggest.h>
 #include <cdr/depth/technique.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
@@ -30,7 +28,7 @@ std::string nameOf(const Technique& technique) {
 }
 
 std::string partsOf(const Technique& technique) {
-    return fmt::format("{}/{}", nameOf(technique.mapping), nameOf(technique.split));
+    return base::concat(nameOf(technique.mapping), "/", nameOf(technique.split));
 }
 
 Technique parseTechnique(std::string_view name) {
@@ -38,6 +36,10 @@ Technique parseTechnique(std::string_view name) {
 }
 
 NamedTechnique namedTechnique(std::string_view name) {
+    return tryNamedTechnique(name).orThrow();
+}
+
+base::Result<NamedTechnique> tryNamedTechnique(std::string_view name) {
     std::vector<std::string_view> names;
     for (const NamedTechnique& preset : presets()) {
         if (preset.name == name) {
@@ -45,12 +47,20 @@ NamedTechnique namedTechnique(std::string_view name) {
         }
         names.push_back(preset.name);
     }
-    if (const std::size_t slash = name.find('/'); slash != std::string_view::npos) {
-        const Technique technique{.mapping = parseMapping(name.substr(0, slash)),
-                                  .split = parseSplit(std::string(name.substr(slash + 1)))};
-        return {partsOf(technique), technique};
+    const std::size_t slash = name.find('/');
+    if (slash == std::string_view::npos) {
+        return base::Refusal{base::unknownName("technique", name, names)};
     }
-    throw base::InputError(base::unknownName("technique", name, names));
+    const auto mapping = tryParseMapping(name.substr(0, slash));
+    if (!mapping) {
+        return mapping.refusal();
+    }
+    const auto split = tryParseSplit(name.substr(slash + 1));
+    if (!split) {
+        return split.refusal();
+    }
+    const Technique technique{.mapping = *mapping, .split = *split};
+    return NamedTechnique{partsOf(technique), technique};
 }
 
 } // namespace cdr::depth

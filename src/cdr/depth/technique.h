@@ -41,5 +41,7 @@ Technique parseTechnique(std::string_view name);
 
 /// parseTechnique(), with the preset's name or the parts as the name, whichever was given.
 NamedTechnique namedTechnique(std::string_view name);
+/// The same, refused instead of thrown.
+base::Result<NamedTechnique> tryNamedTechnique(std::string_view name);
 
 } // namespace cdr::depth

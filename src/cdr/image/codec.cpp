@@ -3,7 +3,7 @@
 #include "codec_png.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 
 #include <fmt/format.h>
@@ -46,9 +46,9 @@ ImageRgba8 decodeImage(std::span<const std::uint8_t> encoded, const std::string&
 void writeImage(const std::filesystem::path& path, const ImageRgba8& image) {
     const std::string extension = lowerCase(path.extension().string());
     if (extension == ".png") {
-        base::writeFile(path, encodePng(image));
+        host::writeFile(path, encodePng(image));
     } else if (extension == ".tga") {
-        base::writeFile(path, encodeTga(image));
+        host::writeFile(path, encodeTga(image));
     } else {
         throw base::InputError(
             fmt::format("{}: cannot write '{}' pictures, use .png or .tga", path.string(), extension));

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -60,8 +60,8 @@ void writeChannels(const std::filesystem::path& path, std::span<const ExrChannel
 
 void writeExr(const std::filesystem::path& path, std::span<const ExrChannel> channels) {
     requireWritableChannels(path, channels);
-    base::requireWritable(path);
-    base::writeBesideThenRename(path, [&](const std::filesystem::path& temporary) {
+    host::requireWritable(path);
+    host::writeBesideThenRename(path, [&](const std::filesystem::path& temporary) {
         try {
             writeChannels(temporary, channels);
         } catch (const std::exception& error) {

@@ -13,7 +13,7 @@ struct Renderer::Slot {
     FocusInputs focus;                                ///< where the lens has one
     vk::UniqueFence done;
     bool isPending = false;
-    base::Trace::Clock::time_point submitted;
+    host::Trace::Clock::time_point submitted;
 
     scene::Camera camera;
     Lens lens;

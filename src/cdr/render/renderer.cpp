@@ -17,18 +17,18 @@ namespace cdr::render {
 
 namespace {
 
-double millisecondsBetween(base::Trace::Clock::time_point begin, base::Trace::Clock::time_point end) {
+double millisecondsBetween(host::Trace::Clock::time_point begin, host::Trace::Clock::time_point end) {
     return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 
 /// Times one stage after the other.
 class Stopwatch {
   public:
-    explicit Stopwatch(base::Trace* trace) : m_trace(trace) {}
+    explicit Stopwatch(host::Trace* trace) : m_trace(trace) {}
 
     /// Milliseconds since the last call; they were `stage`.
     double lap(const char* stage) {
-        const auto now = base::Trace::Clock::now();
+        const auto now = host::Trace::Clock::now();
         const auto last = std::exchange(m_last, now);
         if (m_trace != nullptr) {
             m_trace->addStage(stage, last, now);
@@ -37,8 +37,8 @@ class Stopwatch {
     }
 
   private:
-    base::Trace* m_trace;
-    base::Trace::Clock::time_point m_last = base::Trace::Clock::now();
+    host::Trace* m_trace;
+    host::Trace::Clock::time_point m_last = host::Trace::Clock::now();
 };
 
 std::optional<scene::Instances> opaqueWhereBlended(const scene::Scene& scene) {
@@ -67,7 +67,10 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_focus(options.focus.isOn() ? makeFocusLayers() : nullptr),
       m_plain(m_focus ? nullptr : makeTargets(device, options.targets, targetsOptions(m_extent, options))),
       m_targets(m_focus ? *m_focus : *m_plain),
-      m_shading(device, m_targets.gbuffer(), m_picture.lit(), options.effects, m_shiny),
+      m_shading(device, m_targets.gbuffer(), m_picture.lit(),
+                {.effects = options.effects,
+                 .shiny = m_shiny,
+                 .lights = static_cast<std::uint32_t>(scene.lights.size())}),
       m_translucent(m_opaque ? std::make_unique<TranslucentPass>(device, scene, gpuScene, m_targets.gbuffer(),
                                                                  m_picture.lit(), options.translucency)
                              : nullptr),
@@ -168,7 +171,7 @@ void Renderer::launch(Slot& slot, Destination destination) {
     }
     const std::span<const vk::CommandBuffer> commands = slot.path->end(view);
     slot.stats.times.recordMs = watch.lap("record");
-    slot.submitted = base::Trace::Clock::now();
+    slot.submitted = host::Trace::Clock::now();
     gpu::submit(m_device, commands, *slot.done);
     slot.isPending = true;
 }
@@ -246,7 +249,7 @@ void Renderer::finish() {
 
 void Renderer::waitFor(Slot& slot) {
     settle(slot);
-    const auto done = base::Trace::Clock::now();
+    const auto done = host::Trace::Clock::now();
     slot.stats.times.executeMs = millisecondsBetween(slot.submitted, done);
     if (m_options.trace != nullptr) {
         m_options.trace->addStage("execute", slot.submitted, done);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/base/worker_pool.h>
 #include <cdr/depth/technique.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
 #include <cdr/render/frame.h>
@@ -32,7 +32,7 @@ struct RenderOptions {
     depth::Technique technique;
     TargetsChoice targets = TargetsKind::single;
     std::size_t threads = 1;                           ///< that cull, bin and record, the caller's included
-    base::Placement placement = base::Placement::free; ///< of those threads but the caller's
+    host::Placement placement = host::Placement::free; ///< of those threads but the caller's
     Submission submission = Submission::secondaries;
     Batching batching = Batching::instanced;
     visibility::Detail
@@ -43,7 +43,7 @@ struct RenderOptions {
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
     /// none.
-    base::Trace* trace = nullptr;
+    host::Trace* trace = nullptr;
 };
 
 inline constexpr std::size_t kMaxFramesInFlight = 8;
@@ -113,7 +113,7 @@ class Renderer {
     vk::Extent2D m_extent;
     double m_aspect;
     FrameSplit m_split;
-    base::WorkerPool m_workers;
+    host::WorkerPool m_workers;
     std::string m_note; ///< FrameStats::note of every frame
     bool m_shiny;       ///< whether the G-buffer keeps how surfaces shine
     GeometryPass m_geometry;

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/scene/camera_recording.h>
 
 #include <fmt/format.h>
@@ -131,11 +131,11 @@ void writeRecording(const std::filesystem::path& path, const CameraRecording& re
                     {"scene", recording.scene},
                     {"cameras", std::move(cameras)}};
     // A scene is named by a path, which need not be UTF-8.
-    base::writeText(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    host::writeText(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 CameraRecording readRecording(const std::filesystem::path& path) {
-    const base::Bytes bytes = base::readFile(path, kMostBytes);
+    const host::Bytes bytes = host::readFile(path, kMostBytes);
     try {
         return recordingIn(nlohmann::json::parse(bytes, refuseNesting));
     } catch (const base::InputError& error) {

@@ -1,4 +1,4 @@
-#include <cdr/base/vector_clones.h>
+#include <cdr/host/vector_clones.h>
 #include <cdr/visibility/bin.h>
 
 #include <algorithm>
@@ -84,7 +84,7 @@ void classify(const Ranges& ranges, const VisibleList& visible, std::size_t begi
 
 /// Notes where each instance of a range lands, adds up the draws per bucket, and returns how many land
 /// anywhere.
-std::size_t countRange(const Ranges& ranges, const VisibleList& visible, base::IndexRange range,
+std::size_t countRange(const Ranges& ranges, const VisibleList& visible, host::IndexRange range,
                        BucketCounts& counts, DrawLists& lists) {
     Block block;
     std::size_t landed = 0;
@@ -103,7 +103,7 @@ std::size_t countRange(const Ranges& ranges, const VisibleList& visible, base::I
     return landed;
 }
 
-void fillRange(const VisibleList& visible, base::IndexRange range, BucketCounts next, DrawLists& lists) {
+void fillRange(const VisibleList& visible, host::IndexRange range, BucketCounts next, DrawLists& lists) {
     std::uint32_t* const instance = lists.instance.data();
     for (std::size_t i = range.begin; i < range.end; ++i) {
         const DrawLists::Landing landing = lists.landings[i];
@@ -128,7 +128,7 @@ void layOut(std::vector<BucketCounts>& counts, std::size_t buckets, DrawLists& l
 } // namespace
 
 void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges, double wideSpan,
-                   base::WorkerPool& workers, DrawLists& lists) {
+                   host::WorkerPool& workers, DrawLists& lists) {
     const Ranges ranges(clipRanges, wideSpan);
     const std::size_t jobs = (visible.count + kJobInstances - 1) / kJobInstances;
     std::vector<BucketCounts> counts(jobs);
@@ -136,13 +136,13 @@ void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges
     lists.landings.resize(std::max(lists.landings.size(), visible.count));
     workers.run(jobs, [&](std::size_t job, std::size_t) {
         landed[job] =
-            countRange(ranges, visible, base::evenRange(visible.count, job, jobs), counts[job], lists);
+            countRange(ranges, visible, host::evenRange(visible.count, job, jobs), counts[job], lists);
     });
     layOut(counts, 2 * ranges.count, lists);
     lists.visible = std::accumulate(landed.begin(), landed.end(), std::size_t{0});
     lists.instance.resize(std::max(lists.instance.size(), lists.draws()));
     workers.run(jobs, [&](std::size_t job, std::size_t) {
-        fillRange(visible, base::evenRange(visible.count, job, jobs), counts[job], lists);
+        fillRange(visible, host::evenRange(visible.count, job, jobs), counts[job], lists);
     });
 }
 

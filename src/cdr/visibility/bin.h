@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/base/worker_pool.h>
 #include <cdr/depth/cascade.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/visibility/cull.h>
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct DrawLists {
 
     std::size_t cascades() const { return begins.size() / 2; }
     std::size_t draws() const { return begins.back(); }
-    base::IndexRange range(std::size_t cascade) const {
+    host::IndexRange range(std::size_t cascade) const {
         return {begins[2 * cascade], begins[2 * cascade + 2]};
     }
     /// Where the wide instances of a cascade begin.
@@ -50,6 +50,6 @@ struct DrawLists {
 /// infinity for
 ///        none. Depth that is not linear in screen space must be set per fragment on those.
 void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges, double wideSpan,
-                   base::WorkerPool& workers, DrawLists& lists);
+                   host::WorkerPool& workers, DrawLists& lists);
 
 } // namespace cdr::visibility

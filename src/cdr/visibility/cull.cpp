@@ -63,7 +63,7 @@ void testBlock(const SphereTest& test, const scene::Instances& instances, std::s
 }
 
 /// Appends the survivors of a range to arrays sized for all of it; returns how many.
-std::size_t cullRange(const SphereTest& test, const scene::Instances& instances, base::IndexRange range,
+std::size_t cullRange(const SphereTest& test, const scene::Instances& instances, host::IndexRange range,
                       VisibleList& visible) {
     TestBlock block;
     std::size_t kept = range.begin;
@@ -93,7 +93,7 @@ void closeGap(std::vector<T>& values, std::size_t from, std::size_t count, std::
 } // namespace
 
 void cullSpheres(const scene::Instances& instances, const scene::Camera& camera, double aspect,
-                 base::WorkerPool& workers, VisibleList& visible) {
+                 host::WorkerPool& workers, VisibleList& visible) {
     const SphereTest test(camera, aspect);
     const std::size_t count = instances.size();
     visible.instance.resize(count);
@@ -103,11 +103,11 @@ void cullSpheres(const scene::Instances& instances, const scene::Camera& camera,
     const std::size_t jobs = workers.threads() == 1 ? 1 : (count + kTestJobInstances - 1) / kTestJobInstances;
     std::vector<std::size_t> kept(jobs);
     workers.run(jobs, [&](std::size_t job, std::size_t) {
-        kept[job] = cullRange(test, instances, base::evenRange(count, job, jobs), visible);
+        kept[job] = cullRange(test, instances, host::evenRange(count, job, jobs), visible);
     });
     std::size_t end = 0;
     for (std::size_t job = 0; job < jobs; ++job) {
-        const std::size_t begin = base::evenRange(count, job, jobs).begin;
+        const std::size_t begin = host::evenRange(count, job, jobs).begin;
         closeGap(visible.instance, begin, kept[job], end);
         closeGap(visible.distanceView, begin, kept[job], end);
         closeGap(visible.radius, begin, kept[job], end);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
@@ -24,6 +24,6 @@ struct VisibleList {
 /// @param aspect width over height of the picture.
 /// @param visible overwritten.
 void cullSpheres(const scene::Instances& instances, const scene::Camera& camera, double aspect,
-                 base::WorkerPool& workers, VisibleList& visible);
+                 host::WorkerPool& workers, VisibleList& visible);
 
 } // namespace cdr::visibility

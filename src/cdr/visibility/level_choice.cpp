@@ -72,7 +72,7 @@ LevelRule levelRule(const Detail& detail, const scene::Camera& camera, std::uint
 }
 
 void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const depth::Cascades& clipRanges,
-                  const LevelRule& rule, base::WorkerPool& workers, DrawLists& lists) {
+                  const LevelRule& rule, host::WorkerPool& workers, DrawLists& lists) {
     if (rule.mode == DetailMode::none) {
         lists.level.clear();
         return;
@@ -80,10 +80,10 @@ void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const 
     const scene::Instances& instances = scene.instances;
     lists.level.resize(std::max(lists.level.size(), lists.draws()));
     for (std::size_t cascade = 0; cascade < lists.cascades(); ++cascade) {
-        const base::IndexRange all = lists.range(cascade);
+        const host::IndexRange all = lists.range(cascade);
         const std::size_t jobs = (all.size() + kJobDraws - 1) / kJobDraws;
         workers.run(jobs, [&](std::size_t job, std::size_t) {
-            const base::IndexRange range = base::evenRange(all.size(), job, jobs);
+            const host::IndexRange range = host::evenRange(all.size(), job, jobs);
             for (std::size_t draw = all.begin + range.begin; draw < all.begin + range.end; ++draw) {
                 const std::uint32_t instance = lists.instance[draw];
                 const scene::Mesh& mesh = scene.meshes[instances.mesh[instance]];

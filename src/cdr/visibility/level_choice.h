@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/base/worker_pool.h>
 #include <cdr/depth/cascade.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 #include <cdr/visibility/bin.h>
@@ -57,7 +57,7 @@ LevelRule levelRule(const Detail& detail, const scene::Camera& camera, std::uint
 /// for any number of workers.
 /// @param lists of binByDistance() over the same camera and ranges.
 void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const depth::Cascades& clipRanges,
-                  const LevelRule& rule, base::WorkerPool& workers, DrawLists& lists);
+                  const LevelRule& rule, host::WorkerPool& workers, DrawLists& lists);
 
 /// How many triangles the lists' draws have, counted once per cascade they are drawn in.
 std::uint64_t trianglesDrawn(const scene::Scene& scene, const DrawLists& lists);

@@ -63,7 +63,7 @@ void run(Command& command, DetailArguments& arguments) {
                     "pixels of error, {} {}, {} threads; commit {}",
                     command.opened().text(), options.scene, report.sceneTriangles, report.meshLevels,
                     report.makeMs, options.frames, options.width, options.height, options.pixels,
-                    arguments.depth, arguments.split, options.threads, base::buildInfo().commit));
+                    arguments.depth, arguments.split, options.threads, host::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"mapping", nameOf(options.technique.mapping)},
                      {"split", nameOf(options.technique.split)},

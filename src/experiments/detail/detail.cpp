@@ -164,7 +164,7 @@ class Comparison {
     }
 
     const DetailOptions& m_options;
-    base::WorkerPool m_workers;
+    host::WorkerPool m_workers;
     scene::SceneSetup m_setup;
     double m_makeMs;
     render::GpuScene m_gpuScene;

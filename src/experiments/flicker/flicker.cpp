@@ -167,7 +167,7 @@ class Flicker {
 
     const FlickerOptions& m_options;
     const FlickerHooks& m_hooks;
-    base::WorkerPool m_workers;
+    host::WorkerPool m_workers;
     scene::SceneSetup m_setup;
     render::GpuScene m_gpuScene;
     measure::TruthCaster m_caster;

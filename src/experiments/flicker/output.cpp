@@ -41,7 +41,7 @@ PairVideos::PairVideos(const std::filesystem::path& folder, std::span<const std:
         throw base::InputError("videos show pairs of standard, cdr, log and logcdr; fewer than two are here");
     }
     requireEncodable(2 * width, height);
-    base::makeFolder(folder);
+    host::makeFolder(folder);
     for (Pair& pair : m_pairs) {
         pair.video = std::make_unique<VideoWriter>(pair.path, 2 * width, height,
                                                    VideoTiming{.frames = frames, .seconds = kVideoSeconds});
@@ -72,7 +72,7 @@ void writeTgaFrames(const std::filesystem::path& folder, std::span<const std::st
                     std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) {
     for (std::size_t i = 0; i < techniques.size(); ++i) {
         const std::filesystem::path own = folder / techniques[i];
-        base::makeFolder(own);
+        host::makeFolder(own);
         image::writeImage(own / fmt::format("{:04}.tga", frame), pictures.at(i));
     }
 }

@@ -1,9 +1,9 @@
 #include "state.h"
 
-#include <cdr/base/document.h>
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
-#include <cdr/base/sha256.h>
+#include <cdr/host/document.h>
+#include <cdr/host/file.h>
+#include <cdr/host/sha256.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,7 +19,7 @@ constexpr int kFormatVersion = 1;
 
 /// Everything the results depend on.
 std::string digestOf(const FlickerOptions& options, const gpu::DeviceInfo& device) {
-    const base::BuildInfo build = base::buildInfo();
+    const host::BuildInfo build = host::buildInfo();
     nlohmann::ordered_json parts{{"state", kFormatVersion},
                                  {"version", build.version},
                                  {"commit", build.commit},
@@ -33,7 +33,7 @@ std::string digestOf(const FlickerOptions& options, const gpu::DeviceInfo& devic
         parts["techniques"].push_back({name, depth::nameOf(technique.mapping), depth::nameOf(technique.split),
                                        depth::nameOf(technique.format)});
     }
-    return base::sha256Of(parts.dump());
+    return host::sha256Of(parts.dump());
 }
 
 nlohmann::ordered_json toJson(const FlickerResult& result) {
@@ -67,7 +67,7 @@ void fromJson(const nlohmann::json& json, std::uint32_t frames, FlickerResult& r
     json.at("cascades").get_to(result.cascades);
 }
 
-FlickerState parse(const base::Bytes& bytes, const std::string& digest, const FlickerState& fresh,
+FlickerState parse(const host::Bytes& bytes, const std::string& digest, const FlickerState& fresh,
                    const std::string& name) {
     const nlohmann::json json = nlohmann::json::parse(bytes);
     if (json.at("digest").get<std::string>() != digest) {
@@ -90,7 +90,7 @@ FlickerStateFile::FlickerStateFile(std::filesystem::path path, const FlickerOpti
     : m_path(std::move(path)),
       m_digest(digestOf(options, device)),
       m_frames(options.frames) {
-    base::requireWritable(m_path);
+    host::requireWritable(m_path);
 }
 
 void FlickerStateFile::load(FlickerState& state) const {
@@ -99,7 +99,7 @@ void FlickerStateFile::load(FlickerState& state) const {
     }
     try {
         const FlickerState loaded =
-            parse(base::readFile(m_path, kMostBytes), m_digest, state, m_path.string());
+            parse(host::readFile(m_path, kMostBytes), m_digest, state, m_path.string());
         if (loaded.framesDone > m_frames) {
             throw base::InputError(m_path.string() + ": holds more frames than the run has");
         }
@@ -114,7 +114,7 @@ void FlickerStateFile::save(const FlickerState& state) const {
     for (const FlickerResult& result : state.results) {
         json["results"].push_back(toJson(result));
     }
-    base::writeText(m_path, json.dump(1) + "\n");
+    host::writeText(m_path, json.dump(1) + "\n");
 }
 
 } // namespace cdr::experiments

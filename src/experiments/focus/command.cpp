@@ -70,7 +70,7 @@ void run(Command& command, FocusArguments& arguments) {
                     "commit {}",
                     command.opened().text(), options.scene, options.frames, options.width, options.height,
                     options.lens.distance, options.lens.aperture, options.cameras, arguments.depth,
-                    options.threads, base::buildInfo().commit));
+                    options.threads, host::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"mapping", nameOf(options.mapping)},
                      {"split", arguments.split.empty() ? "circles" : nameOf(options.split)},

@@ -158,7 +158,7 @@ class Comparison {
     }
 
     const FocusOptions& m_options;
-    base::WorkerPool m_workers;
+    host::WorkerPool m_workers;
     const scene::SceneSetup& m_setup;
     scene::Camera m_camera;
     render::FocusLens m_lens;

@@ -44,7 +44,7 @@ OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, con
         options.techniques.assign(depth::presets().begin(), depth::presets().end());
     }
     const render::GpuScene gpuScene(device, setup.scene);
-    base::WorkerPool workers(options.threads);
+    host::WorkerPool workers(options.threads);
     const measure::TruthCaster caster(setup.scene, workers);
     std::vector<std::unique_ptr<render::Renderer>> renderers;
     for (const auto& [name, technique] : options.techniques) {

@@ -1,4 +1,4 @@
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <experiments/columns.h>
@@ -51,7 +51,7 @@ void writeCurve(const std::string& file, const experiments::PrecisionResult& res
     for (const auto& point : result.curve) {
         csv += fmt::format("{},{}\n", point.distanceView, fmt::join(point.separations, ","));
     }
-    base::writeText(file, csv);
+    host::writeText(file, csv);
 }
 
 void run(Command& command, PrecisionArguments& arguments) {

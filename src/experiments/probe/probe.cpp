@@ -104,7 +104,7 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
     }
     const std::vector<depth::DepthFormat>& formats =
         options.formats.empty() ? device.info().depthFormats : options.formats;
-    base::WorkerPool workers(options.threads);
+    host::WorkerPool workers(options.threads);
     const std::size_t all = options.distancesView.size() * techniques.size() * formats.size();
     std::vector<ProbeResult> results;
     for (const double distanceView : options.distancesView) {

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <experiments/columns.h>
@@ -108,7 +108,7 @@ void printTables(const Console& console, const experiments::ScalingResult& resul
 }
 
 void writeCsv(const std::filesystem::path& path, const experiments::Json& points) {
-    base::writeText(path, experiments::csvOf({"targets",
+    host::writeText(path, experiments::csvOf({"targets",
                                               "submission",
                                               "cascades",
                                               "threads",
@@ -168,7 +168,7 @@ void writeResults(Command& command, const ScalingArguments& arguments,
         command.makeDocument({{"width", options.width},
                               {"height", options.height},
                               {"repeats", options.repeats},
-                              {"placement", options.placement == base::Placement::pinned ? "pinned" : "free"},
+                              {"placement", options.placement == host::Placement::pinned ? "pinned" : "free"},
                               {"seed", options.seed}});
     document["results"] = points;
     document["fits"] = experiments::jsonOf(fitColumns(), result.fits);
@@ -186,7 +186,7 @@ void run(Command& command, ScalingArguments& arguments) {
     command.console().line(fmt::format(
         "\n{}; medians of {} frames a point, +- the quartiles' distance, seed {}, {}x{}; commit {}",
         command.opened().text(), options.repeats, options.seed, options.width, options.height,
-        base::buildInfo().commit));
+        host::buildInfo().commit));
     writeResults(command, arguments, result);
     const auto differs = std::find_if(result.points.begin(), result.points.end(),
                                       [](const auto& point) { return !point.sameImage; });
@@ -213,7 +213,7 @@ void addOptions(CLI::App& command, ScalingArguments& arguments) {
                     "gpu-driven")
         ->delimiter(',');
     command.add_flag_callback(
-        "--free", [&options] { options.placement = base::Placement::free; },
+        "--free", [&options] { options.placement = host::Placement::free; },
         "Let the kernel place threads, instead of pinning each to a CPU");
     command.add_option("--cascades", options.cascades, "Numbers of cascades")
         ->delimiter(',')

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/base/thread_placement.h>
 #include <cdr/gpu/device.h>
+#include <cdr/host/thread_placement.h>
 #include <cdr/measure/statistics/scaling_law.h>
 #include <cdr/render/submit/draw_path.h>
 #include <cdr/render/targets/targets.h>
@@ -33,7 +33,7 @@ struct ScalingOptions {
                                                 render::Submission::primaries};
     /// Pinned, the caller too, what is measured is how recording scales; free, how the kernel places threads
     /// as well.
-    base::Placement placement = base::Placement::pinned;
+    host::Placement placement = host::Placement::pinned;
     std::uint32_t repeats = 7; ///< timed frames of each point, after one that warms up
     std::uint64_t seed = 2013;
 };

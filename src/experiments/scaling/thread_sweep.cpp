@@ -1,6 +1,6 @@
 #include "thread_sweep.h"
 
-#include <cdr/base/sha256.h>
+#include <cdr/host/sha256.h>
 #include <cdr/measure/statistics/statistics.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ double speedUp(const std::vector<double>& base, const std::vector<double>& sampl
 
 /// One hash over the whole G-buffer and the picture.
 std::string hashOf(const render::Frame& frame) {
-    return base::sha256Of(base::sha256Of(frame.color.pixels) + base::sha256Of(frame.gbuffer.pixels));
+    return host::sha256Of(host::sha256Of(frame.color.pixels) + host::sha256Of(frame.gbuffer.pixels));
 }
 
 } // namespace
@@ -35,7 +35,7 @@ std::string hashOf(const render::Frame& frame) {
 ThreadSweep::ThreadSweep(const gpu::Device& device, const ScalingOptions& options,
                          const scene::SceneSetup& setup, const render::GpuScene& gpuScene,
                          std::vector<std::size_t> threads, ScalingPoint common)
-    : m_cpus(options.placement == base::Placement::pinned ? base::allowedCpus() : std::vector<std::size_t>()),
+    : m_cpus(options.placement == host::Placement::pinned ? host::allowedCpus() : std::vector<std::size_t>()),
       m_camera(setup.path.at(0)),
       m_threads(std::move(threads)),
       m_common(std::move(common)),
@@ -67,7 +67,7 @@ void ThreadSweep::hash(const std::function<void()>& step) {
 }
 
 void ThreadSweep::repeat(std::size_t number, const std::function<void()>& step) {
-    const base::PinnedThread pin(0, m_cpus);
+    const host::PinnedThread pin(0, m_cpus);
     for (std::size_t i = 0; i < m_renderers.size(); ++i) {
         const std::size_t point = (number + i) % m_renderers.size();
         step();

@@ -1,6 +1,6 @@
-#include <cdr/base/file.h>
-#include <cdr/base/trace.h>
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/file.h>
+#include <cdr/host/trace.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/render/renderer.h>
 #include <cli/command.h>
 #include <cli/commands.h>
@@ -74,7 +74,7 @@ experiments::Columns<experiments::TimingResult> timingColumns() {
 }
 
 void writeCsv(const std::filesystem::path& path, const experiments::Json& rows) {
-    base::writeText(path, experiments::csvOf({"name",
+    host::writeText(path, experiments::csvOf({"name",
                                               "mode",
                                               "targets",
                                               "cascades",
@@ -132,7 +132,7 @@ nlohmann::ordered_json makeDocument(const Command& command, const TimingArgument
 void run(Command& command, TimingArguments& arguments) {
     checkArguments(arguments, command.files());
     experiments::TimingOptions& options = arguments.options;
-    std::optional<base::Trace> trace;
+    std::optional<host::Trace> trace;
     if (!arguments.trace.empty()) {
         options.trace = &trace.emplace(options.threads);
     }
@@ -145,7 +145,7 @@ void run(Command& command, TimingArguments& arguments) {
     console.table(experiments::tableOf(timingColumns(), results));
     console.line(fmt::format("\n{}; {} frames a mode after {} dropped, seed {}, {} threads, {}x{}; commit {}",
                              device, options.frames, experiments::kWarmUpFrames, options.seed,
-                             options.threads, options.width, options.height, base::buildInfo().commit));
+                             options.threads, options.width, options.height, host::buildInfo().commit));
     console.line(fmt::format("Noise floor, standard over itself: {:+.2f} %, 95 % {:+.2f} to {:+.2f}",
                              results.at(1).overheadPercent, results.at(1).overheadPercent95.low,
                              results.at(1).overheadPercent95.high));

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cdr/base/trace.h>
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
+#include <cdr/host/trace.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/render/submit/draw_path.h>
 #include <cdr/render/targets/targets.h>
@@ -58,7 +58,7 @@ struct TimingOptions {
     std::size_t framesInFlight = 1;
     std::uint64_t seed = 2013;
     std::vector<TimingMode> modes = timingModes();
-    base::Trace* trace = nullptr; ///< receives the warm-up frames only, so measured ones stay as they are
+    host::Trace* trace = nullptr; ///< receives the warm-up frames only, so measured ones stay as they are
 };
 
 /// Rendered and dropped before the first measured frame: pipelines compile, memory is touched, caches fill.

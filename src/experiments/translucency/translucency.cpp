@@ -58,7 +58,7 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const scene::Scen
         splitOf(cascades); // refused before the truth is cast
     }
     const render::GpuScene gpuScene(device, setup.scene);
-    base::WorkerPool workers(experiment.threads);
+    host::WorkerPool workers(experiment.threads);
     const measure::LayeredTruth truth =
         measure::castLayers(setup.scene, camera, experiment.width, experiment.height, workers);
     TranslucencyResults all{.truth = measure::pictureOf(truth), .results = {}};

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 #include <scenes/orbit/data.h>
 
@@ -16,7 +16,7 @@ image::ImageRgba8 loadPicture(const std::filesystem::path& path) {
         throw base::InputError("orbit: " + path.string() +
                                " is missing; tools/setup.sh fetches it, or set CDR_ORBIT_DATA to its folder");
     }
-    return image::decodeImage(base::readFile(path, kMostBytes), path.string());
+    return image::decodeImage(host::readFile(path, kMostBytes), path.string());
 }
 
 const char* environmentOr(const char* name, const char* otherwise) {

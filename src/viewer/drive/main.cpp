@@ -3,9 +3,8 @@
 #include "soak.h"
 
 #include <CLI/CLI.hpp>
+#include <cdr/host/standard_streams.h>
 #include <viewer/session/program.h>
-
-#include <fmt/format.h>
 
 #include <filesystem>
 #include <optional>
@@ -38,7 +37,7 @@ void run(const DriveArguments& arguments) {
         viewer::keepFreeMemoryLow();
         viewer::Soak soak(*arguments.soakSeconds, arguments.viewer.seed);
         viewer::runViewer(arguments.viewer, &soak);
-        fmt::print("{}\n", soak.report());
+        cdr::host::printOutput(soak.report() + "\n");
     } else if (arguments.script) {
         viewer::ScriptPlayer player(viewer::readScript(*arguments.script));
         viewer::runViewer(arguments.viewer, &player);

@@ -1,14 +1,12 @@
 #include "print_line.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
+#include <cdr/host/standard_streams.h>
 
 namespace cdr::viewer {
 
 void printLine(const std::string& line) {
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
+    host::printOutput(line + "\n");
+    host::flushStandardOutput();
 }
 
 } // namespace cdr::viewer

@@ -1,7 +1,7 @@
 #include "script.h"
 
-#include <cdr/base/file.h>
 #include <cdr/base/suggest.h>
+#include <cdr/host/file.h>
 #include <viewer/window/window.h>
 
 #include <GLFW/glfw3.h>
@@ -193,7 +193,7 @@ std::vector<ScriptStep> parseScript(const std::string& text, const std::string& 
 }
 
 std::vector<ScriptStep> readScript(const std::filesystem::path& file) {
-    const base::Bytes bytes = base::readFile(file, kMaxScriptBytes);
+    const host::Bytes bytes = host::readFile(file, kMaxScriptBytes);
     return parseScript({bytes.begin(), bytes.end()}, file.string());
 }
 

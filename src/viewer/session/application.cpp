@@ -4,6 +4,7 @@
 #include "statistics_report.h"
 
 #include <cdr/base/error.h>
+#include <cdr/host/standard_streams.h>
 #include <cdr/image/codec.h>
 #include <viewer/panels/overlay.h>
 #include <viewer/panels/panels.h>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace cdr::viewer {
@@ -210,7 +210,7 @@ void Application::run() {
         }
     }
     if (m_arguments.statistics) {
-        fmt::print("{}", statisticsReport(m_model, m_session.results(), secondsSince(began), m_uiIntervals));
+        host::printOutput(statisticsReport(m_model, m_session.results(), secondsSince(began), m_uiIntervals));
     }
     finish();
 }

@@ -2,7 +2,7 @@
 #include "startup.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 #include <viewer/state/shown_picture.h>
 
@@ -65,7 +65,7 @@ void Application::captureWindow() {
         throw base::RunError("this window system does not let a window's pixels be read");
     }
     const std::filesystem::path file = freeName("cdr-window", ".png");
-    base::requireWritable(file); // later there is nobody to tell but the shell
+    host::requireWritable(file); // later there is nobody to tell but the shell
     m_capture = file;
 }
 

@@ -1,8 +1,8 @@
 #include "arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <cdr/base/document.h>
 #include <cdr/base/error.h>
+#include <cdr/host/document.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
@@ -54,7 +54,7 @@ void addMeasuringOptions(CLI::App& program, Arguments& arguments) {
 } // namespace
 
 void addViewerOptions(CLI::App& program, Arguments& arguments) {
-    const base::BuildInfo build = base::buildInfo();
+    const host::BuildInfo build = host::buildInfo();
     program.set_version_flag("--version",
                              fmt::format("{} {} ({})", program.get_name(), build.version, build.commit));
     addViewOptions(program, arguments);

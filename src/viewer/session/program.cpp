@@ -1,8 +1,8 @@
 #include "program.h"
 
 #include <cdr/base/error.h>
-#include <cdr/base/standard_streams.h>
 #include <cdr/gpu/failure.h>
+#include <cdr/host/standard_streams.h>
 
 #include <fmt/format.h>
 
@@ -30,11 +30,11 @@ void runViewer(const Arguments& arguments, Driver* driver) {
 int exitStatusOf(const char* program, const std::function<int()>& body) {
     try {
         const int status = body();
-        base::flushStandardOutput();
+        host::flushStandardOutput();
         return status;
     } catch (...) {
         const gpu::Failure failure = gpu::failureOf(std::current_exception());
-        base::printError(fmt::format("{}: {}", program, failure.line));
+        host::printError(fmt::format("{}: {}", program, failure.line));
         return failure.status;
     }
 }

@@ -15,7 +15,7 @@ void SceneRenderer::open(const ViewSettings& settings) {
     }
     auto opened = std::make_shared<scene::OpenedScene>(scenes::openScene(settings.scene, settings.seed));
     if (needsLevels) {
-        base::WorkerPool workers(settings.threads);
+        host::WorkerPool workers(settings.threads);
         scene::makeLevels(opened->setup.scene, workers);
     }
     auto next = std::make_unique<OnStage>(OnStage{opened, render::GpuScene(m_device, opened->setup.scene)});

@@ -18,7 +18,7 @@ render::Frame SideRenderer::render(const SceneOnDevice& set, render::RenderOptio
                                    const scene::Camera& camera, render::FrameCopy copy, bool forgets) {
     if (m_renderer == nullptr || !fits(m_renderer->options(), options)) {
         m_renderer.reset(); // its memory goes before that of the next is asked for
-        m_trace = std::make_unique<base::Trace>(options.threads);
+        m_trace = std::make_unique<host::Trace>(options.threads);
         options.trace = m_trace.get();
         m_renderer = std::make_unique<render::Renderer>(set.device, set.scene, set.onDevice, options);
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/base/trace.h>
 #include <cdr/gpu/device.h>
+#include <cdr/host/trace.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
 
@@ -23,11 +23,11 @@ class SideRenderer {
     render::Frame render(const SceneOnDevice& set, render::RenderOptions options, const scene::Camera& camera,
                          render::FrameCopy copy, bool forgets);
     /// Of the last frame.
-    const base::Trace& trace() const { return *m_trace; }
+    const host::Trace& trace() const { return *m_trace; }
     void drop() { m_renderer.reset(); }
 
   private:
-    std::unique_ptr<base::Trace> m_trace; ///< outlives the renderer
+    std::unique_ptr<host::Trace> m_trace; ///< outlives the renderer
     std::unique_ptr<render::Renderer> m_renderer;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/base/trace.h>
+#include <cdr/host/trace.h>
 
 #include <cstddef>
 #include <optional>
@@ -34,7 +34,7 @@ struct WorkerTimeline {
 };
 
 /// The last frame that a trace holds; empty when it holds none. On the thread that drives the frame, between
-/// frames. base::Trace::forget() before each frame keeps a trace that is read this way small.
-WorkerTimeline timelineOf(const base::Trace& trace);
+/// frames. host::Trace::forget() before each frame keeps a trace that is read this way small.
+WorkerTimeline timelineOf(const host::Trace& trace);
 
 } // namespace cdr::viewer

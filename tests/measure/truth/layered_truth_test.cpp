@@ -38,7 +38,7 @@ struct Stack {
     }
 
     LayeredPixel middle(double nearView = 0.1, double farView = 100.0) const {
-        base::WorkerPool workers(1);
+        host::WorkerPool workers(1);
         const scene::Camera camera{.fovY = 1.0, .nearView = nearView, .farView = farView};
         return castLayers(scene, camera, kSide, kSide, workers).at(3, 4);
     }
@@ -93,7 +93,7 @@ TEST(LayeredTruth, PixelsNextToASilhouetteAreNotInner) {
     Stack stack;
     stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.5f}, true);
     stack.scene.instances.x[0] = 8.0 + 0.1; // its left edge a little right of the middle
-    base::WorkerPool workers(2);
+    host::WorkerPool workers(2);
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
     const LayeredTruth truth = castLayers(stack.scene, camera, kSide, kSide, workers);
     for (std::uint32_t x = 1; x + 1 < kSide; ++x) {
@@ -106,7 +106,7 @@ TEST(LayeredTruth, PixelsNextToASilhouetteAreNotInner) {
 TEST(LayeredTruth, ComparesInnerPixelsOnly) {
     Stack stack;
     stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.5f}, true);
-    base::WorkerPool workers(1);
+    host::WorkerPool workers(1);
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
     const LayeredTruth truth = castLayers(stack.scene, camera, kSide, kSide, workers);
     image::ImageRgba8 picture = pictureOf(truth);

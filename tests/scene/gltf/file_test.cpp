@@ -1,6 +1,6 @@
 #include "fixture.h"
 
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 
 namespace cdr::scene::test {
 namespace {

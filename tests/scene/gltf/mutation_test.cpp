@@ -1,6 +1,6 @@
 #include "fixture.h"
 
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 #include <cdr/scene/gltf/import.h>
 

@@ -14,18 +14,19 @@ namespace {
 std::atomic<std::size_t> allocations{0};
 }
 
-// Counts what the whole program allocates, so that a test can see that something does not.
-void* operator new(std::size_t size) {
+// Counts what the whole program allocates, so that a test can see that something does not. Not inlined, since GCC then
+// warns of a free() that meets operator new.
+[[gnu::noinline]] void* operator new(std::size_t size) {
     ++allocations;
     if (void* memory = std::malloc(size == 0 ? 1 : size)) {
         return memory;
     }
     throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 

@@ -104,7 +104,7 @@ bool isInner(const Sequences& sequences, std::uint32_t x, std::uint32_t y) {
 }
 
 template <typename Function>
-void forEachPixel(std::uint32_t width, std::uint32_t height, base::WorkerPool& workers,
+void forEachPixel(std::uint32_t width, std::uint32_t height, host::WorkerPool& workers,
                   const Function& function) {
     workers.run(height, [&](std::size_t row, std::size_t) {
         for (std::uint32_t x = 0; x < width; ++x) {
@@ -116,7 +116,7 @@ void forEachPixel(std::uint32_t width, std::uint32_t height, base::WorkerPool& w
 } // namespace
 
 LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                        std::uint32_t height, base::WorkerPool& workers) {
+                        std::uint32_t height, host::WorkerPool& workers) {
     scene::requireUsable(camera);
     if (width == 0 || height == 0) {
         throw base::InputError("truth: a picture needs at least one pixel");

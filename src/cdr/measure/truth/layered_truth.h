@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
@@ -28,7 +28,7 @@ using LayeredTruth = image::Raster<LayeredPixel>;
 /// cover, so meant for meshes of few triangles.
 /// base::InputError as TruthCaster.
 LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                        std::uint32_t height, base::WorkerPool& workers);
+                        std::uint32_t height, host::WorkerPool& workers);
 
 /// The truth as 8-bit sRGB.
 image::ImageRgba8 pictureOf(const LayeredTruth& truth);

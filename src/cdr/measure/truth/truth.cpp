@@ -77,7 +77,7 @@ void castTile(std::span<const VisibleInstance> nearestFirst, std::span<const std
 
 } // namespace
 
-TruthCaster::TruthCaster(const scene::Scene& scene, base::WorkerPool& workers) : m_scene(&scene) {
+TruthCaster::TruthCaster(const scene::Scene& scene, host::WorkerPool& workers) : m_scene(&scene) {
     std::vector<std::optional<Shape>> shapes(scene.meshes.size());
     workers.run(shapes.size(),
                 [&](std::size_t mesh, std::size_t) { shapes[mesh].emplace(scene.meshes[mesh]); });
@@ -88,7 +88,7 @@ TruthCaster::TruthCaster(const scene::Scene& scene, base::WorkerPool& workers) :
 }
 
 TruthImage TruthCaster::cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
-                             base::WorkerPool& workers) const {
+                             host::WorkerPool& workers) const {
     scene::requireUsable(camera);
     if (width == 0 || height == 0) {
         throw base::InputError("truth: a picture needs at least one pixel");
@@ -114,7 +114,7 @@ TruthImage TruthCaster::cast(const scene::Camera& camera, std::uint32_t width, s
 }
 
 TruthImage castTruth(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                     std::uint32_t height, base::WorkerPool& workers) {
+                     std::uint32_t height, host::WorkerPool& workers) {
     return TruthCaster(scene, workers).cast(camera, width, height, workers);
 }
 

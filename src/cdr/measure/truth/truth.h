@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/truth/shape.h>
 #include <cdr/scene/camera.h>
@@ -41,13 +41,13 @@ class TruthCaster {
   public:
     /// @param scene must outlive the caster, its meshes unchanged; instances may change.
     /// base::InputError when a mesh is unsound.
-    TruthCaster(const scene::Scene& scene, base::WorkerPool& workers);
+    TruthCaster(const scene::Scene& scene, host::WorkerPool& workers);
 
     /// The picture of width x height pixels; its bits do not depend on the number of workers.
     /// base::InputError when the camera is not usable, the picture has no pixels, or an instance is not
     /// finite or refers to a mesh, material or object that cannot be.
     TruthImage cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
-                    base::WorkerPool& workers) const;
+                    host::WorkerPool& workers) const;
 
   private:
     const scene::Scene* m_scene;
@@ -56,6 +56,6 @@ class TruthCaster {
 
 /// One picture by a TruthCaster of its own.
 TruthImage castTruth(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                     std::uint32_t height, base::WorkerPool& workers);
+                     std::uint32_t height, host::WorkerPool& workers);
 
 } // namespace cdr::measure

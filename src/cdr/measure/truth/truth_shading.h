@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/scene/camera.h>
@@ -16,7 +16,7 @@ namespace cdr::measure {
 /// normal, and a box's follows from the position. base::InputError for others.
 /// @param truth cast from the same scene and camera.
 image::ImageRgba8 shadeTruth(const scene::Scene& scene, const scene::Camera& camera, const TruthImage& truth,
-                             base::WorkerPool& workers);
+                             host::WorkerPool& workers);
 
 /// The truth-ordered render: `picture` where it shows the true object, the true surface's colour elsewhere.
 /// The two differ only by what depth got wrong, not by rounding. base::InputError when the sizes differ.

@@ -57,7 +57,7 @@ struct Candidate {
 
 std::vector<Candidate> candidates(const scene::Scene& scene, std::span<const Shape> shapes,
                                   const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
-                                  base::WorkerPool& workers) {
+                                  host::WorkerPool& workers) {
     constexpr std::size_t kChunk = 1024;
     const scene::Instances& instances = scene.instances;
     const std::size_t jobs = (instances.size() + kChunk - 1) / kChunk;
@@ -87,7 +87,7 @@ std::vector<Candidate> candidates(const scene::Scene& scene, std::span<const Sha
 
 std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::span<const Shape> shapes,
                                               const scene::Camera& camera, std::uint32_t width,
-                                              std::uint32_t height, base::WorkerPool& workers) {
+                                              std::uint32_t height, host::WorkerPool& workers) {
     std::vector<Candidate> nearestFirst = candidates(scene, shapes, camera, width, height, workers);
     std::sort(nearestFirst.begin(), nearestFirst.end(), [](const Candidate& a, const Candidate& b) {
         return std::tie(a.footprint.nearestView, a.instance) < std::tie(b.footprint.nearestView, b.instance);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/screen_bounds.h>
 #include <cdr/measure/truth/shape.h>
@@ -29,6 +29,6 @@ struct VisibleInstance {
 /// @param shapes one per mesh of the scene; must outlive the result.
 std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::span<const Shape> shapes,
                                               const scene::Camera& camera, std::uint32_t width,
-                                              std::uint32_t height, base::WorkerPool& workers);
+                                              std::uint32_t height, host::WorkerPool& workers);
 
 } // namespace cdr::measure

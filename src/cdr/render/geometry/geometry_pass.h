@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/base/worker_pool.h>
 #include <cdr/gpu/memory.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/view_transform.h>
 #include <cdr/scene/camera.h>
@@ -18,7 +18,7 @@ namespace cdr::render {
 /// A contiguous range of one cascade's draws.
 struct DrawJob {
     std::size_t cascade = 0;
-    base::IndexRange draws; ///< into visibility::DrawLists::instance
+    host::IndexRange draws; ///< into visibility::DrawLists::instance
 };
 
 /// How the draws of one technique over one scene are recorded.
@@ -35,7 +35,7 @@ class GeometryPass {
         std::span<const CascadeDraws> cascades;
         std::span<shaders::DrawRecord> records; ///< mapped, one per draw of `lists`
         vk::Buffer recordBuffer;                ///< they are in
-        base::Trace* trace = nullptr;
+        host::Trace* trace = nullptr;
     };
 
     /// Writes the records of a job's draws and their commands. `commands` is recording, inside a rendering

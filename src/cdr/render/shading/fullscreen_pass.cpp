@@ -9,6 +9,7 @@ namespace cdr::render {
 namespace {
 
 constexpr auto kStage = vk::ShaderStageFlagBits::eFragment;
+constexpr auto kSetStages = vk::ShaderStageFlagBits::eVertex | kStage;
 
 std::vector<vk::PushConstantRange> pushRanges(std::uint32_t bytes) {
     return bytes == 0 ? std::vector<vk::PushConstantRange>{}
@@ -33,18 +34,21 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
                                                      .minFilter = options.filter,
                                                      .addressModeU = vk::SamplerAddressMode::eClampToEdge,
                                                      .addressModeV = vk::SamplerAddressMode::eClampToEdge})),
-      m_setLayout(gpu::makeSetLayout(device, options.bindings, kStage, options.name + " set")),
+      m_setLayout(gpu::makeSetLayout(device, options.bindings, kSetStages, options.name + " set")),
       m_layout(gpu::makePipelineLayout(device, {*m_setLayout}, pushRanges(options.pushBytes),
                                        options.name + " layout")),
-      m_pipeline(gpu::makeGraphicsPipeline(device, {.name = options.name,
-                                                    .vertexSpirv = kFullscreenVert,
-                                                    .fragmentSpirv = options.fragmentSpirv,
-                                                    .constants = options.constants,
-                                                    .layout = *m_layout,
-                                                    .bindings = {},
-                                                    .attributes = {},
-                                                    .colorFormats = {options.format},
-                                                    .blend = options.blend})) {}
+      m_pipeline(gpu::makeGraphicsPipeline(
+          device,
+          {.name = options.name,
+           .vertexSpirv = options.vertexSpirv.empty() ? std::span<const std::uint32_t>(kFullscreenVert)
+                                                      : options.vertexSpirv,
+           .fragmentSpirv = options.fragmentSpirv,
+           .constants = options.constants,
+           .layout = *m_layout,
+           .bindings = {},
+           .attributes = {},
+           .colorFormats = {options.format},
+           .blend = options.blend})) {}
 
 PassInputs FullscreenPass::makeInputs() const {
     vk::UniqueDescriptorPool pool = gpu::makeDescriptorPool(m_device, 1, 1, m_bindings);

@@ -17,10 +17,13 @@ namespace cdr::render {
 /// What a FullscreenPass is made from.
 struct FullscreenPassOptions {
     std::string name;
+    /// Covers the picture with one triangle; empty: and does nothing else.
+    std::span<const std::uint32_t> vertexSpirv{};
     std::span<const std::uint32_t> fragmentSpirv;
-    std::vector<vk::DescriptorType> bindings; ///< of set 0: combined image samplers and storage buffers
+    std::vector<vk::DescriptorType>
+        bindings; ///< of set 0, for both stages: combined image samplers and storage buffers
     vk::Format format = vk::Format::eUndefined;
-    std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, ...
+    std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, ... of both stages
     std::uint32_t pushBytes = 0;          ///< of push constants that the fragment shader reads
     gpu::Blend blend = gpu::Blend::none;
     vk::Filter filter = vk::Filter::eNearest; ///< of images that are not fetched texel by texel

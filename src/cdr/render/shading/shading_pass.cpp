@@ -4,6 +4,7 @@
 #include <cdr/shaders/shading_frag.h>
 #include <cdr/shaders/shading_layers_occluded_frag.h>
 #include <cdr/shaders/shading_occluded_frag.h>
+#include <cdr/shaders/shading_vert.h>
 
 #include <algorithm>
 
@@ -22,12 +23,15 @@ bool isOccludedPerLayer(const Effects& effects) {
     return isOccluded(effects) && effects.occlusion.perLayer;
 }
 
-FullscreenPassOptions passOptions(vk::Format format, const Effects& effects, bool shiny) {
-    FullscreenPassOptions options{.name = "shading",
-                                  .fragmentSpirv = kShadingFrag,
-                                  .bindings = {kImage, kBuffer},
-                                  .format = format,
-                                  .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shiny ? 1u : 0u}};
+FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading) {
+    const Effects& effects = shading.effects;
+    FullscreenPassOptions options{
+        .name = "shading",
+        .vertexSpirv = kShadingVert,
+        .fragmentSpirv = kShadingFrag,
+        .bindings = {kImage, kBuffer},
+        .format = format,
+        .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shading.shiny ? 1u : 0u, shading.lights}};
     if (isOccludedPerLayer(effects)) {
         options.fragmentSpirv = kShadingLayersOccludedFrag;
     } else if (isOccluded(effects)) {
@@ -40,15 +44,15 @@ FullscreenPassOptions passOptions(vk::Format format, const Effects& effects, boo
 } // namespace
 
 ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into,
-                         const Effects& effects, bool shiny)
+                         const ShadingOptions& options)
     : m_device(device),
       m_gbuffer(gbuffer),
       m_into(into),
-      m_effects(effects),
-      m_occlusion(isOccluded(effects) && !isOccludedPerLayer(effects)
+      m_effects(options.effects),
+      m_occlusion(isOccluded(m_effects) && !isOccludedPerLayer(m_effects)
                       ? std::make_unique<OcclusionPass>(device, gbuffer)
                       : nullptr),
-      m_pass(device, passOptions(into.options().format, effects, shiny)) {}
+      m_pass(device, passOptions(into.options().format, options)) {}
 
 ShadingInputs ShadingPass::makeInputs(const scene::Scene& scene) const {
     ShadingInputs inputs;
@@ -70,11 +74,12 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
                            std::span<const double> anchorsView) {
     shaders::ShadingHeader& header = m_lights.as<shaders::ShadingHeader>(1).front();
     header.ambient = glm::vec4(scene.ambient, 0.0f);
-    header.background = glm::vec4(scene.background, 0.0f);
+    const Fog& fog = m_effects.fog;
+    header.background = glm::vec4(fog.visibility > 0.0 ? fog.color : scene.background, 0.0f);
     header.rayScale = glm::vec2(lens.tanX, lens.tanY);
     header.lightCount = static_cast<std::uint32_t>(scene.lights.size());
     header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
-    header.fog = glm::vec4(m_effects.fog.color, m_effects.fog.extinction());
+    header.fog = glm::vec4(fog.color, fog.extinction());
     std::transform(anchorsView.begin(), anchorsView.end(), header.anchors, splitDouble);
     auto* lights = reinterpret_cast<shaders::LightRecord*>(&header + 1);
     for (const scene::PointLight& light : scene.lights) {

@@ -8,6 +8,7 @@
 
 #include <vulkan/vulkan.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -31,14 +32,20 @@ class ShadingInputs {
     PassInputs m_occlusion; ///< where it is worked out over the whole picture
 };
 
+/// What a ShadingPass is made for.
+struct ShadingOptions {
+    Effects effects;
+    bool shiny = false;       ///< whether the surfaces hold how they shine
+    std::uint32_t lights = 0; ///< as many as the scene has; up to shaders::kFlatLights cost least
+};
+
 /// Deferred shading: reads the final G-buffer, sums ambient and point lights, less what occlusion and fog
 /// take.
 class ShadingPass {
   public:
     /// @param into what record() writes.
-    /// @param shiny whether the surfaces hold how they shine.
     ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into,
-                const Effects& effects, bool shiny);
+                const ShadingOptions& options);
 
     /// Inputs for as many lights as the scene has.
     ShadingInputs makeInputs(const scene::Scene& scene) const;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 
 #include <vulkan/vulkan.hpp>
@@ -29,7 +29,7 @@ class CascadeCommands {
     virtual vk::CommandBuffer primary() = 0;
 
     /// One rendering scope that clears depth, draws the cascades from the nearest on, and stores the colours.
-    virtual void drawScope(const GBufferScope& scope, base::IndexRange cascades) = 0;
+    virtual void drawScope(const GBufferScope& scope, host::IndexRange cascades) = 0;
 };
 
 } // namespace cdr::render

@@ -18,7 +18,7 @@ std::string_view nameOf(Submission submission) {
     return kNames.nameOf(submission);
 }
 
-std::string labelOf(base::IndexRange cascades) {
+std::string labelOf(host::IndexRange cascades) {
     return cascades.size() == 1 ? fmt::format("cascade {}", cascades.begin)
                                 : fmt::format("cascades {} to {}", cascades.begin, cascades.end - 1);
 }

@@ -33,7 +33,7 @@ std::string_view nameOf(Submission submission);
 Submission parseSubmission(std::string_view name);
 
 /// What captures call a rendering scope: "cascade 2" or "cascades 0 to 4".
-std::string labelOf(base::IndexRange cascades);
+std::string labelOf(host::IndexRange cascades);
 
 /// One frame's camera and its cascades: what draws follow from.
 struct CutView {

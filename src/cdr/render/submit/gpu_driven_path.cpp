@@ -136,7 +136,7 @@ void GpuDrivenPath::begin(const CutView& view) {
     m_binning.record(m_primary, m_binningSet, view.cascades.size());
 }
 
-void GpuDrivenPath::drawScope(const GBufferScope& scope, base::IndexRange cascades) {
+void GpuDrivenPath::drawScope(const GBufferScope& scope, host::IndexRange cascades) {
     m_device.beginLabel(m_primary, labelOf(cascades).c_str());
     beginGBufferScope(m_primary, scope, {});
     for (std::size_t cascade = cascades.begin; cascade < cascades.end; ++cascade) {

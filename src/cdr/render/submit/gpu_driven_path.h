@@ -21,7 +21,7 @@ class GpuDrivenPath final : public DrawPath {
     void begin(const CutView& view) override;
     bool isEmpty(std::size_t) const override { return false; } ///< only the device knows
     vk::CommandBuffer primary() override { return m_primary; }
-    void drawScope(const GBufferScope& scope, base::IndexRange cascades) override;
+    void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;
     std::span<const vk::CommandBuffer> end(const CutView& view) override;
     bool settle(FrameStats& stats) override;
 

@@ -9,7 +9,7 @@ namespace cdr::render {
 class HostDraws {
   public:
     HostDraws(const gpu::Device& device, const scene::Scene& scene, const GeometryPass& pass,
-              base::WorkerPool& workers, base::Trace* trace)
+              host::WorkerPool& workers, host::Trace* trace)
         : m_device(device),
           m_scene(scene),
           m_pass(pass),
@@ -26,7 +26,7 @@ class HostDraws {
 
     const visibility::DrawLists& lists() const { return m_lists; }
     const GeometryPass& pass() const { return m_pass; }
-    base::WorkerPool& workers() const { return m_workers; }
+    host::WorkerPool& workers() const { return m_workers; }
 
   private:
     void growRecords();
@@ -34,8 +34,8 @@ class HostDraws {
     const gpu::Device& m_device;
     const scene::Scene& m_scene;
     const GeometryPass& m_pass;
-    base::WorkerPool& m_workers;
-    base::Trace* m_trace;
+    host::WorkerPool& m_workers;
+    host::Trace* m_trace;
     visibility::DrawLists m_lists; ///< kept from frame to frame so that a warm one allocates nothing
     gpu::Buffer m_records;
 };

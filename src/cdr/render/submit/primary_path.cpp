@@ -33,7 +33,7 @@ void PrimaryPath::closeBetween() {
     }
 }
 
-void PrimaryPath::drawScope(const GBufferScope& scope, base::IndexRange cascades) {
+void PrimaryPath::drawScope(const GBufferScope& scope, host::IndexRange cascades) {
     closeBetween();
     m_scopes.push_back({.scope = scope, .cascades = cascades, .slot = m_commands.size()});
     m_commands.emplace_back();
@@ -58,9 +58,9 @@ std::span<const vk::CommandBuffer> PrimaryPath::end(const CutView& view) {
     const GeometryPass::Recording recording = m_draws.recording(view);
     m_draws.workers().run(m_scopes.size(), [&](std::size_t job, std::size_t worker) {
         const Scope& scope = m_scopes[job];
-        const base::IndexRange draws{recording.lists.range(scope.cascades.begin).begin,
+        const host::IndexRange draws{recording.lists.range(scope.cascades.begin).begin,
                                      recording.lists.range(scope.cascades.end - 1).end};
-        const base::JobSpan span(recording.trace, worker, job, scope.cascades.begin, draws.size());
+        const host::JobSpan span(recording.trace, worker, job, scope.cascades.begin, draws.size());
         m_commands[scope.slot] = m_pools.next(worker);
         recordScope(m_commands[scope.slot], scope, recording);
     });

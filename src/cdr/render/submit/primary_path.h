@@ -21,14 +21,14 @@ class PrimaryPath final : public DrawPath {
     void begin(const CutView& view) override;
     bool isEmpty(std::size_t cascade) const override { return m_draws.lists().range(cascade).size() == 0; }
     vk::CommandBuffer primary() override;
-    void drawScope(const GBufferScope& scope, base::IndexRange cascades) override;
+    void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;
     std::span<const vk::CommandBuffer> end(const CutView& view) override;
     bool settle(FrameStats&) override { return true; }
 
   private:
     struct Scope {
         GBufferScope scope;
-        base::IndexRange cascades;
+        host::IndexRange cascades;
         std::size_t slot; ///< into m_commands
     };
     void recordScope(vk::CommandBuffer commands, const Scope& scope,

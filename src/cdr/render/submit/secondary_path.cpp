@@ -20,11 +20,11 @@ std::vector<DrawJob> makeJobs(const visibility::DrawLists& lists, std::size_t th
     const std::size_t grain = std::max((lists.draws() + wanted - 1) / wanted, kMinDrawsPerJob);
     std::vector<DrawJob> jobs;
     for (std::size_t cascade = 0; cascade < lists.cascades(); ++cascade) {
-        const base::IndexRange all = lists.range(cascade);
+        const host::IndexRange all = lists.range(cascade);
         const std::size_t parts =
             threads == 1 ? std::min<std::size_t>(all.size(), 1) : (all.size() + grain - 1) / grain;
         for (std::size_t part = 0; part < parts; ++part) {
-            const base::IndexRange range = base::evenRange(all.size(), part, parts);
+            const host::IndexRange range = host::evenRange(all.size(), part, parts);
             jobs.push_back({.cascade = cascade, .draws = {all.begin + range.begin, all.begin + range.end}});
         }
     }
@@ -65,7 +65,7 @@ void SecondaryPath::recordJobs(const GeometryPass::Recording& recording) {
                                            .pInheritanceInfo = &inheritance};
     m_draws.workers().run(m_jobs.size(), [&](std::size_t job, std::size_t worker) {
         const DrawJob& work = m_jobs[job];
-        const base::JobSpan span(recording.trace, worker, job, work.cascade, work.draws.size());
+        const host::JobSpan span(recording.trace, worker, job, work.cascade, work.draws.size());
         const vk::CommandBuffer commands = m_pools.next(worker);
         commands.begin(begin);
         pass.record(commands, work, recording);
@@ -74,7 +74,7 @@ void SecondaryPath::recordJobs(const GeometryPass::Recording& recording) {
     });
 }
 
-void SecondaryPath::drawScope(const GBufferScope& scope, base::IndexRange cascades) {
+void SecondaryPath::drawScope(const GBufferScope& scope, host::IndexRange cascades) {
     m_device.beginLabel(m_primary, labelOf(cascades).c_str());
     beginGBufferScope(m_primary, scope, vk::RenderingFlagBits::eContentsSecondaryCommandBuffers);
     const std::size_t begin = m_cascadeBegins[cascades.begin];

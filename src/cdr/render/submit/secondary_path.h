@@ -26,7 +26,7 @@ class SecondaryPath final : public DrawPath {
     void begin(const CutView& view) override;
     bool isEmpty(std::size_t cascade) const override { return m_draws.lists().range(cascade).size() == 0; }
     vk::CommandBuffer primary() override { return m_primary; }
-    void drawScope(const GBufferScope& scope, base::IndexRange cascades) override;
+    void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;
     std::span<const vk::CommandBuffer> end(const CutView& view) override;
     bool settle(FrameStats&) override { return true; }
 

@@ -56,7 +56,7 @@ TranslucentDraws::TranslucentDraws(const gpu::Device& device, const GpuScene& sc
       m_blended(blended) {}
 
 void TranslucentDraws::prepare(const scene::Camera& camera, double aspect, const depth::Cascades& cascades,
-                               base::WorkerPool& workers) {
+                               host::WorkerPool& workers) {
     m_ranges = translucentRanges(cascades, camera);
     m_lens = lensOf(camera, aspect);
     m_nearView = camera.nearView;
@@ -83,7 +83,7 @@ void TranslucentDraws::writeRecords(const scene::Camera& camera) {
     const auto records = m_records.as<shaders::TranslucentRecord>(m_lists.draws());
     DrawRecordMaker maker(camera, 0.0);
     for (std::size_t range = 0; range < m_ranges.size(); ++range) {
-        const base::IndexRange draws = m_lists.range(range);
+        const host::IndexRange draws = m_lists.range(range);
         for (std::size_t i = draws.begin; i < draws.end; ++i) {
             const DrawSource& source = m_scene.sources()[m_blended.source[m_lists.instance[i]]];
             const shaders::DrawRecord record = maker.make(source, m_scene.materials()[source.material]);
@@ -129,7 +129,7 @@ void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,
     const auto kindOf = [&](std::size_t draw) {
         return m_scene.sources()[m_blended.source[m_lists.instance[draw]]].kind;
     };
-    const base::IndexRange draws = m_lists.range(range);
+    const host::IndexRange draws = m_lists.range(range);
     for (std::size_t first = draws.begin; first < draws.end;) {
         std::size_t end = first + 1;
         while (end < draws.end && kindOf(end) == kindOf(first)) {

@@ -30,7 +30,7 @@ class TranslucentDraws {
     /// Overwrites the lists and records; the last frame that drew them must have finished. base::RunError,
     /// with both figures, when the records need more memory than there is.
     void prepare(const scene::Camera& camera, double aspect, const depth::Cascades& cascades,
-                 base::WorkerPool& workers);
+                 host::WorkerPool& workers);
 
     std::size_t ranges() const { return m_ranges.size(); }
     bool isEmpty(std::size_t range) const { return m_lists.range(range).size() == 0; }

@@ -70,7 +70,7 @@ TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) co
 }
 
 void TranslucentPass::prepare(Slot& slot, const scene::Camera& camera, const depth::Cascades& cascades,
-                              base::WorkerPool& workers) const {
+                              host::WorkerPool& workers) const {
     const vk::Extent2D extent = m_lit.options().extent;
     const double aspect = static_cast<double>(extent.width) / static_cast<double>(extent.height);
     slot.draws.prepare(camera, aspect, cascades, workers);

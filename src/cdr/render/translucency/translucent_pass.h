@@ -39,7 +39,7 @@ class TranslucentPass {
 
     /// Decides what a frame draws; the slot's last frame must have finished.
     void prepare(Slot& slot, const scene::Camera& camera, const depth::Cascades& cascades,
-                 base::WorkerPool& workers) const;
+                 host::WorkerPool& workers) const;
     /// After shading; the lit image stays a colour attachment.
     void record(vk::CommandBuffer primary, Slot& slot) const;
     /// After the frame ran. False when its fragments found no room; draw it again.

@@ -58,15 +58,15 @@ Files::Files(fs::path folder, const GltfLimits& limits)
       m_maxFileBytes(limits.maxFileBytes),
       m_bytesLeft(std::max(limits.maxFileBytes, limits.maxFileBytes * kFilesInMemory)) {}
 
-base::Bytes Files::read(const std::string& uri) {
+host::Bytes Files::read(const std::string& uri) {
     if (uri.starts_with("data:")) {
-        std::optional<base::Bytes> bytes = decodeDataUri(uri);
+        std::optional<host::Bytes> bytes = decodeDataUri(uri);
         if (!bytes) {
             refuse("data URI '{}...' cannot be decoded", oneLine(uri.substr(0, 40)));
         }
         return *std::move(bytes);
     }
-    base::Bytes bytes = base::readFile(resolve(uri), std::min(m_maxFileBytes, m_bytesLeft));
+    host::Bytes bytes = host::readFile(resolve(uri), std::min(m_maxFileBytes, m_bytesLeft));
     m_bytesLeft -= bytes.size();
     return bytes;
 }

@@ -2,7 +2,7 @@
 
 #include "document.h"
 
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/scene/gltf/gltf.h>
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class Files {
     Files(std::filesystem::path folder, const GltfLimits& limits);
 
     /// The bytes of a `data:` URI or of the file that a relative, percent-encoded URI names.
-    base::Bytes read(const std::string& uri);
+    host::Bytes read(const std::string& uri);
 
   private:
     std::filesystem::path resolve(const std::string& uri) const;
@@ -42,7 +42,7 @@ class Buffers {
     std::span<const std::uint8_t> view(const tinygltf::Model& model, int bufferView) const;
 
   private:
-    std::vector<base::Bytes> m_owned;
+    std::vector<host::Bytes> m_owned;
     std::vector<std::optional<std::span<const std::uint8_t>>> m_buffers; ///< none where the file has no bytes
 };
 

@@ -6,7 +6,7 @@
 #include "nodes.h"
 #include "triangles.h"
 
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/lod/mesh_pieces.h>
 
@@ -178,7 +178,7 @@ GltfImport importGltf(std::span<const std::uint8_t> file, const std::filesystem:
 
 GltfImport loadGltf(const std::filesystem::path& path, const GltfLimits& limits,
                     std::optional<std::uint32_t> scene) {
-    return gltf::importGltf(base::readFile(path, limits.maxFileBytes), path, limits, scene);
+    return gltf::importGltf(host::readFile(path, limits.maxFileBytes), path, limits, scene);
 }
 
 } // namespace cdr::scene

@@ -86,7 +86,7 @@ std::optional<std::uint32_t> TextureImporter::use(int index) {
 
 image::ImageRgba8 TextureImporter::decode(int imageIndex) {
     const DataSource& source = itemAt(m_sources.document.images, imageIndex, "image");
-    base::Bytes owned;
+    host::Bytes owned;
     std::span<const std::uint8_t> encoded;
     if (source.uri) {
         encoded = owned = m_sources.files.read(*source.uri);

@@ -102,7 +102,7 @@ std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options)
     return levels;
 }
 
-void makeLevels(Scene& scene, base::WorkerPool& workers, const LevelOptions& options) {
+void makeLevels(Scene& scene, host::WorkerPool& workers, const LevelOptions& options) {
     workers.run(scene.meshes.size(), [&](std::size_t job, std::size_t) {
         Mesh& mesh = scene.meshes[job];
         if (mesh.levels.empty()) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/scene/scene.h>
 
 #include <cstddef>
@@ -27,6 +27,6 @@ std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options 
 
 /// Makes the levels of every mesh that has none; those the scene's maker gave stay. The same levels for any
 /// number of workers.
-void makeLevels(Scene& scene, base::WorkerPool& workers, const LevelOptions& options = {});
+void makeLevels(Scene& scene, host::WorkerPool& workers, const LevelOptions& options = {});
 
 } // namespace cdr::scene

@@ -1,10 +1,10 @@
-#include <cdr/base/thread_placement.h>
+#include <cdr/host/thread_placement.h>
 
 #if defined(__linux__)
 #include <sched.h>
 #endif
 
-namespace cdr::base {
+namespace cdr::host {
 
 #if defined(__linux__)
 
@@ -61,4 +61,4 @@ PinnedThread::~PinnedThread() = default;
 
 #endif
 
-} // namespace cdr::base
+} // namespace cdr::host

@@ -1,16 +1,16 @@
 #include <cdr/base/error.h>
-#include <cdr/base/sha256.h>
+#include <cdr/host/sha256.h>
 
 #include <openssl/evp.h>
 
 #include <array>
 
-namespace cdr::base {
+namespace cdr::host {
 
 std::string sha256(std::span<const std::uint8_t> bytes) {
     std::array<unsigned char, 32> digest{};
     if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1) {
-        throw RunError("EVP_Digest: SHA-256 is not available");
+        throw base::RunError("EVP_Digest: SHA-256 is not available");
     }
     static constexpr char kDigits[] = "0123456789abcdef";
     std::string text;
@@ -22,4 +22,4 @@ std::string sha256(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
-} // namespace cdr::base
+} // namespace cdr::host

@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/worker_pool.h>
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 
 namespace {
 
-using cdr::base::allowedCpus;
-using cdr::base::PinnedThread;
-using cdr::base::Placement;
-using cdr::base::WorkerPool;
+using cdr::host::allowedCpus;
+using cdr::host::PinnedThread;
+using cdr::host::Placement;
+using cdr::host::WorkerPool;
 
 class WorkerPoolThreads : public testing::TestWithParam<std::size_t> {};
 
@@ -82,7 +82,7 @@ TEST(EvenRange, CoversWithoutGapInNearlyEqualParts) {
         for (const std::size_t parts : {1u, 2u, 3u, 7u}) {
             std::size_t next = 0;
             for (std::size_t part = 0; part < parts; ++part) {
-                const auto range = cdr::base::evenRange(count, part, parts);
+                const auto range = cdr::host::evenRange(count, part, parts);
                 EXPECT_EQ(range.begin, next);
                 EXPECT_LE(range.size(), count / parts + 1);
                 EXPECT_GE(range.size(), count / parts);

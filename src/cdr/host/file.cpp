@@ -1,5 +1,5 @@
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/file.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 #include <string>
 #include <system_error>
 
-namespace cdr::base {
+namespace cdr::host {
 
 namespace {
 
@@ -47,7 +47,7 @@ fs::path withLinksFollowed(const fs::path& path) {
         }
         target = target.parent_path() / fs::read_symlink(target, error); // an absolute link replaces the rest
     }
-    throw InputError(path.string() + ": too many links");
+    throw base::InputError(path.string() + ": too many links");
 }
 
 /// 64 random bits from the system, in hexadecimal digits.
@@ -87,7 +87,7 @@ int writeAll(int descriptor, std::span<const std::uint8_t> bytes) {
 }
 
 [[noreturn]] void throwWriteFailed(const fs::path& path, int error) {
-    throw RunError(path.string() + ": write failed: " + std::generic_category().message(error));
+    throw base::RunError(path.string() + ": write failed: " + std::generic_category().message(error));
 }
 
 /// An existing file that is open for writing, and closed with its owner.
@@ -122,24 +122,24 @@ Bytes readFile(const fs::path& path, std::uintmax_t maxBytes) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (error || !fs::exists(status)) {
-        throw InputError(path.string() + ": no such file");
+        throw base::InputError(path.string() + ": no such file");
     }
     if (!fs::is_regular_file(status)) {
-        throw InputError(path.string() + ": not a regular file");
+        throw base::InputError(path.string() + ": not a regular file");
     }
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) {
-        throw InputError(path.string() + ": " + error.message());
+        throw base::InputError(path.string() + ": " + error.message());
     }
     if (size > maxBytes) {
-        throw InputError(path.string() + ": " + std::to_string(size) + " bytes is over the limit of " +
-                         std::to_string(maxBytes));
+        throw base::InputError(path.string() + ": " + std::to_string(size) + " bytes is over the limit of " +
+                               std::to_string(maxBytes));
     }
     Bytes bytes(static_cast<std::size_t>(size));
     std::ifstream stream(path, std::ios::binary);
     stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     if (!stream || static_cast<std::uintmax_t>(stream.gcount()) != size) {
-        throw InputError(path.string() + ": cannot be read");
+        throw base::InputError(path.string() + ": cannot be read");
     }
     return bytes;
 }
@@ -148,23 +148,23 @@ PendingFile::PendingFile(fs::path path) : m_path(std::move(path)), m_target(with
     std::error_code error;
     const fs::file_status status = fs::status(m_target, error);
     if (m_path.filename().empty() || fs::is_directory(status)) {
-        throw InputError(m_path.string() + ": names a folder, not a file to write");
+        throw base::InputError(m_path.string() + ": names a folder, not a file to write");
     }
     m_descriptor = descriptorOf(m_target);
     m_isCopied = m_descriptor || (fs::exists(status) && !fs::is_regular_file(status));
     if (error == std::errc::filename_too_long) {
-        throw InputError(m_path.string() + ": cannot be written, its name is too long");
+        throw base::InputError(m_path.string() + ": cannot be written, its name is too long");
     }
     const bool isRefused =
         m_descriptor ? !isWritable(*m_descriptor) : m_isCopied && ::access(m_target.c_str(), W_OK) != 0;
     if (isRefused) {
-        throw InputError(m_path.string() + ": cannot be written");
+        throw base::InputError(m_path.string() + ": cannot be written");
     }
     const fs::path beside = m_target.has_parent_path() ? m_target.parent_path() : ".";
     m_temporary =
         createTemporary(m_isCopied ? fs::temp_directory_path() : beside, m_path.extension().string());
     if (m_temporary.empty()) {
-        throw InputError(m_path.string() + ": cannot be written, its folder is missing or read-only");
+        throw base::InputError(m_path.string() + ": cannot be written, its folder is missing or read-only");
     }
     if (fs::is_regular_file(status)) {
         fs::permissions(m_temporary, status.permissions(), error);
@@ -189,7 +189,7 @@ void PendingFile::commit() const {
     std::error_code error;
     fs::rename(m_temporary, m_target, error);
     if (error) {
-        throw InputError(m_path.string() + ": cannot be written: " + error.message());
+        throw base::InputError(m_path.string() + ": cannot be written: " + error.message());
     }
 }
 
@@ -219,8 +219,8 @@ void makeFolder(const fs::path& path) {
     std::error_code error;
     fs::create_directories(path, error);
     if (error) {
-        throw InputError(path.string() + ": cannot be made: " + error.message());
+        throw base::InputError(path.string() + ": cannot be made: " + error.message());
     }
 }
 
-} // namespace cdr::base
+} // namespace cdr::host

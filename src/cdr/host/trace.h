@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace cdr::base {
+namespace cdr::host {
 
 /// Records which worker did what and when, for the Chrome and Perfetto trace viewers (Google, "Trace Event
 /// Format").
@@ -119,4 +119,4 @@ class JobSpan {
     Trace::Job m_job;
 };
 
-} // namespace cdr::base
+} // namespace cdr::host

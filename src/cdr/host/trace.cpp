@@ -1,6 +1,6 @@
-#include <cdr/base/document.h>
-#include <cdr/base/file.h>
-#include <cdr/base/trace.h>
+#include <cdr/host/document.h>
+#include <cdr/host/file.h>
+#include <cdr/host/trace.h>
 
 #include <nlohmann/json.hpp>
 
@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-namespace cdr::base {
+namespace cdr::host {
 
 namespace {
 
@@ -193,4 +193,4 @@ void Trace::write(const std::filesystem::path& path) const {
     writeText(path, textOf(toJson(), -1));
 }
 
-} // namespace cdr::base
+} // namespace cdr::host

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cdr::base {
+namespace cdr::host {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -61,4 +61,4 @@ void requireWritable(const std::filesystem::path& path);
 /// Makes a folder and those above it where they are missing. InputError when that fails.
 void makeFolder(const std::filesystem::path& path);
 
-} // namespace cdr::base
+} // namespace cdr::host

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace cdr::base {
+namespace cdr::host {
 
 /// Version and commit the binary was built from; the commit is "unknown" outside a git checkout.
 struct BuildInfo {
@@ -40,4 +40,4 @@ std::string textOf(const nlohmann::ordered_json& json, int indent);
 /// InputError or RunError when that fails.
 void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_json& document);
 
-} // namespace cdr::base
+} // namespace cdr::host

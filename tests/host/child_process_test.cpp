@@ -1,8 +1,8 @@
 #include "../support/temporary_folder.h"
 
-#include <cdr/base/child_process.h>
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
+#include <cdr/host/child_process.h>
+#include <cdr/host/file.h>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-namespace cdr::base {
+namespace cdr::host {
 
 namespace {
 
@@ -94,4 +94,4 @@ TEST_F(ChildProcessTest, OneThatIsNotWaitedForIsEnded) {
 
 } // namespace
 
-} // namespace cdr::base
+} // namespace cdr::host

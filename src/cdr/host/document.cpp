@@ -1,13 +1,12 @@
 #include "build_info.h"
 
-#include <cdr/base/document.h>
-#include <cdr/base/file.h>
-#include <cdr/base/standard_streams.h>
+#include <cdr/host/document.h>
+#include <cdr/host/file.h>
+#include <cdr/host/standard_streams.h>
 
-#include <iostream>
 #include <thread>
 
-namespace cdr::base {
+namespace cdr::host {
 
 BuildInfo buildInfo() {
     return {.version = CDR_VERSION, .commit = CDR_COMMIT};
@@ -36,11 +35,11 @@ std::string textOf(const nlohmann::ordered_json& json, int indent) {
 void writeDocument(const std::filesystem::path& path, const nlohmann::ordered_json& document) {
     const std::string text = textOf(document, 2);
     if (path == "-") {
-        std::cout << text;
+        printOutput(text);
         flushStandardOutput();
         return;
     }
     writeText(path, text);
 }
 
-} // namespace cdr::base
+} // namespace cdr::host

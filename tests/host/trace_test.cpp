@@ -1,5 +1,5 @@
-#include <cdr/base/trace.h>
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/trace.h>
+#include <cdr/host/worker_pool.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,9 +12,9 @@
 
 namespace {
 
-using cdr::base::JobSpan;
-using cdr::base::Trace;
-using cdr::base::WorkerPool;
+using cdr::host::JobSpan;
+using cdr::host::Trace;
+using cdr::host::WorkerPool;
 using nlohmann::ordered_json;
 
 /// Names of the events of each track, by the track's own name.

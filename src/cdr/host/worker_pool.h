@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cdr/base/thread_placement.h>
-#include <cdr/base/trace.h>
+#include <cdr/host/thread_placement.h>
+#include <cdr/host/trace.h>
 
 #include <condition_variable>
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace cdr::base {
+namespace cdr::host {
 
 /// A fixed set of threads that run the jobs of one batch at a time.
 ///
@@ -67,4 +67,4 @@ constexpr IndexRange evenRange(std::size_t count, std::size_t part, std::size_t 
     return {count * part / parts, count * (part + 1) / parts};
 }
 
-} // namespace cdr::base
+} // namespace cdr::host

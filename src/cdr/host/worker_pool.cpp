@@ -1,11 +1,11 @@
 #include <cdr/base/error.h>
-#include <cdr/base/worker_pool.h>
+#include <cdr/host/worker_pool.h>
 
 #include <atomic>
 #include <exception>
 #include <string>
 
-namespace cdr::base {
+namespace cdr::host {
 
 struct WorkerPool::Batch {
     Batch(const Job& batchBody, std::size_t batchJobs, Trace* batchTrace)
@@ -39,8 +39,8 @@ struct WorkerPool::Batch {
 
 WorkerPool::WorkerPool(std::size_t threads, Placement placement) {
     if (threads < 1 || threads > kMaxThreads) {
-        throw InputError("threads must be 1 to " + std::to_string(kMaxThreads) + ", not " +
-                         std::to_string(threads));
+        throw base::InputError("threads must be 1 to " + std::to_string(kMaxThreads) + ", not " +
+                               std::to_string(threads));
     }
     const std::vector<std::size_t> cpus =
         placement == Placement::pinned ? allowedCpus() : std::vector<std::size_t>();
@@ -95,4 +95,4 @@ void WorkerPool::serve(const std::stop_token& stop, std::size_t worker) {
     }
 }
 
-} // namespace cdr::base
+} // namespace cdr::host

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace cdr::base {
+namespace cdr::host {
 
 /// Which CPUs a pool's threads run on.
 enum class Placement {
@@ -28,4 +28,4 @@ class PinnedThread {
     std::vector<std::size_t> m_before;
 };
 
-} // namespace cdr::base
+} // namespace cdr::host

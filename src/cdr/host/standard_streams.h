@@ -2,7 +2,10 @@
 
 #include <string>
 
-namespace cdr::base {
+namespace cdr::host {
+
+/// Prints on standard output. RunError when that could not be written.
+void printOutput(const std::string& text);
 
 /// Writes out what was printed on standard output. RunError when some of it could not be written, now or
 /// before.
@@ -11,4 +14,4 @@ void flushStandardOutput();
 /// Prints a line on standard error. Does nothing where that fails, since nobody could be told.
 void printError(const std::string& line) noexcept;
 
-} // namespace cdr::base
+} // namespace cdr::host

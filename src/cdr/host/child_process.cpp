@@ -1,5 +1,5 @@
-#include <cdr/base/child_process.h>
 #include <cdr/base/error.h>
+#include <cdr/host/child_process.h>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -12,7 +12,7 @@
 #include <csignal>
 #include <cstring>
 
-namespace cdr::base {
+namespace cdr::host {
 
 namespace {
 
@@ -42,7 +42,7 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments, const Output& out
     // A socket and not a pipe: writing to one whose reader has gone can fail without raising SIGPIPE.
     std::array<int, 2> ends{-1, -1};
     if (!m_errors || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-        throw RunError(m_name + ": cannot be started: " + std::strerror(errno));
+        throw base::RunError(m_name + ": cannot be started: " + std::strerror(errno));
     }
     ::fcntl(::fileno(m_errors.get()), F_SETFD, FD_CLOEXEC);
     m_input = ends[0];
@@ -62,9 +62,9 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments, const Output& out
         closeInput();
         m_child = -1;
         if (error == ENOENT) {
-            throw InputError(m_name + " is not installed");
+            throw base::InputError(m_name + " is not installed");
         }
-        throw RunError(m_name + ": cannot be started: " + std::strerror(error));
+        throw base::RunError(m_name + ": cannot be started: " + std::strerror(error));
     }
 }
 
@@ -110,7 +110,7 @@ void ChildProcess::write(std::span<const std::uint8_t> bytes) {
         if (sent < 0) {
             closeInput();
             wait(); // so that all it has to say is there
-            throw RunError(m_name + " ended early: " + lastWords());
+            throw base::RunError(m_name + " ended early: " + lastWords());
         }
         bytes = bytes.subspan(static_cast<std::size_t>(sent));
     }
@@ -119,17 +119,17 @@ void ChildProcess::write(std::span<const std::uint8_t> bytes) {
 void ChildProcess::finish() {
     closeInput();
     if (const int status = wait(); status != 0) {
-        throw RunError(m_name + " failed: " + lastWords());
+        throw base::RunError(m_name + " failed: " + lastWords());
     }
 }
 
 bool isInstalled(const std::string& program) {
     try {
         const ChildProcess started({program, "-version"}, {});
-    } catch (const InputError&) {
+    } catch (const base::InputError&) {
         return false;
     }
     return true;
 }
 
-} // namespace cdr::base
+} // namespace cdr::host

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-namespace cdr::base {
+namespace cdr::host {
 
 /// SHA-256 of the bytes as 64 lower-case hexadecimal digits.
 std::string sha256(std::span<const std::uint8_t> bytes);
@@ -16,4 +16,4 @@ std::string sha256Of(const Range& values) {
     return sha256({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 
-} // namespace cdr::base
+} // namespace cdr::host

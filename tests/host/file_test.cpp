@@ -1,9 +1,9 @@
-#include <cdr/base/document.h>
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/base/file.h>
-#include <cdr/base/sha256.h>
 #include <cdr/base/suggest.h>
+#include <cdr/host/document.h>
+#include <cdr/host/file.h>
+#include <cdr/host/sha256.h>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -23,9 +23,9 @@
 namespace {
 
 namespace fs = std::filesystem;
-using cdr::base::Bytes;
 using cdr::base::InputError;
 using cdr::base::RunError;
+using cdr::host::Bytes;
 
 class FileTest : public testing::Test {
   protected:
@@ -43,37 +43,37 @@ class FileTest : public testing::Test {
 
 TEST_F(FileTest, WritesAndReadsBack) {
     const Bytes bytes{1, 2, 3, 0, 255};
-    cdr::base::writeFile(path("a.bin"), bytes);
-    EXPECT_EQ(cdr::base::readFile(path("a.bin"), 5), bytes);
+    cdr::host::writeFile(path("a.bin"), bytes);
+    EXPECT_EQ(cdr::host::readFile(path("a.bin"), 5), bytes);
     EXPECT_EQ(filesInFolder(), 1u);
 }
 
 TEST_F(FileTest, RefusesMissingFoldersAndTooLargeFiles) {
-    cdr::base::writeFile(path("a.bin"), Bytes(10));
-    EXPECT_THROW(cdr::base::readFile(path("a.bin"), 9), InputError);
-    EXPECT_THROW(cdr::base::readFile(path("b.bin"), 9), InputError);
-    EXPECT_THROW(cdr::base::readFile(path(""), 9), InputError);
-    EXPECT_THROW(cdr::base::readFile("/dev/zero", 9), InputError);
+    cdr::host::writeFile(path("a.bin"), Bytes(10));
+    EXPECT_THROW(cdr::host::readFile(path("a.bin"), 9), InputError);
+    EXPECT_THROW(cdr::host::readFile(path("b.bin"), 9), InputError);
+    EXPECT_THROW(cdr::host::readFile(path(""), 9), InputError);
+    EXPECT_THROW(cdr::host::readFile("/dev/zero", 9), InputError);
 }
 
 TEST_F(FileTest, AFailedWriteLeavesTheOldFileAndNothingElse) {
-    cdr::base::writeFile(path("a.bin"), Bytes{7});
-    EXPECT_THROW(cdr::base::writeBesideThenRename(path("a.bin"),
+    cdr::host::writeFile(path("a.bin"), Bytes{7});
+    EXPECT_THROW(cdr::host::writeBesideThenRename(path("a.bin"),
                                                   [](const fs::path& temporary) {
                                                       std::ofstream(temporary) << "half";
                                                       throw std::runtime_error("midway");
                                                   }),
                  std::runtime_error);
-    EXPECT_EQ(cdr::base::readFile(path("a.bin"), 9), Bytes{7});
+    EXPECT_EQ(cdr::host::readFile(path("a.bin"), 9), Bytes{7});
     EXPECT_EQ(filesInFolder(), 1u);
 }
 
 TEST_F(FileTest, TellsWhetherAPathCanBeWritten) {
-    EXPECT_NO_THROW(cdr::base::requireWritable(path("new.png")));
+    EXPECT_NO_THROW(cdr::host::requireWritable(path("new.png")));
     EXPECT_EQ(filesInFolder(), 0u);
-    EXPECT_THROW(cdr::base::requireWritable(path("no/such/folder.png")), InputError);
-    EXPECT_THROW(cdr::base::requireWritable(path(".")), InputError);
-    EXPECT_THROW(cdr::base::writeFile(path("no/such/folder.png"), Bytes{1}), InputError);
+    EXPECT_THROW(cdr::host::requireWritable(path("no/such/folder.png")), InputError);
+    EXPECT_THROW(cdr::host::requireWritable(path(".")), InputError);
+    EXPECT_THROW(cdr::host::writeFile(path("no/such/folder.png"), Bytes{1}), InputError);
 }
 
 /// A null device of the test's own: were it replaced, nobody else would miss it.
@@ -81,8 +81,8 @@ TEST_F(FileTest, WritesIntoADeviceAndLeavesIt) {
     if (::mknod(path("null").c_str(), S_IFCHR | 0600, makedev(1, 3)) != 0 || !std::ofstream(path("null"))) {
         GTEST_SKIP() << "making a device needs rights that this process lacks";
     }
-    cdr::base::requireWritable(path("null"));
-    cdr::base::writeFile(path("null"), Bytes{1, 2, 3});
+    cdr::host::requireWritable(path("null"));
+    cdr::host::writeFile(path("null"), Bytes{1, 2, 3});
     EXPECT_TRUE(fs::is_character_file(path("null")));
     EXPECT_EQ(filesInFolder(), 1u);
 }
@@ -92,9 +92,9 @@ TEST_F(FileTest, NamesTheOutputThatIsFull) {
     ASSERT_GE(full, 0);
     const std::string name = "/dev/fd/" + std::to_string(full);
     try {
-        cdr::base::writeFile(name, Bytes{1, 2, 3});
+        cdr::host::writeFile(name, Bytes{1, 2, 3});
         ADD_FAILURE() << "was written";
-    } catch (const RunError& error) {
+    } catch (const base::RunError& error) {
         EXPECT_EQ(std::string(error.what()), name + ": write failed: No space left on device");
     }
     ::close(full);
@@ -102,10 +102,10 @@ TEST_F(FileTest, NamesTheOutputThatIsFull) {
 
 TEST_F(FileTest, WritesIntoAFifoAndLeavesIt) {
     ASSERT_EQ(::mkfifo(path("fifo").c_str(), 0600), 0);
-    cdr::base::requireWritable(path("fifo"));
+    cdr::host::requireWritable(path("fifo"));
     std::string read;
     std::thread reader([&] { std::getline(std::ifstream(path("fifo")), read); });
-    cdr::base::writeText(path("fifo"), "through\n");
+    cdr::host::writeText(path("fifo"), "through\n");
     reader.join();
     EXPECT_EQ(read, "through");
     EXPECT_TRUE(fs::is_fifo(path("fifo")));
@@ -115,33 +115,33 @@ TEST_F(FileTest, WritesIntoAFifoAndLeavesIt) {
 TEST_F(FileTest, WritesWhereALinkPointsAndKeepsTheLink) {
     fs::create_directories(path("folder"));
     fs::create_symlink("folder/new.bin", path("link"));
-    cdr::base::writeFile(path("link"), Bytes{1});
-    cdr::base::writeFile(path("link"), Bytes{2});
+    cdr::host::writeFile(path("link"), Bytes{1});
+    cdr::host::writeFile(path("link"), Bytes{2});
     EXPECT_TRUE(fs::is_symlink(path("link")));
-    EXPECT_EQ(cdr::base::readFile(path("folder/new.bin"), 9), Bytes{2});
+    EXPECT_EQ(cdr::host::readFile(path("folder/new.bin"), 9), Bytes{2});
     EXPECT_EQ(filesInFolder(), 2u);
     fs::create_symlink("loop", path("loop"));
-    EXPECT_THROW(cdr::base::writeFile(path("loop"), Bytes{1}), InputError);
+    EXPECT_THROW(cdr::host::writeFile(path("loop"), Bytes{1}), InputError);
     fs::create_symlink("folder", path("link to a folder"));
-    EXPECT_THROW(cdr::base::writeFile(path("link to a folder"), Bytes{1}), InputError);
+    EXPECT_THROW(cdr::host::writeFile(path("link to a folder"), Bytes{1}), InputError);
 }
 
 TEST_F(FileTest, WritesIntoAnOpenDescriptorWhereItStands) {
     const int file = ::open(path("a.txt").c_str(), O_RDWR | O_CREAT, 0600);
     ASSERT_GE(file, 0);
     ASSERT_EQ(::write(file, "before ", 7), 7);
-    cdr::base::writeText("/dev/fd/" + std::to_string(file), "within");
+    cdr::host::writeText("/dev/fd/" + std::to_string(file), "within");
     ASSERT_EQ(::write(file, " after", 6), 6);
     ::close(file);
-    const Bytes bytes = cdr::base::readFile(path("a.txt"), 99);
+    const Bytes bytes = cdr::host::readFile(path("a.txt"), 99);
     EXPECT_EQ(std::string(bytes.begin(), bytes.end()), "before within after");
-    EXPECT_THROW(cdr::base::writeText("/dev/fd/" + std::to_string(file), "closed"), InputError);
+    EXPECT_THROW(cdr::host::writeText("/dev/fd/" + std::to_string(file), "closed"), InputError);
 }
 
 TEST_F(FileTest, KeepsTheModeOfTheFileItReplaces) {
-    cdr::base::writeFile(path("a.bin"), Bytes{1});
+    cdr::host::writeFile(path("a.bin"), Bytes{1});
     fs::permissions(path("a.bin"), fs::perms::owner_read | fs::perms::owner_write);
-    cdr::base::writeFile(path("a.bin"), Bytes{2});
+    cdr::host::writeFile(path("a.bin"), Bytes{2});
     EXPECT_EQ(fs::status(path("a.bin")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
@@ -149,7 +149,7 @@ TEST_F(FileTest, KeepsTheModeOfTheFileItReplaces) {
 TEST_F(FileTest, TemporaryNamesAreRandomAndTaken) {
     std::set<fs::path> names;
     for (int i = 0; i < 50; ++i) {
-        const cdr::base::PendingFile file(path("a.png"));
+        const cdr::host::PendingFile file(path("a.png"));
         EXPECT_EQ(file.temporary().extension(), ".png");
         EXPECT_EQ(file.temporary().parent_path(), path("a.png").parent_path());
         EXPECT_TRUE(fs::is_regular_file(file.temporary()));
@@ -161,19 +161,19 @@ TEST_F(FileTest, TemporaryNamesAreRandomAndTaken) {
 }
 
 TEST_F(FileTest, RefusesNamesThatAreTooLong) {
-    EXPECT_THROW(cdr::base::requireWritable(path(std::string(300, 'x').c_str())), InputError);
+    EXPECT_THROW(cdr::host::requireWritable(path(std::string(300, 'x').c_str())), InputError);
 }
 
 TEST(Document, KeepsTextThatIsNotUtf8) {
-    const auto json = nlohmann::ordered_json::parse(cdr::base::textOf({{"scene", "a\xff.glb"}}, 2));
+    const auto json = nlohmann::ordered_json::parse(cdr::host::textOf({{"scene", "a\xff.glb"}}, 2));
     EXPECT_EQ(json.at("scene"), "a\xEF\xBF\xBD.glb");
 }
 
 TEST(Sha256, MatchesPublishedVectors) {
     // FIPS 180-4 example and the empty message.
     const std::string abc = "abc";
-    EXPECT_EQ(cdr::base::sha256Of(abc), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-    EXPECT_EQ(cdr::base::sha256({}), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(cdr::host::sha256Of(abc), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(cdr::host::sha256({}), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
 TEST(UnknownName, SuggestsTheClosest) {
@@ -193,7 +193,7 @@ TEST(EnumNames, ReadInBothDirections) {
     try {
         kColours.parse("gren");
         ADD_FAILURE() << "was read";
-    } catch (const InputError& error) {
+    } catch (const base::InputError& error) {
         EXPECT_EQ(std::string(error.what()),
                   "unknown colour 'gren'; did you mean 'green'? (known: red, green)");
     }

@@ -1,0 +1,11 @@
+// cdr_depth.glsl for HLSL: the same functions, with the types named as HLSL has them.
+#ifndef CDR_DEPTH_HLSL
+#define CDR_DEPTH_HLSL
+
+#define vec2 float2
+#define vec4 float4
+#include "cdr_depth.glsl"
+#undef vec2
+#undef vec4
+
+#endif

@@ -1,0 +1,52 @@
+// What all pixels share of lighting, handed from shading.vert to shading.frag as flat varyings. A software rasteriser
+// loads what lies in a buffer once for each pixel, and a flat varying once for each triangle. The vertex shader defines
+// HANDS_OVER_LIGHTING.
+#ifndef CDR_SHADERS_FLAT_LIGHTING_GLSL
+#define CDR_SHADERS_FLAT_LIGHTING_GLSL
+
+// How many lights the scene has; more than kFlatLights are read from the buffer.
+layout(constant_id = 2) const uint kLights = 0u;
+
+#ifdef HANDS_OVER_LIGHTING
+#define HANDED flat out
+#else
+#define HANDED flat in
+#endif
+// 64 components with gl_Position, as many as every device has.
+layout(location = 0) HANDED vec4 flatAmbientAndRayX;
+layout(location = 1) HANDED vec4 flatBackgroundAndRayY;
+layout(location = 2) HANDED vec2 flatFogAndRadius; // fog.a and occlusionRadius; fog's colour is the background's
+layout(location = 3) HANDED vec4 flatLights[3u * kFlatLights]; // LightRecords
+
+#ifdef HANDS_OVER_LIGHTING
+void handOverLighting() {
+    flatAmbientAndRayX = vec4(header.ambient.rgb, header.rayScale.x);
+    flatBackgroundAndRayY = vec4(header.background.rgb, header.rayScale.y);
+    flatFogAndRadius = vec2(header.fog.a, header.occlusionRadius);
+    for (uint i = 0u; i < kFlatLights; ++i) {
+        LightRecord light = LightRecord(vec4(0.0), vec4(0.0), vec4(0.0));
+        if (i < kLights) {
+            light = lights[i];
+        }
+        flatLights[3u * i] = light.position;
+        flatLights[3u * i + 1u] = light.positionRest;
+        flatLights[3u * i + 2u] = light.color;
+    }
+}
+#else
+vec3 ambientLight() { return flatAmbientAndRayX.rgb; }
+vec3 backgroundColor() { return flatBackgroundAndRayY.rgb; }
+vec3 fogColor() { return backgroundColor(); }
+float fogExtinction() { return flatFogAndRadius.x; }
+float occlusionRadius() { return flatFogAndRadius.y; }
+vec2 rayScale() { return vec2(flatAmbientAndRayX.w, flatBackgroundAndRayY.w); }
+uint lightCount() { return kLights; }
+LightRecord lightAt(uint i) {
+    if (kLights > kFlatLights) {
+        return lights[i];
+    }
+    return LightRecord(flatLights[3u * i], flatLights[3u * i + 1u], flatLights[3u * i + 2u]);
+}
+#endif
+
+#endif

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cdr/base/error.h>
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace cdr::base {
+
+/// Why there is no value: one line, as an InputError would say it.
+struct Refusal {
+    std::string message;
+};
+
+/// A value, or why there is none: what functions return that do not throw.
+template <typename Value>
+class Result {
+  public:
+    Result(Value value) : m_content(std::in_place_index<0>, std::move(value)) {}
+    Result(Refusal refusal) : m_content(std::in_place_index<1>, std::move(refusal)) {}
+
+    explicit operator bool() const { return m_content.index() == 0; }
+    /// Only where there is a value.
+    const Value& operator*() const { return *std::get_if<0>(&m_content); }
+    const Value* operator->() const { return std::get_if<0>(&m_content); }
+    /// Only where there is none.
+    const Refusal& refusal() const { return *std::get_if<1>(&m_content); }
+
+    /// The value. InputError where there is none.
+    Value orThrow() && {
+        if (!*this) {
+            raise<InputError>(refusal().message);
+        }
+        return std::move(*std::get_if<0>(&m_content));
+    }
+
+  private:
+    std::variant<Value, Refusal> m_content;
+};
+
+} // namespace cdr::base

@@ -1,0 +1,21 @@
+#include <cdr/depth/cascade_constants.h>
+
+#include <cmath>
+
+namespace cdr::depth {
+
+CascadeConstants cascadeConstants(Mapping mapping, const Cascades& cascades, std::size_t index,
+                                  const Projection& projection, FarEnd farEnd) {
+    const Cascade range = clipRange(mapping, cascades, index);
+    const ClipTerms terms = clipTerms(depthRange(mapping, cascades, index, farEnd));
+    const double tangent = std::tan(0.5 * projection.fovY);
+    return {.anchorView = static_cast<float>(terms.anchorView),
+            .scale = static_cast<float>(terms.scale),
+            .offset = static_cast<float>(terms.offset),
+            .nearAhead = static_cast<float>(range.nearView - terms.anchorView),
+            .farAhead = static_cast<float>(range.farView - terms.anchorView),
+            .projectionX = static_cast<float>(1.0 / (projection.aspect * tangent)),
+            .projectionY = static_cast<float>(-1.0 / tangent)};
+}
+
+} // namespace cdr::depth

@@ -1,0 +1,93 @@
+#include <cdr/base/error.h>
+#include <cdr/depth/advice.h>
+#include <cdr/depth/make_cascades.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::depth {
+
+namespace {
+
+/// A bad call, once refused and once thrown.
+struct BadCall {
+    const char* what;
+    std::function<std::optional<std::string>()> refused; ///< the message; empty where there was a value
+    std::function<void()> thrown;
+};
+
+template <typename Value>
+std::optional<std::string> messageOf(const base::Result<Value>& result) {
+    return result ? std::nullopt : std::optional(result.refusal().message);
+}
+
+const SplitContext kContext{.nearView = 0.1, .farView = 1e5};
+const ForecastScene kFarAway{.atView = 1e9};
+
+const std::vector<BadCall> kBadCalls{
+    {"mapping", [] { return messageOf(tryParseMapping("lag")); }, [] { parseMapping("lag"); }},
+    {"format", [] { return messageOf(tryParseDepthFormat("d17")); }, [] { parseDepthFormat("d17"); }},
+    {"split", [] { return messageOf(tryParseSplit("half")); }, [] { parseSplit("half"); }},
+    {"ratio", [] { return messageOf(tryParseSplit("ratio:1")); }, [] { parseSplit("ratio:1"); }},
+    {"ratio's text", [] { return messageOf(tryParseSplit("ratio:x")); }, [] { parseSplit("ratio:x"); }},
+    {"count", [] { return messageOf(tryParseSplit("count:0.5")); }, [] { parseSplit("count:0.5"); }},
+    {"count's text", [] { return messageOf(tryParseSplit("count:")); }, [] { parseSplit("count:"); }},
+    {"boundaries", [] { return messageOf(tryParseSplit("at:2,1")); }, [] { parseSplit("at:2,1"); }},
+    {"boundary", [] { return messageOf(tryParseSplit("at:2,")); }, [] { parseSplit("at:2,"); }},
+    {"target", [] { return messageOf(tryParseSplit("fitted:0px")); }, [] { parseSplit("fitted:0px"); }},
+    {"most", [] { return messageOf(tryParseSplit("fitted:1,max=99")); },
+     [] { parseSplit("fitted:1,max=99"); }},
+    {"technique", [] { return messageOf(tryNamedTechnique("cdx")); }, [] { namedTechnique("cdx"); }},
+    {"technique's mapping", [] { return messageOf(tryNamedTechnique("a/none")); },
+     [] { namedTechnique("a/none"); }},
+    {"technique's split", [] { return messageOf(tryNamedTechnique("log/a")); },
+     [] { namedTechnique("log/a"); }},
+    {"range", [] { return messageOf(tryMakeCascades(SplitNone{}, {})); },
+     [] { makeCascades(SplitNone{}, {}); }},
+    {"bounds of the range",
+     [] { return messageOf(tryMakeCascades(SplitNone{}, {.nearView = 1e-50, .farView = 1})); },
+     [] { makeCascades(SplitNone{}, {.nearView = 1e-50, .farView = 1}); }},
+    {"too many cascades", [] { return messageOf(tryMakeCascades(SplitRatio{1.01}, kContext)); },
+     [] { makeCascades(SplitRatio{1.01}, kContext); }},
+    {"no footprint", [] { return messageOf(tryMakeCascades(SplitFitted{}, kContext)); },
+     [] { makeCascades(SplitFitted{}, kContext); }},
+    {"distance", [] { return messageOf(tryForecast({}, kFarAway)); }, [] { forecast({}, kFarAway); }},
+    {"separation", [] { return messageOf(tryAdvise({.scene = {}, .separationView = 0.0})); },
+     [] { advise({.scene = {}, .separationView = 0.0}); }},
+    {"advice's scene", [] { return messageOf(tryAdvise({.scene = kFarAway})); },
+     [] { advise({.scene = kFarAway}); }},
+};
+
+TEST(Refusal, SaysWhatTheExceptionSays) {
+    for (const BadCall& call : kBadCalls) {
+        const std::optional<std::string> refusal = call.refused();
+        ASSERT_TRUE(refusal) << call.what;
+        try {
+            call.thrown();
+            FAIL() << call.what << " was accepted";
+        } catch (const base::InputError& error) {
+            EXPECT_EQ(error.what(), *refusal) << call.what;
+        }
+    }
+}
+
+TEST(Refusal, OfAnotherNumberOfMeasurements) {
+    const AdviceQuestion question{.scene = {.footprintSlope = 1e-3}};
+    EXPECT_TRUE(tryAdvise(question));
+    EXPECT_FALSE(tryAdvise(question, {}));
+    EXPECT_THROW(advise(question, {}), base::InputError);
+}
+
+TEST(Refusal, GoodCallsGiveTheSameBothWays) {
+    EXPECT_EQ(tryNamedTechnique("cdr")->technique, namedTechnique("cdr").technique);
+    EXPECT_EQ(*tryParseSplit("at:1,2"), parseSplit("at:1,2"));
+    EXPECT_EQ(tryMakeCascades(SplitCount{3}, kContext)->size(), makeCascades(SplitCount{3}, kContext).size());
+}
+
+} // namespace
+
+} // namespace cdr::depth

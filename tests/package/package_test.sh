@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Builds cdr::depth as an engine author does, without any other package, installs it, and builds and runs an example of it
+# outside the source tree: with and without exceptions, by CMake and by pkg-config, and for Windows where this machine has a
+# cross compiler.
+# Usage: package_test.sh SOURCE_DIR
+set -euo pipefail
+
+source_dir=$(cd "$1" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export CCACHE_BASEDIR=$work
+quiet() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2 && echo "failed: $*" >&2 && exit 1; }; }
+
+# No package can be found, so none can be needed.
+hidden=()
+for package in Vulkan fmt glm nlohmann_json OpenSSL OpenEXR CLI11 meshoptimizer PkgConfig Threads GTest; do
+    hidden+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=TRUE")
+done
+
+# install_cdr NAME [CMAKE_ARGUMENT...]: to $work/NAME/prefix, and the example to $work/NAME/example.
+install_cdr() {
+    local name=$1 at=$work/$1
+    shift
+    quiet cmake -G Ninja -S "$source_dir" -B "$at/build" -DCDR_BUILD_RENDER=OFF -DCDR_UNITY_BUILD=ON \
+        -DCDR_WARNINGS_AS_ERRORS=ON -DCMAKE_BUILD_TYPE=Debug "${hidden[@]}" "$@"
+    quiet cmake --build "$at/build"
+    quiet cmake --install "$at/build" --prefix "$at/prefix"
+    quiet cmake -G Ninja -S "$source_dir/src/examples/depth_only" -B "$at/example" -DCMAKE_BUILD_TYPE=Release \
+        -DCMAKE_PREFIX_PATH="$at/prefix" -DCMAKE_FIND_ROOT_PATH="$at/prefix" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@"
+    quiet cmake --build "$at/example"
+    echo "$name: built and installed"
+}
+
+# expect_output TEXT: what the example prints.
+expect_output() {
+    if [[ $1 != "cdr "*": 2 cascades, farthest first"*"anchor 382"*"anchor 0.39"* ]]; then
+        echo "unexpected output of the example: $1" >&2
+        exit 1
+    fi
+}
+
+install_cdr plain
+expect_output "$("$work/plain/example/depth_only")"
+if ldd "$work/plain/example/depth_only" | grep -E 'fmt|vulkan|crypto|json'; then
+    echo "the example links more than the compiler's libraries" >&2
+    exit 1
+fi
+included=$(ninja -C "$work/plain/example" -t deps)
+if [[ $included != *cdr/depth/mapping.h* ]] || grep -E '/(vulkan|fmt|glm|nlohmann|openssl)/' <<<"$included"; then
+    echo "the example includes other packages' headers" >&2
+    exit 1
+fi
+
+pc_dir=$(dirname "$(find "$work/plain/prefix" -name cdr.pc)")
+read -ra flags < <(PKG_CONFIG_PATH=$pc_dir pkg-config --define-prefix --cflags --libs cdr)
+quiet c++ -std=c++20 "$source_dir/src/examples/depth_only/main.cpp" "${flags[@]}" -o "$work/by_pkg_config"
+expect_output "$("$work/by_pkg_config")"
+
+install_cdr no-exceptions "-DCMAKE_CXX_FLAGS=-fno-exceptions -fno-rtti"
+expect_output "$("$work/no-exceptions/example/depth_only")"
+
+if cross=$(command -v x86_64-w64-mingw32-g++-posix || command -v x86_64-w64-mingw32-g++); then
+    install_cdr windows -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_CXX_COMPILER="$cross" -DCMAKE_EXE_LINKER_FLAGS=-static
+    if command -v wine >/dev/null; then
+        expect_output "$(WINEDEBUG=-all WINEPREFIX=$work/wine wine "$work/windows/example/depth_only.exe" 2>/dev/null)"
+    else
+        echo "windows: not run, there is no wine"
+    fi
+else
+    echo "windows: not built, there is no mingw-w64 cross compiler"
+fi
