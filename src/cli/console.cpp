@@ -9,6 +9,18 @@
 
 namespace cdr::cli {
 
+namespace {
+
+void print(const std::string& text, bool toError) {
+    if (toError) {
+        host::printError(text);
+    } else {
+        host::printOutput(text + "\n");
+    }
+}
+
+} // namespace
+
 Console::Console(const GlobalOptions& global, const OutputOptions& output)
     : m_toError(output.json == "-"),
       m_quiet(global.quiet || !global.section.empty()),
@@ -16,22 +28,13 @@ Console::Console(const GlobalOptions& global, const OutputOptions& output)
       m_section(global.section.empty() ? "" : global.section + ": ") {}
 
 void Console::line(const std::string& text) const {
-    if (m_quiet) {
-        return;
-    }
-    if (m_toError) {
-        host::printError(text);
-    } else {
-        host::printOutput(text + "\n");
+    if (!m_quiet) {
+        print(text, m_toError);
     }
 }
 
 void Console::warning(const std::string& text) const {
-    if (m_quiet || m_toError) {
-        host::printError(text);
-    } else {
-        host::printOutput(text + "\n");
-    }
+    print(text, m_quiet || m_toError);
 }
 
 void Console::table(const experiments::Table& table) const {

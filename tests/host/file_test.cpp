@@ -50,10 +50,10 @@ TEST_F(FileTest, WritesAndReadsBack) {
 
 TEST_F(FileTest, RefusesMissingFoldersAndTooLargeFiles) {
     cdr::host::writeFile(path("a.bin"), Bytes(10));
-    EXPECT_THROW(cdr::host::readFile(path("a.bin"), 9), base::InputError);
-    EXPECT_THROW(cdr::host::readFile(path("b.bin"), 9), base::InputError);
-    EXPECT_THROW(cdr::host::readFile(path(""), 9), base::InputError);
-    EXPECT_THROW(cdr::host::readFile("/dev/zero", 9), base::InputError);
+    EXPECT_THROW(cdr::host::readFile(path("a.bin"), 9), InputError);
+    EXPECT_THROW(cdr::host::readFile(path("b.bin"), 9), InputError);
+    EXPECT_THROW(cdr::host::readFile(path(""), 9), InputError);
+    EXPECT_THROW(cdr::host::readFile("/dev/zero", 9), InputError);
 }
 
 TEST_F(FileTest, AFailedWriteLeavesTheOldFileAndNothingElse) {
@@ -71,9 +71,9 @@ TEST_F(FileTest, AFailedWriteLeavesTheOldFileAndNothingElse) {
 TEST_F(FileTest, TellsWhetherAPathCanBeWritten) {
     EXPECT_NO_THROW(cdr::host::requireWritable(path("new.png")));
     EXPECT_EQ(filesInFolder(), 0u);
-    EXPECT_THROW(cdr::host::requireWritable(path("no/such/folder.png")), base::InputError);
-    EXPECT_THROW(cdr::host::requireWritable(path(".")), base::InputError);
-    EXPECT_THROW(cdr::host::writeFile(path("no/such/folder.png"), Bytes{1}), base::InputError);
+    EXPECT_THROW(cdr::host::requireWritable(path("no/such/folder.png")), InputError);
+    EXPECT_THROW(cdr::host::requireWritable(path(".")), InputError);
+    EXPECT_THROW(cdr::host::writeFile(path("no/such/folder.png"), Bytes{1}), InputError);
 }
 
 /// A null device of the test's own: were it replaced, nobody else would miss it.
@@ -121,9 +121,9 @@ TEST_F(FileTest, WritesWhereALinkPointsAndKeepsTheLink) {
     EXPECT_EQ(cdr::host::readFile(path("folder/new.bin"), 9), Bytes{2});
     EXPECT_EQ(filesInFolder(), 2u);
     fs::create_symlink("loop", path("loop"));
-    EXPECT_THROW(cdr::host::writeFile(path("loop"), Bytes{1}), base::InputError);
+    EXPECT_THROW(cdr::host::writeFile(path("loop"), Bytes{1}), InputError);
     fs::create_symlink("folder", path("link to a folder"));
-    EXPECT_THROW(cdr::host::writeFile(path("link to a folder"), Bytes{1}), base::InputError);
+    EXPECT_THROW(cdr::host::writeFile(path("link to a folder"), Bytes{1}), InputError);
 }
 
 TEST_F(FileTest, WritesIntoAnOpenDescriptorWhereItStands) {
@@ -135,7 +135,7 @@ TEST_F(FileTest, WritesIntoAnOpenDescriptorWhereItStands) {
     ::close(file);
     const Bytes bytes = cdr::host::readFile(path("a.txt"), 99);
     EXPECT_EQ(std::string(bytes.begin(), bytes.end()), "before within after");
-    EXPECT_THROW(cdr::host::writeText("/dev/fd/" + std::to_string(file), "closed"), base::InputError);
+    EXPECT_THROW(cdr::host::writeText("/dev/fd/" + std::to_string(file), "closed"), InputError);
 }
 
 TEST_F(FileTest, KeepsTheModeOfTheFileItReplaces) {
@@ -161,7 +161,7 @@ TEST_F(FileTest, TemporaryNamesAreRandomAndTaken) {
 }
 
 TEST_F(FileTest, RefusesNamesThatAreTooLong) {
-    EXPECT_THROW(cdr::host::requireWritable(path(std::string(300, 'x').c_str())), base::InputError);
+    EXPECT_THROW(cdr::host::requireWritable(path(std::string(300, 'x').c_str())), InputError);
 }
 
 TEST(Document, KeepsTextThatIsNotUtf8) {
@@ -202,7 +202,7 @@ TEST(EnumNames, ReadInBothDirections) {
 TEST(ParseNumber, TakesFiniteNumbersOnly) {
     EXPECT_EQ(cdr::base::parseNumber("near", "1e-3"), 1e-3);
     for (const char* bad : {"", "nan", "inf", "-inf", "1x", " 1", "1e999"}) {
-        EXPECT_THROW(cdr::base::parseNumber("near", bad), base::InputError) << bad;
+        EXPECT_THROW(cdr::base::parseNumber("near", bad), InputError) << bad;
     }
 }
 
