@@ -94,7 +94,7 @@ TEST_F(FileTest, NamesTheOutputThatIsFull) {
     try {
         cdr::host::writeFile(name, Bytes{1, 2, 3});
         ADD_FAILURE() << "was written";
-    } catch (const base::RunError& error) {
+    } catch (const cdr::base::RunError& error) {
         EXPECT_EQ(std::string(error.what()), name + ": write failed: No space left on device");
     }
     ::close(full);
@@ -193,7 +193,7 @@ TEST(EnumNames, ReadInBothDirections) {
     try {
         kColours.parse("gren");
         ADD_FAILURE() << "was read";
-    } catch (const base::InputError& error) {
+    } catch (const cdr::base::InputError& error) {
         EXPECT_EQ(std::string(error.what()),
                   "unknown colour 'gren'; did you mean 'green'? (known: red, green)");
     }
