@@ -11,10 +11,10 @@
 namespace cdr::base {
 
 /// The names of an enumeration whose values count from 0: one table, read in both directions.
-template <typename Enum, std::size_t kCount>
+template <typename Enum, std::size_t Count>
 struct EnumNames {
-    std::string_view what;                      ///< what messages call a value: "depth mapping"
-    std::array<std::string_view, kCount> names; ///< by value
+    std::string_view what;                     ///< what messages call a value: "depth mapping"
+    std::array<std::string_view, Count> names; ///< by value
 
     constexpr std::string_view nameOf(Enum value) const { return names[static_cast<std::size_t>(value)]; }
 

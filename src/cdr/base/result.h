@@ -17,7 +17,10 @@ struct Refusal {
 template <typename Value>
 class Result {
   public:
+    // Implicit, so that functions return a value or a refusal by name.
+    // NOLINTNEXTLINE(google-explicit-constructor)
     Result(Value value) : m_content(std::in_place_index<0>, std::move(value)) {}
+    // NOLINTNEXTLINE(google-explicit-constructor)
     Result(Refusal refusal) : m_content(std::in_place_index<1>, std::move(refusal)) {}
 
     explicit operator bool() const { return m_content.index() == 0; }

@@ -18,7 +18,7 @@ namespace {
 
 /// Each 8x8 block takes at least a bit. A picture that claims more is damaged, and is refused before its
 /// memory is allocated.
-constexpr std::uint64_t kMaxPixelsPerByte = 8 * 64;
+constexpr std::uint64_t kMaxPixelsPerByte = std::uint64_t{8} * 64;
 
 /// Damaged data is refused, and so are progressive files of hundreds of scans, which cost minutes to decode.
 constexpr int kFlags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;

@@ -51,9 +51,8 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_shiny(gpuScene.isShiny() && !m_lostShine),
       m_paths(device, m_drawn, options, m_shiny),
       m_picture(device, pictureOptions(m_extent, options, !m_blended.empty())),
-      m_focus(options.focus.isOn() ? makeFocusLayers() : nullptr),
-      m_plain(m_focus ? nullptr : makeTargets(device, options.targets, targetsOptions(m_extent, options))),
-      m_targets(m_focus ? *m_focus : *m_plain),
+      m_ownTargets(makeOwnTargets()),
+      m_targets(std::visit([](const auto& own) -> Targets& { return *own; }, m_ownTargets)),
       m_cutter(options, m_targets),
       m_shading(device, m_targets.gbuffer(), m_picture.lit(),
                 {.effects = options.effects,
@@ -85,8 +84,12 @@ Renderer::~Renderer() {
     }
 }
 
-std::unique_ptr<FocusLayers> Renderer::makeFocusLayers() const {
-    return std::make_unique<FocusLayers>(m_device, targetsOptions(m_extent, m_options), m_picture.lit(),
+Renderer::OwnedTargets Renderer::makeOwnTargets() const {
+    const TargetsOptions options = targetsOptions(m_extent, m_options);
+    if (!m_options.focus.isOn()) {
+        return makeTargets(m_device, m_options.targets, options);
+    }
+    return std::make_unique<FocusLayers>(m_device, options, m_picture.lit(),
                                          FocusLayersOptions{.effects = m_options.effects,
                                                             .background = m_drawn.scene.background,
                                                             .fades = m_options.focus.blend,
@@ -129,8 +132,8 @@ void Renderer::launch(Slot& slot, Destination destination) {
 }
 
 void Renderer::shade(Slot& slot) {
-    if (m_focus) {
-        m_focus->light(slot.path->primary(), slot.shading, slot.focus);
+    if (const auto* focus = std::get_if<std::unique_ptr<FocusLayers>>(&m_ownTargets)) {
+        (*focus)->light(slot.path->primary(), slot.shading, slot.focus);
     } else {
         m_shading.record(slot.path->primary(), slot.shading);
     }

@@ -17,6 +17,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace cdr::render {
@@ -64,8 +65,10 @@ class Renderer {
 
   private:
     struct Slot;
+    /// Focus layers where the lens has a focus.
+    using OwnedTargets = std::variant<std::unique_ptr<Targets>, std::unique_ptr<FocusLayers>>;
     enum class Destination { device, hostColor, host };
-    std::unique_ptr<FocusLayers> makeFocusLayers() const;
+    OwnedTargets makeOwnTargets() const;
     Slot& nextSlot();
     /// Lists what is drawn into the G-buffer: all that is seen but blended instances.
     void cull(const FrameView& view);
@@ -88,9 +91,8 @@ class Renderer {
     bool m_shiny;     ///< whether the G-buffer keeps how surfaces shine
     DrawPathFactory m_paths;
     Picture m_picture;
-    std::unique_ptr<FocusLayers> m_focus; ///< where the lens has a focus
-    std::unique_ptr<Targets> m_plain;     ///< where it has none
-    Targets& m_targets;                   ///< the one of both that is there
+    OwnedTargets m_ownTargets;
+    Targets& m_targets; ///< those
     FrameCutter m_cutter;
     ShadingPass m_shading;
     std::unique_ptr<TranslucentPass> m_translucent; ///< where the scene has blended instances

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+// CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
 namespace CLI {
 class App;
 }

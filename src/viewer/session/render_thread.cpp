@@ -17,14 +17,11 @@ RenderResult answerOrExplain(SceneRenderer& stage, const RenderRequest& request,
     try {
         return stage.answer(request, stop);
     } catch (const base::InputError& error) {
-        result.message = error.what();
-        result.failure = std::current_exception();
+        result.failure = RenderFailure{error.what(), std::current_exception()};
     } catch (const base::RunError& error) {
-        result.message = error.what();
-        result.failure = std::current_exception();
+        result.failure = RenderFailure{error.what(), std::current_exception()};
     } catch (const vk::OutOfDeviceMemoryError&) {
-        result.message = "the device has too little memory for that";
-        result.failure = std::current_exception();
+        result.failure = RenderFailure{"the device has too little memory for that", std::current_exception()};
     }
     return result;
 }

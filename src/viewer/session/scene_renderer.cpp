@@ -94,7 +94,7 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
     const std::size_t sides = request.settings.second ? 2 : 1;
     for (std::size_t side = 0; side < sides; ++side) {
         if (stop.stop_requested()) {
-            return {.serial = request.serial, .message = "stopped"};
+            return {.serial = request.serial, .failure = RenderFailure{.message = "stopped", .error = {}}};
         }
         result.sides.push_back(renderSide(request, side, result.camera));
     }

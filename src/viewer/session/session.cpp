@@ -120,14 +120,14 @@ bool Session::takeResult() {
     }
     m_shownSerial = result->serial;
     ++m_results;
-    if (result->message.empty()) {
+    if (!result->failure) {
         adopt(std::move(*result));
         return true;
     }
     if (m_model.shown == nullptr) {
-        std::rethrow_exception(result->failure);
+        std::rethrow_exception(result->failure->error);
     }
-    m_model.say(result->message, true);
+    m_model.say(result->failure->message, true);
     m_good.divider = m_model.settings.divider;
     m_model.settings = m_good;
     return false;
@@ -193,10 +193,10 @@ void Session::pickOrAsk() {
 }
 
 void Session::takeClicked(const RenderResult& result) {
-    if (result.message.empty()) {
+    if (!result.failure) {
         pick(*m_click, result);
     } else {
-        m_model.say(result.message, true);
+        m_model.say(result.failure->message, true);
     }
     m_click.reset();
     m_asked.reset(); // this picture was not for showing, so what is wanted is asked for again

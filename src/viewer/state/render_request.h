@@ -41,6 +41,12 @@ struct SideResult {
     std::uint64_t flippedPixels = 0;       ///< and within the last second
 };
 
+/// Why a request was not answered with pictures.
+struct RenderFailure {
+    std::string message;      ///< one line
+    std::exception_ptr error; ///< what the message says; null where the request was stopped
+};
+
 /// The answer to a request.
 struct RenderResult {
     std::uint64_t serial = 0; ///< the request's
@@ -52,9 +58,8 @@ struct RenderResult {
     double compositeMs = 0.0;          ///< frames turned into what the view shows
     double frameMs = 0.0;              ///< from the request taken to the pictures made
     std::uint64_t freeDeviceBytes = 0; ///< of the device that renders
-    std::string message{};             ///< why it failed, one line; else empty
-    std::exception_ptr failure{};      ///< what the message says
-    std::exception_ptr fatal{};        ///< nothing more will come
+    std::optional<RenderFailure> failure{};
+    std::exception_ptr fatal{}; ///< nothing more will come
 };
 
 } // namespace cdr::viewer
