@@ -12,6 +12,8 @@
 // Deferred shading of the final G-buffer.
 layout(constant_id = 0) const uint kFoggy = 0u;
 layout(constant_id = 1) const uint kShiny = 0u;
+// Whether the mapping has anchor planes; without, none is read. 2 is in flat_lighting.glsl.
+layout(constant_id = 3) const uint kAnchored = 1u;
 
 layout(set = 0, binding = 0) uniform usampler2D gbuffer;
 // OCCLUDED: by an image of the whole picture, or else OCCLUDED_PER_LAYER by what the layers left in the surfaces.
@@ -37,7 +39,9 @@ vec4 covering(vec3 color, float ahead) { return vec4(color, 1.0); }
 
 layout(location = 0) out vec4 outColor;
 
-vec2 anchorOf(uvec4 texel) { return header.anchors[(texel.w >> kIdBits) & kCascadeMask]; }
+vec2 anchorOf(uvec4 texel) {
+    return kAnchored != 0u ? header.anchors[(texel.w >> kIdBits) & kCascadeMask] : vec2(0.0);
+}
 
 // Averages the 4 x 4 pixels around that lie on about the same surface: what the noise of occlusion.glsl repeats in.
 float opennessAt(ivec2 pixel, uvec4 texel, vec3 normal) {

@@ -57,6 +57,7 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_shading(device, m_targets.gbuffer(), m_picture.lit(),
                 {.effects = options.effects,
                  .shiny = m_shiny,
+                 .anchored = depth::isAnchored(options.technique.mapping),
                  .lights = static_cast<std::uint32_t>(scene.lights.size())}),
       m_translucent(m_blended.empty()
                         ? nullptr

@@ -25,13 +25,14 @@ bool isOccludedPerLayer(const Effects& effects) {
 
 FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading) {
     const Effects& effects = shading.effects;
-    FullscreenPassOptions options{
-        .name = "shading",
-        .vertexSpirv = kShadingVert,
-        .fragmentSpirv = kShadingFrag,
-        .bindings = {kImage, kBuffer},
-        .format = format,
-        .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shading.shiny ? 1u : 0u, shading.lights}};
+    FullscreenPassOptions options{.name = "shading",
+                                  .vertexSpirv = kShadingVert,
+                                  .fragmentSpirv = kShadingFrag,
+                                  .bindings = {kImage, kBuffer},
+                                  .format = format,
+                                  .constants = {effects.fog.visibility > 0.0 ? 1u : 0u,
+                                                shading.shiny ? 1u : 0u, shading.lights,
+                                                shading.anchored ? 1u : 0u}};
     if (isOccludedPerLayer(effects)) {
         options.fragmentSpirv = kShadingLayersOccludedFrag;
     } else if (isOccluded(effects)) {

@@ -37,6 +37,7 @@ class ShadingInputs {
 struct ShadingOptions {
     Effects effects;
     bool shiny = false;       ///< whether the surfaces hold how they shine
+    bool anchored = false;    ///< whether the mapping has anchor planes
     std::uint32_t lights = 0; ///< as many as the scene has; up to shaders::kFlatLights cost least
 };
 
