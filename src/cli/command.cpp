@@ -41,7 +41,9 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
 }
 
 void Command::note(const std::vector<std::string>& ignored) {
-    m_notes.emplace(m_notes.value_or(std::vector<std::string>()));
+    if (!m_notes) {
+        m_notes.emplace();
+    }
     for (const std::string& line : ignored) {
         m_console.warning("ignored: " + line);
         m_notes->push_back(line);

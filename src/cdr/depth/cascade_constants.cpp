@@ -7,7 +7,8 @@ namespace cdr::depth {
 CascadeConstants cascadeConstants(Mapping mapping, const Cascades& cascades, std::size_t index,
                                   const Projection& projection, FarEnd farEnd) {
     const Cascade range = clipRange(mapping, cascades, index);
-    const ClipTerms terms = clipTerms(depthRange(mapping, cascades, index, farEnd));
+    const bool isLast = index + 1 == cascades.size();
+    const ClipTerms terms = clipTerms(depthRange(mapping, range, isLast ? farEnd : FarEnd::closed));
     const double tangent = std::tan(0.5 * projection.fovY);
     return {.anchorView = static_cast<float>(terms.anchorView),
             .scale = static_cast<float>(terms.scale),

@@ -67,11 +67,8 @@ base::Result<Forecast> tryForecast(const Technique& technique, const ForecastSce
     const auto holder = std::find_if(cascades.begin(), cascades.end(),
                                      [&](const Cascade& cascade) { return w <= cascade.farView; });
     const Cascade& cascade = holder == cascades.end() ? cascades.back() : *holder;
-    const bool open = technique.mapping == Mapping::reversed && cascades.end() - holder == 1 &&
-                      !std::holds_alternative<SplitFitted>(technique.split);
-    const DepthRange range{.mapping = technique.mapping,
-                           .nearView = cascade.nearView,
-                           .farView = open ? std::nullopt : std::optional(cascade.farView)};
+    const bool open = cascades.end() - holder == 1 && !std::holds_alternative<SplitFitted>(technique.split);
+    const DepthRange range = depthRange(technique.mapping, cascade, open ? FarEnd::open : FarEnd::closed);
     return Forecast{.cascades = cascades.size(),
                     .bufferStepView = separationView(range, technique.format, w),
                     .rounding = depthRounding(range, w)};
