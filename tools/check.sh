@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The long checks, before a release or after a large change: every test under the sanitizers, clang-tidy and
-# include-what-you-use over all sources, every header compiled alone, and a minute of fuzzing. It takes an hour on two cores.
+# The long checks, before a release or after a large change: every test under the sanitizers, those of a driver on other
+# drivers, clang-tidy and include-what-you-use over all sources, every header compiled alone, and a minute of fuzzing. It
+# takes more than an hour on two cores.
 # Usage: tools/check.sh [--changed]
 # --changed does what fits into a few minutes: clang-tidy over the sources that differ from origin/main, or from the
 # parent commit where they do not differ, and under AddressSanitizer the tests of the rooms that do.
@@ -8,8 +9,14 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 check_all() {
+    local driver
     tools/test.sh --preset asan
     tools/test.sh --preset tsan
+    tools/build.sh --in-batches release
+    for driver in mesa swiftshader; do
+        tools/drivers.sh "$driver" ctest --preset release --parallel "$(nproc)" \
+            --label-regex '^test_(gpu|render|experiments|cli)$'
+    done
     tools/tidy.sh
     tools/includes.sh
     cmake --build build/tidy --target all_verify_interface_header_sets

@@ -7,6 +7,8 @@
 layout(constant_id = 0) const uint kDepthForm = kDepthFormLinear;
 layout(constant_id = 3) const uint kWide = 0u;
 layout(constant_id = 4) const uint kShiny = 0u;
+layout(constant_id = 5) const float kSnapStepsX = 0.0; // of vertices, from the picture's middle to its edge; 0: none
+layout(constant_id = 6) const float kSnapStepsY = 0.0;
 
 #ifdef PUSHED_RECORD
 layout(push_constant) uniform Push {
@@ -46,6 +48,10 @@ void main() {
     float y = dot(record.up.xyz, inPosition) + record.up.w;
     float ahead = dot(record.ahead.xyz, inPosition) + record.ahead.w;
     gl_Position = clipPosition(kDepthForm, x, y, ahead, record.ahead.w, cascade);
+    if (kSnapStepsX != 0.0 && gl_Position.w > 0.0) {
+        vec2 steps = vec2(kSnapStepsX, kSnapStepsY);
+        gl_Position.xy = round(gl_Position.xy / gl_Position.w * steps) / steps * gl_Position.w;
+    }
     vec2 inside = clipDistances(ahead, cascade);
     if (kWide != 0u) {
         // The fragment shader cuts wide draws; here only what lies behind the camera must go.

@@ -26,6 +26,8 @@ nlohmann::ordered_json toJson(const gpu::DeviceInfo& info) {
             {"missing", info.missing},
             {"queues", info.queues},
             {"depth_formats", depth::namesOf(info.depthFormats)},
+            {"sub_pixel_bits", info.subPixelBits},
+            {"gpu_driven_missing", info.gpuDrivenMissing},
             {"max_image_side", info.maxImageSide},
             {"max_storage_buffer_bytes", info.maxStorageBufferBytes},
             {"timestamp_period_ns", info.timestampPeriodNs}};
@@ -51,16 +53,16 @@ void runDevices(Command& command, NoArguments&) {
             {fmt::format("{} {}", info.index, info.name), info.kind, info.driver, info.api,
              std::to_string(info.queues),
              fmt::format("{}", fmt::join(depth::namesOf(info.depthFormats), " ")),
-             std::to_string(info.maxImageSide),
+             std::to_string(info.subPixelBits), std::to_string(info.maxImageSide),
              info.missing.empty() ? "yes" : fmt::format("no: lacks {}", fmt::join(info.missing, ", "))});
         document["results"].push_back(toJson(info));
     }
     if (rows.empty()) {
         command.console().line("no Vulkan device found; for a software one install mesa-vulkan-drivers");
     } else {
-        command.console().table(
-            {{"device", "kind", "driver", "Vulkan", "queues", "depth formats", "largest side", "usable"},
-             rows});
+        command.console().table({{"device", "kind", "driver", "Vulkan", "queues", "depth formats",
+                                  "sub-pixel bits", "largest side", "usable"},
+                                 rows});
     }
     command.writeDocument(document);
 }

@@ -34,6 +34,7 @@ struct RenderArguments {
     std::string batching = "instanced";
     EffectArguments effects;
     std::string detail = "none";
+    std::uint32_t snapBits = 0;
     std::size_t threads = 1;
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
@@ -89,7 +90,8 @@ nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth
     return {{"scene", arguments.scene},         {"mapping", nameOf(technique.mapping)},
             {"split", nameOf(technique.split)}, {"format", nameOf(technique.format)},
             {"width", arguments.width},         {"height", arguments.height},
-            {"seed", arguments.seed},           {"aov", arguments.aov}};
+            {"seed", arguments.seed},           {"aov", arguments.aov},
+            {"snap_bits", arguments.snapBits}};
 }
 
 render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::Aov aov) {
@@ -104,6 +106,7 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::A
                                   .effects = effectsOf(arguments.effects),
                                   .focus = focusOf(arguments.effects),
                                   .translucency = translucencyOf(arguments.effects)};
+    options.snapBits = arguments.snapBits;
     options.translucency.countsFragments = aov == experiments::Aov::coverage;
     return options;
 }
@@ -245,6 +248,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     addSceneChoice(command, arguments.choice);
     addSeed(command, arguments.seed, "Seed of a random scene");
     addSize(command, arguments.width, arguments.height);
+    addSnapBits(command, arguments.snapBits);
     command
         .add_option("--aov", arguments.aov, "Output: color, id, distance, normal, cascade, wrong or coverage")
         ->capture_default_str();

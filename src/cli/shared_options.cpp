@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/host/worker_pool.h>
+#include <cdr/render/render_options.h>
 
 #include <fmt/format.h>
 
@@ -98,6 +99,14 @@ void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techni
             "Techniques, a comma between them; all presets")
         ->expected(CLI::detail::expected_max_vector_size)
         ->delimiter(',');
+}
+
+void addSnapBits(CLI::App& command, std::uint32_t& snapBits) {
+    command
+        .add_option("--snap-bits", snapBits,
+                    "Round vertices to this many sub-pixel bits, as graphics cards do; 0: the device decides")
+        ->check(CLI::Range(0u, render::kMaxSnapBits))
+        ->capture_default_str();
 }
 
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {

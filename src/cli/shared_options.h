@@ -53,6 +53,9 @@ void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help
 /// `--techniques A,B,...`; none: all presets.
 void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques);
 
+/// `--snap-bits`, as render::RenderOptions has it.
+void addSnapBits(CLI::App& command, std::uint32_t& snapBits);
+
 /// `--gltf-scene` and `--camera`.
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
 

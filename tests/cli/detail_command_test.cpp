@@ -45,6 +45,9 @@ TEST(DetailCommand, ComparesEveryModeWithNone) {
 }
 
 TEST(DetailCommand, RenderTakesADetailHoweverSubmitted) {
+    if (!canDrawGpuDriven()) {
+        GTEST_SKIP() << "the device cannot draw gpu-driven";
+    }
     const TemporaryFolder folder;
     std::set<std::string> hashes;
     for (const char* how : {"none", "object --submission gpu-driven", "object:0.5 --threads 3"}) {

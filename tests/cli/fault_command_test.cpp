@@ -26,6 +26,9 @@ class FaultTest : public testing::TestWithParam<Fatal> {};
 
 /// One line, exit status 1, nothing half written, no hang and no crash.
 TEST_P(FaultTest, EndsInOneLine) {
+    if (std::string(GetParam().arguments).find("gpu-driven") != std::string::npos && !canDrawGpuDriven()) {
+        GTEST_SKIP() << "the device cannot draw gpu-driven";
+    }
     const TemporaryFolder folder;
     const ProgramResult result =
         runProgram(std::string(GetParam().arguments) + " --validate --size 320x180 -o a.png --json a.json",

@@ -59,7 +59,7 @@ TEST(FlickerCommand, WrongPixelsComeInTheThesisOrder) {
 TEST(FlickerCommand, WritesVideosFramesAndStateAndGoesOnFromIt) {
     const TemporaryFolder folder;
     const std::string arguments = "--validate flicker --frames 3 --size 128x72 --techniques standard,log "
-                                  "--format d24 --state . --tga frames --videos v --json ";
+                                  "--format d16 --state . --tga frames --videos v --json ";
     const ProgramResult first = runProgram(arguments + "a.json", folder.path());
     if (first.err.find("need ffmpeg") != std::string::npos) {
         GTEST_SKIP() << "ffmpeg is not installed";
@@ -76,7 +76,7 @@ TEST(FlickerCommand, WritesVideosFramesAndStateAndGoesOnFromIt) {
     ASSERT_EQ(again.status, 0) << again.err;
     EXPECT_EQ(readText(folder.path() / "a.json"), readText(folder.path() / "b.json"));
     EXPECT_EQ(readText(folder.path() / "frames" / "log" / "0002.tga"), frame);
-    EXPECT_EQ(json::parse(readText(folder.path() / "a.json")).at("results")[0].at("format"), "d24");
+    EXPECT_EQ(json::parse(readText(folder.path() / "a.json")).at("results")[0].at("format"), "d16");
 
     const ProgramResult other = runProgram("flicker --frames 4 --size 128x72 --state .", folder.path());
     EXPECT_EQ(other.status, 2);

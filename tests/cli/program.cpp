@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -16,6 +17,23 @@ std::string readText(const fs::path& path) {
     std::ostringstream text;
     text << std::ifstream(path, std::ios::binary).rdbuf();
     return text.str();
+}
+
+const gpu::DeviceInfo& deviceInfo() {
+    static const gpu::DeviceInfo info = [] {
+        const gpu::Instance instance;
+        return gpu::Device(instance, "").info();
+    }();
+    return info;
+}
+
+bool hasD24() {
+    const auto& formats = deviceInfo().depthFormats;
+    return std::find(formats.begin(), formats.end(), depth::DepthFormat::d24) != formats.end();
+}
+
+bool canDrawGpuDriven() {
+    return deviceInfo().gpuDrivenMissing.empty();
 }
 
 ProgramResult runProgram(const std::string& arguments, const fs::path& folder,

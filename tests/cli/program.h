@@ -2,6 +2,8 @@
 
 #include "../support/temporary_folder.h"
 
+#include <cdr/gpu/device.h>
+
 #include <filesystem>
 #include <string>
 
@@ -17,6 +19,18 @@ struct ProgramResult {
 /// @param environment assignments for the program alone, as typed before it.
 ProgramResult runProgram(const std::string& arguments, const std::filesystem::path& folder,
                          const std::string& environment = "");
+
+/// The device that the program takes when none is named.
+const gpu::DeviceInfo& deviceInfo();
+
+/// Whether the device can draw to 24 bits of depth.
+bool hasD24();
+
+/// Whether the device can cull and bin.
+bool canDrawGpuDriven();
+
+constexpr const char* kNoD24 = "left out: d24, which the device lacks";
+constexpr const char* kNoGpuDriven = "left out: gpu-driven submission, which the device lacks";
 
 using test::TemporaryFolder;
 

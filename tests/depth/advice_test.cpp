@@ -85,10 +85,26 @@ TEST(Advice, SaysSoInPlainWords) {
     const auto words = [](const AdviceQuestion& asked) { return explain(asked, advise(asked)); };
     EXPECT_EQ(words(question(1e6, 1.0)).front().substr(0, 41), "reversed with d32f in one cascade is enou");
     const auto anchored = words(question(1e6, 1e-5));
-    ASSERT_EQ(anchored.size(), 4u);
+    ASSERT_EQ(anchored.size(), 5u);
     EXPECT_NE(anchored[1].find("float64 offset per object, 1 more depth clear"), std::string::npos);
     EXPECT_NE(anchored[3].find("deep"), std::string::npos);
     EXPECT_EQ(words(question(1e6, 1e-9)).front().substr(0, 21), "Nothing here resolves");
+}
+
+/// Snapping decides where a sub-pixel is worth more than the separation, and is named wherever it may.
+TEST(Advice, CountsSnappingWhereAskedTo) {
+    AdviceQuestion asked = question(1e6, 1e-5);
+    asked.scene.footprintSlope = 1e-6; // a pixel covers 1 unit, a sub-pixel 1/256
+    ASSERT_TRUE(advise(asked).simplest);
+    EXPECT_EQ(explain(asked, advise(asked)).back(),
+              "Where vertices snap to 8 sub-pixel bits, faces of slope 1 and unlike outlines may swap below "
+              "0.00552.");
+    asked.scene.subPixelBits = 4;
+    const Advice snapped = advise(asked);
+    EXPECT_FALSE(snapped.simplest);
+    EXPECT_NE(explain(asked, snapped).front().find("limited by the snapping"), std::string::npos);
+    asked.scene.slope = 0.0; // faces the camera
+    EXPECT_TRUE(advise(asked).simplest);
 }
 
 /// A measurement overrules the formula in both directions.

@@ -27,6 +27,8 @@ std::optional<std::string> messageOf(const base::Result<Value>& result) {
 
 const SplitContext kContext{.nearView = 0.1, .farView = 1e5};
 const ForecastScene kFarAway{.atView = 1e9};
+const ForecastScene kSnappedTooFine{.subPixelBits = 33};
+const ForecastScene kOverhanging{.subPixelBits = 8, .slope = -1.0};
 
 const std::vector<BadCall> kBadCalls{
     {"mapping", [] { return messageOf(tryParseMapping("lag")); }, [] { parseMapping("lag"); }},
@@ -56,6 +58,9 @@ const std::vector<BadCall> kBadCalls{
     {"no footprint", [] { return messageOf(tryMakeCascades(SplitFitted{}, kContext)); },
      [] { makeCascades(SplitFitted{}, kContext); }},
     {"distance", [] { return messageOf(tryForecast({}, kFarAway)); }, [] { forecast({}, kFarAway); }},
+    {"sub-pixel bits", [] { return messageOf(tryForecast({}, kSnappedTooFine)); },
+     [] { forecast({}, kSnappedTooFine); }},
+    {"slope", [] { return messageOf(tryForecast({}, kOverhanging)); }, [] { forecast({}, kOverhanging); }},
     {"separation", [] { return messageOf(tryAdvise({.scene = {}, .separationView = 0.0})); },
      [] { advise({.scene = {}, .separationView = 0.0}); }},
     {"advice's scene", [] { return messageOf(tryAdvise({.scene = kFarAway})); },

@@ -22,6 +22,46 @@ TEST(Rounding, FloatGapIsThatOfNeighbouringFloats) {
     EXPECT_GT(floatGap(0.0), 0.0);
 }
 
+/// A slanted plane drawn with vertices snapped to sub-pixels, interpolated as rasterisers do: 1 / w is linear over the
+/// picture.
+TEST(Rounding, SnappedPlanesMoveByNoMoreThanTheModelSays) {
+    std::mt19937_64 random(9);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    constexpr double kFootprint = 1e-3; // scene units a pixel at distance 1
+    for (const unsigned bits : {4u, 8u}) {
+        for (const double slope : {0.0, 1.0, 3.0}) {
+            DepthRounding said;
+            said.snapGapView = snapGapView(bits, kFootprint, slope);
+            double worst = 0.0;
+            for (int i = 0; i < 20'000; ++i) {
+                // Around the pixel in the middle, whose plane lies at distance 1.
+                const double turn = 3.2 * unit(random);
+                const auto inverseAt = [&](double x, double y) {
+                    return 1.0 - slope * kFootprint * (x * std::cos(turn) + y * std::sin(turn));
+                };
+                const double x[3] = {-9.0 + unit(random), 9.0 + unit(random), unit(random)};
+                const double y[3] = {-7.0 + unit(random), -7.0 + unit(random), 9.0 + unit(random)};
+                double sx[3];
+                double sy[3];
+                for (int v = 0; v < 3; ++v) {
+                    sx[v] = std::round(std::ldexp(x[v], static_cast<int>(bits))) * std::exp2(-double(bits));
+                    sy[v] = std::round(std::ldexp(y[v], static_cast<int>(bits))) * std::exp2(-double(bits));
+                }
+                const auto area = [&](int a, int b) { return sx[a] * sy[b] - sx[b] * sy[a]; };
+                const double all = area(0, 1) + area(1, 2) + area(2, 0);
+                double inverse = 0.0;
+                for (int v = 0; v < 3; ++v) {
+                    inverse += area((v + 1) % 3, (v + 2) % 3) / all * inverseAt(x[v], y[v]);
+                }
+                worst = std::max(worst, std::abs(1.0 / inverse - 1.0));
+            }
+            EXPECT_LE(worst, 1.01 * said.worstView() + 1e-15) << bits << ' ' << slope;
+            EXPECT_GE(worst, 0.4 * said.worstView()) << bits << ' ' << slope;
+            EXPECT_EQ(worst > 1e-12, slope > 0.0);
+        }
+    }
+}
+
 TEST(Rounding, DepthSlopeIsTheDerivative) {
     for (const Mapping mapping : kMappings) {
         const DepthRange range{.mapping = mapping, .nearView = 2.0, .farView = 900.0};

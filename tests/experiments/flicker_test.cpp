@@ -145,7 +145,7 @@ TEST_F(FlickerTest, AStateOfAnotherRunIsRefused) {
     EXPECT_TRUE(refused(with([](auto& o) { o.width = 322; })));
     EXPECT_TRUE(refused(with([](auto& o) { o.nearObject = true; })));
     EXPECT_TRUE(refused(with([](auto& o) { o.techniques.pop_back(); })));
-    EXPECT_TRUE(refused(with([](auto& o) { o.techniques[0].technique.format = depth::DepthFormat::d24; })));
+    EXPECT_TRUE(refused(with([](auto& o) { o.techniques[0].technique.format = depth::DepthFormat::d16; })));
     EXPECT_FALSE(refused(with([](auto& o) { o.threads = 2; }))); // which changes nothing
 }
 

@@ -1,4 +1,5 @@
 #include "fixture.h"
+#include "snapping.h"
 
 #include <cdr/scene/lod/triangle_clusters.h>
 #include <scenes/cubes.h>
@@ -82,6 +83,9 @@ TEST_F(AdversarialTest, ThousandsOfOverlappingIntervals) {
 }
 
 TEST_F(AdversarialTest, ObjectsBehindAndAroundTheCamera) {
+    if (!drawsToTheHorizon(device())) {
+        return leaveOut("floors to the horizon");
+    }
     scene::Scene scene = boxScene();
     std::mt19937_64 random(12);
     std::uniform_real_distribution<double> share(-1.0, 1.0);
@@ -131,7 +135,7 @@ TEST_F(AdversarialTest, EverythingAtOneDistance) {
         addBox(scene, {1.5 * (i % 8) - 5.0, 1.5 * std::floor(i / 8) - 5.0, -1e6});
     }
     const scene::Camera camera{.fovY = 1.4e-5, .nearView = 0.001, .farView = 2e6};
-    for (const depth::DepthFormat format : depth::kDepthFormats) {
+    for (const depth::DepthFormat format : available(depth::kDepthFormats)) {
         auto technique = depth::parseTechnique("anchored");
         technique.format = format;
         const Outcome result = outcome(scene, camera, technique);
@@ -262,28 +266,35 @@ TEST_F(AdversarialTest, OfMixedDistancesOnlyAnchoredGetsAllRight) {
     host::WorkerPool workers(2);
     const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     const auto inner = measure::innerMask(truth);
+    const auto excused = swappable(truth, snapReach(device()));
     std::map<std::string, std::array<Counts, 2>> wrong; // by technique and separation
+    std::map<std::string, std::array<Counts, 2>>
+        beyond; // the same without what the device's snapping explains
     for (const depth::NamedTechnique& preset : depth::presets()) {
         render::Renderer renderer(device(), setup.scene, gpuScene, smallOptions(preset.technique));
         const image::ImageU32 ids = renderer.render(camera).ids();
         std::array<Counts, 2> pixels{};
         wrong[preset.name] = {};
+        beyond[preset.name] = {};
         for (std::size_t i = 0; i < ids.pixels.size(); ++i) {
             if (inner.pixels[i] != 0) {
                 const std::size_t cell = (truth.pixels[i].id - 1) / 2 / scenes::kMixedPairsPerCell;
                 ++pixels[cell % 2][cell / 2];
-                wrong[preset.name][cell % 2][cell / 2] += ids.pixels[i] != truth.pixels[i].id ? 1 : 0;
+                const bool isWrong = ids.pixels[i] != truth.pixels[i].id;
+                const bool isExcused = ids.pixels[i] == truth.pixels[i].secondId && excused.pixels[i] != 0;
+                wrong[preset.name][cell % 2][cell / 2] += isWrong ? 1 : 0;
+                beyond[preset.name][cell % 2][cell / 2] += isWrong && !isExcused ? 1 : 0;
             }
         }
         EXPECT_GT(*std::min_element(pixels[0].begin(), pixels[0].end()), 2000u);
         EXPECT_GT(*std::min_element(pixels[1].begin(), pixels[1].end()), 2000u);
     }
     const Counts none{};
-    EXPECT_EQ(wrong["anchored"][0], none);
-    EXPECT_EQ(wrong["anchored"][1], none);
+    EXPECT_EQ(beyond["anchored"][0], none);
+    EXPECT_EQ(beyond["anchored"][1], none);
     // 1e-6 of the distance is what float32 distances still tell apart, with luck in the cascades.
-    EXPECT_EQ(wrong["reversed"][0], none);
-    EXPECT_EQ(wrong["logcdr"][0], none);
+    EXPECT_EQ(beyond["reversed"][0], none);
+    EXPECT_EQ(beyond["logcdr"][0], none);
     EXPECT_GT(wrong["cdr"][0][3], 500u);
     for (std::size_t column = 0; column < kColumns; ++column) {
         EXPECT_GT(wrong["standard"][0][column], column > 0 ? 500u : 0u) << column;
@@ -291,7 +302,8 @@ TEST_F(AdversarialTest, OfMixedDistancesOnlyAnchoredGetsAllRight) {
         for (const char* name : {"standard", "cdr", "log", "logcdr"}) {
             EXPECT_GT(wrong[name][1][column], 300u) << name << " " << column;
         }
-        EXPECT_GT(wrong["reversed"][1][column], 0u) << column;
+        // Snapped, a column of nine pairs may come out right by chance.
+        EXPECT_TRUE(wrong["reversed"][1][column] > 0 || snapReach(device()) > 0.0) << column;
     }
 }
 

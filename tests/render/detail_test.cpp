@@ -120,7 +120,7 @@ TEST_F(DetailRenderTest, IsOneImageHoweverDrawn) {
             EXPECT_EQ(frame.stats.draws, draws);
         };
         render::RenderOptions options = optionsOf("count:5", detail);
-        for (const render::Submission submission : render::kSubmissions) {
+        for (const render::Submission submission : submissions()) {
             for (const render::TargetsKind targets :
                  {render::TargetsKind::single, render::TargetsKind::accumulate, render::TargetsKind::pool,
                   render::TargetsKind::layers}) {
@@ -143,6 +143,9 @@ TEST_F(DetailRenderTest, IsOneImageHoweverDrawn) {
 }
 
 TEST_F(DetailRenderTest, TheGpuDrivenPathChoosesAlikeWithEveryTechnique) {
+    if (!canDrawGpuDriven()) {
+        return;
+    }
     scene::SceneSetup setup = smallBoulders();
     // Neighbours that have nothing to choose stay one run among those that do.
     setup.scene.meshes[1].levels.clear();

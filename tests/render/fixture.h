@@ -10,11 +10,21 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace cdr::render_test {
 
 class RenderTest : public test::DeviceTest {
   protected:
+    /// The submissions that the device serves.
+    std::vector<render::Submission> submissions() {
+        std::vector<render::Submission> all(render::kSubmissions.begin(), render::kSubmissions.end());
+        if (!canDrawGpuDriven()) {
+            std::erase(all, render::Submission::gpuDriven);
+        }
+        return all;
+    }
+
     render::Frame draw(const scene::Scene& scene, const scene::Camera& camera,
                        const render::RenderOptions& options) {
         const render::GpuScene gpuScene(device(), scene);

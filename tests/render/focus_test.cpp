@@ -208,7 +208,7 @@ TEST_F(FocusTest, IsOneImageHoweverSubmitted) {
     std::set<std::string> images;
     for (const Focus& focus : {kFocus, kBlended}) {
         std::set<std::string> ofFocus;
-        for (const render::Submission submission : render::kSubmissions) {
+        for (const render::Submission submission : submissions()) {
             for (const std::size_t threads : {1u, 3u}) {
                 // The last cascade is empty, which only the CPU knows.
                 RenderOptions options = focused(focus, "at:5,7.5,15,30,300");

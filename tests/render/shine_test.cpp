@@ -104,7 +104,7 @@ TEST_F(ShineTest, EverySurfaceHoldsItsCode) {
         scene::addInstance(scene, 0, i, i, {0.8 * (i - 2.5), 0.0, 0.0}, glm::mat3(0.7f));
     }
     const render::GpuScene gpuScene(device(), scene);
-    for (const render::Submission submission : render::kSubmissions) {
+    for (const render::Submission submission : submissions()) {
         for (const render::Batching batching : render::kBatchings) {
             if (submission == render::Submission::gpuDriven && batching != render::Batching::instanced) {
                 continue;

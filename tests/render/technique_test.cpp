@@ -1,4 +1,5 @@
 #include "fixture.h"
+#include "snapping.h"
 
 #include <cdr/base/error.h>
 #include <scenes/cubes.h>
@@ -66,7 +67,7 @@ TEST_F(TechniqueTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
     const auto truth = measure::castTruth(setup.scene, camera, 480, 270, workers);
     for (const depth::Mapping mapping : depth::kMappings) {
         for (const char* split : {"none", "count:3", "count:7", "at:50,120"}) {
-            for (const depth::DepthFormat format : depth::kDepthFormats) {
+            for (const depth::DepthFormat format : available(depth::kDepthFormats)) {
                 const auto technique = depth::Technique{mapping, depth::parseSplit(split), format};
                 render::Renderer renderer(device(), setup.scene, gpuScene, smallOptions(technique));
                 const Frame frame = renderer.render(camera);
@@ -83,6 +84,9 @@ TEST_F(TechniqueTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
 /// A floor from behind the camera to the horizon with boxes on it: a logarithm set at its far corners alone
 /// would be wrong all over.
 TEST_F(TechniqueTest, LogDepthIsRightOnTrianglesThatCrossTheNearPlane) {
+    if (!drawsToTheHorizon(device())) {
+        return leaveOut("floors to the horizon");
+    }
     scene::Scene scene = boxScene();
     const glm::mat3 floor(20000.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 20000.0f);
     addBox(scene, glm::dvec3(0.0, -2.5, 0.0), floor);

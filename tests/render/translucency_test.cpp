@@ -152,7 +152,7 @@ TEST_F(TranslucencyTest, ThreadsTargetsAndSubmissionsChangeNoBit) {
     const render::GpuScene gpuScene(device(), m_sheets.scene);
     for (const Translucency method : render::kTranslucencies) {
         std::string wanted;
-        for (const render::Submission submission : render::kSubmissions) {
+        for (const render::Submission submission : submissions()) {
             for (const render::TargetsKind targets :
                  {render::TargetsKind::single, render::TargetsKind::accumulate, render::TargetsKind::pool,
                   render::TargetsKind::layers}) {

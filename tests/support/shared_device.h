@@ -5,10 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace cdr::test {
 
@@ -66,18 +70,56 @@ inline SharedDevice* const kSharedDevice = [] {
     return shared;
 }();
 
-/// A test on the shared device; a validation message while it runs fails it.
+/// A test on the shared device; a validation message while it runs fails it. One that passes, but had to leave out what
+/// the device lacks, ends as skipped and says what that was.
 class DeviceTest : public testing::Test {
   protected:
-    void TearDown() override { kSharedDevice->expectNoMessagesAfter(m_messagesBefore); }
+    void TearDown() override {
+        kSharedDevice->expectNoMessagesAfter(m_messagesBefore);
+        if (!m_leftOut.empty()) {
+            GTEST_SKIP() << "left out: " << m_leftOut << ", which " << device().info().name << " lacks";
+        }
+    }
 
     const gpu::Device& device() const { return kSharedDevice->device(); }
     const gpu::Instance& instance() const { return kSharedDevice->instance(); }
+    /// Those of the formats that the device can draw to, in their order.
+    std::vector<depth::DepthFormat> available(std::span<const depth::DepthFormat> formats) {
+        const std::vector<depth::DepthFormat>& has = device().info().depthFormats;
+        std::vector<depth::DepthFormat> found;
+        for (const depth::DepthFormat format : formats) {
+            if (std::find(has.begin(), has.end(), format) != has.end()) {
+                found.push_back(format);
+            } else {
+                leaveOut(std::string(nameOf(format)));
+            }
+        }
+        return found;
+    }
+    std::vector<depth::DepthFormat> available(std::initializer_list<depth::DepthFormat> formats) {
+        return available(std::span(formats.begin(), formats.size()));
+    }
+    /// Whether the device can cull and bin.
+    bool canDrawGpuDriven() {
+        const bool can = device().info().gpuDrivenMissing.empty();
+        if (!can) {
+            leaveOut("gpu-driven submission");
+        }
+        return can;
+    }
     /// Validation messages since the test began.
     std::size_t messageCount() const { return kSharedDevice->messageCount() - m_messagesBefore; }
 
+    /// Says what the test left out.
+    void leaveOut(const std::string& what) {
+        if (m_leftOut.find(what) == std::string::npos) {
+            m_leftOut += (m_leftOut.empty() ? "" : " and ") + what;
+        }
+    }
+
   private:
     const std::size_t m_messagesBefore = kSharedDevice->messageCount();
+    std::string m_leftOut;
 };
 
 } // namespace cdr::test

@@ -76,11 +76,31 @@ std::string saysOf(const AdviceRow& row) {
 }
 
 std::string limitOf(const AdviceRow& row) {
+    if (row.forecast.rounding.snapGapView >
+        std::max(row.forecast.bufferStepView, row.forecast.rounding.distanceGapView)) {
+        return "the snapping of vertices to sub-pixels";
+    }
     if (row.forecast.bufferStepView >= 4.0 * row.forecast.rounding.distanceGapView) {
         return "the steps of the depth buffer";
     }
     return isAnchored(row.technique.mapping) ? "float32 distances to the anchor plane"
                                              : "float32 view distances";
+}
+
+/// What snapping does to the question's surfaces; empty where it is far below the separation.
+std::string snappingLine(const AdviceQuestion& question) {
+    const ForecastScene& scene = question.scene;
+    const unsigned bits = scene.subPixelBits.value_or(question.subPixelBits);
+    DepthRounding snapped;
+    snapped.snapGapView = snapGapView(bits, scene.footprintSlope * scene.atView, scene.slope);
+    const double reach = 2.0 * snapped.worstView();
+    if (reach < 0.1 * question.separationView) {
+        return "";
+    }
+    return base::concat(
+        scene.subPixelBits ? "Vertices snap to " : "Where vertices snap to ", bits,
+        scene.subPixelBits ? " sub-pixel bits: faces of slope " : " sub-pixel bits, faces of slope ",
+        base::general(scene.slope, 3), " and unlike outlines may swap below ", base::general(reach, 3), ".");
 }
 
 std::string describe(const AdviceRow& row) {
@@ -220,6 +240,9 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
     if (needsAnchored && advice.widestSpanView > 0.0) {
         lines.push_back(base::concat("anchored resolves it while what is visible there is at most ",
                                      base::general(advice.widestSpanView, 3), " deep."));
+    }
+    if (const std::string line = snappingLine(question); !line.empty()) {
+        lines.push_back(line);
     }
     if (at * 0x1p-52 > 0.1 * question.separationView) {
         lines.push_back(base::concat("float64 positions themselves are ", base::general(at * 0x1p-52, 3),

@@ -13,6 +13,8 @@ struct AdviceQuestion {
     ForecastScene scene;
     double separationView = 0.01; ///< smallest gap to tell apart at scene.atView; > 0
     std::vector<DepthFormat> formats{kDepthFormats.begin(), kDepthFormats.end()};
+    /// Of the device, which explain() names. Only scene.subPixelBits goes into the numbers.
+    unsigned subPixelBits = 8;
 };
 
 /// What was measured of a technique on a device, at the distance of the question.

@@ -22,6 +22,12 @@ std::optional<base::Refusal> problemOf(const ForecastScene& scene) {
         return base::Refusal{
             base::concat("the depth of what is visible must be above 0, not ", scene.spanView)};
     }
+    if (scene.subPixelBits.value_or(0) > 32) {
+        return base::Refusal{base::concat("sub-pixel bits must be 0 to 32, not ", *scene.subPixelBits)};
+    }
+    if (!(scene.slope >= 0.0) || !std::isfinite(scene.slope)) {
+        return base::Refusal{base::concat("a slope must be finite and at least 0, not ", scene.slope)};
+    }
     return std::nullopt;
 }
 
@@ -69,9 +75,14 @@ base::Result<Forecast> tryForecast(const Technique& technique, const ForecastSce
     const Cascade& cascade = holder == cascades.end() ? cascades.back() : *holder;
     const bool open = cascades.end() - holder == 1 && !std::holds_alternative<SplitFitted>(technique.split);
     const DepthRange range = depthRange(technique.mapping, cascade, open ? FarEnd::open : FarEnd::closed);
-    return Forecast{.cascades = cascades.size(),
-                    .bufferStepView = separationView(range, technique.format, w),
-                    .rounding = depthRounding(range, w)};
+    Forecast forecast{.cascades = cascades.size(),
+                      .bufferStepView = separationView(range, technique.format, w),
+                      .rounding = depthRounding(range, w)};
+    if (scene.subPixelBits) {
+        forecast.rounding.snapGapView =
+            snapGapView(*scene.subPixelBits, scene.footprintSlope * w, scene.slope);
+    }
+    return forecast;
 }
 
 } // namespace cdr::depth

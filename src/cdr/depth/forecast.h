@@ -4,6 +4,7 @@
 #include <cdr/depth/technique.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace cdr::depth {
@@ -17,6 +18,10 @@ struct ForecastScene {
     double atView = 1e5;         ///< centre of the content, within the range
     double spanView = 32.0;      ///< depth of the content
     bool somethingNear = true;   ///< whether something is at the near plane
+    /// Bits that the device snaps vertices to, at most 32. Empty: it does not, or the surfaces to tell apart share
+    /// their outline, so that snapping moves them alike.
+    std::optional<unsigned> subPixelBits{};
+    double slope = 1.0; ///< of these surfaces, as snapGapView() has it; finite, at least 0
 };
 
 /// What a technique is predicted to resolve at a distance.
@@ -26,7 +31,7 @@ struct Forecast {
     DepthRounding rounding;      ///< of one surface, before the buffer sees it
 
     /// Surfaces this far apart come out in order except for single pixels: a step of the buffer, and two
-    /// standard deviations of what float32 rounds of two surfaces.
+    /// standard deviations of what float32 and snapping round of two surfaces.
     double resolvedView() const;
     /// Surfaces this far apart come out in order everywhere: a step of the buffer, and every rounding of both
     /// surfaces at its worst.
@@ -34,7 +39,7 @@ struct Forecast {
 };
 
 /// Predicts the smallest separation a technique resolves. base::InputError for an unusable range, a
-/// distance outside it, or a split fitted to pixels without footprintSlope.
+/// distance outside it, snapping out of its ranges, or a split fitted to pixels without footprintSlope.
 Forecast forecast(const Technique& technique, const ForecastScene& scene);
 /// The same, refused instead of thrown.
 base::Result<Forecast> tryForecast(const Technique& technique, const ForecastScene& scene);

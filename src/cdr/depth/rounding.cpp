@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace cdr::depth {
 
@@ -27,15 +28,22 @@ double floatGap(double value) {
     return std::exp2(std::floor(std::log2(std::max(value, kLeast))) - 23.0);
 }
 
+double snapGapView(unsigned subPixelBits, double footprintView, double slope) {
+    return slope * footprintView * std::exp2(-static_cast<double>(subPixelBits));
+}
+
 double DepthRounding::deviationView() const {
     // A uniform error as wide as a gap has a variance of a twelfth of its square.
+    // Across a slope only one direction of the snapping counts.
     return std::sqrt((distanceRoundings * distanceGapView * distanceGapView +
-                      depthRoundings * depthGapView * depthGapView) /
+                      depthRoundings * depthGapView * depthGapView + snapGapView * snapGapView) /
                      12.0);
 }
 
 double DepthRounding::worstView() const {
-    return 0.5 * (distanceRoundings * distanceGapView + depthRoundings * depthGapView);
+    // Along the diagonal both directions of the snapping add up.
+    return 0.5 * (distanceRoundings * distanceGapView + depthRoundings * depthGapView +
+                  std::numbers::sqrt2 * snapGapView);
 }
 
 DepthRounding depthRounding(const DepthRange& range, double distanceView) {
@@ -45,7 +53,8 @@ DepthRounding depthRounding(const DepthRange& range, double distanceView) {
     return {.distanceGapView = floatGap(distance),
             .distanceRoundings = range.mapping == Mapping::logFragment ? 4u : 2u,
             .depthGapView = floatGap(z) / depthSlope(range, distanceView),
-            .depthRoundings = depthRoundings(range)};
+            .depthRoundings = depthRoundings(range),
+            .snapGapView = 0.0};
 }
 
 } // namespace cdr::depth

@@ -27,6 +27,7 @@ struct DeviceInfo {
     std::uint32_t queues = 0;                     ///< in the family cdr would use
     std::uint32_t maxImageSide = 0;
     std::uint64_t maxStorageBufferBytes = 0;
+    std::uint32_t subPixelBits = 0; ///< that vertices are rounded to at the coarsest (subPixelPrecisionBits)
     bool hasFragmentStores = false; ///< fragment shaders may write buffers (fragmentStoresAndAtomics)
     double timestampPeriodNs = 0.0;
 };

@@ -138,6 +138,7 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     }
     info.maxImageSide = core.limits.maxImageDimension2D;
     info.maxStorageBufferBytes = core.limits.maxStorageBufferRange;
+    info.subPixelBits = core.limits.subPixelPrecisionBits;
     info.hasFragmentStores = physical.getFeatures().fragmentStoresAndAtomics != 0;
     info.timestampPeriodNs = static_cast<double>(core.limits.timestampPeriod);
     return info;

@@ -31,6 +31,9 @@ struct RenderOptions {
     Effects effects{};
     Focus focus{}; ///< on, it needs targets `layers`, and effects without occlusion
     TranslucencyOptions translucency{};
+    /// Opaque vertices are rounded to this many sub-pixel bits before the device sees them, as a device with
+    /// as few does by itself; 0: not. At most kMaxSnapBits.
+    std::uint32_t snapBits = 0;
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
     /// none.
@@ -40,5 +43,6 @@ struct RenderOptions {
 };
 
 inline constexpr std::size_t kMaxFramesInFlight = 8;
+inline constexpr std::uint32_t kMaxSnapBits = 8;
 
 } // namespace cdr::render

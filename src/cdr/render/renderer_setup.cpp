@@ -46,6 +46,10 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         throw base::InputError(fmt::format("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,
                                            options.framesInFlight));
     }
+    if (options.snapBits > kMaxSnapBits) {
+        throw base::InputError(fmt::format("vertices are rounded to 0 (not) to {} sub-pixel bits, not {}",
+                                           kMaxSnapBits, options.snapBits));
+    }
     requireUsable(options.effects);
     requireFocusable(options);
     if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {

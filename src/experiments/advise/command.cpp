@@ -23,6 +23,8 @@ struct AdviseArguments {
     std::optional<double> atView; ///< far when not given
     double spanView = 32.0;
     double separationView = 0.0;
+    std::optional<unsigned> subPixelBits;
+    double slope = 1.0;
     std::vector<std::string> formats;
     bool measured = false;
     experiments::MeasuredAdviceOptions measuring;
@@ -37,7 +39,9 @@ depth::AdviceQuestion questionOf(const AdviseArguments& arguments) {
                   .farView = camera.farView,
                   .footprintSlope = scene::frustumOf(camera, 1.0, arguments.height).footprintSlope,
                   .atView = arguments.atView.value_or(camera.farView),
-                  .spanView = arguments.spanView},
+                  .spanView = arguments.spanView,
+                  .subPixelBits = arguments.subPixelBits,
+                  .slope = arguments.slope},
         .separationView = arguments.separationView};
     if (!arguments.formats.empty()) {
         question.formats.clear();
@@ -121,6 +125,8 @@ experiments::Columns<Row> adviceColumns(bool measured) {
          .value = step([](const Forecast& forecast) { return forecast.rounding.distanceGapView; }),
          .heading = "vertex rounding",
          .format = stepFormat},
+        {.key = "snap_step",
+         .value = step([](const Forecast& forecast) { return forecast.rounding.snapGapView; })},
         {.key = "predicted",
          .value = step([](const Forecast& forecast) { return forecast.resolvedView(); }),
          .heading = measured ? "predicted" : "resolves",
@@ -186,7 +192,12 @@ void run(Command& command, AdviseArguments& arguments) {
                                           {"at", question.scene.atView},
                                           {"span", question.scene.spanView},
                                           {"separation", question.separationView},
+                                          {"sub_pixel_bits", nullptr},
+                                          {"slope", question.scene.slope},
                                           {"measured", arguments.measured}});
+    if (question.scene.subPixelBits) {
+        document["options"]["sub_pixel_bits"] = *question.scene.subPixelBits;
+    }
     if (arguments.measured) {
         document["options"]["frames"] = arguments.measuring.frames;
         document["options"]["seed"] = arguments.measuring.seed;
@@ -212,6 +223,13 @@ void addOptions(CLI::App& command, AdviseArguments& arguments) {
         ->required();
     command.add_option("--at", arguments.atView, "View distance to tell it apart at; far when not given");
     command.add_option("--span", arguments.spanView, "Depth of what is visible around that distance")
+        ->capture_default_str();
+    command
+        .add_option("--sub-pixel-bits", arguments.subPixelBits,
+                    "Count what vertices snapped to so many bits move; without it, surfaces share an outline")
+        ->check(CLI::Range(0u, 32u));
+    command
+        .add_option("--slope", arguments.slope, "Tangent of the angle between those surfaces and the picture")
         ->capture_default_str();
     command.add_option("--format", arguments.formats, "Depth formats to consider, a comma between them; all")
         ->delimiter(',');

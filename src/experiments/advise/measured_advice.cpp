@@ -69,6 +69,7 @@ depth::AdviceQuestion onDevice(const gpu::Device& device, depth::AdviceQuestion 
     if (question.formats.empty()) {
         throw base::InputError(device.info().name + " has none of the depth formats asked for");
     }
+    question.subPixelBits = device.info().subPixelBits;
     return question;
 }
 

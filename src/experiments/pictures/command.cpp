@@ -99,7 +99,8 @@ void run(Command& command, PicturesArguments& arguments) {
     auto document = command.makeDocument({{"width", options.width},
                                           {"height", options.height},
                                           {"frames", options.frames},
-                                          {"seed", options.seed}});
+                                          {"seed", options.seed},
+                                          {"snap_bits", options.snapBits}});
     document["results"] = experiments::jsonOf(columns, results);
     command.writeDocument(document);
 }
@@ -115,6 +116,7 @@ void addOptions(CLI::App& command, PicturesArguments& arguments) {
     addFrames(command, options.frames, "Frames per scene, spread over its camera path");
     addThreads(command, options.threads, "Threads that cull, bin, record and cast the truth");
     addSeed(command, options.seed, "Seed of the random scenes");
+    addSnapBits(command, options.snapBits);
 }
 
 } // namespace

@@ -45,7 +45,8 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
                                                                      .height = options.height,
                                                                      .technique = technique,
                                                                      .targets = render::TargetsKind::single,
-                                                                     .threads = options.threads}));
+                                                                     .threads = options.threads,
+                                                                     .snapBits = options.snapBits}));
         PictureResult result;
         result.scene = setup.scene.name;
         result.technique = name;

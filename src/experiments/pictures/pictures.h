@@ -21,6 +21,7 @@ struct PicturesOptions {
     std::size_t threads = 1;
     std::uint64_t seed = 2013;                     ///< of the scenes
     std::vector<depth::NamedTechnique> techniques; ///< all presets when empty
+    std::uint32_t snapBits = 0;                    ///< as render::RenderOptions has it
 };
 
 /// One technique over one scene.

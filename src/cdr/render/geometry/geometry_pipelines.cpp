@@ -14,6 +14,7 @@
 #include <cdr/shaders/shared.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <limits>
 
@@ -134,19 +135,21 @@ GeometryPipelines::Pipelines GeometryPipelines::make(const gpu::Device& device, 
             continue;
         }
         pipeline = gpu::makeGraphicsPipeline(
-            device, {.name = wide ? "geometry, wide" : "geometry",
-                     .vertexSpirv = vertexShader(m_options.batching, (kind.variant & kFacetedVariant) != 0),
-                     .fragmentSpirv = fragmentShader(writesDepth, (kind.variant & kFacetedVariant) != 0),
-                     .constants = {form, kind.variant & kTexturedVariant ? 1u : 0u,
-                                   kind.variant & kMaskedVariant ? 1u : 0u, wide ? 1u : 0u,
-                                   m_options.shiny ? 1u : 0u},
-                     .layout = *m_layout,
-                     .bindings = bindingsFor(m_options.batching),
-                     .attributes = attributesFor(m_options.batching),
-                     .colorFormats = {kGBufferFormat},
-                     .depthFormat = m_depthFormat,
-                     .depthCompare = depth::isReversed(mapping) ? vk::CompareOp::eGreaterOrEqual
-                                                                : vk::CompareOp::eLessOrEqual});
+            device,
+            {.name = wide ? "geometry, wide" : "geometry",
+             .vertexSpirv = vertexShader(m_options.batching, (kind.variant & kFacetedVariant) != 0),
+             .fragmentSpirv = fragmentShader(writesDepth, (kind.variant & kFacetedVariant) != 0),
+             .constants = {form, kind.variant & kTexturedVariant ? 1u : 0u,
+                           kind.variant & kMaskedVariant ? 1u : 0u, wide ? 1u : 0u, m_options.shiny ? 1u : 0u,
+                           std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
+                           std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
+             .layout = *m_layout,
+             .bindings = bindingsFor(m_options.batching),
+             .attributes = attributesFor(m_options.batching),
+             .colorFormats = {kGBufferFormat},
+             .depthFormat = m_depthFormat,
+             .depthCompare =
+                 depth::isReversed(mapping) ? vk::CompareOp::eGreaterOrEqual : vk::CompareOp::eLessOrEqual});
     }
     return pipelines;
 }

@@ -3,6 +3,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/render/gpu_scene.h>
 
+#include <glm/glm.hpp>
 #include <vulkan/vulkan.hpp>
 
 #include <array>
@@ -31,6 +32,8 @@ struct GeometryOptions {
     depth::Technique technique;
     Batching batching = Batching::instanced;
     bool shiny = false; ///< whether surfaces keep how they shine; else all are matt
+    /// Vertices in front of the camera are rounded to multiples of 1 / snapSteps of half a picture; 0: not.
+    glm::vec2 snapSteps{0.0f};
 };
 
 /// The pipelines of one technique over one scene.

@@ -4,9 +4,20 @@
 #include <cdr/render/submit/primary_path.h>
 #include <cdr/render/submit/secondary_path.h>
 
+#include <cmath>
 #include <utility>
 
 namespace cdr::render {
+
+namespace {
+
+/// Sub-pixels in half the picture.
+glm::vec2 snapStepsOf(const RenderOptions& options) {
+    const float perPixel = options.snapBits == 0 ? 0.0f : std::exp2(static_cast<float>(options.snapBits));
+    return 0.5f * perPixel * glm::vec2(static_cast<float>(options.width), static_cast<float>(options.height));
+}
+
+} // namespace
 
 DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& scene,
                                  const RenderOptions& options, bool shiny)
@@ -15,7 +26,10 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
       m_submission(options.submission),
       m_trace(options.trace),
       m_geometry(device, scene.uploaded,
-                 {.technique = options.technique, .batching = options.batching, .shiny = shiny}),
+                 {.technique = options.technique,
+                  .batching = options.batching,
+                  .shiny = shiny,
+                  .snapSteps = snapStepsOf(options)}),
       m_binning(options.submission == Submission::gpuDriven
                     ? std::make_unique<BinningPass>(device, scene, options.detail.mode)
                     : nullptr) {}
