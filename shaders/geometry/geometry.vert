@@ -10,6 +10,9 @@ layout(constant_id = 4) const uint kShiny = 0u;
 layout(constant_id = 5) const float kSnapStepsX = 0.0; // of vertices, from the picture's middle to its edge; 0: none
 layout(constant_id = 6) const float kSnapStepsY = 0.0;
 
+// The same bits from every pipeline: cascades, wide draws and batchings promise one picture.
+invariant gl_Position;
+
 #ifdef PUSHED_RECORD
 layout(push_constant) uniform Push {
     CascadePush cascade;
@@ -44,9 +47,9 @@ void main() {
 #ifndef PUSHED_RECORD
     DrawRecord record = DrawRecord(inRight, inUp, inAhead, inLook.x, inLook.y, inLook.z, inLook.w);
 #endif
-    float x = dot(record.right.xyz, inPosition) + record.right.w;
-    float y = dot(record.up.xyz, inPosition) + record.up.w;
-    float ahead = dot(record.ahead.xyz, inPosition) + record.ahead.w;
+    precise float x = dot(record.right.xyz, inPosition) + record.right.w;
+    precise float y = dot(record.up.xyz, inPosition) + record.up.w;
+    precise float ahead = dot(record.ahead.xyz, inPosition) + record.ahead.w;
     gl_Position = clipPosition(kDepthForm, x, y, ahead, record.ahead.w, cascade);
     if (kSnapStepsX != 0.0 && gl_Position.w > 0.0) {
         vec2 steps = vec2(kSnapStepsX, kSnapStepsY);

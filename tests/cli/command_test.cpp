@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <set>
 #include <utility>
@@ -47,6 +48,31 @@ TEST(Commands, DevicesListsAUsableOne) {
     expectEnvelope(document, "devices");
     ASSERT_FALSE(document["results"].empty());
     EXPECT_NE(result.out.find(document["results"][0]["name"].get<std::string>()), std::string::npos);
+}
+
+/// A driver that lacks a part of Vulkan is hidden by the loader unless it is asked for: here lavapipe says it does.
+TEST(Commands, DevicesFindsPortabilityDrivers) {
+    const TemporaryFolder folder;
+    const fs::path manifests = "/usr/share/vulkan/icd.d";
+    std::string library;
+    for (const auto& entry :
+         fs::exists(manifests) ? fs::directory_iterator(manifests) : fs::directory_iterator()) {
+        if (entry.path().filename().string().starts_with("lvp_icd")) {
+            library = json::parse(readText(entry.path())).at("ICD").at("library_path");
+        }
+    }
+    if (library.empty()) {
+        GTEST_SKIP() << "lavapipe is not installed";
+    }
+    const json manifest{
+        {"file_format_version", "1.0.1"},
+        {"ICD", {{"library_path", library}, {"api_version", "1.3.0"}, {"is_portability_driver", true}}}};
+    std::ofstream(folder.path() / "driver.json") << manifest;
+    const ProgramResult result =
+        runProgram("render cubes --size 64x36", folder.path(),
+                   "VK_ICD_FILENAMES=\"$PWD/driver.json\" VK_DRIVER_FILES=\"$PWD/driver.json\"");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("llvmpipe"), std::string::npos) << result.out;
 }
 
 TEST(Commands, PrecisionReproducesAll16CellsOfTable41) {

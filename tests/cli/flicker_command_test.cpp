@@ -40,8 +40,9 @@ TEST(FlickerCommand, WrongPixelsComeInTheThesisOrder) {
     }
     EXPECT_EQ(order, (std::vector<std::string>{"standard", "cdr", "log", "logcdr", "reversed", "anchored"}));
     EXPECT_TRUE(std::is_sorted(fractions.rbegin(), fractions.rend())) << result.out;
+    // A tenth of the pixels lies on edges, and snapping moves those.
     EXPECT_LT(document.at("results")[5].at("mean_flip"),
-              0.1 * document.at("results")[0].at("mean_flip").get<double>());
+              0.1 * document.at("results")[0].at("mean_flip").get<double>() + 0.1 * snapReach());
 
     const json& pairs = document.at("pairs");
     ASSERT_EQ(pairs.size(), 6u);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -30,6 +31,11 @@ const gpu::DeviceInfo& deviceInfo() {
 bool hasD24() {
     const auto& formats = deviceInfo().depthFormats;
     return std::find(formats.begin(), formats.end(), depth::DepthFormat::d24) != formats.end();
+}
+
+double snapReach() {
+    const bool isLavapipe = deviceInfo().name.find("llvmpipe") != std::string::npos;
+    return isLavapipe ? 0.0 : std::exp2(-1.0 - deviceInfo().subPixelBits);
 }
 
 bool canDrawGpuDriven() {

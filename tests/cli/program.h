@@ -26,6 +26,9 @@ const gpu::DeviceInfo& deviceInfo();
 /// Whether the device can draw to 24 bits of depth.
 bool hasD24();
 
+/// How far, in pixels, the device may move a surface by snapping its vertices; 0 on lavapipe, which tests/render measures.
+double snapReach();
+
 /// Whether the device can cull and bin.
 bool canDrawGpuDriven();
 

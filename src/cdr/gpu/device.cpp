@@ -19,6 +19,8 @@ namespace {
 /// memory of their own (memory.cpp).
 constexpr vk::DeviceSize kBlockBytes = vk::DeviceSize{32} << 20;
 
+constexpr const char* kPortabilitySubset = "VK_KHR_portability_subset"; // its own macro is a beta one
+
 std::string lower(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -57,6 +59,14 @@ std::uint32_t chooseDevice(const std::vector<DeviceInfo>& infos, const std::stri
     return best->index;
 }
 
+/// Drivers that lack a part of Vulkan say so by this extension, and ask that it be enabled.
+bool hasPortabilitySubset(vk::PhysicalDevice physical) {
+    const auto extensions = physical.enumerateDeviceExtensionProperties();
+    return std::any_of(extensions.begin(), extensions.end(), [](const vk::ExtensionProperties& extension) {
+        return std::string_view(extension.extensionName.data()) == kPortabilitySubset;
+    });
+}
+
 vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFamily, const DeviceInfo& info) {
     const bool gpuDriven = info.gpuDrivenMissing.empty();
     constexpr float kPriority = 1.0f;
@@ -72,8 +82,11 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
                      .fragmentStoresAndAtomics = info.hasFragmentStores,
                      .shaderClipDistance = true,
                      .shaderFloat64 = gpuDriven}};
-    return physical.createDeviceUnique(
-        {.pNext = &features, .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue});
+    return physical.createDeviceUnique({.pNext = &features,
+                                        .queueCreateInfoCount = 1,
+                                        .pQueueCreateInfos = &queue,
+                                        .enabledExtensionCount = hasPortabilitySubset(physical) ? 1u : 0u,
+                                        .ppEnabledExtensionNames = &kPortabilitySubset});
 }
 
 } // namespace
@@ -141,6 +154,7 @@ void Device::finish(vk::Instance instance, bool hasDebugNames) {
     VmaAllocator allocator = nullptr;
     vk::resultCheck(static_cast<vk::Result>(vmaCreateAllocator(&info, &allocator)), "vmaCreateAllocator");
     m_allocator.reset(allocator);
+    m_pipelineCache = m_device.createPipelineCacheUnique({});
 }
 
 vk::Format Device::depthFormat(depth::DepthFormat format) const {

@@ -66,6 +66,8 @@ class Device {
     vk::Queue queue() const { return m_queue; }
     std::uint32_t queueFamily() const { return m_queueFamily; }
     VmaAllocator_T* allocator() const { return m_allocator.get(); }
+    /// Pipelines that renderers of one device share are compiled once. Lives as long as the device.
+    vk::PipelineCache pipelineCache() const { return *m_pipelineCache; }
     const DeviceInfo& info() const { return m_info; }
 
     /// The Vulkan format of optimally tiled depth attachments for `format`.
@@ -99,6 +101,7 @@ class Device {
     PFN_vkCmdBeginDebugUtilsLabelEXT m_beginLabel = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT m_endLabel = nullptr;
     std::unique_ptr<VmaAllocator_T, AllocatorDeleter> m_allocator;
+    vk::UniquePipelineCache m_pipelineCache;
 };
 
 } // namespace cdr::gpu

@@ -78,6 +78,11 @@ Instance::Instance(const InstanceOptions& options) : m_validation(std::make_shar
     if (m_hasDebugUtils) {
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     }
+    // Without it the loader hides drivers that lack a part of Vulkan, such as MoltenVK.
+    const bool portable = hasExtension(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+    if (portable) {
+        extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+    }
     const vk::ApplicationInfo application{.pApplicationName = "cdr", .apiVersion = VK_API_VERSION_1_3};
     const auto messenger = messengerInfo(*m_validation);
     constexpr std::array kEnabled{vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
@@ -87,6 +92,8 @@ Instance::Instance(const InstanceOptions& options) : m_validation(std::make_shar
     try {
         m_instance = vk::createInstanceUnique({
             .pNext = options.validate ? &features : nullptr,
+            .flags =
+                portable ? vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR : vk::InstanceCreateFlags{},
             .pApplicationInfo = &application,
             .enabledLayerCount = options.validate ? 1u : 0u,
             .ppEnabledLayerNames = &kValidationLayer,

@@ -92,19 +92,19 @@ vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipe
         .colorAttachmentCount = static_cast<std::uint32_t>(options.colorFormats.size()),
         .pColorAttachmentFormats = options.colorFormats.data(),
         .depthAttachmentFormat = options.depthFormat};
-    auto [result, pipeline] =
-        device.handle().createGraphicsPipelineUnique({}, {.pNext = &rendering,
-                                                          .stageCount = stages.size(),
-                                                          .pStages = stages.data(),
-                                                          .pVertexInputState = &vertexInput,
-                                                          .pInputAssemblyState = &assembly,
-                                                          .pViewportState = &viewport,
-                                                          .pRasterizationState = &raster,
-                                                          .pMultisampleState = &multisample,
-                                                          .pDepthStencilState = &depth,
-                                                          .pColorBlendState = &blend,
-                                                          .pDynamicState = &dynamic,
-                                                          .layout = options.layout});
+    auto [result, pipeline] = device.handle().createGraphicsPipelineUnique(device.pipelineCache(),
+                                                                           {.pNext = &rendering,
+                                                                            .stageCount = stages.size(),
+                                                                            .pStages = stages.data(),
+                                                                            .pVertexInputState = &vertexInput,
+                                                                            .pInputAssemblyState = &assembly,
+                                                                            .pViewportState = &viewport,
+                                                                            .pRasterizationState = &raster,
+                                                                            .pMultisampleState = &multisample,
+                                                                            .pDepthStencilState = &depth,
+                                                                            .pColorBlendState = &blend,
+                                                                            .pDynamicState = &dynamic,
+                                                                            .layout = options.layout});
     vk::resultCheck(result, "vkCreateGraphicsPipelines");
     device.setName(*pipeline, options.name);
     return std::move(pipeline);
@@ -114,8 +114,9 @@ vk::UniquePipeline makeComputePipeline(const Device& device, std::span<const std
                                        vk::PipelineLayout layout, const std::string& name) {
     const vk::UniqueShaderModule shader = makeModule(device, spirv);
     auto [result, pipeline] = device.handle().createComputePipelineUnique(
-        {}, {.stage = {.stage = vk::ShaderStageFlagBits::eCompute, .module = *shader, .pName = "main"},
-             .layout = layout});
+        device.pipelineCache(),
+        {.stage = {.stage = vk::ShaderStageFlagBits::eCompute, .module = *shader, .pName = "main"},
+         .layout = layout});
     vk::resultCheck(result, "vkCreateComputePipelines");
     device.setName(*pipeline, name);
     return std::move(pipeline);
