@@ -1,10 +1,13 @@
 #include "program.h"
 
+#include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <cdr/image/compare.h>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -63,6 +66,34 @@ int compareFiles(const fs::path& golden, const fs::path& render) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+image::ImageRgba8 readPicture(const fs::path& path) {
+    return image::decodeImage(host::readFile(path, 1 << 26), path.string());
+}
+
+/// Pixels with a channel that does not lie between those of the golden pixels around it, within the usual tolerance. That
+/// is what is left to compare where vertices are snapped: edges move, by less than a pixel.
+std::size_t countApart(const image::ImageRgba8& golden, const image::ImageRgba8& render) {
+    const int slack = image::Tolerance{}.channel;
+    const auto isApart = [&](std::uint32_t x, std::uint32_t y, std::size_t c) {
+        int low = 255;
+        int high = 0;
+        for (std::uint32_t i = 0; i < 9; ++i) {
+            const int value = golden.at(x - 1 + i % 3, y - 1 + i / 3)[c];
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+        const int value = render.at(x, y)[c];
+        return value < low - slack || value > high + slack;
+    };
+    std::size_t apart = 0;
+    for (std::uint32_t y = 1; y + 1 < golden.height; ++y) {
+        for (std::uint32_t x = 1; x + 1 < golden.width; ++x) {
+            apart += isApart(x, y, 0) || isApart(x, y, 1) || isApart(x, y, 2) ? 1 : 0;
+        }
+    }
+    return apart;
+}
+
 class GoldenPicture : public testing::TestWithParam<Golden> {};
 
 TEST_P(GoldenPicture, IsRenderedStill) {
@@ -75,7 +106,15 @@ TEST_P(GoldenPicture, IsRenderedStill) {
                                                 GetParam().arguments + " --size 320x180 -o render.png",
                                             folder.path());
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(compareFiles(kFolder / (GetParam().name + ".png"), folder.path() / "render.png"), 0)
+    const fs::path golden = kFolder / (GetParam().name + ".png");
+    if (snapReach() > 0.0) {
+        const std::size_t apart = countApart(readPicture(golden), readPicture(folder.path() / "render.png"));
+        // What is narrower than a pixel comes and goes; 4 bits emulated on lavapipe show as many.
+        EXPECT_LE(static_cast<double>(apart),
+                  (image::Tolerance{}.pixelShare + 0.1 * snapReach()) * 320 * 180);
+        return;
+    }
+    EXPECT_EQ(compareFiles(golden, folder.path() / "render.png"), 0)
         << "tools/approve_golden.sh shows both pictures";
 }
 
