@@ -4,7 +4,7 @@
 #ifndef CDR_SHADERS_FLAT_LIGHTING_GLSL
 #define CDR_SHADERS_FLAT_LIGHTING_GLSL
 
-// How many lights the scene has; more than kFlatLights are read from the buffer.
+// How many lights the scene has. With more than kFlatLights their number and all of them are read from the buffer.
 layout(constant_id = 2) const uint kLights = 0u;
 
 #ifdef HANDS_OVER_LIGHTING
@@ -40,7 +40,7 @@ vec3 fogColor() { return backgroundColor(); }
 float fogExtinction() { return flatFogAndRadius.x; }
 float occlusionRadius() { return flatFogAndRadius.y; }
 vec2 rayScale() { return vec2(flatAmbientAndRayX.w, flatBackgroundAndRayY.w); }
-uint lightCount() { return kLights; }
+uint lightCount() { return kLights > kFlatLights ? header.lightCount : kLights; }
 LightRecord lightAt(uint i) {
     if (kLights > kFlatLights) {
         return lights[i];

@@ -1,6 +1,7 @@
 #include "fixture.h"
 #include "snapping.h"
 
+#include <cdr/depth/make_cascades.h>
 #include <cdr/depth/separation.h>
 #include <scenes/cubes.h>
 

@@ -1,7 +1,18 @@
 #pragma once
 
+#include <cdr/render/frame_cutter.h>
+#include <cdr/render/readback.h>
 #include <cdr/render/renderer.h>
+#include <cdr/render/shading/picture.h>
+#include <cdr/render/shading/shading_pass.h>
+#include <cdr/render/submit/draw_path_factory.h>
 #include <cdr/render/targets/focus_layers.h>
+#include <cdr/render/translucency/translucent_pass.h>
+
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
 
 namespace cdr::render {
 
@@ -9,7 +20,7 @@ namespace cdr::render {
 struct Renderer::Slot {
     std::unique_ptr<DrawPath> path;
     ShadingInputs shading;
-    std::optional<TranslucentPass::Slot> translucent; ///< where the scene has blended instances
+    std::optional<TranslucentPass::Slot> translucent; ///< where the scene has blended materials
     FocusInputs focus;                                ///< where the lens has one
     vk::UniqueFence done;
     bool isPending = false;
@@ -17,7 +28,30 @@ struct Renderer::Slot {
 
     FrameView view;
     FrameStats stats;
+    std::uint64_t revision = 0; ///< of the scene
     Destination destination = Destination::device;
+};
+
+/// What a renderer draws with, for a picture of one size and for what its scene needs.
+struct Renderer::Passes {
+    /// Focus layers where the lens has a focus.
+    using OwnedTargets = std::variant<std::unique_ptr<Targets>, std::unique_ptr<FocusLayers>>;
+
+    Passes(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options,
+           const Needs& needs);
+
+    vk::Extent2D extent;
+    bool lostShine; ///< FrameStats::lostShine of every frame
+    Picture picture;
+    OwnedTargets ownTargets;
+    Targets& targets; ///< those
+    FrameCutter cutter;
+    ShadingPass shading;
+    std::unique_ptr<TranslucentPass> translucent; ///< where the scene has blended materials
+    Readback colorCopy;
+    Readback gbufferCopy;
+    std::size_t lightRoom = 0; ///< of each slot's inputs
+    std::vector<Slot> slots{}; ///< taken in turn
 };
 
 } // namespace cdr::render

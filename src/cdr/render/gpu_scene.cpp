@@ -2,18 +2,19 @@
 #include <cdr/gpu/upload.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/shaders/shared.h>
+#include <cdr/visibility/blended.h>
 
 #include <glm/gtc/packing.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
-#include <span>
-#include <tuple>
+#include <optional>
 
 namespace cdr::render {
 
 namespace {
+
+constexpr auto kTextureType = vk::DescriptorType::eCombinedImageSampler;
 
 /// A vertex as the device reads it: 28 bytes.
 struct PackedVertex {
@@ -93,15 +94,78 @@ std::uint64_t predictBytes(const scene::Scene& scene) {
 
 } // namespace
 
-GpuScene::GpuScene(const gpu::Device& device, const scene::Scene& scene) {
+GpuScene::GpuScene(const gpu::Device& device, const scene::Scene& scene)
+    : m_device(device),
+      m_scene(&scene),
+      m_textureLayout(
+          gpu::makeSetLayout(device, {kTextureType}, vk::ShaderStageFlagBits::eFragment, "texture set")),
+      m_white(uploadTexture({.name = "white", .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})})) {
+    scene::requireUsable(scene);
     gpu::requireDeviceBytes(device, predictBytes(scene), "scene " + scene.name);
     uploadMeshes(device, scene);
-    uploadTextures(device, scene);
-    uploadMaterials(device, scene);
-    sortKinds(scene);
+    for (const scene::Texture& texture : scene.textures) {
+        m_textures.push_back(uploadTexture(texture));
+    }
+    readMaterials();
+    readAllInstances();
+}
+
+GpuScene::GpuScene(const gpu::Device& device, const scene::World& world) : GpuScene(device, world.scene()) {
+    m_world = &world;
+    const scene::World::Changes& changes = world.changes();
+    m_followed = {changes.instances.end(), changes.meshes.end(), changes.materials.end(),
+                  changes.textures.end()};
+}
+
+bool GpuScene::isCurrent() const {
+    if (m_world == nullptr) {
+        return true;
+    }
+    const scene::World::Changes& changes = m_world->changes();
+    return m_followed.instances == changes.instances.end() && m_followed.meshes == changes.meshes.end() &&
+           m_followed.materials == changes.materials.end() && m_followed.textures == changes.textures.end();
+}
+
+const scene::ChangeLog& GpuScene::instanceChanges() const {
+    static const scene::ChangeLog kNone;
+    return m_world == nullptr ? kNone : m_world->changes().instances;
+}
+
+void GpuScene::update() {
+    if (isCurrent()) {
+        return;
+    }
+    const scene::World::Changes& changes = m_world->changes();
+    if (m_followed.meshes != changes.meshes.end() || m_followed.materials != changes.materials.end() ||
+        m_followed.textures != changes.textures.end()) {
+        updateTables();
+    } else {
+        updateInstances();
+    }
+    m_followed = {changes.instances.end(), changes.meshes.end(), changes.materials.end(),
+                  changes.textures.end()};
+    ++m_revision;
+}
+
+void GpuScene::updateTables() {
+    m_device.queue().waitIdle(); // frames in flight read what is replaced
+    const scene::World::Changes& changes = m_world->changes();
+    if (m_followed.meshes != changes.meshes.end()) {
+        gpu::requireDeviceBytes(m_device, predictBytes(*m_scene), "scene " + m_scene->name);
+        uploadMeshes(m_device, *m_scene);
+    }
+    updateTextures();
+    readMaterials();
+    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
+        m_kinds[kind] = kindOf(m_kindKeys[kind]);
+    }
+    readAllInstances();
+    ++m_tablesRevision;
 }
 
 void GpuScene::uploadMeshes(const gpu::Device& device, const scene::Scene& scene) {
+    m_meshes.clear();
+    m_levels.clear();
     std::vector<PackedVertex> vertices;
     std::vector<std::uint32_t> indices;
     for (const scene::Mesh& mesh : scene.meshes) {
@@ -130,58 +194,105 @@ void GpuScene::uploadMeshes(const gpu::Device& device, const scene::Scene& scene
                                   vk::BufferUsageFlagBits::eIndexBuffer, "scene indices");
 }
 
-void GpuScene::uploadMaterials(const gpu::Device& device, const scene::Scene& scene) {
-    constexpr auto kType = vk::DescriptorType::eCombinedImageSampler;
-    m_textureLayout = gpu::makeSetLayout(device, {kType}, vk::ShaderStageFlagBits::eFragment, "texture set");
-    m_pool = gpu::makeDescriptorPool(device, static_cast<std::uint32_t>(scene.materials.size()), 1, {kType});
-    for (const scene::Material& material : scene.materials) {
+GpuScene::UploadedTexture GpuScene::uploadTexture(const scene::Texture& texture) const {
+    const image::ImageRgba8& pixels = texture.pixels;
+    UploadedTexture uploaded{
+        .image = gpu::uploadImage(m_device, {pixels.width, pixels.height}, vk::Format::eR8G8B8A8Srgb,
+                                  std::as_bytes(std::span(pixels.pixels)), "texture " + texture.name),
+        .sampler = makeSampler(m_device, texture.repeatU, texture.repeatV),
+        .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kTextureType}),
+        .set = {}};
+    uploaded.set = gpu::allocateSet(m_device, *uploaded.pool, *m_textureLayout);
+    gpu::writeImageBinding(m_device, uploaded.set, 0, kTextureType, uploaded.image.view(), *uploaded.sampler);
+    return uploaded;
+}
+
+void GpuScene::updateTextures() {
+    const auto changed = m_world->changes().textures.since(m_followed.textures);
+    for (std::size_t i = 0; i < m_scene->textures.size(); ++i) {
+        const bool isNew = i >= m_textures.size();
+        if (isNew) {
+            m_textures.emplace_back();
+        }
+        if (isNew || !changed || std::find(changed->begin(), changed->end(), i) != changed->end()) {
+            m_textures[i] = uploadTexture(m_scene->textures[i]);
+        }
+    }
+}
+
+void GpuScene::readMaterials() {
+    m_materials.clear();
+    m_isShiny = false;
+    m_hasBlended = false;
+    for (const scene::Material& material : m_scene->materials) {
         m_materials.push_back(wordsOf(material));
         m_isShiny = m_isShiny || (m_materials.back().cutoffAndShine & shaders::kShineMask) != 0;
-        // Untextured materials read the white pixel, so that every pipeline has a valid set.
-        const std::size_t texture =
-            material.baseColorTexture.value_or(static_cast<std::uint32_t>(scene.textures.size()));
-        const vk::DescriptorSet set = gpu::allocateSet(device, *m_pool, *m_textureLayout);
-        gpu::writeImageBinding(device, set, 0, kType, m_textures[texture].view(), *m_samplers[texture]);
-        m_textureSets.push_back(set);
+        m_hasBlended = m_hasBlended || material.alphaMode == scene::AlphaMode::blend;
     }
 }
 
-void GpuScene::uploadTextures(const gpu::Device& device, const scene::Scene& scene) {
-    const auto upload = [&](const image::ImageRgba8& pixels, const std::string& name) {
-        m_textures.push_back(gpu::uploadImage(device, {pixels.width, pixels.height},
-                                              vk::Format::eR8G8B8A8Srgb,
-                                              std::as_bytes(std::span(pixels.pixels)), name));
-    };
-    for (const scene::Texture& texture : scene.textures) {
-        upload(texture.pixels, "texture " + texture.name);
-        m_samplers.push_back(makeSampler(device, texture.repeatU, texture.repeatV));
-    }
-    upload(image::ImageRgba8(1, 1, {255, 255, 255, 255}), "white texture");
-    m_samplers.push_back(makeSampler(device, true, true));
+DrawKind GpuScene::kindOf(const KindKey& key) const {
+    const auto [mesh, materialIndex, mirrored] = key;
+    const scene::Material& material = m_scene->materials[materialIndex];
+    // Untextured materials read the white pixel, so that every pipeline has a valid set.
+    const UploadedTexture& texture =
+        material.baseColorTexture ? m_textures[*material.baseColorTexture] : m_white;
+    return {.mesh = m_meshes[mesh],
+            .variant = variantOf(m_meshes[mesh], material),
+            .doubleSided = material.doubleSided,
+            .mirrored = mirrored,
+            .textureSet = texture.set};
 }
 
-void GpuScene::sortKinds(const scene::Scene& scene) {
-    const scene::Instances& instances = scene.instances;
-    std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, std::uint32_t> known;
-    m_sources.reserve(instances.size());
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        const bool mirrored = glm::determinant(instances.basis[i]) < 0.0f;
-        const auto [entry, isNew] =
-            known.try_emplace({instances.mesh[i], instances.material[i], mirrored}, m_kinds.size());
-        if (isNew) {
-            const scene::Material& material = scene.materials[instances.material[i]];
-            m_kinds.push_back({.mesh = m_meshes[instances.mesh[i]],
-                               .variant = variantOf(m_meshes[instances.mesh[i]], material),
-                               .doubleSided = material.doubleSided,
-                               .mirrored = mirrored,
-                               .textureSet = m_textureSets[instances.material[i]]});
+std::uint32_t GpuScene::kindIndexOf(const KindKey& key) {
+    const auto [entry, isNew] = m_kindIndices.try_emplace(key, static_cast<std::uint32_t>(m_kinds.size()));
+    if (isNew) {
+        m_kinds.push_back(kindOf(key));
+        m_kindKeys.push_back(key);
+    }
+    return entry->second;
+}
+
+void GpuScene::readInstance(std::size_t i) {
+    const scene::Instances& instances = m_scene->instances;
+    const KindKey key{instances.mesh[i], instances.material[i], glm::determinant(instances.basis[i]) < 0.0f};
+    DrawSource& source = m_sources[i];
+    // What moves or goes keeps its kind, which spares the look-up and leaves runs of one kind whole.
+    const bool keepsKind = source.kind < m_kinds.size() &&
+                           (m_kindKeys[source.kind] == key || instances.radius[i] == scene::kNoRadius);
+    source = {.position = instances.position(i),
+              .basis = instances.basis[i],
+              .id = instances.object[i] + 1 +
+                    (m_scene->materials[instances.material[i]].unlit ? shaders::kIdUnlit : 0u),
+              .material = instances.material[i],
+              .kind = keepsKind ? source.kind : kindIndexOf(key)};
+}
+
+void GpuScene::readAllInstances() {
+    m_sources.resize(m_scene->instances.size());
+    for (std::size_t i = 0; i < m_sources.size(); ++i) {
+        readInstance(i);
+    }
+    m_blended = visibility::blendedInstances(*m_scene);
+}
+
+void GpuScene::updateInstances() {
+    const auto changed = m_world->changes().instances.since(m_followed.instances);
+    if (!changed) {
+        readAllInstances();
+        return;
+    }
+    m_sources.resize(m_scene->instances.size());
+    bool isBlendedStale = false;
+    for (const std::uint32_t i : *changed) {
+        readInstance(i);
+        if (m_hasBlended) {
+            const bool was = std::binary_search(m_blended.begin(), m_blended.end(), i);
+            isBlendedStale = isBlendedStale || was != visibility::isBlended(*m_scene, i);
         }
-        m_sources.push_back({.position = instances.position(i),
-                             .basis = instances.basis[i],
-                             .id = instances.object[i] + 1 +
-                                   (scene.materials[instances.material[i]].unlit ? shaders::kIdUnlit : 0u),
-                             .material = instances.material[i],
-                             .kind = entry->second});
+    }
+    if (isBlendedStale) {
+        m_blended = visibility::blendedInstances(*m_scene);
     }
 }
 

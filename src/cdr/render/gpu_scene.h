@@ -2,11 +2,15 @@
 
 #include <cdr/gpu/memory.h>
 #include <cdr/render/material_words.h>
-#include <cdr/scene/scene.h>
+#include <cdr/scene/world/world.h>
 
 #include <vulkan/vulkan.hpp>
 
 #include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <tuple>
 #include <vector>
 
 namespace cdr::render {
@@ -57,11 +61,31 @@ struct DrawSource {
     std::uint32_t kind = 0; ///< into GpuScene::kinds()
 };
 
-/// A scene's meshes, materials and textures on a device. Immutable, so any number of renderers may share it.
+/// A scene's meshes, materials and textures on a device, and its instances as recording reads them. Any number of
+/// renderers may share it.
 class GpuScene {
   public:
-    /// Uploads and waits. base::RunError, with both figures, when the device has too little memory.
+    /// Of a scene that stays as it is. Uploads and waits. base::InputError as scene::requireUsable(); base::RunError,
+    /// with both figures, when the device has too little memory.
     GpuScene(const gpu::Device& device, const scene::Scene& scene);
+    /// Of a scene that changes; the world must outlive this.
+    GpuScene(const gpu::Device& device, const scene::World& world);
+
+    /// Follows the world's edits since the last call; renderers call it at the start of a frame. Instances take time
+    /// by the number that changed. Meshes, materials and textures wait for all that the queue was given before.
+    /// base::RunError as the constructor.
+    void update();
+
+    const scene::Scene& scene() const { return *m_scene; }
+    bool isLive() const { return m_world != nullptr; }
+    /// Whether update() would find nothing to do.
+    bool isCurrent() const;
+    /// Another number after each update() that found something to do.
+    std::uint64_t revision() const { return m_revision; }
+    /// Another number after each update() that changed more than instances: what a draw kind or a material says.
+    std::uint64_t tablesRevision() const { return m_tablesRevision; }
+    /// Which instances changed.
+    const scene::ChangeLog& instanceChanges() const;
 
     vk::Buffer vertices() const { return m_vertices.handle(); }
     vk::Buffer indices() const { return m_indices.handle(); }
@@ -70,6 +94,10 @@ class GpuScene {
     const std::vector<MaterialWords>& materials() const { return m_materials; }
     /// Whether any material shines; a scene without is drawn by pipelines that know matt surfaces alone.
     bool isShiny() const { return m_isShiny; }
+    /// Whether any material blends; a scene without is drawn without a pass for translucent surfaces.
+    bool hasBlended() const { return m_hasBlended; }
+    /// The instances whose material blends, ascending. They are drawn after all others.
+    std::span<const std::uint32_t> blended() const { return m_blended; }
     /// By instance.
     const std::vector<DrawSource>& sources() const { return m_sources; }
     const std::vector<DrawKind>& kinds() const { return m_kinds; }
@@ -86,24 +114,55 @@ class GpuScene {
     static std::vector<vk::VertexInputAttributeDescription> vertexAttributes();
 
   private:
-    void uploadMeshes(const gpu::Device& device, const scene::Scene& scene);
-    void uploadMaterials(const gpu::Device& device, const scene::Scene& scene);
-    void uploadTextures(const gpu::Device& device, const scene::Scene& scene);
-    void sortKinds(const scene::Scene& scene);
+    /// The scene's texture, or one white pixel for materials without.
+    struct UploadedTexture {
+        gpu::Image image;
+        vk::UniqueSampler sampler;
+        vk::UniqueDescriptorPool pool;
+        vk::DescriptorSet set;
+    };
+    /// Mesh, material, mirrored.
+    using KindKey = std::tuple<std::uint32_t, std::uint32_t, bool>;
+    /// How far the world's changes were followed.
+    struct Followed {
+        std::uint64_t instances = 0;
+        std::uint64_t meshes = 0;
+        std::uint64_t materials = 0;
+        std::uint64_t textures = 0;
+    };
 
+    void uploadMeshes(const gpu::Device& device, const scene::Scene& scene);
+    UploadedTexture uploadTexture(const scene::Texture& texture) const;
+    void updateTables();
+    void updateTextures();
+    void readMaterials();
+    DrawKind kindOf(const KindKey& key) const;
+    std::uint32_t kindIndexOf(const KindKey& key);
+    void readInstance(std::size_t i);
+    void readAllInstances();
+    void updateInstances();
+
+    const gpu::Device& m_device;
+    const scene::Scene* m_scene;
+    const scene::World* m_world = nullptr;
+    Followed m_followed;
+    std::uint64_t m_revision = 0;
+    std::uint64_t m_tablesRevision = 0;
     gpu::Buffer m_vertices;
     gpu::Buffer m_indices;
     std::vector<MeshRange> m_meshes;
     std::vector<LevelRange> m_levels;
-    std::vector<gpu::Image> m_textures; ///< the scene's, then one white pixel
-    std::vector<vk::UniqueSampler> m_samplers;
     vk::UniqueDescriptorSetLayout m_textureLayout;
-    vk::UniqueDescriptorPool m_pool;
+    UploadedTexture m_white;
+    std::vector<UploadedTexture> m_textures; ///< the scene's
     std::vector<MaterialWords> m_materials;
     bool m_isShiny = false;
-    std::vector<vk::DescriptorSet> m_textureSets; ///< by material
-    std::vector<DrawKind> m_kinds;
+    bool m_hasBlended = false;
+    std::vector<DrawKind> m_kinds; ///< only ever more
+    std::vector<KindKey> m_kindKeys;
+    std::map<KindKey, std::uint32_t> m_kindIndices;
     std::vector<DrawSource> m_sources;
+    std::vector<std::uint32_t> m_blended;
 };
 
 } // namespace cdr::render

@@ -1,9 +1,8 @@
 #include "frame_slot.h"
 
+#include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/render/renderer_setup.h>
-#include <cdr/render/targets/focus_layers.h>
-#include <cdr/visibility/blended.h>
 
 #include <fmt/format.h>
 
@@ -15,6 +14,34 @@ namespace {
 
 double millisecondsBetween(host::Trace::Clock::time_point begin, host::Trace::Clock::time_point end) {
     return std::chrono::duration<double, std::milli>(end - begin).count();
+}
+
+const GpuScene& fixed(const GpuScene& gpuScene) {
+    if (gpuScene.isLive()) {
+        throw base::InputError(
+            "the scene of a world changes: give its GpuScene to the renderer without its scene");
+    }
+    return gpuScene;
+}
+
+/// Up to date, so that what is made from it is.
+const GpuScene& followed(GpuScene& live) {
+    live.update();
+    return live;
+}
+
+std::variant<std::unique_ptr<Targets>, std::unique_ptr<FocusLayers>>
+makeOwnTargets(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options, bool shiny,
+               const Picture& picture) {
+    const TargetsOptions targets = targetsOptions(picture.lit().options().extent, options);
+    if (!options.focus.isOn()) {
+        return makeTargets(device, options.targets, targets);
+    }
+    return std::make_unique<FocusLayers>(device, targets, picture.lit(),
+                                         FocusLayersOptions{.effects = options.effects,
+                                                            .background = drawn.scene.background,
+                                                            .fades = options.focus.blend,
+                                                            .shiny = shiny});
 }
 
 /// Times one stage after the other.
@@ -39,42 +66,117 @@ class Stopwatch {
 
 } // namespace
 
+Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options,
+                         const Needs& needs)
+    : extent(checkedExtent(device, options, needs.blended)),
+      lostShine(losesShine(drawn.uploaded, options)),
+      picture(device, pictureOptions(extent, options, needs.blended)),
+      ownTargets(makeOwnTargets(device, drawn, options, needs.shiny, picture)),
+      targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),
+      cutter(options, targets),
+      shading(device, targets.gbuffer(), picture.lit(),
+              {.effects = options.effects,
+               .shiny = needs.shiny,
+               .anchored = depth::isAnchored(options.technique.mapping),
+               .lights = static_cast<std::uint32_t>(drawn.scene.lights.size())}),
+      translucent(needs.blended ? std::make_unique<TranslucentPass>(device, drawn, targets.gbuffer(),
+                                                                    picture.lit(), options.translucency)
+                                : nullptr),
+      colorCopy(device, extent, sizeof(image::Rgba8), "color copy"),
+      gbufferCopy(device, extent, sizeof(GBufferPixel), "G-buffer copy") {}
+
 Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                    const RenderOptions& options)
+    : Renderer(device, scene, fixed(gpuScene), nullptr, options) {}
+
+Renderer::Renderer(const gpu::Device& device, GpuScene& live, const RenderOptions& options)
+    : Renderer(device, live.scene(), followed(live), &live, options) {}
+
+Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
+                   GpuScene* live, const RenderOptions& options)
     : m_device(device),
-      m_blended(visibility::blendedInstances(scene)),
-      m_drawn{.scene = scene, .uploaded = gpuScene, .blended = m_blended},
+      m_live(live),
+      m_drawn{.scene = scene, .uploaded = gpuScene},
       m_options(options),
-      m_extent(checkedExtent(device, options, !m_blended.empty())),
       m_workers(options.threads, options.placement),
-      m_lostShine(losesShine(gpuScene, options)),
-      m_shiny(gpuScene.isShiny() && !m_lostShine),
-      m_paths(device, m_drawn, options, m_shiny),
-      m_picture(device, pictureOptions(m_extent, options, !m_blended.empty())),
-      m_ownTargets(makeOwnTargets()),
-      m_targets(std::visit([](const auto& own) -> Targets& { return *own; }, m_ownTargets)),
-      m_cutter(options, m_targets),
-      m_shading(device, m_targets.gbuffer(), m_picture.lit(),
-                {.effects = options.effects,
-                 .shiny = m_shiny,
-                 .anchored = depth::isAnchored(options.technique.mapping),
-                 .lights = static_cast<std::uint32_t>(scene.lights.size())}),
-      m_translucent(m_blended.empty()
-                        ? nullptr
-                        : std::make_unique<TranslucentPass>(device, m_drawn, m_targets.gbuffer(),
-                                                            m_picture.lit(), options.translucency)),
-      m_colorCopy(device, m_extent, sizeof(image::Rgba8), "color copy"),
-      m_gbufferCopy(device, m_extent, sizeof(GBufferPixel), "G-buffer copy") {
+      m_needs(needs()),
+      m_revision(gpuScene.revision()) {
     m_workers.setTrace(options.trace);
-    for (std::size_t slot = 0; slot < options.framesInFlight; ++slot) {
-        Slot& made = m_slots.emplace_back();
-        made.path = m_paths.make(m_workers, fmt::format("frame slot {}", slot));
-        made.shading = m_shading.makeInputs(scene);
-        if (m_translucent != nullptr) {
-            made.translucent.emplace(m_translucent->makeSlot(made.shading));
+    checkedExtent(device, options, m_needs.blended);
+    m_paths = std::make_unique<DrawPathFactory>(device, m_drawn, options, m_needs.shiny);
+    makePasses();
+}
+
+Renderer::Needs Renderer::needs() const {
+    return {.shiny = m_drawn.uploaded.isShiny() && !losesShine(m_drawn.uploaded, m_options),
+            .blended = m_drawn.uploaded.hasBlended()};
+}
+
+void Renderer::makePasses() {
+    auto made = std::make_unique<Passes>(m_device, m_drawn, m_options, m_needs);
+    made->lightRoom = m_drawn.scene.lights.size();
+    std::swap(m_passes, made);
+    try {
+        for (std::size_t slot = 0; slot < m_options.framesInFlight; ++slot) {
+            Slot& begun = m_passes->slots.emplace_back();
+            begun.path = m_paths->make(m_workers, fmt::format("frame slot {}", slot));
+            begun.done = m_device.handle().createFenceUnique({});
+            makeInputs(begun, m_passes->lightRoom);
         }
-        made.done = device.handle().createFenceUnique({});
+    } catch (...) {
+        std::swap(m_passes, made);
+        throw;
     }
+}
+
+void Renderer::makeInputs(Slot& slot, std::size_t lightRoom) {
+    slot.shading = m_passes->shading.makeInputs(lightRoom);
+    slot.focus = {};
+    slot.translucent.reset();
+    if (m_passes->translucent != nullptr) {
+        slot.translucent.emplace(m_passes->translucent->makeSlot(slot.shading));
+    }
+}
+
+void Renderer::remake(const Needs& needs) {
+    const Needs before = std::exchange(m_needs, needs);
+    std::unique_ptr<DrawPathFactory> paths;
+    try {
+        if (needs.shiny != before.shiny) {
+            paths = std::make_unique<DrawPathFactory>(m_device, m_drawn, m_options, needs.shiny);
+            std::swap(paths, m_paths);
+        }
+        makePasses();
+    } catch (...) { // all is as it was, and the next frame tries again
+        m_needs = before;
+        if (paths != nullptr) {
+            std::swap(paths, m_paths);
+        }
+        throw;
+    }
+}
+
+void Renderer::followScene() {
+    if (m_live != nullptr) {
+        m_live->update();
+    }
+    if (needs() != m_needs) {
+        finish();
+        remake(needs());
+    }
+    if (m_revision != m_drawn.uploaded.revision()) {
+        m_paths->followKinds();
+    }
+    const std::size_t lights = m_drawn.scene.lights.size();
+    if (lights > m_passes->lightRoom) {
+        finish();
+        const std::size_t room = lights + lights / 2;
+        for (Slot& slot : m_passes->slots) {
+            makeInputs(slot, room);
+        }
+        m_passes->lightRoom = room;
+    }
+    m_revision = m_drawn.uploaded.revision();
 }
 
 Renderer::~Renderer() {
@@ -85,27 +187,17 @@ Renderer::~Renderer() {
     }
 }
 
-Renderer::OwnedTargets Renderer::makeOwnTargets() const {
-    const TargetsOptions options = targetsOptions(m_extent, m_options);
-    if (!m_options.focus.isOn()) {
-        return makeTargets(m_device, m_options.targets, options);
-    }
-    return std::make_unique<FocusLayers>(m_device, options, m_picture.lit(),
-                                         FocusLayersOptions{.effects = m_options.effects,
-                                                            .background = m_drawn.scene.background,
-                                                            .fades = m_options.focus.blend,
-                                                            .shiny = m_shiny});
+void Renderer::forgetFrames() {
+    m_passes->cutter.forget();
 }
 
 void Renderer::cull(const FrameView& view) {
     visibility::cullSpheres(m_drawn.scene.instances, view.camera, view.frustum, m_workers, m_visible);
-    if (!m_blended.empty()) {
-        visibility::removeInstances(m_blended, m_visible);
-    }
+    visibility::removeInstances(m_drawn.uploaded.blended(), m_visible);
 }
 
 Renderer::Slot& Renderer::nextSlot() {
-    Slot& slot = m_slots[m_frames++ % m_slots.size()];
+    Slot& slot = m_passes->slots[m_frames++ % m_passes->slots.size()];
     settle(slot);
     return slot;
 }
@@ -116,12 +208,12 @@ void Renderer::launch(Slot& slot, Destination destination) {
     slot.path->bin(slot.view, m_visible, slot.stats);
     slot.stats.times.binMs = watch.lap("bin");
     slot.path->begin(slot.view);
-    m_targets.record(*slot.path, slot.view);
+    m_passes->targets.record(*slot.path, slot.view);
     shade(slot);
     if (slot.translucent) {
-        m_translucent->record(slot.path->primary(), *slot.translucent);
+        m_passes->translucent->record(slot.path->primary(), *slot.translucent);
     }
-    m_picture.finish(slot.path->primary());
+    m_passes->picture.finish(slot.path->primary());
     if (destination != Destination::device) {
         recordReadback(slot.path->primary(), destination);
     }
@@ -133,10 +225,10 @@ void Renderer::launch(Slot& slot, Destination destination) {
 }
 
 void Renderer::shade(Slot& slot) {
-    if (const auto* focus = std::get_if<std::unique_ptr<FocusLayers>>(&m_ownTargets)) {
+    if (const auto* focus = std::get_if<std::unique_ptr<FocusLayers>>(&m_passes->ownTargets)) {
         (*focus)->light(slot.path->primary(), slot.shading, slot.focus);
     } else {
-        m_shading.record(slot.path->primary(), slot.shading);
+        m_passes->shading.record(slot.path->primary(), slot.shading);
     }
 }
 
@@ -144,7 +236,9 @@ void Renderer::settle(Slot& slot) {
     while (slot.isPending) {
         gpu::waitAndReset(m_device, *slot.done);
         slot.isPending = false;
-        if (!hasRoomSufficed(slot)) {
+        const bool isCurrent = m_drawn.uploaded.isCurrent() && slot.revision == m_drawn.uploaded.revision();
+        // A frame that was submitted and left cannot be drawn again once the scene changed.
+        if (!hasRoomSufficed(slot) && isCurrent) {
             if (slot.path->needsVisible()) {
                 cull(slot.view); // by now the list may be a later frame's
             }
@@ -156,26 +250,28 @@ void Renderer::settle(Slot& slot) {
 bool Renderer::hasRoomSufficed(Slot& slot) {
     const bool opaqueSufficed = slot.path->settle(slot.stats);
     const bool blendedSufficed =
-        !slot.translucent || m_translucent->settle(*slot.translucent, slot.stats.translucency);
+        !slot.translucent || m_passes->translucent->settle(*slot.translucent, slot.stats.translucency);
     return opaqueSufficed && blendedSufficed;
 }
 
 Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destination) {
     scene::requireUsable(camera);
+    followScene();
     Slot& slot = nextSlot();
+    slot.revision = m_revision;
     Stopwatch watch(m_options.trace);
-    slot.view = m_cutter.look(camera);
-    if (slot.path->needsVisible() || m_cutter.needsVisible()) {
+    slot.view = m_passes->cutter.look(camera);
+    if (slot.path->needsVisible() || m_passes->cutter.needsVisible()) {
         cull(slot.view);
     }
     slot.stats = {};
-    slot.stats.lostShine = m_lostShine;
+    slot.stats.lostShine = m_passes->lostShine;
     slot.stats.times.cullMs = watch.lap("cull");
-    m_cutter.cut(slot.view, m_visible);
+    m_passes->cutter.cut(slot.view, m_visible);
     slot.shading.update(m_drawn.scene, camera, slot.view.frustum, slot.view.anchorsView());
     slot.stats.times.splitMs = watch.lap("split");
     if (slot.translucent) {
-        m_translucent->prepare(*slot.translucent, slot.view, m_workers);
+        m_passes->translucent->prepare(*slot.translucent, slot.view, m_workers);
         slot.stats.times.translucentMs = watch.lap("translucent draws");
     }
     launch(slot, destination);
@@ -199,7 +295,7 @@ void Renderer::submit(const scene::Camera& camera) {
 }
 
 void Renderer::finish() {
-    for (Slot& slot : m_slots) {
+    for (Slot& slot : m_passes->slots) {
         settle(slot);
     }
 }
@@ -214,9 +310,9 @@ void Renderer::waitFor(Slot& slot) {
 }
 
 void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination) const {
-    const gpu::Image& gbuffer = m_targets.gbuffer();
+    const gpu::Image& gbuffer = m_passes->targets.gbuffer();
     m_device.beginLabel(primary, "read-back");
-    m_colorCopy.record(primary, m_picture.encoded());
+    m_passes->colorCopy.record(primary, m_passes->picture.encoded());
     if (destination == Destination::host) {
         gpu::pipelineBarrier(
             primary, {gpu::imageBarrier(
@@ -224,10 +320,10 @@ void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination
                          vk::PipelineStageFlagBits2::eFragmentShader, vk::AccessFlagBits2::eShaderSampledRead,
                          vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
                          vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal)});
-        m_gbufferCopy.record(primary, gbuffer);
+        m_passes->gbufferCopy.record(primary, gbuffer);
     }
-    if (m_translucent != nullptr) {
-        m_translucent->recordReadback(primary);
+    if (m_passes->translucent != nullptr) {
+        m_passes->translucent->recordReadback(primary);
     }
     recordHostBarrier(primary);
     m_device.endLabel(primary);
@@ -238,12 +334,12 @@ Frame Renderer::fetch(const Slot& slot) const {
     frame.camera = slot.view.camera;
     frame.cascades = slot.view.ranges();
     frame.anchorsView = slot.view.anchorsView();
-    frame.color = m_colorCopy.fetch<image::Rgba8>();
+    frame.color = m_passes->colorCopy.fetch<image::Rgba8>();
     if (slot.destination == Destination::host) {
-        frame.gbuffer = m_gbufferCopy.fetch<GBufferPixel>();
+        frame.gbuffer = m_passes->gbufferCopy.fetch<GBufferPixel>();
     }
-    if (m_translucent != nullptr) {
-        frame.fragmentCounts = m_translucent->fragmentCounts();
+    if (m_passes->translucent != nullptr) {
+        frame.fragmentCounts = m_passes->translucent->fragmentCounts();
     }
     frame.stats = slot.stats;
     return frame;

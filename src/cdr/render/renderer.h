@@ -1,28 +1,19 @@
 #pragma once
 
 #include <cdr/host/worker_pool.h>
+#include <cdr/render/drawn_scene.h>
 #include <cdr/render/frame.h>
-#include <cdr/render/frame_cutter.h>
-#include <cdr/render/gpu_scene.h>
-#include <cdr/render/readback.h>
+#include <cdr/render/frame_view.h>
 #include <cdr/render/render_options.h>
-#include <cdr/render/shading/picture.h>
-#include <cdr/render/shading/shading_pass.h>
-#include <cdr/render/submit/draw_path_factory.h>
-#include <cdr/render/targets/targets.h>
-#include <cdr/render/translucency/translucent_pass.h>
 #include <cdr/visibility/cull.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
-#include <variant>
-#include <vector>
 
 namespace cdr::render {
 
-class FocusLayers;
+class DrawPathFactory;
 
 /// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as
 /// large.
@@ -34,12 +25,14 @@ enum class FrameCopy : std::uint8_t { color, everything };
 /// surfaces -> Frame.
 class Renderer {
   public:
-    /// The device, the scene and its GpuScene must outlive the renderer.
+    /// Of a scene that stays as it is. The device, the scene and its GpuScene must outlive the renderer.
     /// base::InputError for a picture of no or too many pixels, a depth format the device lacks, a
     /// submission it cannot do, or an unusable detail; base::RunError when its memory does not suffice, with
     /// both figures.
     Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
              const RenderOptions& options);
+    /// Of a world: each frame shows it as it is when the frame begins. Errors as above.
+    Renderer(const gpu::Device& device, GpuScene& live, const RenderOptions& options);
     /// Waits for what is in flight.
     ~Renderer();
     Renderer(const Renderer&) = delete;
@@ -50,7 +43,7 @@ class Renderer {
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);
 
     /// The next frame is rendered as a first one is: a fitted split does not keep to the last frame's.
-    void forgetFrames() { m_cutter.forget(); }
+    void forgetFrames();
 
     /// Renders one frame and waits for it, but leaves it on the device: what experiments time.
     FrameStats draw(const scene::Camera& camera);
@@ -65,10 +58,23 @@ class Renderer {
 
   private:
     struct Slot;
-    /// Focus layers where the lens has a focus.
-    using OwnedTargets = std::variant<std::unique_ptr<Targets>, std::unique_ptr<FocusLayers>>;
+    struct Passes;
+    /// What of the scene decides which passes and pipelines there are.
+    struct Needs {
+        bool shiny = false;
+        bool blended = false;
+
+        bool operator==(const Needs&) const = default;
+    };
     enum class Destination { device, hostColor, host };
-    OwnedTargets makeOwnTargets() const;
+    Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene, GpuScene* live,
+             const RenderOptions& options);
+    Needs needs() const;
+    void makePasses();
+    void remake(const Needs& needs);
+    void makeInputs(Slot& slot, std::size_t lightRoom);
+    /// Takes over what changed in the scene.
+    void followScene();
     Slot& nextSlot();
     /// Lists what is drawn into the G-buffer: all that is seen but blended instances.
     void cull(const FrameView& view);
@@ -82,24 +88,15 @@ class Renderer {
     Frame fetch(const Slot& slot) const;
 
     const gpu::Device& m_device;
-    std::vector<std::uint32_t> m_blended; ///< instances, ascending
+    GpuScene* m_live; ///< null for a scene that stays as it is
     DrawnScene m_drawn;
     RenderOptions m_options;
-    vk::Extent2D m_extent;
     host::WorkerPool m_workers;
-    bool m_lostShine; ///< FrameStats::lostShine of every frame
-    bool m_shiny;     ///< whether the G-buffer keeps how surfaces shine
-    DrawPathFactory m_paths;
-    Picture m_picture;
-    OwnedTargets m_ownTargets;
-    Targets& m_targets; ///< those
-    FrameCutter m_cutter;
-    ShadingPass m_shading;
-    std::unique_ptr<TranslucentPass> m_translucent; ///< where the scene has blended instances
-    Readback m_colorCopy;
-    Readback m_gbufferCopy;
+    Needs m_needs;
+    std::uint64_t m_revision = 0; ///< of the scene, as the passes know it
+    std::unique_ptr<DrawPathFactory> m_paths;
+    std::unique_ptr<Passes> m_passes;
     visibility::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing
-    std::vector<Slot> m_slots;         ///< taken in turn
     std::size_t m_frames = 0;          ///< begun so far
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <cdr/render/renderer.h>
+#include <cdr/render/render_options.h>
+#include <cdr/render/shading/picture.h>
+#include <cdr/render/shading/shading_pass.h>
 
 namespace cdr::render {
 

@@ -47,8 +47,8 @@ struct Mesh {
 inline constexpr std::size_t kMaxLevels = 32;
 
 struct Texture {
-    std::string name;
-    image::ImageRgba8 pixels; ///< sRGB-encoded colour, linear alpha
+    std::string name{};
+    image::ImageRgba8 pixels{}; ///< sRGB-encoded colour, linear alpha
     bool repeatU = true;
     bool repeatV = true;
 };
@@ -64,7 +64,7 @@ struct Shine {
 };
 
 struct Material {
-    std::string name;
+    std::string name{};
     glm::vec4 baseColorFactor{1.0f};                 ///< linear
     std::optional<std::uint32_t> baseColorTexture{}; ///< index into Scene::textures
     std::optional<Shine> shine{};                    ///< empty: Lambert's law alone

@@ -43,6 +43,15 @@ void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::
     instances.object.push_back(object);
 }
 
+void placeInstance(Scene& scene, std::size_t i, const glm::dvec3& position, const glm::mat3& basis) {
+    Instances& instances = scene.instances;
+    instances.x[i] = position.x;
+    instances.y[i] = position.y;
+    instances.z[i] = position.z;
+    instances.radius[i] = scene.meshes[instances.mesh[i]].boundingRadius * largestStretch(basis);
+    instances.basis[i] = basis;
+}
+
 void swapInstances(Instances& instances, std::size_t a, std::size_t b) {
     std::swap(instances.x[a], instances.x[b]);
     std::swap(instances.y[a], instances.y[b]);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,12 @@ inline constexpr std::uint32_t kMaxObjects = (1u << 24) - 2;
 /// @param position of the mesh's origin, which is its bounding centre, in world space.
 void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::uint32_t object,
                  const glm::dvec3& position, const glm::mat3& basis);
+
+/// Moves an instance and gives it the radius that addInstance() would.
+void placeInstance(Scene& scene, std::size_t instance, const glm::dvec3& position, const glm::mat3& basis);
+
+/// The radius of a place that holds no instance: no view volume is near enough to keep it. Its basis is zero.
+inline constexpr float kNoRadius = std::numeric_limits<float>::lowest();
 
 /// Exchanges two instances in the order of drawing. Their objects stay the same.
 void swapInstances(Instances& instances, std::size_t a, std::size_t b);

@@ -19,7 +19,8 @@ Function deviceFunction(const gpu::Device& device, const char* name) {
 } // namespace
 
 GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene, const GeometryOptions& options)
-    : m_scene(scene),
+    : m_device(device),
+      m_scene(scene),
       m_batching(options.batching),
       m_pipelines(device, scene, options),
       m_drawIndexed(deviceFunction<PFN_vkCmdDrawIndexed>(device, "vkCmdDrawIndexed")),

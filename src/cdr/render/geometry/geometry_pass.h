@@ -59,12 +59,15 @@ class GeometryPass {
                         const IndirectDraws& draws) const;
 
     const GeometryPipelines& pipelines() const { return m_pipelines; }
+    /// Makes the pipelines of draw kinds that came to the scene.
+    void followKinds() { m_pipelines.follow(m_device, m_scene); }
 
   private:
     class StateBinder;
     void beginJob(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
                   vk::Buffer records) const;
 
+    const gpu::Device& m_device;
     const GpuScene& m_scene;
     Batching m_batching;
     GeometryPipelines m_pipelines;

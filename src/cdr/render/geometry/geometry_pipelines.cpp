@@ -110,9 +110,14 @@ GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& 
     : m_options(options),
       m_depthFormat(device.depthFormat(options.technique.format)),
       m_layout(gpu::makePipelineLayout(device, {scene.textureLayout()}, {pushRange(options.batching)},
-                                       "geometry layout")),
-      m_compact(make(device, scene, false)),
-      m_wide(make(device, scene, true)) {}
+                                       "geometry layout")) {
+    follow(device, scene);
+}
+
+void GeometryPipelines::follow(const gpu::Device& device, const GpuScene& scene) {
+    make(device, scene, false, m_compact);
+    make(device, scene, true, m_wide);
+}
 
 double GeometryPipelines::wideSpan(std::size_t cascades) const {
     if (m_options.technique.mapping == depth::Mapping::log) {
@@ -122,13 +127,12 @@ double GeometryPipelines::wideSpan(std::size_t cascades) const {
     return cascades > 1 ? kLinearWideSpan : std::numeric_limits<double>::infinity();
 }
 
-GeometryPipelines::Pipelines GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene,
-                                                     bool wide) const {
+void GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene, bool wide,
+                             Pipelines& pipelines) const {
     const depth::Mapping mapping = m_options.technique.mapping;
     const std::uint32_t form =
         wide && mapping == depth::Mapping::log ? shaders::kDepthFormLogFragment : depthForm(mapping);
     const bool writesDepth = form == shaders::kDepthFormLogFragment;
-    Pipelines pipelines;
     for (const DrawKind& kind : scene.kinds()) {
         vk::UniquePipeline& pipeline = pipelines[kind.variant];
         if (pipeline) {
@@ -151,7 +155,6 @@ GeometryPipelines::Pipelines GeometryPipelines::make(const gpu::Device& device, 
              .depthCompare =
                  depth::isReversed(mapping) ? vk::CompareOp::eGreaterOrEqual : vk::CompareOp::eLessOrEqual});
     }
-    return pipelines;
 }
 
 } // namespace cdr::render

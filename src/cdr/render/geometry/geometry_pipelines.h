@@ -41,6 +41,9 @@ class GeometryPipelines {
   public:
     GeometryPipelines(const gpu::Device& device, const GpuScene& scene, const GeometryOptions& options);
 
+    /// Makes those of draw kinds that came to the scene; those that are there stay.
+    void follow(const gpu::Device& device, const GpuScene& scene);
+
     vk::PipelineLayout layout() const { return *m_layout; }
     vk::Format depthFormat() const { return m_depthFormat; }
     /// Of a variant that some kind of the scene has. @param wide cuts per fragment, see wideSpan().
@@ -58,7 +61,7 @@ class GeometryPipelines {
 
   private:
     using Pipelines = std::array<vk::UniquePipeline, kPipelineVariants>; ///< empty where no kind needs one
-    Pipelines make(const gpu::Device& device, const GpuScene& scene, bool wide) const;
+    void make(const gpu::Device& device, const GpuScene& scene, bool wide, Pipelines& pipelines) const;
 
     GeometryOptions m_options;
     vk::Format m_depthFormat;

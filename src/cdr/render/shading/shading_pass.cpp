@@ -23,7 +23,7 @@ bool isOccludedPerLayer(const Effects& effects) {
     return isOccluded(effects) && effects.occlusion.perLayer;
 }
 
-FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading) {
+FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading, std::uint32_t lights) {
     const Effects& effects = shading.effects;
     FullscreenPassOptions options{.name = "shading",
                                   .vertexSpirv = kShadingVert,
@@ -31,8 +31,7 @@ FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shadi
                                   .bindings = {kImage, kBuffer},
                                   .format = format,
                                   .constants = {effects.fog.visibility > 0.0 ? 1u : 0u,
-                                                shading.shiny ? 1u : 0u, shading.lights,
-                                                shading.anchored ? 1u : 0u}};
+                                                shading.shiny ? 1u : 0u, lights, shading.anchored ? 1u : 0u}};
     if (isOccludedPerLayer(effects)) {
         options.fragmentSpirv = kShadingLayersOccludedFrag;
     } else if (isOccluded(effects)) {
@@ -53,15 +52,26 @@ ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, c
       m_occlusion(isOccluded(m_effects) && !isOccludedPerLayer(m_effects)
                       ? std::make_unique<OcclusionPass>(device, gbuffer)
                       : nullptr),
-      m_pass(device, passOptions(into.options().format, options)) {}
+      m_options(options) {
+    passFor(options.lights);
+}
 
-ShadingInputs ShadingPass::makeInputs(const scene::Scene& scene) const {
+FullscreenPass& ShadingPass::passFor(std::uint32_t lights) {
+    const std::uint32_t key = std::min(lights, shaders::kFlatLights + 1);
+    const auto found = m_passes.find(key);
+    return found != m_passes.end()
+               ? found->second
+               : m_passes.try_emplace(key, m_device, passOptions(m_into.options().format, m_options, key))
+                     .first->second;
+}
+
+ShadingInputs ShadingPass::makeInputs(std::size_t lights) const {
     ShadingInputs inputs;
     inputs.m_effects = m_effects;
-    inputs.m_lights = gpu::Buffer(
-        m_device, sizeof(shaders::ShadingHeader) + scene.lights.size() * sizeof(shaders::LightRecord),
-        vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites, "lights");
-    inputs.m_inputs = m_pass.makeInputs();
+    inputs.m_lights =
+        gpu::Buffer(m_device, sizeof(shaders::ShadingHeader) + lights * sizeof(shaders::LightRecord),
+                    vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites, "lights");
+    inputs.m_inputs = m_passes.begin()->second.makeInputs();
     inputs.m_inputs.setImage(0, m_gbuffer);
     inputs.m_inputs.setBuffer(1, inputs.m_lights);
     if (m_occlusion) {
@@ -78,7 +88,8 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     const Fog& fog = m_effects.fog;
     header.background = glm::vec4(fog.visibility > 0.0 ? fog.color : scene.background, 0.0f);
     header.rayScale = glm::vec2(frustum.tanX, frustum.tanY);
-    header.lightCount = static_cast<std::uint32_t>(scene.lights.size());
+    m_lightCount = static_cast<std::uint32_t>(scene.lights.size());
+    header.lightCount = m_lightCount;
     header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
     header.fog = glm::vec4(fog.color, fog.extinction());
     std::transform(anchorsView.begin(), anchorsView.end(), header.anchors, splitDouble);
@@ -89,13 +100,13 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     m_lights.flush();
 }
 
-void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs) const {
+void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs) {
     gpu::pipelineBarrier(primary, {readBarrier(m_gbuffer), attachBarrier(m_into)});
     if (m_occlusion) {
         m_occlusion->record(primary, inputs.m_occlusion);
     }
     m_device.beginLabel(primary, "shading");
-    m_pass.record(primary, inputs.m_inputs, m_into);
+    passFor(inputs.m_lightCount).record(primary, inputs.m_inputs, m_into);
     m_device.endLabel(primary);
 }
 

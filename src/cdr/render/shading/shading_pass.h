@@ -9,7 +9,9 @@
 
 #include <vulkan/vulkan.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 
@@ -18,7 +20,7 @@ namespace cdr::render {
 /// What lighting reads besides surfaces: one frame slot's lights, anchors and effects.
 class ShadingInputs {
   public:
-    /// Uploads a frame's; the last frame that used them must have finished.
+    /// Uploads a frame's, of a scene with no more lights than there is room for; the last frame that used them must have finished.
     void update(const scene::Scene& scene, const scene::Camera& camera, const scene::Frustum& frustum,
                 std::span<const double> anchorsView);
 
@@ -28,6 +30,7 @@ class ShadingInputs {
   private:
     friend class ShadingPass;
     Effects m_effects;
+    std::uint32_t m_lightCount = 0;
     gpu::Buffer m_lights;
     PassInputs m_inputs;
     PassInputs m_occlusion; ///< where it is worked out over the whole picture
@@ -38,7 +41,7 @@ struct ShadingOptions {
     Effects effects;
     bool shiny = false;       ///< whether the surfaces hold how they shine
     bool anchored = false;    ///< whether the mapping has anchor planes
-    std::uint32_t lights = 0; ///< as many as the scene has; up to shaders::kFlatLights cost least
+    std::uint32_t lights = 0; ///< as many as the scene has at first; up to shaders::kFlatLights cost least
 };
 
 /// Deferred shading: reads the final G-buffer, sums ambient and point lights, less what occlusion and fog
@@ -49,12 +52,12 @@ class ShadingPass {
     ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into,
                 const ShadingOptions& options);
 
-    /// Inputs for as many lights as the scene has.
-    ShadingInputs makeInputs(const scene::Scene& scene) const;
+    /// Inputs for at most so many lights.
+    ShadingInputs makeInputs(std::size_t lights) const;
 
     /// Takes the G-buffer from colour attachment to shader read layout, and leaves the image it writes in
     /// colour attachment layout.
-    void record(vk::CommandBuffer primary, const ShadingInputs& inputs) const;
+    void record(vk::CommandBuffer primary, const ShadingInputs& inputs);
 
     /// Device bytes of what the effects keep between passes.
     static std::uint64_t predictBytes(vk::Extent2D extent, const Effects& effects);
@@ -65,7 +68,11 @@ class ShadingPass {
     const gpu::Image& m_into;
     Effects m_effects;
     std::unique_ptr<OcclusionPass> m_occlusion; ///< null unless it is for the whole picture
-    FullscreenPass m_pass;
+    ShadingOptions m_options;
+    FullscreenPass& passFor(std::uint32_t lights);
+    /// By how many lights are handed over as flat varyings, or kFlatLights + 1 where all are read from the buffer. Made
+    /// when first needed; the inputs of one suit all.
+    std::map<std::uint32_t, FullscreenPass> m_passes;
 };
 
 } // namespace cdr::render

@@ -3,19 +3,26 @@
 #include <cdr/gpu/memory.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/submit/draw_path.h>
+#include <cdr/shaders/binning_shared.h>
 #include <cdr/visibility/level_choice.h>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace cdr::render {
 
-/// A scene's instances on the device, and the compute passes that cull and bin them (shaders/binning.glsl).
-/// Immutable; every frame slot brings a BinningSlot of its own.
+/// A scene's instances on the device, and the compute passes that cull and bin them (shaders/binning.glsl). What changed
+/// in the scene reaches them by copies at the start of a frame's commands, so that no frame in flight is waited for.
 class BinningPass {
   public:
+    /// Storage buffers of the set; the first is the view, the next kSceneBuffers are the scene's.
+    static constexpr std::uint32_t kBindings = 14;
+    static constexpr std::uint32_t kSceneBuffers = 6;
+    using SceneBuffers = std::array<gpu::Buffer, kSceneBuffers>; ///< by binding, from 1 on
+
     /// base::InputError when the device cannot do it, naming what it lacks; base::RunError, with both
     /// figures, when the scene is too large for its memory or its buffers.
     /// @param drawn whose blended instances are never drawn.
@@ -23,29 +30,52 @@ class BinningPass {
     /// may have another level.
     BinningPass(const gpu::Device& device, const DrawnScene& drawn, visibility::DetailMode detail);
 
-    std::size_t instances() const { return m_instances; }
-    std::size_t runs() const { return m_runs; }
+    std::size_t instances() const { return m_looks.size(); }
+    std::size_t runs() const { return m_runs.size(); }
     std::span<const GeometryPass::RunGroup> groups() const { return m_groups; }
     vk::DescriptorSetLayout layout() const { return *m_setLayout; }
 
-    /// Points the bindings of what never changes at the scene's buffers.
-    void bindScene(vk::DescriptorSet set) const;
-    /// Runs all four passes; afterwards the lists are ready to be drawn and the result to be read.
-    void record(vk::CommandBuffer commands, vk::DescriptorSet set, std::size_t cascades) const;
-
-    /// Storage buffers of the set; the first is the view, the next kSceneBuffers are the scene's.
-    static constexpr std::uint32_t kBindings = 14;
-    static constexpr std::uint32_t kSceneBuffers = 6;
+    /// One frame slot's copies of what changed.
+    struct Copies {
+        gpu::Buffer staging;
+        std::array<std::vector<vk::BufferCopy>, kSceneBuffers> regions;
+        std::shared_ptr<const SceneBuffers> buffers; ///< that the slot's set is to name
+    };
+    /// Stages what changed in the scene since the last frame; base::RunError as the constructor. The last frame that
+    /// used `copies` must have finished.
+    /// @return whether Copies::buffers are others than before.
+    bool follow(Copies& copies);
+    /// Points the bindings of the scene's buffers at them.
+    void bindScene(vk::DescriptorSet set, const SceneBuffers& buffers) const;
+    /// Copies what follow() staged and runs all four passes; afterwards the lists are ready to be drawn and the result
+    /// to be read.
+    void record(vk::CommandBuffer commands, vk::DescriptorSet set, std::size_t cascades,
+                const Copies& copies) const;
+    /// The commands of the last record() will be submitted.
+    void noteRecorded() { m_isStaged = false; }
 
   private:
-    void uploadInstances(const DrawnScene& drawn, visibility::DetailMode detail);
+    void groupInstances();
+    void readInstance(std::size_t i);
+    bool readChanged(std::vector<std::uint32_t>& changed);
+    void provideBuffers();
+    void stageAll(Copies& copies) const;
+    void stageChanged(const std::vector<std::uint32_t>& changed, Copies& copies) const;
     vk::UniquePipeline makePipeline(std::span<const std::uint32_t> spirv, const char* name) const;
 
     const gpu::Device& m_device;
-    std::size_t m_instances = 0;
-    std::size_t m_runs = 0;
+    DrawnScene m_drawn;
+    visibility::DetailMode m_detail;
     std::vector<GeometryPass::RunGroup> m_groups;
-    std::array<gpu::Buffer, kSceneBuffers> m_sceneBuffers; ///< by binding, from 1 on
+    // What the device holds, or will once all that is staged was copied.
+    std::vector<shaders::InstanceSphere> m_spheres;
+    std::vector<shaders::InstanceLook> m_looks;
+    std::vector<shaders::KindRun> m_runs;
+    std::vector<std::uint32_t> m_kinds; ///< by instance, as they were grouped
+    std::uint64_t m_followed = 0;       ///< of the scene's instance changes
+    std::uint64_t m_tables = 0;         ///< GpuScene::tablesRevision()
+    bool m_isStaged = false;            ///< what the last follow() staged has not been recorded
+    std::shared_ptr<const SceneBuffers> m_sceneBuffers;
     vk::UniqueDescriptorSetLayout m_setLayout;
     vk::UniquePipelineLayout m_layout;
     vk::UniquePipeline m_count;

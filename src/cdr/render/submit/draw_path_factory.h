@@ -24,6 +24,9 @@ class DrawPathFactory {
     /// @param name that captures show.
     std::unique_ptr<DrawPath> make(host::WorkerPool& workers, const std::string& name) const;
 
+    /// Makes the pipelines of draw kinds that came to the scene; those that are there stay.
+    void followKinds() { m_geometry.followKinds(); }
+
   private:
     const gpu::Device& m_device;
     DrawnScene m_scene;

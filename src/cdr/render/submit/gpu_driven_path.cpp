@@ -52,7 +52,7 @@ shaders::BinningView viewOf(const FrameView& view, double wideSpan) {
 
 } // namespace
 
-GpuDrivenPath::GpuDrivenPath(const gpu::Device& device, const BinningPass& binning, const GeometryPass& pass,
+GpuDrivenPath::GpuDrivenPath(const gpu::Device& device, BinningPass& binning, const GeometryPass& pass,
                              const std::string& name)
     : m_device(device),
       m_binning(binning),
@@ -64,9 +64,7 @@ GpuDrivenPath::GpuDrivenPath(const gpu::Device& device, const BinningPass& binni
                gpu::MemoryUse::hostReads, "binning result"),
       m_descriptors(gpu::makeDescriptorPool(device, 1, BinningPass::kBindings, {kStorage})),
       m_binningSet(gpu::allocateSet(device, *m_descriptors, binning.layout())),
-      m_draws{
-          .commands = {}, .counts = {}, .runs = binning.runs(), .groups = binning.groups(), .records = {}} {
-    m_binning.bindScene(m_binningSet);
+      m_draws{.commands = {}, .counts = {}, .runs = 0, .groups = {}, .records = {}} {
     gpu::writeBufferBinding(device, m_binningSet, 0, kStorage, m_view.handle());
     gpu::writeBufferBinding(device, m_binningSet, kResult, kStorage, m_result.handle());
     growRecords(m_binning.instances());
@@ -113,6 +111,11 @@ void GpuDrivenPath::growLists(std::size_t cascades) {
 }
 
 void GpuDrivenPath::bin(const FrameView& view, const visibility::VisibleList&, FrameStats&) {
+    if (m_binning.follow(m_copies)) {
+        m_binning.bindScene(m_binningSet, *m_copies.buffers);
+    }
+    m_draws.runs = m_binning.runs();
+    m_draws.groups = m_binning.groups();
     growLists(view.cascades.size());
     shaders::BinningView block = viewOf(view, m_pass.pipelines().wideSpan(view.cascades.size()));
     block.instances = static_cast<std::uint32_t>(m_binning.instances());
@@ -132,7 +135,7 @@ void GpuDrivenPath::begin(const FrameView& view) {
     m_pool.reset();
     m_primary = m_pool.next();
     m_primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    m_binning.record(m_primary, m_binningSet, view.cascades.size());
+    m_binning.record(m_primary, m_binningSet, view.cascades.size(), m_copies);
 }
 
 void GpuDrivenPath::drawScope(const GBufferScope& scope, host::IndexRange cascades) {
@@ -147,6 +150,7 @@ void GpuDrivenPath::drawScope(const GBufferScope& scope, host::IndexRange cascad
 
 std::span<const vk::CommandBuffer> GpuDrivenPath::end(const FrameView&) {
     m_primary.end();
+    m_binning.noteRecorded();
     return {&m_primary, 1};
 }
 

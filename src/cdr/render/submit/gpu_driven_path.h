@@ -13,7 +13,7 @@ namespace cdr::render {
 /// CPU path's order.
 class GpuDrivenPath final : public DrawPath {
   public:
-    GpuDrivenPath(const gpu::Device& device, const BinningPass& binning, const GeometryPass& pass,
+    GpuDrivenPath(const gpu::Device& device, BinningPass& binning, const GeometryPass& pass,
                   const std::string& name);
 
     bool needsVisible() const override { return false; }
@@ -32,7 +32,7 @@ class GpuDrivenPath final : public DrawPath {
     void grow(List list, std::size_t bytes);
 
     const gpu::Device& m_device;
-    const BinningPass& m_binning;
+    BinningPass& m_binning;
     const GeometryPass& m_pass;
     gpu::CommandPool m_pool;
     vk::CommandBuffer m_primary;
@@ -42,6 +42,7 @@ class GpuDrivenPath final : public DrawPath {
     std::size_t m_recordCapacity = 0;
     vk::UniqueDescriptorPool m_descriptors;
     vk::DescriptorSet m_binningSet;
+    BinningPass::Copies m_copies;
     GeometryPass::IndirectDraws m_draws;
     const FrameView* m_frame = nullptr; ///< that is being recorded
 };

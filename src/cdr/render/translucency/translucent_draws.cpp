@@ -57,7 +57,8 @@ void TranslucentDraws::prepare(const FrameView& view, host::WorkerPool& workers)
     m_ranges = translucentRanges(view);
     m_frustum = view.frustum;
     m_nearView = view.camera.nearView;
-    visibility::cullSpheres(m_scene.scene.instances, m_scene.blended, view.camera, view.frustum, m_visible);
+    visibility::cullSpheres(m_scene.scene.instances, m_scene.uploaded.blended(), view.camera, view.frustum,
+                            m_visible);
     visibility::binByDistance(m_visible, m_ranges, std::numeric_limits<double>::infinity(), workers, m_lists);
     growRecords();
     writeRecords(view.camera);

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace cdr::scene {
+
+/// Which places of an array changed, in order. Each reader remembers how far it has read, so that following the changes
+/// takes time by their number, not by the array's size.
+class ChangeLog {
+  public:
+    /// Where a reader begins that has seen all so far.
+    std::uint64_t end() const { return m_first + m_changed.size(); }
+
+    /// What changed since a position, places twice where they changed twice. Nothing where so much changed that the
+    /// reader had better read the whole array.
+    std::optional<std::span<const std::uint32_t>> since(std::uint64_t position) const {
+        if (position < m_first) {
+            return std::nullopt;
+        }
+        return std::span(m_changed).subspan(static_cast<std::size_t>(position - m_first));
+    }
+
+    /// @param places of the array
+    void add(std::uint32_t index, std::size_t places) {
+        constexpr std::size_t kLeast = 1024;
+        const std::size_t kept = places > kLeast ? places : kLeast;
+        if (m_changed.size() >= 2 * kept) {
+            m_changed.erase(m_changed.begin(), m_changed.begin() + static_cast<std::ptrdiff_t>(kept));
+            m_first += kept;
+        }
+        m_changed.push_back(index);
+    }
+
+  private:
+    std::uint64_t m_first = 0; ///< position of the first entry kept
+    std::vector<std::uint32_t> m_changed;
+};
+
+} // namespace cdr::scene

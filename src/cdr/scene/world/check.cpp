@@ -1,0 +1,148 @@
+#include <cdr/base/error.h>
+#include <cdr/scene/world/check.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cdr::scene {
+
+namespace {
+
+template <typename... Values>
+[[noreturn]] void refuseUse(fmt::format_string<Values...> format, Values&&... values) {
+    throw base::InputError(fmt::format(format, std::forward<Values>(values)...));
+}
+
+// With these an instance's radius is a finite float.
+constexpr float kMostSquare = 1e34f;
+constexpr float kMostRadius = 1e20f;
+
+template <typename Vector>
+bool areFinite(const Vector& v) {
+    for (glm::length_t i = 0; i < v.length(); ++i) {
+        if (!std::isfinite(v[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void requireIndices(const std::vector<std::uint32_t>& indices, std::size_t vertices,
+                    const std::string& what) {
+    if (indices.size() % 3 != 0) {
+        refuseUse("{}: {} indices are no whole number of triangles", what, indices.size());
+    }
+    const auto largest = std::max_element(indices.begin(), indices.end());
+    if (largest != indices.end() && *largest >= vertices) {
+        refuseUse("{}: index {} is beyond its {} vertices", what, *largest, vertices);
+    }
+}
+
+void requireInstance(const Scene& scene, std::size_t i) {
+    const Instances& instances = scene.instances;
+    const std::string what = "instance " + std::to_string(i);
+    if (instances.mesh[i] >= scene.meshes.size()) {
+        refuseUse("{}: mesh {} is not there, the scene has {}", what, instances.mesh[i], scene.meshes.size());
+    }
+    if (instances.material[i] >= scene.materials.size()) {
+        refuseUse("{}: material {} is not there, the scene has {}", what, instances.material[i],
+                  scene.materials.size());
+    }
+    if (instances.object[i] > kMaxObjects) {
+        refuseUse("{}: object {} is over the limit of {}", what, instances.object[i], kMaxObjects);
+    }
+    requireUsable({instances.position(i), instances.basis[i]}, what);
+}
+
+} // namespace
+
+bool isUsable(const Transform& transform) {
+    const glm::mat3& basis = transform.basis;
+    const auto isShort = [](const glm::vec3& column) { return glm::dot(column, column) <= kMostSquare; };
+    return areFinite(transform.position) && isShort(basis[0]) && isShort(basis[1]) && isShort(basis[2]);
+}
+
+void requireUsable(const Transform& transform, const std::string& what) {
+    if (!areFinite(transform.position)) {
+        refuseUse("{}: its position must be finite", what);
+    }
+    if (!isUsable(transform)) {
+        refuseUse("{}: its basis must be finite, with columns no longer than 1e17", what);
+    }
+}
+
+void requireUsable(const PointLight& light, const std::string& what) {
+    if (!areFinite(light.position) || !areFinite(light.color)) {
+        refuseUse("{}: its position and colour must be finite", what);
+    }
+    if (!std::isfinite(light.halfDistance) || light.halfDistance <= 0.0) {
+        refuseUse("{}: its half distance must be finite and above 0, not {}", what, light.halfDistance);
+    }
+}
+
+void requireUsable(const Mesh& mesh, const std::string& what) {
+    requireIndices(mesh.indices, mesh.vertices.size(), what);
+    if (mesh.levels.size() > kMaxLevels) {
+        refuseUse("{}: {} levels of detail, {} are the most", what, mesh.levels.size(), kMaxLevels);
+    }
+    for (const MeshLevel& level : mesh.levels) {
+        requireIndices(level.indices, mesh.vertices.size(), what);
+    }
+    if (!(mesh.boundingRadius >= 0.0f && mesh.boundingRadius <= kMostRadius)) {
+        refuseUse("{}: its bounding radius must lie in [0, 1e20], not {}", what, mesh.boundingRadius);
+    }
+    // What is beyond by roundings is culled right as well, since an instance's radius has slack.
+    const float most = mesh.boundingRadius * 1.00001f;
+    for (const Vertex& vertex : mesh.vertices) {
+        if (!areFinite(vertex.position) || !areFinite(vertex.normal) || !areFinite(vertex.uv)) {
+            refuseUse("{}: its vertices must be finite", what);
+        }
+        if (!(glm::length(vertex.position) <= most)) {
+            refuseUse("{}: a vertex is {} from its origin, beyond its bounding radius of {}", what,
+                      glm::length(vertex.position), mesh.boundingRadius);
+        }
+    }
+}
+
+void requireUsable(const Texture& texture, const std::string& what) {
+    const image::ImageRgba8& pixels = texture.pixels;
+    if (pixels.width == 0 || pixels.height == 0 ||
+        pixels.pixels.size() != std::size_t{pixels.width} * pixels.height) {
+        refuseUse("{}: {} pixels are no picture of {}x{}", what, pixels.pixels.size(), pixels.width,
+                  pixels.height);
+    }
+}
+
+void requireUsable(const Material& material, std::size_t textures, const std::string& what) {
+    if (material.baseColorTexture && *material.baseColorTexture >= textures) {
+        refuseUse("{}: texture {} is not there, the scene has {}", what, *material.baseColorTexture,
+                  textures);
+    }
+    if (!areFinite(material.baseColorFactor) || !std::isfinite(material.alphaCutoff)) {
+        refuseUse("{}: its base colour and alpha cutoff must be finite", what);
+    }
+    const auto isShare = [](float value) { return value >= 0.0f && value <= 1.0f; };
+    if (material.shine && (!isShare(material.shine->metallic) || !isShare(material.shine->roughness))) {
+        refuseUse("{}: its metallic and roughness must lie in [0, 1]", what);
+    }
+}
+
+void requireUsable(const Scene& scene) {
+    const auto requireAll = [](const auto& values, const char* kind, auto... more) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            requireUsable(values[i], more..., kind + std::to_string(i));
+        }
+    };
+    requireAll(scene.meshes, "mesh ");
+    requireAll(scene.textures, "texture ");
+    requireAll(scene.materials, "material ", scene.textures.size());
+    requireAll(scene.lights, "light ");
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        requireInstance(scene, i);
+    }
+}
+
+} // namespace cdr::scene

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cdr/scene/scene.h>
+
+#include <string>
+
+namespace cdr::scene {
+
+/// Where an instance is and how it is turned and scaled.
+struct Transform {
+    glm::dvec3 position{0.0}; ///< world space, of the mesh's origin
+    glm::mat3 basis{1.0f};    ///< object to world, rotation and scale
+
+    bool operator==(const Transform&) const = default;
+};
+
+/// Whether requireUsable() would let it pass.
+bool isUsable(const Transform& transform);
+
+/// Each throws base::InputError that says what is wrong, unless a scene may hold the value. `what` names it in the
+/// message.
+/// Position and basis finite, the basis' columns no longer than 1e17.
+void requireUsable(const Transform& transform, const std::string& what);
+void requireUsable(const PointLight& light, const std::string& what);
+/// Indices in range, vertices finite and within the bounding radius, which is at most 1e20, at most kMaxLevels levels.
+void requireUsable(const Mesh& mesh, const std::string& what);
+void requireUsable(const Texture& texture, const std::string& what);
+/// @param textures of the scene
+void requireUsable(const Material& material, std::size_t textures, const std::string& what);
+/// All of the above, and that instances name meshes, materials and objects that are there.
+void requireUsable(const Scene& scene);
+
+} // namespace cdr::scene

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cdr::scene {
+
+/// Names one thing in a World for as long as it is there. Its place in the scene's arrays is `index`; a later thing at
+/// the same place has another generation.
+template <typename Kind>
+struct Handle {
+    std::uint32_t index = 0;
+    std::uint32_t generation = 0; ///< 0 names nothing
+
+    bool operator==(const Handle&) const = default;
+};
+
+using InstanceHandle = Handle<struct InstanceKind>;
+using LightHandle = Handle<struct LightKind>;
+using MeshHandle = Handle<struct MeshKind>;
+using MaterialHandle = Handle<struct MaterialKind>;
+using TextureHandle = Handle<struct TextureKind>;
+
+/// Hands out places in an array and takes them back. A place that was given back is used again before the array grows.
+template <typename Kind>
+class Places {
+  public:
+    Places() = default;
+    /// The first `taken` places, none free.
+    explicit Places(std::size_t taken) : m_generations(taken, 1) {}
+
+    /// How many places there are, the free ones included.
+    std::size_t size() const { return m_generations.size(); }
+
+    /// Its index is size() as it was where no place was free.
+    Handle<Kind> take() {
+        if (m_free.empty()) {
+            m_generations.push_back(1);
+            return {static_cast<std::uint32_t>(size() - 1), 1};
+        }
+        const std::uint32_t index = m_free.back();
+        m_free.pop_back();
+        return {index, ++m_generations[index]};
+    }
+    /// @param handle of a taken place
+    void free(Handle<Kind> handle) {
+        ++m_generations[handle.index];
+        m_free.push_back(handle.index);
+    }
+
+    bool isTaken(std::size_t index) const { return index < size() && m_generations[index] % 2 == 1; }
+    bool has(Handle<Kind> handle) const {
+        return isTaken(handle.index) && m_generations[handle.index] == handle.generation;
+    }
+    /// @param index of a taken place
+    Handle<Kind> at(std::size_t index) const {
+        return {static_cast<std::uint32_t>(index), m_generations[index]};
+    }
+
+  private:
+    std::vector<std::uint32_t> m_generations; ///< odd while taken
+    std::vector<std::uint32_t> m_free;
+};
+
+} // namespace cdr::scene

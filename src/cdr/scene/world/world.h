@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cdr/scene/world/change_log.h>
+#include <cdr/scene/world/check.h>
+#include <cdr/scene/world/handle.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cdr::scene {
+
+/// What an instance is made from.
+struct InstanceOptions {
+    MeshHandle mesh;
+    MaterialHandle material;
+    /// What the id buffer shows plus one, at most kMaxObjects. Instances may share it: parts of one object.
+    std::uint32_t object = 0;
+    Transform transform{};
+};
+
+/// A scene that changes while it is drawn. It is the one owner of what it holds; a render::GpuScene made from it follows
+/// at the start of each frame, so all that draws sees an edit in the same frame.
+///
+/// Every function throws base::InputError and changes nothing when a handle names what is not there (any more), or a
+/// value cannot be drawn. Edits and frames belong on one thread, or take turns.
+///
+/// Instances are drawn in the order of their places (Handle::index). A new one takes the place given back last. A place
+/// that is free keeps an instance without size, which no picture and no truth shows.
+class World {
+  public:
+    World() = default;
+    /// base::InputError as requireUsable(scene).
+    explicit World(Scene scene);
+
+    /// As it is now. The reference stays valid, what it refers to changes.
+    const Scene& scene() const { return m_scene; }
+
+    /// Handles of what the scene held when the world was made, by index; or of what is at that place now.
+    InstanceHandle instance(std::size_t index) const;
+    MeshHandle mesh(std::size_t index) const;
+    MaterialHandle material(std::size_t index) const;
+    TextureHandle texture(std::size_t index) const;
+    LightHandle light(std::size_t index) const;
+
+    InstanceHandle addInstance(const InstanceOptions& options);
+    void removeInstance(InstanceHandle handle);
+    void setTransform(InstanceHandle handle, const Transform& transform);
+    /// The same for many: all of them or, if one cannot be, none. Takes time by their number.
+    void setTransforms(std::span<const InstanceHandle> handles, std::span<const Transform> transforms);
+    void setMaterial(InstanceHandle instance, MaterialHandle material);
+
+    LightHandle addLight(const PointLight& light);
+    void setLight(LightHandle handle, const PointLight& light);
+    void removeLight(LightHandle handle);
+
+    MeshHandle addMesh(Mesh mesh);
+    /// No instance may use it.
+    void removeMesh(MeshHandle handle);
+    /// A material names its texture by TextureHandle::index.
+    MaterialHandle addMaterial(Material material);
+    void setMaterial(MaterialHandle handle, Material material);
+    /// No instance may use it.
+    void removeMaterial(MaterialHandle handle);
+    TextureHandle addTexture(Texture texture);
+    /// No material may use it.
+    void removeTexture(TextureHandle handle);
+
+    /// What changed, for those that follow. Lights are few and read anew every frame.
+    struct Changes {
+        ChangeLog instances;
+        ChangeLog meshes;
+        ChangeLog materials;
+        ChangeLog textures;
+    };
+    const Changes& changes() const { return m_changes; }
+
+  private:
+    void requireInstance(const InstanceOptions& options) const;
+    void requireMaterial(const Material& material) const;
+    void noteInstance(std::uint32_t index);
+    void useTexture(const Material& material, int uses);
+
+    Scene m_scene;
+    Places<InstanceKind> m_instances;
+    Places<MeshKind> m_meshes;
+    Places<MaterialKind> m_materials;
+    Places<TextureKind> m_textures;
+    Places<LightKind> m_lightPlaces;
+    std::vector<std::uint32_t> m_lightOf; ///< by place: into Scene::lights, which has no free places
+    std::vector<std::uint32_t> m_meshUses;
+    std::vector<std::uint32_t> m_materialUses;
+    std::vector<std::uint32_t> m_textureUses;
+    Changes m_changes;
+};
+
+} // namespace cdr::scene

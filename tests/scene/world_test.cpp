@@ -1,0 +1,183 @@
+#include <cdr/base/error.h>
+#include <cdr/scene/world/world.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace cdr::scene {
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// A world of one box, one white material and one instance.
+World boxWorld() {
+    Scene scene;
+    scene.meshes.push_back(makeBox(glm::vec3(0.5f)));
+    scene.materials.push_back({.name = "white"});
+    addInstance(scene, 0, 0, 0, glm::dvec3(1.0, 2.0, 3.0), glm::mat3(1.0f));
+    return World(std::move(scene));
+}
+
+/// What the misuse is told; empty where it passes.
+std::string refusalOf(const std::function<void()>& misuse) {
+    try {
+        misuse();
+    } catch (const base::InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+InstanceOptions boxAt(const World& world, const glm::dvec3& position) {
+    return {.mesh = world.mesh(0), .material = world.material(0), .transform = {.position = position}};
+}
+
+TEST(World, AddsMovesAndRemovesInstances) {
+    World world = boxWorld();
+    const InstanceHandle added = world.addInstance(boxAt(world, {9.0, 0.0, 0.0}));
+    EXPECT_EQ(world.scene().instances.size(), 2u);
+    EXPECT_EQ(world.scene().instances.position(added.index), glm::dvec3(9.0, 0.0, 0.0));
+    world.setTransform(added, {.position = {8.0, 0.0, 0.0}, .basis = glm::mat3(2.0f)});
+    EXPECT_EQ(world.scene().instances.position(added.index), glm::dvec3(8.0, 0.0, 0.0));
+    EXPECT_NEAR(world.scene().instances.radius[added.index], std::sqrt(3.0f), 1e-3f);
+    world.removeInstance(added);
+    EXPECT_EQ(world.scene().instances.radius[added.index], kNoRadius);
+    const InstanceHandle again = world.addInstance(boxAt(world, {7.0, 0.0, 0.0}));
+    EXPECT_EQ(again.index, added.index);
+    EXPECT_NE(again, added);
+    EXPECT_EQ(world.scene().instances.size(), 2u);
+}
+
+TEST(World, RefusesStaleHandlesByName) {
+    World world = boxWorld();
+    const InstanceHandle gone = world.addInstance(boxAt(world, {}));
+    world.removeInstance(gone);
+    EXPECT_EQ(refusalOf([&] { world.removeInstance(gone); }),
+              "instance 1 (generation 1) is not there: it was removed");
+    world.addInstance(boxAt(world, {}));
+    EXPECT_EQ(refusalOf([&] { world.setTransform(gone, {}); }),
+              "instance 1 (generation 1) is not there: it was removed");
+    EXPECT_EQ(refusalOf([&] { world.setTransform({.index = 7, .generation = 1}, {}); }),
+              "instance 7 (generation 1) is not there: it never was");
+    EXPECT_EQ(refusalOf([&] { (void)world.mesh(5); }), "mesh 5 is not there");
+    EXPECT_NE(refusalOf([&] { world.addInstance({}); }), "");
+    EXPECT_NE(refusalOf([&] { world.removeLight({}); }), "");
+}
+
+TEST(World, RefusesWhatCannotBeDrawn) {
+    World world = boxWorld();
+    const InstanceHandle box = world.instance(0);
+    EXPECT_EQ(refusalOf([&] {
+                  world.setTransform(box, {.position = {0.0, kNan, 0.0}});
+              }),
+              "instance 0: its position must be finite");
+    EXPECT_EQ(refusalOf([&] { world.setTransform(box, {.basis = glm::mat3(NAN)}); }),
+              "instance 0: its basis must be finite, with columns no longer than 1e17");
+    EXPECT_NE(refusalOf([&] { world.setTransform(box, {.basis = glm::mat3(1e18f)}); }), "");
+    InstanceOptions large = boxAt(world, {});
+    large.object = kMaxObjects + 1;
+    EXPECT_EQ(refusalOf([&] { world.addInstance(large); }), "object 16777215 is over the limit of 16777214");
+    EXPECT_NE(refusalOf([&] { world.addLight({.halfDistance = 0.0}); }), "");
+    EXPECT_NE(refusalOf([&] { world.addLight({.position = {kNan, 0.0, 0.0}}); }), "");
+    EXPECT_NE(refusalOf([&] { world.addMaterial({.name = {}, .baseColorTexture = 0}); }), "");
+    EXPECT_NE(refusalOf([&] { world.addTexture({}); }), "");
+    Mesh mesh = makeBox(glm::vec3(1.0f));
+    mesh.indices.back() = 24;
+    EXPECT_EQ(refusalOf([&] { world.addMesh(mesh); }), "the new mesh: index 24 is beyond its 24 vertices");
+    mesh.indices.back() = 0;
+    mesh.boundingRadius = 1.0f;
+    EXPECT_NE(refusalOf([&] { world.addMesh(mesh); }).find("beyond its bounding radius"), std::string::npos);
+    EXPECT_EQ(world.scene().instances.position(0), glm::dvec3(1.0, 2.0, 3.0));
+    EXPECT_EQ(world.scene().meshes.size(), 1u);
+}
+
+TEST(World, SetsAllTransformsOrNone) {
+    World world = boxWorld();
+    const InstanceHandle first = world.instance(0);
+    const InstanceHandle second = world.addInstance(boxAt(world, {}));
+    const std::vector<InstanceHandle> both{first, second};
+    const std::uint64_t before = world.changes().instances.end();
+    const std::vector<Transform> halfBad{{.position = {5.0, 5.0, 5.0}}, {.position = {kNan, 0.0, 0.0}}};
+    EXPECT_EQ(refusalOf([&] { world.setTransforms(both, halfBad); }),
+              "instance 1: its position must be finite");
+    EXPECT_EQ(refusalOf([&] {
+                  world.setTransforms(both, {halfBad.data(), 1});
+              }),
+              "2 instances cannot take 1 transforms");
+    EXPECT_EQ(world.scene().instances.position(0), glm::dvec3(1.0, 2.0, 3.0));
+    EXPECT_EQ(world.changes().instances.end(), before);
+    const std::vector<Transform> good{{.position = {5.0, 5.0, 5.0}}, {.position = {6.0, 6.0, 6.0}}};
+    world.setTransforms(both, good);
+    EXPECT_EQ(world.scene().instances.position(1), glm::dvec3(6.0, 6.0, 6.0));
+    EXPECT_EQ(world.changes().instances.since(before)->size(), 2u);
+}
+
+TEST(World, KeepsWhatIsInUse) {
+    World world = boxWorld();
+    EXPECT_EQ(refusalOf([&] { world.removeMesh(world.mesh(0)); }),
+              "mesh 0 cannot be removed: 1 instances use it");
+    EXPECT_EQ(refusalOf([&] { world.removeMaterial(world.material(0)); }),
+              "material 0 cannot be removed: 1 instances use it");
+    const TextureHandle texture =
+        world.addTexture({.name = "dot", .pixels = image::ImageRgba8(1, 1, {1, 2, 3, 255})});
+    const MaterialHandle material = world.addMaterial({.name = {}, .baseColorTexture = texture.index});
+    EXPECT_EQ(refusalOf([&] { world.removeTexture(texture); }),
+              "texture 0 cannot be removed: 1 materials use it");
+    world.setMaterial(material, {});
+    world.removeTexture(texture);
+    world.removeMaterial(material);
+    world.removeInstance(world.instance(0));
+    world.removeMesh(world.mesh(0));
+    EXPECT_NE(refusalOf([&] { (void)world.mesh(0); }), "");
+}
+
+TEST(World, RefusesAnUnsoundScene) {
+    Scene scene;
+    scene.meshes.push_back(makeBox(glm::vec3(0.5f)));
+    addInstance(scene, 0, 3, 0, {}, glm::mat3(1.0f));
+    EXPECT_EQ(refusalOf([&] { World{scene}; }), "instance 0: material 3 is not there, the scene has 0");
+}
+
+TEST(World, LightsKeepTheirOrder) {
+    World world = boxWorld();
+    const LightHandle a = world.addLight({.position = {1.0, 0.0, 0.0}});
+    const LightHandle b = world.addLight({.position = {2.0, 0.0, 0.0}});
+    const LightHandle c = world.addLight({.position = {3.0, 0.0, 0.0}});
+    world.removeLight(a);
+    world.setLight(c, {.position = {4.0, 0.0, 0.0}});
+    ASSERT_EQ(world.scene().lights.size(), 2u);
+    EXPECT_EQ(world.scene().lights[0].position.x, 2.0);
+    EXPECT_EQ(world.scene().lights[1].position.x, 4.0);
+    EXPECT_NE(refusalOf([&] { world.setLight(a, {}); }), "");
+    const LightHandle d = world.addLight({.position = {5.0, 0.0, 0.0}});
+    world.removeLight(b);
+    EXPECT_EQ(world.scene().lights[1].position.x, 5.0);
+    world.setLight(d, {.position = {6.0, 0.0, 0.0}});
+    EXPECT_EQ(world.scene().lights[1].position.x, 6.0);
+}
+
+TEST(ChangeLog, ForgetsNothingThatAReaderFollowsEachTurn) {
+    constexpr std::size_t kPlaces = 2000;
+    ChangeLog log;
+    std::uint64_t read = log.end();
+    for (int turn = 0; turn < 9; ++turn) {
+        for (std::uint32_t i = 0; i < kPlaces; ++i) {
+            log.add(i, kPlaces);
+        }
+        const auto changed = log.since(read);
+        ASSERT_TRUE(changed.has_value());
+        EXPECT_EQ(changed->size(), kPlaces);
+        EXPECT_EQ(changed->front(), 0u);
+        read = log.end();
+    }
+    EXPECT_FALSE(log.since(0).has_value());
+}
+
+} // namespace
+
+} // namespace cdr::scene
