@@ -67,7 +67,8 @@ void move(benchmark::State& state) {
         isThere = !isThere;
         double edit = 0.0;
         const double moved = secondsOf([&] {
-            edit = secondsOf([&] { world.setTransforms(movers.handles, isThere ? movers.there : movers.here); });
+            edit =
+                secondsOf([&] { world.setTransforms(movers.handles, isThere ? movers.there : movers.here); });
             renderer.draw(camera);
         });
         state.SetIterationTime(moved);

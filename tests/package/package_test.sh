@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds cdr::depth as an engine author does, without any other package, installs it, and builds and runs an example of it
 # outside the source tree: with and without exceptions, by CMake and by pkg-config, and for Windows where this machine has a
-# cross compiler.
-# Usage: package_test.sh SOURCE_DIR
+# cross compiler. Then installs cdr::render from a build of all, and builds and runs the examples of it as debug programs.
+# Usage: package_test.sh SOURCE_DIR [BUILD_DIR]
 set -euo pipefail
 
 source_dir=$(cd "$1" && pwd)
@@ -69,3 +69,47 @@ if cross=$(command -v x86_64-w64-mingw32-g++-posix || command -v x86_64-w64-ming
 else
     echo "windows: not built, there is no mingw-w64 cross compiler"
 fi
+
+if (($# < 2)); then
+    echo "render: not installed, this build's libraries need more of the linker"
+    exit 0
+fi
+build_dir=$(cd "$2" && pwd)
+
+# expect_lines PROGRAM FILE: what the example prints.
+expect_lines() {
+    "$1" >"$work/output" || { cat "$work/output" >&2 && echo "failed: $1" >&2 && exit 1; }
+    diff "$2" "$work/output" >&2 || { echo "unexpected output of $1" >&2 && exit 1; }
+}
+
+# build_example NAME FOLDER [CMAKE_ARGUMENT...]: a debug program, whatever the library is.
+build_example() {
+    local name=$1 at=$2
+    shift 2
+    quiet cmake -G Ninja -S "$source_dir/src/examples/$name" -B "$at" -DCMAKE_BUILD_TYPE=Debug \
+        -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror $*" -DCMAKE_PREFIX_PATH="$work/render"
+    quiet cmake --build "$at"
+}
+
+quiet cmake --install "$build_dir" --prefix "$work/render"
+cat >"$work/moving_world.txt" <<'EOF'
+turn 0: id 1 at 999999.500000
+turn 1: id 5 at 999999.500000
+turn 2: id 4 at 999999.500000
+instance 4 (generation 1) is not there: it was removed
+EOF
+build_example moving_world "$work/moving_world"
+expect_lines "$work/moving_world/moving_world" "$work/moving_world.txt"
+included=$(ninja -C "$work/moving_world" -t deps)
+if [[ $included != *cdr/render/renderer.h* ]] || grep -E '/vulkan[.]hpp|/vk_mem_alloc|/cdr/shaders/' <<<"$included"; then
+    echo "the renderer's interface includes what it should keep inside" >&2
+    exit 1
+fi
+build_example moving_world "$work/without_prototypes" -DVK_NO_PROTOTYPES
+build_example borrowed_device "$work/borrowed_device"
+"$work/borrowed_device/borrowed_device" >"$work/borrowed" || exit 1
+if [[ $(<"$work/borrowed") != "id 42 at 4.000000"*"was made without depthClamp" ]]; then
+    echo "unexpected output of borrowed_device: $(<"$work/borrowed")" >&2
+    exit 1
+fi
+echo "render: installed, examples built and run"

@@ -1,11 +1,16 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
+#include <cdr/gpu/commands.h>
+#include <cdr/gpu/features.h>
+#include <cdr/gpu/memory.h>
 #include <cdr/host/sha256.h>
+#include <cdr/render/readback.h>
 #include <scenes/cubes.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace cdr::render_test {
@@ -141,6 +146,120 @@ TEST_F(FrameTest, ABorrowedDeviceRendersTheSameAndStaysAlive) {
         EXPECT_EQ(renderer.render(camera).color, own.color);
     }
     EXPECT_EQ(draw(setup.scene, camera, options).color, own.color);
+}
+
+/// A device without a feature that it is borrowed with is refused by the feature's name.
+TEST_F(FrameTest, ABorrowedDeviceIsRefusedByTheNameOfWhatItLacks) {
+    VkPhysicalDeviceVulkan13Features v13{};
+    v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    VkPhysicalDeviceVulkan12Features v12{};
+    v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    VkPhysicalDeviceFeatures2 features{};
+    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    features.pNext = &v12;
+    EXPECT_THROW(gpu::enableFeatures(device().physical(), features), base::InputError);
+    v12.pNext = &v13;
+    gpu::enableFeatures(device().physical(), features);
+    EXPECT_TRUE(gpu::missingFeatures(features).empty());
+    const gpu::BorrowedDevice handles{.instance = instance().handle(),
+                                      .physical = device().physical(),
+                                      .device = device().handle(),
+                                      .queue = device().queue(),
+                                      .queueFamily = device().queueFamily(),
+                                      .features = &features};
+    EXPECT_EQ(gpu::Device(handles).info().gpuDrivenMissing, device().info().gpuDrivenMissing);
+    v13.synchronization2 = VK_FALSE;
+    features.features.depthClamp = VK_FALSE;
+    try {
+        const gpu::Device refused(handles);
+        FAIL();
+    } catch (const base::InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("was made without synchronization2, depthClamp"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+TEST_F(FrameTest, ResizedPicturesAreThoseOfARendererOfTheirSize) {
+    const scene::SceneSetup setup = scenes::makeAfc(1);
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    options.framesInFlight = 2;
+    const scene::Camera camera = setup.path.at(7);
+    const render::GpuScene gpuScene(device(), setup.scene);
+    render::Renderer renderer(device(), setup.scene, gpuScene, options);
+    renderer.submit(camera);
+    EXPECT_THROW(renderer.resize(0, 10), base::InputError);
+    EXPECT_EQ(hashOf(renderer.render(camera)), hashOf(draw(setup.scene, camera, options)));
+    options.width = 333;
+    options.height = 111;
+    renderer.resize(333, 111);
+    EXPECT_EQ(hashOf(renderer.render(camera)), hashOf(draw(setup.scene, camera, options)));
+}
+
+/// A host that waits for the frame's semaphore reads on the device what render() reads back, and its own submit function
+/// is what brings frames to the queue.
+TEST_F(FrameTest, ASubmittedFrameIsReachableOnTheDevice) {
+    const scene::SceneSetup setup = scenes::makeAfc(1);
+    const auto options = smallOptions(depth::parseTechnique("anchored"));
+    const scene::Camera camera = setup.path.at(7);
+    const Frame wanted = draw(setup.scene, camera, options);
+    const vk::Device vulkan = device().handle();
+    const vk::Queue queue = device().queue();
+    std::size_t submissions = 0;
+    const gpu::Device borrowed(
+        gpu::BorrowedDevice{.instance = instance().handle(),
+                            .physical = device().physical(),
+                            .device = vulkan,
+                            .queue = queue,
+                            .queueFamily = device().queueFamily(),
+                            .hasDebugNames = instance().hasDebugNames(),
+                            .submit = [&](const VkSubmitInfo2& submission, VkFence done) {
+                                ++submissions;
+                                return vkQueueSubmit2(queue, 1, &submission, done);
+                            }});
+    const render::GpuScene gpuScene(borrowed, setup.scene);
+    render::Renderer renderer(borrowed, setup.scene, gpuScene, options);
+    const vk::UniqueSemaphore drawn = vulkan.createSemaphoreUnique({});
+    const VkSemaphoreSubmitInfo signal =
+        vk::SemaphoreSubmitInfo{.semaphore = *drawn, .stageMask = vk::PipelineStageFlagBits2::eAllCommands};
+    submissions = 0;
+    renderer.submit(camera, {.signals = {&signal, 1}});
+    EXPECT_EQ(submissions, 1u);
+    const render::Surfaces surfaces = renderer.surfaces();
+    EXPECT_EQ(surfaces.anchorsView, wanted.anchorsView);
+
+    const std::size_t pixels = std::size_t{options.width} * options.height;
+    const gpu::Buffer color(borrowed, pixels * 4, vk::BufferUsageFlagBits::eTransferDst,
+                            gpu::MemoryUse::hostReads, "c");
+    const gpu::Buffer gbuffer(borrowed, pixels * 16, vk::BufferUsageFlagBits::eTransferDst,
+                              gpu::MemoryUse::hostReads, "g");
+    gpu::CommandPool pool(borrowed, vk::CommandBufferLevel::ePrimary, "host");
+    const vk::CommandBuffer commands = pool.next();
+    commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    gpu::pipelineBarrier(
+        commands,
+        {gpu::imageBarrier(surfaces.gbuffer.image, vk::ImageAspectFlagBits::eColor,
+                           vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eNone,
+                           vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
+                           vk::ImageLayout(surfaces.gbuffer.layout), vk::ImageLayout::eTransferSrcOptimal)});
+    const vk::BufferImageCopy all{
+        .imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
+        .imageExtent = {surfaces.color.extent.width, surfaces.color.extent.height, 1}};
+    commands.copyImageToBuffer(surfaces.color.image, vk::ImageLayout(surfaces.color.layout), color.handle(),
+                               all);
+    commands.copyImageToBuffer(surfaces.gbuffer.image, vk::ImageLayout::eTransferSrcOptimal, gbuffer.handle(),
+                               all);
+    render::recordHostBarrier(commands);
+    commands.end();
+    const vk::UniqueFence done = vulkan.createFenceUnique({});
+    gpu::submit(borrowed, {&commands, 1}, *done, {&signal, 1});
+    gpu::waitAndReset(borrowed, *done);
+    color.invalidate();
+    gbuffer.invalidate();
+    EXPECT_EQ(std::memcmp(color.mapped(), wanted.color.pixels.data(), pixels * 4), 0);
+    EXPECT_EQ(std::memcmp(gbuffer.mapped(), wanted.gbuffer.pixels.data(), pixels * 16), 0);
+    // The next frame writes over what the host left in another layout.
+    EXPECT_EQ(hashOf(renderer.render(camera)), hashOf(wanted));
 }
 
 } // namespace

@@ -25,29 +25,4 @@ TEST(LibraryExample, FindsAnObjectAndItsDistance) {
     EXPECT_NEAR(distance, 1e6, 32.0);
 }
 
-/// What the library's page shows of worlds, alike.
-TEST(LibraryExample, MovesAnObject) {
-    const cdr::gpu::Instance instance;
-    const cdr::gpu::Device device(instance, "");
-    const cdr::scene::SceneSetup setup = cdr::scenes::makeAfc(2013);
-    const cdr::scene::Camera camera = setup.path.at(0);
-    const cdr::render::RenderOptions options{.technique = cdr::depth::parseTechnique("anchored")};
-    using namespace cdr;
-    // quoted in src/cdr/README.md: begin
-    scene::World world(setup.scene); // or an empty one
-    render::GpuScene onDevice(device, world);
-    render::Renderer renderer(device, onDevice, options);
-
-    const scene::InstanceHandle ship = world.addInstance({.mesh = world.mesh(0),
-                                                          .material = world.material(0),
-                                                          .object = 70'000, // Frame::id() is one more
-                                                          .transform = {.position = {0.0, 0.0, 0.0}}});
-    world.setTransform(ship, {.position = camera.position - 10.0 * camera.back, .basis = glm::mat3(2.0f)});
-    const render::Frame frame = renderer.render(camera); // shows both edits
-    world.removeInstance(ship);
-    // quoted in src/cdr/README.md: end
-    EXPECT_EQ(frame.id(640, 360), 70'001u);
-    EXPECT_NE(renderer.render(camera).id(640, 360), 70'001u);
-}
-
 } // namespace

@@ -11,12 +11,19 @@ configure_file("${PROJECT_SOURCE_DIR}/tools/cmake/version.h.in" "${version_inclu
 target_sources(cdr_base PUBLIC
     FILE_SET version TYPE HEADERS BASE_DIRS "${version_include}" FILES "${version_include}/cdr/version.h")
 
-foreach(room base depth)
-    set_target_properties(cdr_${room} PROPERTIES EXPORT_NAME ${room} VERIFY_INTERFACE_HEADER_SETS ON)
-endforeach()
 install(TARGETS cdr_base EXPORT cdr-depth FILE_SET HEADERS FILE_SET version)
 install(TARGETS cdr_depth EXPORT cdr-depth FILE_SET HEADERS)
 install(EXPORT cdr-depth NAMESPACE cdr:: DESTINATION "${CDR_CONFIG_DIR}")
+if(CDR_BUILD_RENDER)
+    foreach(room host image scene)
+        install(TARGETS cdr_${room} EXPORT cdr-scene FILE_SET HEADERS)
+    endforeach()
+    install(EXPORT cdr-scene NAMESPACE cdr:: DESTINATION "${CDR_CONFIG_DIR}")
+    foreach(room visibility gpu render)
+        install(TARGETS cdr_${room} EXPORT cdr-render FILE_SET HEADERS)
+    endforeach()
+    install(EXPORT cdr-render NAMESPACE cdr:: DESTINATION "${CDR_CONFIG_DIR}")
+endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/shaders/public/" DESTINATION "${CDR_SHADER_DIR}"
     FILES_MATCHING PATTERN "*.glsl" PATTERN "*.hlsl")
 

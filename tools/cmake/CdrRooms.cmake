@@ -34,18 +34,22 @@ function(cdr_batches target)
     endforeach()
 endfunction()
 
-# cdr_room(NAME [EXCLUDE REGEX] [PUBLIC target...] [PRIVATE target...])
+# cdr_room(NAME [EXCLUDE REGEX] [HEADERS file...] [PUBLIC target...] [PRIVATE target...])
 # The folder and its subfolders become the library cdr::NAME. Its headers are included by their path below src, by the
 # targets that link cdr::NAME and by nobody else: each room has an include folder of its own in the build tree, so an
 # include that points up the room list does not compile. EXCLUDE leaves out sources whose path matches.
+# HEADERS are those that are installed, all where it is not given.
 function(cdr_room name)
-    cmake_parse_arguments(ROOM "" "EXCLUDE" "PUBLIC;PRIVATE" ${ARGN})
+    cmake_parse_arguments(ROOM "" "EXCLUDE" "HEADERS;PUBLIC;PRIVATE" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
     file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
     if(ROOM_EXCLUDE)
         list(FILTER sources EXCLUDE REGEX "${ROOM_EXCLUDE}")
     endif()
-    add_library(cdr_${name} STATIC ${sources})
+    if(ROOM_HEADERS)
+        set(headers ${ROOM_HEADERS})
+    endif()
+    add_library(cdr_${name} ${sources}) # static, or shared with BUILD_SHARED_LIBS
     cdr_batches(cdr_${name} ${sources})
     add_library(cdr::${name} ALIAS cdr_${name})
     file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}/src" "${CMAKE_CURRENT_SOURCE_DIR}")
@@ -57,8 +61,9 @@ function(cdr_room name)
     target_sources(cdr_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${include_root}" FILES ${headers})
     target_compile_features(cdr_${name} PUBLIC cxx_std_20)
     target_link_libraries(cdr_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:cdr_options>)
-    # For engines that link it into a shared library.
-    set_target_properties(cdr_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    # For engines that link it into a shared library. Shared rooms lie side by side and find each other.
+    set_target_properties(cdr_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name}
+        VERIFY_INTERFACE_HEADER_SETS ON INSTALL_RPATH "$ORIGIN")
 endfunction()
 
 # cdr_test(NAME [DRIVER] [SUITES] [EXCLUDE REGEX] LIBRARIES target...): every .cpp of the folder and its subfolders as one

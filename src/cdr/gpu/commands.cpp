@@ -28,15 +28,25 @@ vk::CommandBuffer CommandPool::next() {
     return m_buffers[m_used++];
 }
 
-void submit(const Device& device, std::span<const vk::CommandBuffer> commands, vk::Fence done) {
+void submit(const Device& device, std::span<const vk::CommandBuffer> commands, vk::Fence done,
+            std::span<const VkSemaphoreSubmitInfo> waits, std::span<const VkSemaphoreSubmitInfo> signals) {
     std::vector<vk::CommandBufferSubmitInfo> buffers;
     for (const vk::CommandBuffer buffer : commands) {
         buffers.push_back({.commandBuffer = buffer});
     }
-    device.queue().submit2(
+    VkSubmitInfo2 submission =
         vk::SubmitInfo2{.commandBufferInfoCount = static_cast<std::uint32_t>(buffers.size()),
-                        .pCommandBufferInfos = buffers.data()},
-        done);
+                        .pCommandBufferInfos = buffers.data()};
+    submission.waitSemaphoreInfoCount = static_cast<std::uint32_t>(waits.size());
+    submission.pWaitSemaphoreInfos = waits.data();
+    submission.signalSemaphoreInfoCount = static_cast<std::uint32_t>(signals.size());
+    submission.pSignalSemaphoreInfos = signals.data();
+    device.submit(submission, done);
+}
+
+void waitForQueue(const Device& device) {
+    // A fence is signalled after all that was submitted before it.
+    runOnce(device, [](vk::CommandBuffer) {});
 }
 
 void waitAndReset(const Device& device, vk::Fence done) {

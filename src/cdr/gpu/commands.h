@@ -32,9 +32,14 @@ class CommandPool {
     std::size_t m_used = 0;
 };
 
-/// Submits command buffers that run in this order, and signals `done`, unsignalled until then.
-/// base::RunError when the device is lost.
-void submit(const Device& device, std::span<const vk::CommandBuffer> commands, vk::Fence done);
+/// Submits command buffers that run in this order, after `waits`, and signals `signals` and `done`, unsignalled until
+/// then. base::RunError when the device is lost.
+void submit(const Device& device, std::span<const vk::CommandBuffer> commands, vk::Fence done,
+            std::span<const VkSemaphoreSubmitInfo> waits = {},
+            std::span<const VkSemaphoreSubmitInfo> signals = {});
+
+/// Waits for all that was submitted to the device's queue before.
+void waitForQueue(const Device& device);
 
 /// Waits for a submission and makes its fence unsignalled again. base::RunError when the device is lost.
 void waitAndReset(const Device& device, vk::Fence done);

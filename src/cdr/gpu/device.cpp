@@ -1,11 +1,13 @@
 #include "device_query.h"
 
 #include <cdr/base/error.h>
+#include <cdr/gpu/features.h>
 #include <cdr/gpu/memory.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <vk_mem_alloc.h>
+#include <vulkan/vulkan.hpp>
 
 #include <algorithm>
 #include <array>
@@ -103,46 +105,110 @@ bool isChosen(const DeviceInfo& info, const std::string& choice) {
     return lower(info.name).find(wanted) != std::string::npos;
 }
 
-void Device::AllocatorDeleter::operator()(VmaAllocator_T* allocator) const {
-    vmaDestroyAllocator(allocator);
+struct Device::Handles {
+    struct AllocatorDeleter {
+        void operator()(VmaAllocator_T* allocator) const { vmaDestroyAllocator(allocator); }
+    };
+
+    vk::PhysicalDevice physical;
+    vk::UniqueDevice owned; ///< empty when borrowed
+    vk::Device device;
+    std::uint32_t queueFamily = 0;
+    vk::Queue queue;
+    std::function<VkResult(const VkSubmitInfo2&, VkFence)> submit; ///< empty: to the queue itself
+    DeviceInfo info;
+    PFN_vkSetDebugUtilsObjectNameEXT setName = nullptr;
+    PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;
+    PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;
+    std::unique_ptr<VmaAllocator_T, AllocatorDeleter> allocator;
+    vk::UniquePipelineCache pipelineCache;
+};
+
+Device::~Device() = default;
+Device::Device(Device&&) noexcept = default;
+Device& Device::operator=(Device&&) noexcept = default;
+
+vk::Device Device::handle() const {
+    return m_handles->device;
 }
 
-Device::Device(const Instance& instance, const std::string& choice) {
+vk::PhysicalDevice Device::physical() const {
+    return m_handles->physical;
+}
+
+vk::Queue Device::queue() const {
+    return m_handles->queue;
+}
+
+std::uint32_t Device::queueFamily() const {
+    return m_handles->queueFamily;
+}
+
+void Device::submit(const VkSubmitInfo2& submission, VkFence done) const {
+    const VkResult result = m_handles->submit ? m_handles->submit(submission, done)
+                                              : vkQueueSubmit2(m_handles->queue, 1, &submission, done);
+    vk::resultCheck(static_cast<vk::Result>(result), "vkQueueSubmit2");
+}
+
+VmaAllocator_T* Device::allocator() const {
+    return m_handles->allocator.get();
+}
+
+vk::PipelineCache Device::pipelineCache() const {
+    return *m_handles->pipelineCache;
+}
+
+const DeviceInfo& Device::info() const {
+    return m_handles->info;
+}
+
+Device::Device(const Instance& instance, const std::string& choice) : m_handles(std::make_unique<Handles>()) {
     const std::uint32_t index = chooseDevice(listDevices(instance), choice);
-    m_physical = instance.handle().enumeratePhysicalDevices()[index];
-    m_info = describe(m_physical, index);
-    m_queueFamily = findQueueFamily(m_physical).value();
-    m_owned = makeDevice(m_physical, m_queueFamily, m_info);
-    m_device = *m_owned;
-    m_queue = m_device.getQueue(m_queueFamily, 0);
+    m_handles->physical = instance.handle().enumeratePhysicalDevices()[index];
+    m_handles->info = describe(m_handles->physical, index);
+    m_handles->queueFamily = findQueueFamily(m_handles->physical).value();
+    m_handles->owned = makeDevice(m_handles->physical, m_handles->queueFamily, m_handles->info);
+    m_handles->device = *m_handles->owned;
+    m_handles->queue = m_handles->device.getQueue(m_handles->queueFamily, 0);
     finish(instance.handle(), instance.hasDebugNames());
 }
 
-Device::Device(const BorrowedDevice& borrowed)
-    : m_physical(borrowed.physical),
-      m_device(borrowed.device),
-      m_queueFamily(borrowed.queueFamily),
-      m_queue(borrowed.queue),
-      m_info(describe(borrowed.physical, 0)) {
-    if (!borrowed.hasGpuDrivenFeatures) {
-        m_info.gpuDrivenMissing = {"features that the device's maker left off"};
+Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Handles>()) {
+    m_handles->physical = borrowed.physical;
+    m_handles->device = borrowed.device;
+    m_handles->queueFamily = borrowed.queueFamily;
+    m_handles->queue = borrowed.queue;
+    m_handles->submit = borrowed.submit;
+    DeviceInfo& info = m_handles->info = describe(borrowed.physical, 0);
+    if (borrowed.features != nullptr) {
+        if (const auto missing = missingFeatures(*borrowed.features); !missing.empty()) {
+            throw base::InputError(fmt::format("the borrowed device {} was made without {}", info.name,
+                                               fmt::join(missing, ", ")));
+        }
+        const auto missing = missingGpuDrivenFeatures(*borrowed.features);
+        info.gpuDrivenMissing.insert(info.gpuDrivenMissing.end(), missing.begin(), missing.end());
+    } else if (!borrowed.hasGpuDrivenFeatures) {
+        info.gpuDrivenMissing = {"features that the device's maker left off"};
     }
-    m_info.hasFragmentStores = m_info.hasFragmentStores && borrowed.hasFragmentStores;
+    const bool hasFragmentStores = borrowed.features != nullptr
+                                       ? borrowed.features->features.fragmentStoresAndAtomics != 0
+                                       : borrowed.hasFragmentStores;
+    info.hasFragmentStores = info.hasFragmentStores && hasFragmentStores;
     finish(borrowed.instance, borrowed.hasDebugNames);
 }
 
-void Device::finish(vk::Instance instance, bool hasDebugNames) {
+void Device::finish(VkInstance instance, bool hasDebugNames) {
     if (hasDebugNames) {
-        m_setName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
-            m_device.getProcAddr("vkSetDebugUtilsObjectNameEXT"));
-        m_beginLabel = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(
-            m_device.getProcAddr("vkCmdBeginDebugUtilsLabelEXT"));
-        m_endLabel = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
-            m_device.getProcAddr("vkCmdEndDebugUtilsLabelEXT"));
+        m_handles->setName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
+            m_handles->device.getProcAddr("vkSetDebugUtilsObjectNameEXT"));
+        m_handles->beginLabel = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(
+            m_handles->device.getProcAddr("vkCmdBeginDebugUtilsLabelEXT"));
+        m_handles->endLabel = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
+            m_handles->device.getProcAddr("vkCmdEndDebugUtilsLabelEXT"));
     }
     const VmaAllocatorCreateInfo info{.flags = 0,
-                                      .physicalDevice = m_physical,
-                                      .device = m_device,
+                                      .physicalDevice = m_handles->physical,
+                                      .device = m_handles->device,
                                       .preferredLargeHeapBlockSize = kBlockBytes,
                                       .pAllocationCallbacks = nullptr,
                                       .pDeviceMemoryCallbacks = nullptr,
@@ -153,44 +219,45 @@ void Device::finish(vk::Instance instance, bool hasDebugNames) {
                                       .pTypeExternalMemoryHandleTypes = nullptr};
     VmaAllocator allocator = nullptr;
     vk::resultCheck(static_cast<vk::Result>(vmaCreateAllocator(&info, &allocator)), "vmaCreateAllocator");
-    m_allocator.reset(allocator);
-    m_pipelineCache = m_device.createPipelineCacheUnique({});
+    m_handles->allocator.reset(allocator);
+    m_handles->pipelineCache = m_handles->device.createPipelineCacheUnique({});
 }
 
 vk::Format Device::depthFormat(depth::DepthFormat format) const {
-    const auto found = findDepthFormat(m_physical, format);
+    const auto found = findDepthFormat(m_handles->physical, format);
     if (!found) {
-        throw base::InputError(fmt::format("{} has no {}-bit depth buffer; it has {}", m_info.name,
+        throw base::InputError(fmt::format("{} has no {}-bit depth buffer; it has {}", m_handles->info.name,
                                            traitsOf(format).bits,
-                                           fmt::join(depth::namesOf(m_info.depthFormats), ", ")));
+                                           fmt::join(depth::namesOf(m_handles->info.depthFormats), ", ")));
     }
     return *found;
 }
 
 void Device::setObjectName(vk::ObjectType type, std::uint64_t handle, const std::string& name) const {
-    if (m_setName != nullptr) {
+    if (m_handles->setName != nullptr) {
         const VkDebugUtilsObjectNameInfoEXT info{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
                                                  .pNext = nullptr,
                                                  .objectType = static_cast<VkObjectType>(type),
                                                  .objectHandle = handle,
                                                  .pObjectName = name.c_str()};
-        vk::resultCheck(static_cast<vk::Result>(m_setName(m_device, &info)), "vkSetDebugUtilsObjectNameEXT");
+        vk::resultCheck(static_cast<vk::Result>(m_handles->setName(m_handles->device, &info)),
+                        "vkSetDebugUtilsObjectNameEXT");
     }
 }
 
 void Device::beginLabel(vk::CommandBuffer commands, const char* label) const {
-    if (m_beginLabel != nullptr) {
+    if (m_handles->beginLabel != nullptr) {
         const VkDebugUtilsLabelEXT info{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT,
                                         .pNext = nullptr,
                                         .pLabelName = label,
                                         .color = {}};
-        m_beginLabel(commands, &info);
+        m_handles->beginLabel(commands, &info);
     }
 }
 
 void Device::endLabel(vk::CommandBuffer commands) const {
-    if (m_endLabel != nullptr) {
-        m_endLabel(commands);
+    if (m_handles->endLabel != nullptr) {
+        m_handles->endLabel(commands);
     }
 }
 

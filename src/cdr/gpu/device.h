@@ -3,14 +3,25 @@
 #include <cdr/depth/format.h>
 #include <cdr/gpu/instance.h>
 
-#include <vulkan/vulkan.hpp>
+#include <vulkan/vulkan_core.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 struct VmaAllocator_T;
+
+namespace vk {
+class CommandBuffer;
+class Device;
+class PhysicalDevice;
+class PipelineCache;
+class Queue;
+enum class Format;
+enum class ObjectType;
+} // namespace vk
 
 namespace cdr::gpu {
 
@@ -37,19 +48,23 @@ std::vector<DeviceInfo> listDevices(const Instance& instance);
 
 /// Handles of a device that another program part created and owns.
 ///
-/// It must have been created for Vulkan 1.3 with dynamicRendering, synchronization2, depthClamp and
-/// shaderClipDistance on, and the queue must support graphics and compute. The owner destroys it after the
-/// gpu::Device that borrows it.
+/// It must have been created for Vulkan 1.3 with the features that enableFeatures() turns on, and the queue must support
+/// graphics and compute. The owner destroys it after the gpu::Device that borrows it.
 struct BorrowedDevice {
-    vk::Instance instance;
-    vk::PhysicalDevice physical;
-    vk::Device device;
-    vk::Queue queue;
+    VkInstance instance = VK_NULL_HANDLE;
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queueFamily = 0;
     bool hasDebugNames = false; ///< the instance has VK_EXT_debug_utils
+    /// What the device was created with; read while the gpu::Device is made. A feature that cdr needs and this leaves off
+    /// is refused. Null: not checked, and the two below say what else is on.
+    const VkPhysicalDeviceFeatures2* features = nullptr;
     /// shaderFloat64, multiDrawIndirect, drawIndirectFirstInstance and drawIndirectCount are on too.
     bool hasGpuDrivenFeatures = false;
     bool hasFragmentStores = false; ///< fragmentStoresAndAtomics is on too
+    /// Takes the place of vkQueueSubmit2() on `queue`, for a queue that others submit to as well: it takes their lock.
+    std::function<VkResult(const VkSubmitInfo2& submission, VkFence done)> submit{};
 };
 
 /// A logical device with one queue and a memory allocator. Frees what it created; what it borrowed stays.
@@ -59,16 +74,22 @@ class Device {
     ///        integrated, virtual, then CPU.
     /// base::InputError, with each device and why it was refused, when none fits.
     Device(const Instance& instance, const std::string& choice);
+    /// base::InputError that names the features which BorrowedDevice::features leaves off.
     explicit Device(const BorrowedDevice& borrowed);
+    ~Device();
+    Device(Device&&) noexcept;
+    Device& operator=(Device&&) noexcept;
 
-    vk::Device handle() const { return m_device; }
-    vk::PhysicalDevice physical() const { return m_physical; }
-    vk::Queue queue() const { return m_queue; }
-    std::uint32_t queueFamily() const { return m_queueFamily; }
-    VmaAllocator_T* allocator() const { return m_allocator.get(); }
+    vk::Device handle() const;
+    vk::PhysicalDevice physical() const;
+    vk::Queue queue() const;
+    std::uint32_t queueFamily() const;
+    /// vkQueueSubmit2() on queue(), or what takes its place. base::RunError and the like when the device is lost.
+    void submit(const VkSubmitInfo2& submission, VkFence done) const;
+    VmaAllocator_T* allocator() const;
     /// Pipelines that renderers of one device share are compiled once. Lives as long as the device.
-    vk::PipelineCache pipelineCache() const { return *m_pipelineCache; }
-    const DeviceInfo& info() const { return m_info; }
+    vk::PipelineCache pipelineCache() const;
+    const DeviceInfo& info() const;
 
     /// The Vulkan format of optimally tiled depth attachments for `format`.
     /// base::InputError, naming what the device has, when it lacks one.
@@ -85,23 +106,11 @@ class Device {
     void endLabel(vk::CommandBuffer commands) const;
 
   private:
-    struct AllocatorDeleter {
-        void operator()(VmaAllocator_T* allocator) const;
-    };
-    void finish(vk::Instance instance, bool hasDebugNames);
+    struct Handles;
+    void finish(VkInstance instance, bool hasDebugNames);
     void setObjectName(vk::ObjectType type, std::uint64_t handle, const std::string& name) const;
 
-    vk::PhysicalDevice m_physical;
-    vk::UniqueDevice m_owned; ///< empty when borrowed
-    vk::Device m_device;
-    std::uint32_t m_queueFamily = 0;
-    vk::Queue m_queue;
-    DeviceInfo m_info;
-    PFN_vkSetDebugUtilsObjectNameEXT m_setName = nullptr;
-    PFN_vkCmdBeginDebugUtilsLabelEXT m_beginLabel = nullptr;
-    PFN_vkCmdEndDebugUtilsLabelEXT m_endLabel = nullptr;
-    std::unique_ptr<VmaAllocator_T, AllocatorDeleter> m_allocator;
-    vk::UniquePipelineCache m_pipelineCache;
+    std::unique_ptr<Handles> m_handles;
 };
 
 } // namespace cdr::gpu

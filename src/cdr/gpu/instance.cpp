@@ -1,6 +1,8 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/instance.h>
 
+#include <vulkan/vulkan.hpp>
+
 #include <algorithm>
 #include <cstring>
 
@@ -59,13 +61,34 @@ std::size_t ValidationLog::count() const {
     return m_messages.size();
 }
 
-void Instance::MessengerDeleter::operator()(VkDebugUtilsMessengerEXT messenger) const {
+struct Instance::Handles {
+    struct MessengerDeleter {
+        vk::Instance instance;
+        void operator()(VkDebugUtilsMessengerEXT messenger) const;
+    };
+    using Messenger = std::unique_ptr<VkDebugUtilsMessengerEXT_T, MessengerDeleter>;
+
+    vk::UniqueInstance instance;
+    Messenger messenger;
+};
+
+Instance::~Instance() = default;
+Instance::Instance(Instance&&) noexcept = default;
+Instance& Instance::operator=(Instance&&) noexcept = default;
+
+vk::Instance Instance::handle() const {
+    return *m_handles->instance;
+}
+
+void Instance::Handles::MessengerDeleter::operator()(VkDebugUtilsMessengerEXT messenger) const {
     const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
         instance.getProcAddr("vkDestroyDebugUtilsMessengerEXT"));
     destroy(instance, messenger, nullptr);
 }
 
-Instance::Instance(const InstanceOptions& options) : m_validation(std::make_shared<ValidationLog>()) {
+Instance::Instance(const InstanceOptions& options)
+    : m_validation(std::make_shared<ValidationLog>()),
+      m_handles(std::make_unique<Handles>()) {
     if (vk::enumerateInstanceVersion() < VK_API_VERSION_1_3) {
         throw base::RunError("the Vulkan loader is older than 1.3; install a newer libvulkan1");
     }
@@ -90,7 +113,7 @@ Instance::Instance(const InstanceOptions& options) : m_validation(std::make_shar
                                              .enabledValidationFeatureCount = kEnabled.size(),
                                              .pEnabledValidationFeatures = kEnabled.data()};
     try {
-        m_instance = vk::createInstanceUnique({
+        m_handles->instance = vk::createInstanceUnique({
             .pNext = options.validate ? &features : nullptr,
             .flags =
                 portable ? vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR : vk::InstanceCreateFlags{},
@@ -106,11 +129,12 @@ Instance::Instance(const InstanceOptions& options) : m_validation(std::make_shar
     }
     if (options.validate && m_hasDebugUtils) {
         const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
-            m_instance->getProcAddr("vkCreateDebugUtilsMessengerEXT"));
+            m_handles->instance->getProcAddr("vkCreateDebugUtilsMessengerEXT"));
         VkDebugUtilsMessengerEXT handle = VK_NULL_HANDLE;
-        const auto result = static_cast<vk::Result>(create(*m_instance, &messenger, nullptr, &handle));
+        const auto result =
+            static_cast<vk::Result>(create(*m_handles->instance, &messenger, nullptr, &handle));
         vk::resultCheck(result, "vkCreateDebugUtilsMessengerEXT");
-        m_messenger = Messenger(handle, MessengerDeleter{*m_instance});
+        m_handles->messenger = Handles::Messenger(handle, Handles::MessengerDeleter{*m_handles->instance});
     }
 }
 

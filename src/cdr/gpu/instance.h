@@ -1,12 +1,14 @@
 #pragma once
 
-#include <vulkan/vulkan.hpp>
-
 #include <cstddef>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
+
+namespace vk {
+class Instance;
+}
 
 namespace cdr::gpu {
 
@@ -35,8 +37,11 @@ struct InstanceOptions {
 class Instance {
   public:
     explicit Instance(const InstanceOptions& options = {});
+    ~Instance();
+    Instance(Instance&&) noexcept;
+    Instance& operator=(Instance&&) noexcept;
 
-    vk::Instance handle() const { return *m_instance; }
+    vk::Instance handle() const;
     bool hasDebugNames() const { return m_hasDebugUtils; }
     /// Empty unless validation is on and reported something.
     const ValidationLog& validation() const { return *m_validation; }
@@ -44,17 +49,12 @@ class Instance {
     std::shared_ptr<const ValidationLog> validationLog() const { return m_validation; }
 
   private:
-    struct MessengerDeleter {
-        vk::Instance instance;
-        void operator()(VkDebugUtilsMessengerEXT messenger) const;
-    };
-    using Messenger = std::unique_ptr<VkDebugUtilsMessengerEXT_T, MessengerDeleter>;
+    struct Handles;
 
     // Declared before the handles that write to it, so it outlives them.
     std::shared_ptr<ValidationLog> m_validation;
     bool m_hasDebugUtils = false;
-    vk::UniqueInstance m_instance;
-    Messenger m_messenger;
+    std::unique_ptr<Handles> m_handles;
 };
 
 } // namespace cdr::gpu

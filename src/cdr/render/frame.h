@@ -2,7 +2,7 @@
 
 #include <cdr/depth/cascade.h>
 #include <cdr/image/image.h>
-#include <cdr/render/targets/gbuffer.h>
+#include <cdr/render/targets/gbuffer_pixel.h>
 #include <cdr/render/translucency/translucency.h>
 #include <cdr/scene/camera.h>
 

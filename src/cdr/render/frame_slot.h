@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/render/frame_cutter.h>
+#include <cdr/render/frame_view.h>
 #include <cdr/render/readback.h>
 #include <cdr/render/renderer.h>
 #include <cdr/render/shading/picture.h>

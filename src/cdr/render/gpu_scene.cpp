@@ -1,6 +1,9 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/gpu/memory.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/upload.h>
-#include <cdr/render/gpu_scene.h>
+#include <cdr/render/draw_source.h>
+#include <cdr/render/material_words.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/blended.h>
 
@@ -8,7 +11,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <tuple>
 
 namespace cdr::render {
 
@@ -94,7 +99,63 @@ std::uint64_t predictBytes(const scene::Scene& scene) {
 
 } // namespace
 
-GpuScene::GpuScene(const gpu::Device& device, const scene::Scene& scene)
+struct GpuScene::State {
+    State(const gpu::Device& device, const scene::Scene& scene);
+    bool isCurrent() const;
+    void update();
+
+    /// The scene's texture, or one white pixel for materials without.
+    struct UploadedTexture {
+        gpu::Image image;
+        vk::UniqueSampler sampler;
+        vk::UniqueDescriptorPool pool;
+        vk::DescriptorSet set;
+    };
+    /// Mesh, material, mirrored.
+    using KindKey = std::tuple<std::uint32_t, std::uint32_t, bool>;
+    /// How far the world's changes were followed.
+    struct Followed {
+        std::uint64_t instances = 0;
+        std::uint64_t meshes = 0;
+        std::uint64_t materials = 0;
+        std::uint64_t textures = 0;
+    };
+
+    void uploadMeshes(const gpu::Device& device, const scene::Scene& scene);
+    UploadedTexture uploadTexture(const scene::Texture& texture) const;
+    void updateTables();
+    void updateTextures();
+    void readMaterials();
+    DrawKind kindOf(const KindKey& key) const;
+    std::uint32_t kindIndexOf(const KindKey& key);
+    void readInstance(std::size_t i);
+    void readAllInstances();
+    void updateInstances();
+
+    const gpu::Device& m_device;
+    const scene::Scene* m_scene;
+    const scene::World* m_world = nullptr;
+    Followed m_followed;
+    std::uint64_t m_revision = 0;
+    std::uint64_t m_tablesRevision = 0;
+    gpu::Buffer m_vertices;
+    gpu::Buffer m_indices;
+    std::vector<MeshRange> m_meshes;
+    std::vector<LevelRange> m_levels;
+    vk::UniqueDescriptorSetLayout m_textureLayout;
+    UploadedTexture m_white;
+    std::vector<UploadedTexture> m_textures; ///< the scene's
+    std::vector<MaterialWords> m_materials;
+    bool m_isShiny = false;
+    bool m_hasBlended = false;
+    std::vector<DrawKind> m_kinds; ///< only ever more
+    std::vector<KindKey> m_kindKeys;
+    std::map<KindKey, std::uint32_t> m_kindIndices;
+    std::vector<DrawSource> m_sources;
+    std::vector<std::uint32_t> m_blended;
+};
+
+GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene)
     : m_device(device),
       m_scene(&scene),
       m_textureLayout(
@@ -110,14 +171,17 @@ GpuScene::GpuScene(const gpu::Device& device, const scene::Scene& scene)
     readAllInstances();
 }
 
+GpuScene::GpuScene(const gpu::Device& device, const scene::Scene& scene)
+    : m_state(std::make_unique<State>(device, scene)) {}
+
 GpuScene::GpuScene(const gpu::Device& device, const scene::World& world) : GpuScene(device, world.scene()) {
-    m_world = &world;
+    m_state->m_world = &world;
     const scene::World::Changes& changes = world.changes();
-    m_followed = {changes.instances.end(), changes.meshes.end(), changes.materials.end(),
-                  changes.textures.end()};
+    m_state->m_followed = {changes.instances.end(), changes.meshes.end(), changes.materials.end(),
+                           changes.textures.end()};
 }
 
-bool GpuScene::isCurrent() const {
+bool GpuScene::State::isCurrent() const {
     if (m_world == nullptr) {
         return true;
     }
@@ -126,12 +190,73 @@ bool GpuScene::isCurrent() const {
            m_followed.materials == changes.materials.end() && m_followed.textures == changes.textures.end();
 }
 
-const scene::ChangeLog& GpuScene::instanceChanges() const {
-    static const scene::ChangeLog kNone;
-    return m_world == nullptr ? kNone : m_world->changes().instances;
-}
+GpuScene::~GpuScene() = default;
+GpuScene::GpuScene(GpuScene&&) noexcept = default;
+GpuScene& GpuScene::operator=(GpuScene&&) noexcept = default;
 
 void GpuScene::update() {
+    m_state->update();
+}
+
+const scene::ChangeLog& GpuScene::instanceChanges() const {
+    static const scene::ChangeLog kNone;
+    return isLive() ? m_state->m_world->changes().instances : kNone;
+}
+
+// clang-format off: a list
+const scene::Scene& GpuScene::scene() const {
+    return *m_state->m_scene;
+}
+bool GpuScene::isLive() const {
+    return m_state->m_world != nullptr;
+}
+bool GpuScene::isCurrent() const {
+    return m_state->isCurrent();
+}
+std::uint64_t GpuScene::revision() const {
+    return m_state->m_revision;
+}
+std::uint64_t GpuScene::tablesRevision() const {
+    return m_state->m_tablesRevision;
+}
+vk::Buffer GpuScene::vertices() const {
+    return m_state->m_vertices.handle();
+}
+vk::Buffer GpuScene::indices() const {
+    return m_state->m_indices.handle();
+}
+vk::DescriptorSetLayout GpuScene::textureLayout() const {
+    return *m_state->m_textureLayout;
+}
+const std::vector<MaterialWords>& GpuScene::materials() const {
+    return m_state->m_materials;
+}
+bool GpuScene::isShiny() const {
+    return m_state->m_isShiny;
+}
+bool GpuScene::hasBlended() const {
+    return m_state->m_hasBlended;
+}
+std::span<const std::uint32_t> GpuScene::blended() const {
+    return m_state->m_blended;
+}
+const std::vector<DrawSource>& GpuScene::sources() const {
+    return m_state->m_sources;
+}
+const std::vector<DrawKind>& GpuScene::kinds() const {
+    return m_state->m_kinds;
+}
+const std::vector<LevelRange>& GpuScene::levels() const {
+    return m_state->m_levels;
+}
+// clang-format on
+
+LevelRange GpuScene::indicesOf(const MeshRange& mesh, std::uint32_t level) const {
+    return level == 0 ? LevelRange{mesh.firstIndex, mesh.indexCount, 0.0f}
+                      : m_state->m_levels[mesh.firstLevel + level - 1];
+}
+
+void GpuScene::State::update() {
     if (isCurrent()) {
         return;
     }
@@ -147,8 +272,8 @@ void GpuScene::update() {
     ++m_revision;
 }
 
-void GpuScene::updateTables() {
-    m_device.queue().waitIdle(); // frames in flight read what is replaced
+void GpuScene::State::updateTables() {
+    gpu::waitForQueue(m_device); // frames in flight read what is replaced
     const scene::World::Changes& changes = m_world->changes();
     if (m_followed.meshes != changes.meshes.end()) {
         gpu::requireDeviceBytes(m_device, predictBytes(*m_scene), "scene " + m_scene->name);
@@ -163,7 +288,7 @@ void GpuScene::updateTables() {
     ++m_tablesRevision;
 }
 
-void GpuScene::uploadMeshes(const gpu::Device& device, const scene::Scene& scene) {
+void GpuScene::State::uploadMeshes(const gpu::Device& device, const scene::Scene& scene) {
     m_meshes.clear();
     m_levels.clear();
     std::vector<PackedVertex> vertices;
@@ -194,7 +319,7 @@ void GpuScene::uploadMeshes(const gpu::Device& device, const scene::Scene& scene
                                   vk::BufferUsageFlagBits::eIndexBuffer, "scene indices");
 }
 
-GpuScene::UploadedTexture GpuScene::uploadTexture(const scene::Texture& texture) const {
+GpuScene::State::UploadedTexture GpuScene::State::uploadTexture(const scene::Texture& texture) const {
     const image::ImageRgba8& pixels = texture.pixels;
     UploadedTexture uploaded{
         .image = gpu::uploadImage(m_device, {pixels.width, pixels.height}, vk::Format::eR8G8B8A8Srgb,
@@ -207,7 +332,7 @@ GpuScene::UploadedTexture GpuScene::uploadTexture(const scene::Texture& texture)
     return uploaded;
 }
 
-void GpuScene::updateTextures() {
+void GpuScene::State::updateTextures() {
     const auto changed = m_world->changes().textures.since(m_followed.textures);
     for (std::size_t i = 0; i < m_scene->textures.size(); ++i) {
         const bool isNew = i >= m_textures.size();
@@ -220,7 +345,7 @@ void GpuScene::updateTextures() {
     }
 }
 
-void GpuScene::readMaterials() {
+void GpuScene::State::readMaterials() {
     m_materials.clear();
     m_isShiny = false;
     m_hasBlended = false;
@@ -231,7 +356,7 @@ void GpuScene::readMaterials() {
     }
 }
 
-DrawKind GpuScene::kindOf(const KindKey& key) const {
+DrawKind GpuScene::State::kindOf(const KindKey& key) const {
     const auto [mesh, materialIndex, mirrored] = key;
     const scene::Material& material = m_scene->materials[materialIndex];
     // Untextured materials read the white pixel, so that every pipeline has a valid set.
@@ -244,7 +369,7 @@ DrawKind GpuScene::kindOf(const KindKey& key) const {
             .textureSet = texture.set};
 }
 
-std::uint32_t GpuScene::kindIndexOf(const KindKey& key) {
+std::uint32_t GpuScene::State::kindIndexOf(const KindKey& key) {
     const auto [entry, isNew] = m_kindIndices.try_emplace(key, static_cast<std::uint32_t>(m_kinds.size()));
     if (isNew) {
         m_kinds.push_back(kindOf(key));
@@ -253,7 +378,7 @@ std::uint32_t GpuScene::kindIndexOf(const KindKey& key) {
     return entry->second;
 }
 
-void GpuScene::readInstance(std::size_t i) {
+void GpuScene::State::readInstance(std::size_t i) {
     const scene::Instances& instances = m_scene->instances;
     const KindKey key{instances.mesh[i], instances.material[i], glm::determinant(instances.basis[i]) < 0.0f};
     DrawSource& source = m_sources[i];
@@ -268,7 +393,7 @@ void GpuScene::readInstance(std::size_t i) {
               .kind = keepsKind ? source.kind : kindIndexOf(key)};
 }
 
-void GpuScene::readAllInstances() {
+void GpuScene::State::readAllInstances() {
     m_sources.resize(m_scene->instances.size());
     for (std::size_t i = 0; i < m_sources.size(); ++i) {
         readInstance(i);
@@ -276,7 +401,7 @@ void GpuScene::readAllInstances() {
     m_blended = visibility::blendedInstances(*m_scene);
 }
 
-void GpuScene::updateInstances() {
+void GpuScene::State::updateInstances() {
     const auto changed = m_world->changes().instances.since(m_followed.instances);
     if (!changed) {
         readAllInstances();
@@ -296,11 +421,11 @@ void GpuScene::updateInstances() {
     }
 }
 
-vk::VertexInputBindingDescription GpuScene::vertexBinding() {
+vk::VertexInputBindingDescription vertexBinding() {
     return {.binding = 0, .stride = sizeof(PackedVertex), .inputRate = vk::VertexInputRate::eVertex};
 }
 
-std::vector<vk::VertexInputAttributeDescription> GpuScene::vertexAttributes() {
+std::vector<vk::VertexInputAttributeDescription> vertexAttributes() {
     return {{0, 0, vk::Format::eR32G32B32Sfloat, offsetof(PackedVertex, position)},
             {1, 0, vk::Format::eR16G16Snorm, offsetof(PackedVertex, normal)},
             {2, 0, vk::Format::eR32G32Sfloat, offsetof(PackedVertex, uv)},

@@ -5,9 +5,9 @@
 #include <cdr/host/worker_pool.h>
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
-#include <cdr/render/geometry/geometry_pipelines.h>
-#include <cdr/render/submit/draw_path.h>
-#include <cdr/render/targets/targets.h>
+#include <cdr/render/geometry/batching.h>
+#include <cdr/render/submit/submission.h>
+#include <cdr/render/targets/targets_choice.h>
 #include <cdr/render/translucency/translucency.h>
 #include <cdr/visibility/level_choice.h>
 

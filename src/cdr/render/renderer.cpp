@@ -116,6 +116,7 @@ void Renderer::makePasses() {
     auto made = std::make_unique<Passes>(m_device, m_drawn, m_options, m_needs);
     made->lightRoom = m_drawn.scene.lights.size();
     std::swap(m_passes, made);
+    m_frames = 0;
     try {
         for (std::size_t slot = 0; slot < m_options.framesInFlight; ++slot) {
             Slot& begun = m_passes->slots.emplace_back();
@@ -202,7 +203,7 @@ Renderer::Slot& Renderer::nextSlot() {
     return slot;
 }
 
-void Renderer::launch(Slot& slot, Destination destination) {
+void Renderer::launch(Slot& slot, Destination destination, const FrameSync& sync) {
     Stopwatch watch(m_options.trace);
     slot.destination = destination;
     slot.path->bin(slot.view, m_visible, slot.stats);
@@ -220,7 +221,7 @@ void Renderer::launch(Slot& slot, Destination destination) {
     const std::span<const vk::CommandBuffer> commands = slot.path->end(slot.view);
     slot.stats.times.recordMs = watch.lap("record");
     slot.submitted = host::Trace::Clock::now();
-    gpu::submit(m_device, commands, *slot.done);
+    gpu::submit(m_device, commands, *slot.done, sync.waits, sync.signals);
     slot.isPending = true;
 }
 
@@ -242,7 +243,7 @@ void Renderer::settle(Slot& slot) {
             if (slot.path->needsVisible()) {
                 cull(slot.view); // by now the list may be a later frame's
             }
-            launch(slot, slot.destination);
+            launch(slot, slot.destination, {});
         }
     }
 }
@@ -254,7 +255,7 @@ bool Renderer::hasRoomSufficed(Slot& slot) {
     return opaqueSufficed && blendedSufficed;
 }
 
-Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destination) {
+Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destination, const FrameSync& sync) {
     scene::requireUsable(camera);
     followScene();
     Slot& slot = nextSlot();
@@ -274,7 +275,7 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destinati
         m_passes->translucent->prepare(*slot.translucent, slot.view, m_workers);
         slot.stats.times.translucentMs = watch.lap("translucent draws");
     }
-    launch(slot, destination);
+    launch(slot, destination, sync);
     return slot;
 }
 
@@ -290,8 +291,44 @@ FrameStats Renderer::draw(const scene::Camera& camera) {
     return slot.stats;
 }
 
-void Renderer::submit(const scene::Camera& camera) {
-    run(camera, Destination::device);
+void Renderer::submit(const scene::Camera& camera, const FrameSync& sync) {
+    run(camera, Destination::device, sync);
+}
+
+Surfaces Renderer::surfaces() const {
+    const auto imageOf = [](const gpu::Image& image, vk::ImageLayout layout) {
+        return SurfaceImage{.image = image.handle(),
+                            .view = image.view(),
+                            .format = static_cast<VkFormat>(image.options().format),
+                            .extent = image.options().extent,
+                            .layout = static_cast<VkImageLayout>(layout)};
+    };
+    Surfaces surfaces{.color = imageOf(m_passes->picture.encoded(), vk::ImageLayout::eUndefined),
+                      .gbuffer = imageOf(m_passes->targets.gbuffer(), vk::ImageLayout::eUndefined),
+                      .anchorsView = {}};
+    if (m_frames > 0) {
+        const Slot& last = m_passes->slots[(m_frames - 1) % m_passes->slots.size()];
+        // As Picture::finish(), the passes that read the G-buffer and copies to the host leave them.
+        surfaces.color.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+        surfaces.gbuffer.layout = last.destination == Destination::host
+                                      ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
+                                      : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+        surfaces.anchorsView = last.view.anchorsView();
+    }
+    return surfaces;
+}
+
+void Renderer::resize(std::uint32_t width, std::uint32_t height) {
+    finish();
+    const RenderOptions before = m_options;
+    m_options.width = width;
+    m_options.height = height;
+    try {
+        makePasses();
+    } catch (...) {
+        m_options = before;
+        throw;
+    }
 }
 
 void Renderer::finish() {

@@ -3,17 +3,22 @@
 #include <cdr/host/worker_pool.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/frame.h>
-#include <cdr/render/frame_view.h>
 #include <cdr/render/render_options.h>
+#include <cdr/render/surfaces.h>
 #include <cdr/visibility/cull.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 
+namespace vk {
+class CommandBuffer;
+}
+
 namespace cdr::render {
 
 class DrawPathFactory;
+struct FrameView;
 
 /// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as
 /// large.
@@ -49,10 +54,17 @@ class Renderer {
     FrameStats draw(const scene::Camera& camera);
 
     /// Renders one frame without waiting for it: the CPU is at most `framesInFlight` ahead of the device.
-    /// Errors of an earlier frame may come up here.
-    void submit(const scene::Camera& camera);
+    /// Errors of an earlier frame may come up here. A frame whose lists had too little room (gpu-driven, or translucent
+    /// surfaces sorted) signals nonetheless, and is drawn again, whole, once that is seen.
+    void submit(const scene::Camera& camera, const FrameSync& sync = {});
     /// Waits for all that was submitted.
     void finish();
+    /// Where the last frame is. Valid until the next frame, or resize().
+    Surfaces surfaces() const;
+
+    /// Makes pictures of another size. Pipelines of the geometry stay. Waits for what is in flight; errors as the
+    /// constructor, which leave the size as it was.
+    void resize(std::uint32_t width, std::uint32_t height);
 
     const RenderOptions& options() const { return m_options; }
 
@@ -80,10 +92,10 @@ class Renderer {
     void cull(const FrameView& view);
     void shade(Slot& slot);
     bool hasRoomSufficed(Slot& slot);
-    void launch(Slot& slot, Destination destination);
+    void launch(Slot& slot, Destination destination, const FrameSync& sync);
     void settle(Slot& slot);
     void waitFor(Slot& slot);
-    Slot& run(const scene::Camera& camera, Destination destination);
+    Slot& run(const scene::Camera& camera, Destination destination, const FrameSync& sync = {});
     void recordReadback(vk::CommandBuffer primary, Destination destination) const;
     Frame fetch(const Slot& slot) const;
 
@@ -97,7 +109,7 @@ class Renderer {
     std::unique_ptr<DrawPathFactory> m_paths;
     std::unique_ptr<Passes> m_passes;
     visibility::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing
-    std::size_t m_frames = 0;          ///< begun so far
+    std::size_t m_frames = 0;          ///< begun so far with these passes
 };
 
 } // namespace cdr::render

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/render/gpu_scene.h>
+#include <cdr/render/draw_source.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 #include <cdr/shaders/shared.h>

@@ -87,6 +87,7 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
     const std::uint8_t* levels = recording.lists.level.empty() ? nullptr : recording.lists.level.data();
     const DrawSource* sources = m_scene.sources().data();
     const MaterialWords* materials = m_scene.materials().data();
+    const DrawKind* kinds = m_scene.kinds().data();
     beginJob(commands, recording.view, job.cascade, recording.recordBuffer);
     StateBinder state(m_pipelines, commands);
     DrawRecordMaker records(recording.view.camera, recording.view.cascades[job.cascade].terms.anchorView);
@@ -108,7 +109,7 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
             const DrawSource& source = sources[instances[end]];
             recording.records[end] = records.make(source, materials[source.material]);
         }
-        const DrawKind& kind = m_scene.kinds()[kindIndex];
+        const DrawKind& kind = kinds[kindIndex];
         state.bind(kind, wide);
         if (m_batching == Batching::pushConstants) {
             m_pushConstants(

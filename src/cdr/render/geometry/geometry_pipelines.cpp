@@ -69,7 +69,7 @@ vk::PushConstantRange pushRange(Batching batching) {
 }
 
 std::vector<vk::VertexInputBindingDescription> bindingsFor(Batching batching) {
-    std::vector<vk::VertexInputBindingDescription> bindings{GpuScene::vertexBinding()};
+    std::vector<vk::VertexInputBindingDescription> bindings{vertexBinding()};
     if (batching != Batching::pushConstants) {
         bindings.push_back({.binding = GeometryPipelines::kRecordBinding,
                             .stride = sizeof(shaders::DrawRecord),
@@ -79,7 +79,7 @@ std::vector<vk::VertexInputBindingDescription> bindingsFor(Batching batching) {
 }
 
 std::vector<vk::VertexInputAttributeDescription> attributesFor(Batching batching) {
-    std::vector<vk::VertexInputAttributeDescription> attributes = GpuScene::vertexAttributes();
+    std::vector<vk::VertexInputAttributeDescription> attributes = vertexAttributes();
     if (batching != Batching::pushConstants) {
         constexpr auto kBinding = GeometryPipelines::kRecordBinding;
         constexpr auto kRow = vk::Format::eR32G32B32A32Sfloat;

@@ -19,8 +19,9 @@ bool needsLit(const PictureOptions& options) {
 }
 
 gpu::ImageOptions encodedOptions(vk::Extent2D extent) {
-    return {
-        .extent = extent, .format = kEncodedFormat, .usage = Usage::eColorAttachment | Usage::eTransferSrc};
+    return {.extent = extent,
+            .format = kEncodedFormat,
+            .usage = Usage::eColorAttachment | Usage::eTransferSrc | Usage::eSampled};
 }
 
 } // namespace

@@ -4,32 +4,15 @@
 #include <cdr/render/frame_view.h>
 #include <cdr/render/geometry/geometry_pass.h>
 #include <cdr/render/submit/cascade_commands.h>
+#include <cdr/render/submit/submission.h>
 #include <cdr/visibility/cull.h>
 
 #include <vulkan/vulkan.hpp>
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 
 namespace cdr::render {
-
-/// How a frame's draws come to be and reach the device. The picture is the same to the bit.
-enum class Submission : std::uint8_t {
-    secondaries, ///< workers record secondary command buffers, one primary executes them (thesis section 5.5)
-    primaries,   ///< the control: workers record one primary per rendering scope; no secondaries, one submit
-    gpuDriven,   ///< compute passes cull and bin into indirect draws (the thesis' future work)
-};
-
-inline constexpr std::array kSubmissions{Submission::secondaries, Submission::primaries,
-                                         Submission::gpuDriven};
-
-/// "secondaries", "primaries" or "gpu-driven".
-std::string_view nameOf(Submission submission);
-/// base::InputError with a suggestion for an unknown name.
-Submission parseSubmission(std::string_view name);
 
 /// What captures call a rendering scope: "cascade 2" or "cascades 0 to 4".
 std::string labelOf(host::IndexRange cascades);

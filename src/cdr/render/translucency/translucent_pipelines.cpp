@@ -14,7 +14,7 @@ constexpr std::uint32_t kRecordBinding = 1;
 std::vector<vk::VertexInputAttributeDescription> attributes() {
     using shaders::TranslucentRecord;
     constexpr auto kRow = vk::Format::eR32G32B32A32Sfloat;
-    std::vector<vk::VertexInputAttributeDescription> all = GpuScene::vertexAttributes();
+    std::vector<vk::VertexInputAttributeDescription> all = vertexAttributes();
     for (const vk::VertexInputAttributeDescription& attribute :
          {vk::VertexInputAttributeDescription{4, kRecordBinding, kRow, offsetof(TranslucentRecord, right)},
           {5, kRecordBinding, kRow, offsetof(TranslucentRecord, up)},
@@ -42,7 +42,7 @@ TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const GpuS
                                                .fragmentSpirv = options.fragmentSpirv,
                                                .constants = {textured, scene.isShiny() ? 1u : 0u},
                                                .layout = *m_layout,
-                                               .bindings = {GpuScene::vertexBinding(),
+                                               .bindings = {vertexBinding(),
                                                             {.binding = kRecordBinding,
                                                              .stride = sizeof(shaders::TranslucentRecord),
                                                              .inputRate = vk::VertexInputRate::eInstance}},

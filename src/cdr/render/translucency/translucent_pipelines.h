@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cdr/render/gpu_scene.h>
+#include <cdr/render/draw_source.h>
 
 #include <vulkan/vulkan.hpp>
 

@@ -1,0 +1,114 @@
+#include "device_query.h"
+
+#include <cdr/base/error.h>
+#include <cdr/gpu/features.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vulkan/vulkan.hpp>
+
+namespace cdr::gpu {
+
+namespace {
+
+/// The struct of a pNext chain that has this type; null where there is none.
+template <typename Struct>
+const Struct* inChain(const VkPhysicalDeviceFeatures2& features, VkStructureType type) {
+    for (auto* next = static_cast<const VkBaseInStructure*>(features.pNext); next != nullptr;
+         next = next->pNext) {
+        if (next->sType == type) {
+            return reinterpret_cast<const Struct*>(next);
+        }
+    }
+    return nullptr;
+}
+
+const VkPhysicalDeviceVulkan12Features* vulkan12(const VkPhysicalDeviceFeatures2& features) {
+    return inChain<VkPhysicalDeviceVulkan12Features>(features,
+                                                     VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES);
+}
+
+const VkPhysicalDeviceVulkan13Features* vulkan13(const VkPhysicalDeviceFeatures2& features) {
+    return inChain<VkPhysicalDeviceVulkan13Features>(features,
+                                                     VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
+}
+
+/// Engines that came before Vulkan 1.3 may name its features one by one.
+bool hasDynamicRendering(const VkPhysicalDeviceFeatures2& features) {
+    const auto* v13 = vulkan13(features);
+    const auto* alone = inChain<VkPhysicalDeviceDynamicRenderingFeatures>(
+        features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES);
+    return (v13 != nullptr && v13->dynamicRendering != 0) ||
+           (alone != nullptr && alone->dynamicRendering != 0);
+}
+
+bool hasSynchronization2(const VkPhysicalDeviceFeatures2& features) {
+    const auto* v13 = vulkan13(features);
+    const auto* alone = inChain<VkPhysicalDeviceSynchronization2Features>(
+        features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SYNCHRONIZATION_2_FEATURES);
+    return (v13 != nullptr && v13->synchronization2 != 0) ||
+           (alone != nullptr && alone->synchronization2 != 0);
+}
+
+struct Named {
+    bool isOn;
+    const char* name;
+};
+
+std::vector<std::string> thoseOff(std::initializer_list<Named> features) {
+    std::vector<std::string> off;
+    for (const Named& feature : features) {
+        if (!feature.isOn) {
+            off.emplace_back(feature.name);
+        }
+    }
+    return off;
+}
+
+} // namespace
+
+std::vector<std::string> missingFeatures(const VkPhysicalDeviceFeatures2& features) {
+    const VkPhysicalDeviceFeatures& core = features.features;
+    return thoseOff({{hasDynamicRendering(features), "dynamicRendering"},
+                     {hasSynchronization2(features), "synchronization2"},
+                     {core.depthClamp != 0, "depthClamp"},
+                     {core.shaderClipDistance != 0, "shaderClipDistance"}});
+}
+
+std::vector<std::string> missingGpuDrivenFeatures(const VkPhysicalDeviceFeatures2& features) {
+    const VkPhysicalDeviceFeatures& core = features.features;
+    const auto* v12 = vulkan12(features);
+    return thoseOff({{core.shaderFloat64 != 0, "shaderFloat64"},
+                     {core.multiDrawIndirect != 0, "multiDrawIndirect"},
+                     {core.drawIndirectFirstInstance != 0, "drawIndirectFirstInstance"},
+                     {v12 != nullptr && v12->drawIndirectCount != 0, "drawIndirectCount"}});
+}
+
+void enableFeatures(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2& features) {
+    const DeviceInfo info = describe(physical, 0);
+    if (!info.missing.empty()) {
+        throw base::InputError(fmt::format("{} lacks {}", info.name, fmt::join(info.missing, ", ")));
+    }
+    auto* v12 = const_cast<VkPhysicalDeviceVulkan12Features*>(vulkan12(features));
+    auto* v13 = const_cast<VkPhysicalDeviceVulkan13Features*>(vulkan13(features));
+    if (v12 == nullptr || v13 == nullptr) {
+        throw base::InputError(fmt::format("the feature chain lacks VkPhysicalDeviceVulkan{}Features",
+                                           v12 == nullptr ? "12" : "13"));
+    }
+    VkPhysicalDeviceFeatures& core = features.features;
+    v13->dynamicRendering = VK_TRUE;
+    v13->synchronization2 = VK_TRUE;
+    core.depthClamp = VK_TRUE;
+    core.shaderClipDistance = VK_TRUE;
+    if (info.gpuDrivenMissing.empty()) {
+        core.shaderFloat64 = VK_TRUE;
+        core.multiDrawIndirect = VK_TRUE;
+        core.drawIndirectFirstInstance = VK_TRUE;
+        v12->drawIndirectCount = VK_TRUE;
+    }
+    if (info.hasFragmentStores) {
+        core.fragmentStoresAndAtomics = VK_TRUE;
+    }
+}
+
+} // namespace cdr::gpu

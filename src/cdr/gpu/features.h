@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <string>
+#include <vector>
+
+namespace cdr::gpu {
+
+/// Turns on, in the structs that a device is about to be created with, the features that cdr needs, and those that it can
+/// use and the device has. What is on stays on.
+/// @param features whose pNext chain holds VkPhysicalDeviceVulkan12Features and VkPhysicalDeviceVulkan13Features.
+/// base::InputError that names a feature which the device lacks, or a struct that the chain lacks.
+void enableFeatures(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2& features);
+
+/// The features that cdr needs and `features` leaves off, by their names in Vulkan. Empty when it can draw.
+std::vector<std::string> missingFeatures(const VkPhysicalDeviceFeatures2& features);
+
+/// The same for Submission::gpuDriven alone.
+std::vector<std::string> missingGpuDrivenFeatures(const VkPhysicalDeviceFeatures2& features);
+
+} // namespace cdr::gpu

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cdr/render/gpu_scene.h>
+#include <cdr/render/material_words.h>
+
+#include <glm/glm.hpp>
+#include <vulkan/vulkan.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cdr::render {
+
+/// Where a mesh lies in the shared vertex and index buffers.
+struct MeshRange {
+    std::uint32_t firstIndex = 0; ///< of the mesh itself, level of detail 0
+    std::uint32_t indexCount = 0;
+    std::int32_t vertexOffset = 0; ///< the same for all levels
+    std::uint32_t firstLevel = 0;  ///< its coarser levels, into GpuScene::levels()
+    std::uint32_t levelCount = 0;
+    float boundingRadius = 0.0f; ///< object space
+    bool isFaceted = false;      ///< the vertices of every triangle share their normal and colour
+};
+
+/// A coarser level of a mesh in the shared index buffer.
+struct LevelRange {
+    std::uint32_t firstIndex = 0;
+    std::uint32_t indexCount = 0;
+    float error = 0.0f; ///< scene::MeshLevel::error
+};
+
+/// Which of a technique's pipelines a mesh and its material need: a sum of these.
+inline constexpr std::uint32_t kTexturedVariant = 1;
+inline constexpr std::uint32_t kMaskedVariant = 2;
+/// Every triangle is of one colour and normal and seen from one side, so its surface is encoded per vertex.
+/// Never textured or masked.
+inline constexpr std::uint32_t kFacetedVariant = 4;
+inline constexpr std::size_t kPipelineVariants = 5;
+
+/// What draws of the same mesh, material and handedness share. Consecutive draws of one kind bind nothing in
+/// between and may become one instanced draw.
+struct DrawKind {
+    MeshRange mesh;
+    std::uint32_t variant = 0; ///< below kPipelineVariants
+    bool doubleSided = false;
+    bool mirrored = false;
+    vk::DescriptorSet textureSet; ///< set 0
+};
+
+/// One instance as recording reads it: all of it in two cache lines, where the scene's structure of arrays,
+/// made for culling, would take eight.
+struct DrawSource {
+    glm::dvec3 position; ///< world space
+    glm::mat3 basis;
+    std::uint32_t id = 0; ///< shaders::DrawRecord::id
+    std::uint32_t material = 0;
+    std::uint32_t kind = 0; ///< into GpuScene::kinds()
+};
+
+/// Binding 0, locations 0 to 3: a vertex as GpuScene uploads it.
+vk::VertexInputBindingDescription vertexBinding();
+std::vector<vk::VertexInputAttributeDescription> vertexAttributes();
+
+} // namespace cdr::render

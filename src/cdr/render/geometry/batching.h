@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace cdr::render {
+
+/// How draws become draw commands. The picture is the same to the bit.
+enum class Batching : std::uint8_t {
+    perObject,     ///< one command per draw, its record in a storage buffer
+    pushConstants, ///< one command per draw, its record pushed before it
+    instanced,     ///< one command per run of draws of one kind
+};
+
+inline constexpr std::array kBatchings{Batching::perObject, Batching::pushConstants, Batching::instanced};
+
+/// "per-object", "push-constants" or "instanced".
+std::string_view nameOf(Batching batching);
+/// base::InputError with a suggestion for an unknown name.
+Batching parseBatching(std::string_view name);
+
+} // namespace cdr::render

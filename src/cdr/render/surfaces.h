@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <span>
+#include <vector>
+
+namespace cdr::render {
+
+/// What a submitted frame waits for before anything of it runs, and what it signals once its images are written.
+struct FrameSync {
+    std::span<const VkSemaphoreSubmitInfo> waits{};
+    std::span<const VkSemaphoreSubmitInfo> signals{};
+};
+
+/// An image of the renderer's own, one level and layer, and how a frame leaves it.
+struct SurfaceImage {
+    VkImage image = VK_NULL_HANDLE;
+    VkImageView view = VK_NULL_HANDLE;
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    VkExtent2D extent{};
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+};
+
+/// A submitted frame on the device. The images may be sampled and copied from, in any layout: a frame takes them as they
+/// are. All frames of a renderer share them, so the next one writes over them; it runs after what its queue was given
+/// before, and after FrameSync::waits.
+struct Surfaces {
+    SurfaceImage color;   ///< sRGB, 8 bits
+    SurfaceImage gbuffer; ///< a GBufferPixel each
+    /// By cascade: what is added to GBufferPixel::ahead for the view distance.
+    std::vector<double> anchorsView;
+};
+
+} // namespace cdr::render

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace cdr::render {
+
+/// How cascades reach the final G-buffer: the four methods of the thesis (chapter 3), and ours.
+enum class TargetsKind : std::uint8_t { single, accumulate, pool, layers, onePass };
+
+inline constexpr std::array kTargetsKinds{TargetsKind::single, TargetsKind::accumulate, TargetsKind::pool,
+                                          TargetsKind::layers, TargetsKind::onePass};
+
+/// "single", "accumulate", "pool", "layers" or "one-pass".
+std::string_view nameOf(TargetsKind kind);
+
+/// Layers a pool may have; with one it would be `accumulate`.
+inline constexpr std::uint32_t kMinPoolLayers = 2;
+inline constexpr std::uint32_t kMaxPoolLayers = 16;
+inline constexpr std::uint32_t kDefaultPoolLayers = 3;
+
+/// A kind of targets and what it leaves to choose.
+struct TargetsChoice {
+    TargetsKind kind = TargetsKind::single;
+    std::uint32_t layers = 0; ///< of a pool; 0 for the other kinds, which have no say in it
+
+    TargetsChoice() = default;
+    /// A kind as it comes: a pool has kDefaultPoolLayers.
+    TargetsChoice(TargetsKind ofKind); // NOLINT(google-explicit-constructor): a kind is a choice
+    /// base::InputError unless kMinPoolLayers to kMaxPoolLayers.
+    static TargetsChoice pool(std::uint32_t layers);
+
+    bool operator==(const TargetsChoice&) const = default;
+};
+
+/// The kind's name, a pool's with its layers: "pool:4".
+std::string nameOf(const TargetsChoice& choice);
+
+/// Reads a kind's name, or "pool:N". base::InputError with a suggestion for an unknown name, and for a number
+/// that does not fit.
+TargetsChoice parseTargets(std::string_view text);
+
+/// Whether cascades are drawn into layers of their own before they meet: accumulate, pool and layers.
+bool hasLayers(TargetsKind kind);
+
+} // namespace cdr::render
