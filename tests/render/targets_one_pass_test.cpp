@@ -3,6 +3,7 @@
 
 #include <cdr/depth/make_cascades.h>
 #include <cdr/depth/separation.h>
+#include <cdr/render/targets/targets.h>
 #include <scenes/cubes.h>
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 #include "fixture.h"
 
 #include <cdr/base/error.h>
+#include <cdr/gpu/memory.h>
+#include <cdr/render/targets/targets.h>
 #include <scenes/cubes.h>
 #include <scenes/open_scene.h>
 

@@ -3,6 +3,7 @@
 #include <cdr/render/render_options.h>
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/shading/shading_pass.h>
+#include <cdr/render/targets/targets.h>
 
 namespace cdr::render {
 
