@@ -1,30 +1,17 @@
 #include "command.h"
 
-#include <cdr/base/error.h>
 #include <scenes/open_scene.h>
 
 namespace cdr::cli {
-
-namespace {
-
-scene::OpenedScene openChosen(const std::string& nameOrPath, std::uint64_t seed,
-                              const scene::GltfChoice& choice) {
-    if (!choice.scene && !choice.camera) {
-        return scenes::openScene(nameOrPath, seed);
-    }
-    if (!scene::isGltfPath(nameOrPath)) {
-        throw base::InputError("--gltf-scene and --camera are for .gltf and .glb files, not " + nameOrPath);
-    }
-    return scene::openGltf(nameOrPath, choice);
-}
-
-} // namespace
 
 Command::Command(std::string name, const GlobalOptions& global, OutputOptions output)
     : m_name(std::move(name)),
       m_global(global),
       m_output(std::move(output)),
       m_console(global, m_output) {
+    if (global.section.empty()) { // a report has looked already
+        requireKnownDevice(global.device);
+    }
     if (m_output.json && *m_output.json != "-") {
         m_files.writes("--json", *m_output.json);
     }
@@ -35,7 +22,7 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
     if (scene::isGltfPath(nameOrPath)) {
         m_files.reads(nameOrPath);
     }
-    scene::OpenedScene opened = openChosen(nameOrPath, seed, choice);
+    scene::OpenedScene opened = scenes::openScene(nameOrPath, seed, choice);
     note(opened.notes);
     return std::move(opened.setup);
 }

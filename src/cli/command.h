@@ -25,7 +25,7 @@ namespace cdr::cli {
 /// A command that runs: where it prints, the files it reads and writes, the device it opens, its JSON.
 class Command {
   public:
-    /// base::InputError when --json names a file that cannot be written.
+    /// base::InputError when --device names none, or --json a file that cannot be written.
     Command(std::string name, const GlobalOptions& global, OutputOptions output);
 
     const GlobalOptions& global() const { return m_global; }

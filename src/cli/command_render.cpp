@@ -1,4 +1,3 @@
-#include "camera_options.h"
 #include "command.h"
 #include "commands.h"
 #include "effect_options.h"
@@ -9,6 +8,7 @@
 #include <cdr/base/suggest.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/lod/levels.h>
+#include <experiments/camera_options.h>
 #include <experiments/frame_notes.h>
 #include <scenes/open_scene.h>
 
@@ -42,7 +42,7 @@ struct RenderArguments {
     std::string file;
     bool hash = false;
     std::filesystem::path trace;
-    CameraOptions camera;
+    experiments::CameraOptions camera;
     std::uint64_t seed = scenes::kDefaultSeed;
     scene::GltfChoice choice;
 };
@@ -67,8 +67,8 @@ depth::NamedTechnique techniqueOf(const RenderArguments& arguments) {
 }
 
 /// What can be wrong with the arguments, before anything is loaded or made.
-void checkArguments(const RenderArguments& arguments, const FrameCameras& cameras, const SequenceName& name,
-                    CommandFiles& files) {
+void checkArguments(const RenderArguments& arguments, const experiments::FrameCameras& cameras,
+                    const SequenceName& name, CommandFiles& files) {
     if (cameras.frames > 1 && !arguments.file.empty() && !name.hasNumber()) {
         throw base::InputError(
             fmt::format("{}: several frames need a number in the name, such as %04d", arguments.file));
@@ -158,6 +158,20 @@ void sayNotes(Command& command, std::uint32_t number, bool isFirst, const FrameO
     }
 }
 
+/// Where the pictures are, or that there are none.
+std::string whatWasWritten(const RenderArguments& arguments, const experiments::FrameCameras& cameras,
+                           const SequenceName& name) {
+    if (arguments.file.empty()) {
+        return fmt::format("{} drawn, no picture written; -o FILE writes {}",
+                           cameras.frames == 1 ? "one frame" : fmt::format("{} frames", cameras.frames),
+                           cameras.frames == 1 ? "it" : "them");
+    }
+    const std::string first = name.at(cameras.first).string();
+    return cameras.frames == 1
+               ? fmt::format("{} written", first)
+               : fmt::format("{} to {} written", first, name.at(cameras.first + cameras.frames - 1).string());
+}
+
 void runRender(Command& command, RenderArguments& arguments) {
     const experiments::Aov aov = experiments::parseAov(arguments.aov);
     const SequenceName name(arguments.file);
@@ -165,7 +179,7 @@ void runRender(Command& command, RenderArguments& arguments) {
     if (!arguments.camera.path.empty()) {
         command.files().reads(arguments.camera.path);
     }
-    const FrameCameras cameras(arguments.camera);
+    const experiments::FrameCameras cameras(arguments.camera);
     checkArguments(arguments, cameras, name, command.files());
     host::WorkerPool workers(arguments.threads);
     std::optional<host::Trace> trace;
@@ -182,8 +196,8 @@ void runRender(Command& command, RenderArguments& arguments) {
     FrameMaker maker(command.device(), setup.scene, options, aov == experiments::Aov::wrong, workers);
     const std::string technique = techniqueOf(arguments).name;
     auto document = command.makeDocument(optionsJson(arguments, options.technique));
-    experiments::Table table{.header = FrameOutput::tableHeader(), .rows = {}};
-    table.header.emplace_back(arguments.hash ? "sha-256" : "");
+    const auto columns = renderColumns(arguments.hash);
+    experiments::Table table = experiments::tableOf(columns, std::vector<RenderRow>());
     for (std::uint32_t i = 0; i < cameras.frames; ++i) {
         const std::uint32_t number = cameras.first + i;
         console.progress(i, cameras.frames, arguments.scene);
@@ -194,13 +208,14 @@ void runRender(Command& command, RenderArguments& arguments) {
             made.write(name.at(number), aov);
         }
         const std::string hash = arguments.hash || command.output().json ? made.hash(aov) : "";
-        document["results"].push_back(made.toJson(technique, options, hash));
-        table.rows.push_back(made.tableRow(arguments.scene, technique));
-        table.rows.back().push_back(arguments.hash ? hash : "");
+        const RenderRow row{made, options, arguments.scene, technique, hash};
+        document["results"].push_back(experiments::jsonOf(columns, row));
+        table.rows.push_back(experiments::cellsOf(columns, row));
     }
     command.endProgress();
     console.table(table);
     console.line(command.opened().text());
+    console.line(whatWasWritten(arguments, cameras, name));
     if (trace) {
         trace->write(arguments.trace);
     }
@@ -242,11 +257,17 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
         .add_option("scene", arguments.scene,
                     fmt::format("{}, or a .gltf or .glb file", fmt::join(scenes::generatedScenes(), ", ")))
         ->required();
+    command.option_defaults()->group("Technique");
     addTechniqueOptions(command, arguments);
+    command.option_defaults()->group("Effects");
     addEffectOptions(command, arguments.effects);
-    addCameraOptions(command, arguments.camera);
-    addSceneChoice(command, arguments.choice);
+    command.option_defaults()->group("Camera");
+    experiments::addFrameOptions(command, arguments.camera);
+    experiments::addCameraOptions(command, arguments.camera);
+    command.option_defaults()->group("Scene");
+    experiments::addSceneChoice(command, arguments.choice);
     addSeed(command, arguments.seed, "Seed of a random scene");
+    command.option_defaults()->group("Output");
     addSize(command, arguments.width, arguments.height);
     addSnapBits(command, arguments.snapBits);
     command

@@ -144,12 +144,13 @@ nlohmann::ordered_json fillFolder(Command& command, const ReportArguments& argum
     if (!arguments.plan.videos) {
         console.line("No videos: ffmpeg is not installed (Debian, Ubuntu: ffmpeg)");
     }
-    console.line(fmt::format("{} sections, about {:.0f} s on two CPUs", plan.size(), forecast.secondsLeft()));
+    console.line(
+        fmt::format("{} sections, about {} on two CPUs", plan.size(), timeText(forecast.secondsLeft())));
     for (std::size_t i = 0; i < plan.size(); ++i) {
         const report::Section& section = plan[i];
         GlobalOptions inside = global;
-        inside.section =
-            fmt::format("{}/{} {}, {:.0f} s to go", i + 1, plan.size(), section.name, forecast.secondsLeft());
+        inside.section = fmt::format("{}/{} {}, {} to go", i + 1, plan.size(), section.name,
+                                     timeText(forecast.secondsLeft()));
         const SectionOutcome outcome = runSection(inside, section, root);
         folder.keep();
         console.endProgress();

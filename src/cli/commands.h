@@ -7,6 +7,7 @@
 namespace cdr::cli {
 
 /// Each adds its command to the program; the command runs when it is chosen.
+void addView(CLI::App& program, const GlobalOptions& global);
 void addDevices(CLI::App& program, const GlobalOptions& global);
 void addRender(CLI::App& program, const GlobalOptions& global);
 void addPrecision(CLI::App& program, const GlobalOptions& global);
@@ -25,5 +26,8 @@ void addReport(CLI::App& program, const GlobalOptions& global);
 
 /// The commands that a report is made of: all that measure.
 void addExperiments(CLI::App& program, const GlobalOptions& global);
+
+/// Completions and the manual page, made from all commands of the program.
+void addShellCommands(CLI::App& program);
 
 } // namespace cdr::cli

@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 namespace cdr::cli {
@@ -62,14 +64,27 @@ void Console::table(const experiments::Table& table) const {
     }
 }
 
+std::string timeText(double seconds) {
+    const auto whole = static_cast<std::uint64_t>(std::llround(seconds));
+    if (whole < 60) {
+        return fmt::format("{} s", whole);
+    }
+    return whole < 3600 ? fmt::format("{} min {} s", whole / 60, whole % 60)
+                        : fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
+}
+
 void Console::progress(std::size_t done, std::size_t all, const std::string& what) const {
     if (!m_showsProgress || all == 0) {
         return;
     }
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - m_start;
-    const double left =
-        done ? passed.count() / static_cast<double>(done) * static_cast<double>(all - done) : 0.0;
-    fmt::print(stderr, "\r\x1b[K{}{}/{} {}, {:.0f} s left", m_section, done, all, what, left);
+    // Before the first step is done there is nothing to tell the rest by.
+    const std::string left =
+        done == 0
+            ? ""
+            : ", " + timeText(passed.count() / static_cast<double>(done) * static_cast<double>(all - done)) +
+                  " left";
+    fmt::print(stderr, "\r\x1b[K{}{}/{} {}{}", m_section, done, all, what, left);
     std::fflush(stderr);
 }
 

@@ -12,6 +12,9 @@
 
 namespace cdr::cli {
 
+/// "42 s", "3 min 20 s", "2 h 5 min".
+std::string timeText(double seconds);
+
 /// Where a command's table goes: standard output, or standard error when that carries JSON, or nowhere when
 /// quiet.
 class Console {

@@ -3,7 +3,6 @@
 #include <experiments/wrong_pixels_columns.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <utility>
 
@@ -26,48 +25,61 @@ void FrameOutput::write(const std::filesystem::path& path, experiments::Aov aov)
     }
 }
 
-nlohmann::ordered_json FrameOutput::toJson(const std::string& technique, const render::RenderOptions& options,
-                                           const std::string& hash) const {
-    const render::FrameStats& stats = m_frame.stats;
-    nlohmann::ordered_json row{{"technique", technique},
-                               {"targets", nameOf(options.targets.kind)},
-                               {"layers", options.targets.layers},
-                               {"submission", nameOf(options.submission)},
-                               {"batching", nameOf(options.batching)},
-                               {"detail", nameOf(options.detail)},
-                               {"threads", options.threads},
-                               {"cascades", m_frame.cascades.size()},
-                               {"draws", stats.draws},
-                               {"hash", hash},
-                               {"frame", m_number},
-                               {"visible", stats.visible},
-                               {"duplication", stats.duplication},
-                               {"cull_ms", stats.times.cullMs},
-                               {"bin_ms", stats.times.binMs},
-                               {"translucency", nameOf(stats.translucency.method)},
-                               {"translucent_draws", stats.translucency.draws},
-                               {"translucent_bytes", stats.translucency.bytes},
-                               {"record_ms", stats.times.recordMs},
-                               {"execute_ms", stats.times.executeMs}};
-    if (m_wrong) {
-        row.update(experiments::jsonOf(experiments::wrongPixelsColumns(), *m_wrong));
+experiments::Columns<RenderRow> renderColumns(bool showsHash) {
+    const auto ofStats = [](auto member) {
+        return [member](const RenderRow& row) { return row.made.frame().stats.*member; };
+    };
+    const auto ofTimes = [](auto member) {
+        return [member](const RenderRow& row) { return row.made.frame().stats.times.*member; };
+    };
+    experiments::Columns<RenderRow> columns{
+        {.heading = "scene",
+         .text =
+             [](const RenderRow& row) { return fmt::format("{} frame {}", row.scene, row.made.number()); }},
+        {.key = "technique", .value = &RenderRow::technique, .heading = "technique"},
+        {.key = "targets", .value = [](const RenderRow& row) { return nameOf(row.options.targets.kind); }},
+        {.key = "layers", .value = [](const RenderRow& row) { return row.options.targets.layers; }},
+        {.key = "submission", .value = [](const RenderRow& row) { return nameOf(row.options.submission); }},
+        {.key = "batching", .value = [](const RenderRow& row) { return nameOf(row.options.batching); }},
+        {.key = "detail", .value = [](const RenderRow& row) { return nameOf(row.options.detail); }},
+        {.key = "threads", .value = [](const RenderRow& row) { return row.options.threads; }},
+        {.key = "cascades",
+         .value = [](const RenderRow& row) { return row.made.frame().cascades.size(); },
+         .heading = "cascades"},
+        {.key = "draws", .value = ofStats(&render::FrameStats::draws), .heading = "draws"},
+        {.key = "hash", .value = &RenderRow::hash},
+        {.key = "frame", .value = [](const RenderRow& row) { return row.made.number(); }},
+        {.key = "visible", .value = ofStats(&render::FrameStats::visible)},
+        {.key = "duplication", .value = ofStats(&render::FrameStats::duplication)},
+        {.key = "cull_ms", .value = ofTimes(&render::FrameTimes::cullMs)},
+        {.key = "bin_ms", .value = ofTimes(&render::FrameTimes::binMs)},
+        {.key = "translucency",
+         .value = [](const RenderRow& row) { return nameOf(row.made.frame().stats.translucency.method); }},
+        {.key = "translucent_draws",
+         .value = [](const RenderRow& row) { return row.made.frame().stats.translucency.draws; }},
+        {.key = "translucent_bytes",
+         .value = [](const RenderRow& row) { return row.made.frame().stats.translucency.bytes; }},
+        {.key = "record_ms",
+         .value = ofTimes(&render::FrameTimes::recordMs),
+         .heading = "record ms",
+         .format = {"{:.2f}"}},
+        {.key = "execute_ms",
+         .value = ofTimes(&render::FrameTimes::executeMs),
+         .heading = "execute ms",
+         .format = {"{:.2f}"}}};
+    for (const auto& wrong : experiments::wrongPixelsColumns({.share = "wrong", .shareFormat = "{:.4f} %"})) {
+        columns.push_back({.key = wrong.key,
+                           .value =
+                               [value = wrong.value](const RenderRow& row) {
+                                   return row.made.wrong() ? value(*row.made.wrong()) : experiments::absent();
+                               },
+                           .heading = wrong.heading,
+                           .format = wrong.format});
     }
-    return row;
-}
-
-std::vector<std::string> FrameOutput::tableHeader() {
-    return {"scene", "technique", "cascades", "draws", "record ms", "execute ms", "wrong"};
-}
-
-std::vector<std::string> FrameOutput::tableRow(const std::string& scene, const std::string& technique) const {
-    const render::FrameStats& stats = m_frame.stats;
-    return {fmt::format("{} frame {}", scene, m_number),
-            technique,
-            std::to_string(m_frame.cascades.size()),
-            std::to_string(stats.draws),
-            fmt::format("{:.2f}", stats.times.recordMs),
-            fmt::format("{:.2f}", stats.times.executeMs),
-            m_wrong ? fmt::format("{:.4f} %", 100.0 * m_wrong->fraction()) : ""};
+    if (showsHash) {
+        columns.push_back({.heading = "sha-256", .text = &RenderRow::hash});
+    }
+    return columns;
 }
 
 } // namespace cdr::cli

@@ -4,14 +4,12 @@
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
 #include <experiments/aov.h>
-
-#include <nlohmann/json_fwd.hpp>
+#include <experiments/columns.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace cdr::cli {
 
@@ -27,11 +25,8 @@ class FrameOutput {
     /// As .png, .tga or .exr.
     void write(const std::filesystem::path& path, experiments::Aov aov) const;
     std::string hash(experiments::Aov aov) const { return hashOf(m_frame, aov, truth()); }
-    nlohmann::ordered_json toJson(const std::string& technique, const render::RenderOptions& options,
-                                  const std::string& hash) const;
-    /// Cells under tableHeader().
-    std::vector<std::string> tableRow(const std::string& scene, const std::string& technique) const;
-    static std::vector<std::string> tableHeader();
+    /// Where there is a truth.
+    const std::optional<measure::WrongPixels>& wrong() const { return m_wrong; }
 
   private:
     const measure::TruthImage* truth() const { return m_truth ? &*m_truth : nullptr; }
@@ -39,7 +34,19 @@ class FrameOutput {
     std::uint32_t m_number;
     render::Frame m_frame;
     std::optional<measure::TruthImage> m_truth;
-    std::optional<measure::WrongPixels> m_wrong; ///< where there is a truth
+    std::optional<measure::WrongPixels> m_wrong;
 };
+
+/// A row of what `render` prints and of its JSON.
+struct RenderRow {
+    const FrameOutput& made;
+    const render::RenderOptions& options;
+    std::string scene;
+    std::string technique;
+    std::string hash;
+};
+
+/// @param showsHash whether the table has it; JSON has it always.
+experiments::Columns<RenderRow> renderColumns(bool showsHash);
 
 } // namespace cdr::cli

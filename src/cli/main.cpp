@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "help_format.h"
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -30,10 +32,26 @@ std::string explainMissing(const CLI::App& program, const CLI::RequiredError& er
     return cdr::base::unknownName("command", rest.front(), known);
 }
 
+/// In the groups that help shows; a command keeps the group that its parent has when it is added.
+void addCommands(CLI::App& program, const cdr::cli::GlobalOptions& global) {
+    program.group("Look");
+    cdr::cli::addRender(program, global);
+    cdr::cli::addView(program, global);
+    cdr::cli::addDevices(program, global);
+    program.group("Measure");
+    cdr::cli::addExperiments(program, global);
+    cdr::cli::addReport(program, global);
+    program.group("Shell");
+    cdr::cli::addShellCommands(program);
+}
+
 int run(int argc, char** argv) {
     CLI::App program("Cascaded deferred rendering: see far without z-fighting.", "cdr");
     program.require_subcommand(1);
     program.fallthrough(); // global options are found behind the command too
+    const auto format = std::make_shared<cdr::cli::HelpFormat>();
+    format->label("SUBCOMMAND", "COMMAND");
+    program.formatter(format);
     cdr::cli::GlobalOptions global;
     program.add_option("--device", global.device, "Vulkan device by number or part of its name");
     program.add_flag("--validate", global.validate,
@@ -41,10 +59,12 @@ int run(int argc, char** argv) {
     program.add_flag("--quiet", global.quiet, "Print nothing but errors and what of a file is not drawn");
     const cdr::host::BuildInfo build = cdr::host::buildInfo();
     program.set_version_flag("--version", fmt::format("cdr {} ({})", build.version, build.commit));
-    cdr::cli::addDevices(program, global);
-    cdr::cli::addRender(program, global);
-    cdr::cli::addExperiments(program, global);
-    cdr::cli::addReport(program, global);
+    addCommands(program, global);
+    program.footer("cdr COMMAND --help says what a command takes."); // its own, not the commands'
+    if (argc <= 1) {
+        cdr::host::printOutput(program.help());
+        return 0;
+    }
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {

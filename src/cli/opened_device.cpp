@@ -1,10 +1,30 @@
 #include "opened_device.h"
 
 #include <cdr/base/error.h>
+#include <cdr/gpu/device_query.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
 
 namespace cdr::cli {
+
+void requireKnownDevice(const std::string& choice) {
+    if (choice.empty()) {
+        return;
+    }
+    std::vector<std::string> names;
+    for (const gpu::DeviceInfo& info : gpu::listDevices(gpu::Instance({.extensions = {}}))) {
+        if (gpu::isChosen(info, choice)) {
+            return;
+        }
+        names.push_back(fmt::format("{} {}", info.index, info.name));
+    }
+    throw base::InputError(fmt::format("no Vulkan device matches '{}': there {} {}", choice.substr(0, 60),
+                                       names.size() == 1 ? "is" : "are",
+                                       names.empty() ? "none" : fmt::format("{}", fmt::join(names, "; "))));
+}
 
 OpenedDevice::OpenedDevice(const std::string& choice, bool validate)
     : m_instance({.validate = validate, .extensions = {}}),

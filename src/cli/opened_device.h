@@ -7,6 +7,9 @@
 
 namespace cdr::cli {
 
+/// base::InputError, with those there are, when --device names no device of this machine. An empty choice names all.
+void requireKnownDevice(const std::string& choice);
+
 /// A Vulkan instance and device for one command.
 class OpenedDevice {
   public:

@@ -109,10 +109,4 @@ void addSnapBits(CLI::App& command, std::uint32_t& snapBits) {
         ->capture_default_str();
 }
 
-void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
-    command.add_option("--gltf-scene", choice.scene, "Scene of a glTF file, from 0; its default one");
-    command.add_option("--camera", choice.camera,
-                       "Look through a glTF scene's perspective camera, from 0; else all of it is framed");
-}
-
 } // namespace cdr::cli

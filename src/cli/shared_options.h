@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cdr/depth/technique.h>
-#include <cdr/scene/gltf/open_gltf.h>
+#include <experiments/camera_options.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +27,7 @@ struct OutputOptions {
 };
 
 /// Most frames one call renders.
-inline constexpr std::uint32_t kMaxFrames = 1'000'000;
+using experiments::kMaxFrames;
 
 /// Most MiB that --translucency-memory takes: 4 TiB.
 inline constexpr std::uint64_t kMostTranslucencyMiB = std::uint64_t{1} << 22u;
@@ -55,8 +55,5 @@ void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techni
 
 /// `--snap-bits`, as render::RenderOptions has it.
 void addSnapBits(CLI::App& command, std::uint32_t& snapBits);
-
-/// `--gltf-scene` and `--camera`.
-void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
 
 } // namespace cdr::cli

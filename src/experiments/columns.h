@@ -108,18 +108,24 @@ Columns<Row> shownOf(const Columns<Row>& columns) {
     return shown;
 }
 
+/// A row of the table.
+template <typename Row>
+std::vector<std::string> cellsOf(const Columns<Row>& columns, const Row& row) {
+    std::vector<std::string> cells;
+    for (const Column<Row>& column : shownOf(columns)) {
+        cells.push_back(column.text ? column.text(row) : cellOf(column.value(row), column.format));
+    }
+    return cells;
+}
+
 template <typename Row>
 Table tableOf(const Columns<Row>& columns, const std::vector<Row>& rows) {
-    const Columns<Row> shown = shownOf(columns);
     Table table;
-    for (const Column<Row>& column : shown) {
+    for (const Column<Row>& column : shownOf(columns)) {
         table.header.push_back(column.heading);
     }
     for (const Row& row : rows) {
-        std::vector<std::string>& cells = table.rows.emplace_back();
-        for (const Column<Row>& column : shown) {
-            cells.push_back(column.text ? column.text(row) : cellOf(column.value(row), column.format));
-        }
+        table.rows.push_back(cellsOf(columns, row));
     }
     return table;
 }

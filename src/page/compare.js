@@ -1,8 +1,9 @@
 // The experiment on people: shows the trials of logic/session.js and keeps their answers.
 
+import { pairRows } from "./logic/flicker.js";
 import { answered, freshSeed, nextTrial, restore, startSession, store } from "./logic/session.js";
-import { fromCsv, maxBytes, toCsv, withoutRepeats } from "./logic/trials.js";
-import { makeTally } from "./view/tally.js";
+import { compared, fromCsv, maxBytes, toCsv, withoutRepeats } from "./logic/trials.js";
+import { makeAgreement, makeTally } from "./view/tally.js";
 import { Trial } from "./view/trial.js";
 
 const kKey = "cdr-compare";
@@ -28,6 +29,7 @@ const kept = {
 
 const askedSeed = new URLSearchParams(location.search).get("seed");
 let session = restore(kept.read(), askedSeed);
+const flicker = window.cdrReport?.sections.flicker ?? { results: [] }; // a copy of this page may lie elsewhere
 let others = [];
 const trial = new Trial({
     onAnswer(answer) {
@@ -57,7 +59,10 @@ function showNext(focus) {
     show(next ? "trial" : "done");
     if (next) {
         trial.begin(next, focus);
-    } else if (focus) {
+    } else {
+        byId("agreement").replaceChildren(...makeAgreement(compared(session.answers, pairRows(flicker))));
+    }
+    if (!next && focus) {
         byId("done-title").focus();
     }
     showTally();

@@ -6,6 +6,7 @@ import { fillAdvise } from "./view/section_advise.js";
 import { fillDetail } from "./view/section_detail.js";
 import { fillEffects } from "./view/section_effects.js";
 import { fillFocus } from "./view/section_focus.js";
+import { fillOpening } from "./view/section_opening.js";
 import { fillOrbit } from "./view/section_orbit.js";
 import { fillTranslucency } from "./view/section_translucency.js";
 import { facts, fillEnvironment } from "./view/section_environment.js";
@@ -38,6 +39,7 @@ function fillPage({ report, sections }) {
     const judged = verdicts(sections);
     document.getElementById("facts").append(...facts(report).map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))));
     document.getElementById("summary").textContent = summary(judged, report.results.reduce((sum, row) => sum + row.seconds, 0));
+    fillOpening(sections, report.results.find((row) => row.section === "orbit")?.folder);
     fillVerdicts(document.getElementById("verdict-list"), judged);
     repeatInSections(judged);
     for (const row of report.results) {

@@ -48,14 +48,18 @@ std::span<const std::string_view> generatedScenes() {
     return kNames;
 }
 
-scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed) {
+scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
+                             const scene::GltfChoice& choice) {
+    if (scene::isGltfPath(nameOrPath)) {
+        return scene::openGltf(nameOrPath, choice);
+    }
+    if (choice != scene::GltfChoice{}) {
+        throw base::InputError("--gltf-scene and --camera are for .gltf and .glb files, not " + nameOrPath);
+    }
     for (const Generator& generator : kGenerators) {
         if (nameOrPath == generator.name) {
             return {.setup = generator.make(seed), .notes = {}};
         }
-    }
-    if (scene::isGltfPath(nameOrPath)) {
-        return scene::openGltf(nameOrPath);
     }
     throw base::InputError(base::unknownName("scene", nameOrPath, kNames) + ", or a .gltf or .glb file");
 }

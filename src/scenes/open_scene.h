@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/scene/gltf/open_gltf.h>
 #include <cdr/scene/scene_setup.h>
 
 #include <cstdint>
@@ -15,7 +16,9 @@ std::span<const std::string_view> generatedScenes();
 
 /// Opens one of generatedScenes(), or a `.gltf` / `.glb` file by path. A file is lit and framed so that it
 /// fills the picture. base::InputError says what is wrong, with a suggestion.
-scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed);
+/// @param choice what of a file is shown; refused for a generated scene.
+scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
+                             const scene::GltfChoice& choice = {});
 
 /// The seed used where none is given.
 inline constexpr std::uint64_t kDefaultSeed = 2013;

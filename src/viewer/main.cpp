@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
         if (const auto status = cdr::viewer::parse(program, argc, argv)) {
             return *status;
         }
+        arguments.isFirstUse = argc <= 1;
         cdr::viewer::runViewer(arguments);
         return 0;
     });

@@ -36,7 +36,8 @@ TEST_P(BadInputTest, IsRefusedInOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Arguments, BadInputTest,
     testing::Values(
-        BadInput{"", "subcommand"}, BadInput{"rendr", "did you mean 'render'"}, BadInput{"render", "scene"},
+        BadInput{"--quiet", "subcommand"}, BadInput{"rendr", "did you mean 'render'"},
+        BadInput{"render", "scene"},
         BadInput{"render afc --near 5 --far 5 -o a.png", "far must be finite and beyond near"},
         BadInput{"render afc --near 5 --far 1 -o a.png", "far must be finite and beyond near"},
         BadInput{"render afc --near 0 -o a.png", "near must be finite and above 0"},
@@ -102,7 +103,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"render acf -o a.png", "did you mean 'afc'"},
         BadInput{"render missing.glb -o a.png", "missing.glb"},
         BadInput{"render . -o a.png", "unknown scene"},
-        BadInput{"--device nothing-like-this render afc -o a.png", "no usable Vulkan device matches"},
+        BadInput{"--device nothing-like-this render afc -o a.png", "no Vulkan device matches"},
+        BadInput{"--device nothing-like-this precision",
+                 "no Vulkan device matches 'nothing-like-this': there "},
         BadInput{"precision --near 1 --far 1", "0 < near < far"}, BadInput{"pictures --frames 0", "frames"},
         BadInput{"pictures --techniques anchord", "did you mean 'anchored'"},
         BadInput{"render afc --depth anchored --split fitted:0px -o a.png", "must be above 0"},

@@ -68,6 +68,7 @@ TEST(FlickerCommand, WritesVideosFramesAndStateAndGoesOnFromIt) {
     ASSERT_EQ(first.status, 0) << first.err;
     EXPECT_EQ(first.err, ""); // progress is for terminals
     EXPECT_GT(fs::file_size(folder.path() / "v" / "standard_log.mp4"), 1000u);
+    EXPECT_TRUE(fs::exists(folder.path() / "v" / "standard_log.png"));
     EXPECT_TRUE(fs::exists(folder.path() / "flicker_state.json"));
     const std::string frame = readText(folder.path() / "frames" / "log" / "0002.tga");
     EXPECT_EQ(frame.size(), 18u + 3 * 128 * 72);

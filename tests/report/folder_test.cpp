@@ -67,14 +67,17 @@ TEST_F(PendingFolderTest, GoesUnlessItIsCommittedOrKept) {
 }
 
 TEST_F(PendingFolderTest, StaysWhenItCannotBePutInPlace) {
-    PendingFolder folder(path("r"));
-    writeReport(folder.temporary(), "hours of work");
-    folder.keep();
-    fs::create_directory(path("r"));
-    write(path("r") / "foreign", "x");
-    EXPECT_THROW(folder.commit(), base::InputError);
-    EXPECT_TRUE(folder.isKept());
-    EXPECT_EQ(read(folder.temporary() / "data" / "a.json"), "hours of work");
+    fs::path kept;
+    {
+        PendingFolder folder(path("r"));
+        kept = folder.temporary();
+        writeReport(kept, "hours of work");
+        folder.keep();
+        fs::create_directory(path("r"));
+        write(path("r") / "foreign", "x");
+        EXPECT_THROW(folder.commit(), base::InputError);
+    }
+    EXPECT_EQ(read(kept / "data" / "a.json"), "hours of work");
     EXPECT_EQ(namesIn("r"), std::set<std::string>{"foreign"});
 }
 

@@ -28,13 +28,4 @@ TEST(Frustum, SinesAndCosinesAreOfThePlanes) {
     }
 }
 
-TEST(Frustum, AnAspectStandsForAPicture) {
-    const Camera camera{.fovY = 0.7};
-    const Frustum picture = frustumOf(camera, 1280.0, 720.0);
-    const Frustum plain = frustumOf(camera, 1280.0 / 720.0, 1.0);
-    EXPECT_EQ(plain.tanX, picture.tanX);
-    EXPECT_EQ(plain.cosX, picture.cosX);
-    EXPECT_DOUBLE_EQ(plain.footprintSlope, 720.0 * picture.footprintSlope);
-}
-
 } // namespace

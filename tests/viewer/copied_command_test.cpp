@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
     Views, CopiedCommand,
     testing::Values(
         Shown{"plain", "afc --technique anchored", ""}, Shown{"moved", "afc --technique anchored", kMoved},
-        Shown{"narrowed", "afc --technique anchored", kMoved + "move 200 200\nscroll 6\n"},
+        Shown{"narrowed", "afc --technique anchored", kMoved + "move 200 200\nhold alt\nscroll 6\nlet alt\n"},
         Shown{"played", "afc --technique anchored", "key space\nwait-frame 12\nkey space\n"},
         Shown{"finished", "alley --technique anchored",
               kMoved + "click Draw\nclick edges\nclick edges=edges\nclick occlusion\nclick occlusion=1\n"

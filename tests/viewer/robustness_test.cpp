@@ -58,7 +58,8 @@ TEST_F(ViewerTest, PicksFromThePictureThatWasClickedOn) {
 
 TEST_F(ViewerTest, OrbitsWhatItLooksAtWhateverTheScale) {
     for (const std::string& scene : {std::string("cubes"), std::string("afc")}) {
-        const RunResult run = play("--size 800x480 " + scene, "wait-frame\nstate\nkey O\nstate\nquit\n");
+        const RunResult run =
+            play("--size 800x480 --technique standard " + scene, "wait-frame\nstate\nkey O\nstate\nquit\n");
         const auto states = run.lines("scene=");
         ASSERT_EQ(states.size(), 2u);
         const double ahead =
@@ -69,7 +70,7 @@ TEST_F(ViewerTest, OrbitsWhatItLooksAtWhateverTheScale) {
 }
 
 TEST_F(ViewerTest, RecordsOneCameraAtRestAndNothingBeforeAScene) {
-    const RunResult run = play("--size 800x480 cubes",
+    const RunResult run = play("--size 800x480 --technique standard cubes",
                                "key R\nkey R\nwait-frame\nkey R\nkey R\nwait-ui 1\nstate\nkey P\nwait-frame\n"
                                "wait-state motion=free\nwait-frame\nstate\nkey R\nkey P\nkey R\nwait-ui 20\n"
                                "key R\nwait-ui 1\nstate\nquit\n");
@@ -82,7 +83,7 @@ TEST_F(ViewerTest, RecordsOneCameraAtRestAndNothingBeforeAScene) {
 }
 
 TEST_F(ViewerTest, RecordsAnewWhileItPlays) {
-    const RunResult run = play("--size 800x480 cubes",
+    const RunResult run = play("--size 800x480 --technique standard cubes",
                                "wait-frame\nkey R\nhold D\nwait-ui 60\nlet D\nkey R\nkey P\nwait-state "
                                "motion=recording\nkey R\nwait-state motion=free\nwait-ui 5\nkey R\nwait-ui "
                                "2\nstate\nquit\n");
@@ -114,7 +115,7 @@ TEST_F(ViewerTest, SaysThatAFolderCannotBeWritten) {
 TEST_F(ViewerTest, OpensTheSceneAmongWhatIsDropped) {
     fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "shapes.gltf");
     std::ofstream(folder() / "notes.txt") << "no scene";
-    const RunResult run = play("--size 800x480 cubes",
+    const RunResult run = play("--size 800x480 --technique standard cubes",
                                "wait-frame\ndrop notes.txt\nwait-ui 2\nwait-frame\nstate\n"
                                "drop-all notes.txt shapes.gltf\nwait-state shown=shapes.gltf\nstate\nquit\n");
     const auto states = run.lines("scene=");

@@ -70,7 +70,8 @@ TEST_F(ViewerTest, CombosChooseMappingSplitAndFormat) {
     choose("technique/split", "count:4");
     choose("technique/split", "fitted");
     choose("technique/format", "d16");
-    const RunResult run = play("--size 800x720 cubes", script + "picture end.png\nquit\n");
+    const RunResult run =
+        play("--size 800x720 --technique standard cubes", script + "picture end.png\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), mappings.size() + 3);
     EXPECT_NE(states[2].find("log-fragment/none"), std::string::npos) << states[2];

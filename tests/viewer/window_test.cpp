@@ -71,7 +71,7 @@ TEST_F(ViewerTest, FollowsItsSize) {
 
 TEST_F(ViewerTest, ComesBackFromBeingMinimised) {
     const RunResult run =
-        play("--size 800x480 cubes",
+        play("--size 800x480 --technique standard cubes",
              "wait-frame\nwait-ui 3\nwindow before.png\nminimise\nkey 6\nrestore\nwait-frame\nwait-ui 3\n"
              "wait-state technique=anchored\nwait-frame\nwait-ui 3\nwindow after.png\nquit\n");
     EXPECT_EQ(run.status, 0);
@@ -82,10 +82,10 @@ TEST_F(ViewerTest, ComesBackFromBeingMinimised) {
 TEST_F(ViewerTest, OpensWhatIsDropped) {
     fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "shapes.gltf");
     std::ofstream(folder() / "broken.gltf") << "{ not a scene";
-    const RunResult run =
-        play("--size 800x480 cubes", "wait-frame\npicture cubes.png\ndrop shapes.gltf\nwait-frame\nstate\n"
-                                     "picture shapes.png\ndrop broken.gltf\nwait-frame\nwait-ui 2\nstate\n"
-                                     "picture still.png\nwindow message.png\nquit\n");
+    const RunResult run = play("--size 800x480 --technique standard cubes",
+                               "wait-frame\npicture cubes.png\ndrop shapes.gltf\nwait-frame\nstate\n"
+                               "picture shapes.png\ndrop broken.gltf\nwait-frame\nwait-ui 2\nstate\n"
+                               "picture still.png\nwindow message.png\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 2u);
     EXPECT_EQ(valueOf(states[0], "shown"), "shapes.gltf");
@@ -97,10 +97,11 @@ TEST_F(ViewerTest, OpensWhatIsDropped) {
 }
 
 TEST_F(ViewerTest, WheelAndKeysMoveTheCamera) {
-    const RunResult run = play("--size 800x480 cubes",
-                               "wait-frame\nstate\npicture a.png\nmove 200 200\nscroll 5\nwait-frame\nstate\n"
-                               "picture b.png\nhold W\nwait-ui 20\nlet W\nwait-frame\nstate\npicture c.png\n"
-                               "key home\nwait-frame\nstate\npicture d.png\nquit\n");
+    const RunResult run = play(
+        "--size 800x480 --technique standard cubes",
+        "wait-frame\nstate\npicture a.png\nmove 200 200\nhold alt\nscroll 5\nlet alt\nwait-frame\nstate\n"
+        "picture b.png\nhold W\nwait-ui 20\nlet W\nwait-frame\nstate\npicture c.png\n"
+        "key home\nwait-frame\nstate\npicture d.png\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 4u);
     EXPECT_LT(std::stod(valueOf(states[1], "fov")), 0.6 * std::stod(valueOf(states[0], "fov")));
@@ -127,7 +128,7 @@ TEST_F(ViewerTest, PicksAndMeasures) {
 }
 
 TEST_F(ViewerTest, RecordsAPathAndPlaysIt) {
-    const RunResult run = play("--size 800x480 cubes",
+    const RunResult run = play("--size 800x480 --technique standard cubes",
                                "wait-frame\nkey R\nhold D\nwait-ui 20\nlet D\nwait-frame\nkey R\nstate\n"
                                "key home\nwait-frame\nstate\nkey P\nwait-state motion=recording\n"
                                "wait-state motion=free\nwait-frame\nstate\nquit\n");
@@ -216,13 +217,13 @@ TEST_F(ViewerTest, ListensToTheXServer) {
            "window=$('" CDR_XDOTOOL "' search --sync --onlyvisible --name cdr-viewer)\n"
            "while [ ! -s run.out ]; do read -t 0.1 <> <(:) || true; done\n"
            "'" CDR_XDOTOOL "' windowfocus --sync $window mousemove --window $window 200 200\n"
-           "'" CDR_XDOTOOL "' key 6 click 4 click 4\n"
+           "'" CDR_XDOTOOL "' key 6 keydown alt click 4 click 4 keyup alt\n"
            "while [ ! -s after.png ]; do read -t 0.1 <> <(:) || true; done\n"
            "'" CDR_XDOTOOL "' key ctrl+q\n";
-    const RunResult run =
-        runShell("(timeout 280 bash hands & '" CDR_VIEWER_DRIVE
-                 "' --validate --size 800x480 --script script cubes; status=$?; wait; exit $status)",
-                 folder(), environment());
+    const RunResult run = runShell(
+        "(timeout 280 bash hands & '" CDR_VIEWER_DRIVE
+        "' --validate --size 800x480 --technique standard --script script cubes; status=$?; wait; exit $status)",
+        folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 2u) << run.out << run.err;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace cdr::experiments {
 
@@ -49,14 +50,19 @@ PairVideos::PairVideos(const std::filesystem::path& folder, std::span<const std:
 }
 
 void PairVideos::add(const std::vector<image::ImageRgba8>& pictures) {
-    for (const Pair& pair : m_pairs) {
-        pair.video->add(sideBySide(pictures.at(pair.left), pictures.at(pair.right)));
+    for (Pair& pair : m_pairs) {
+        image::ImageRgba8 both = sideBySide(pictures.at(pair.left), pictures.at(pair.right));
+        pair.video->add(both);
+        if (pair.poster.pixels.empty()) {
+            pair.poster = std::move(both);
+        }
     }
 }
 
 void PairVideos::finish() {
     for (const Pair& pair : m_pairs) {
         pair.video->finish();
+        image::writeImage(std::filesystem::path(pair.path).replace_extension(".png"), pair.poster);
     }
 }
 

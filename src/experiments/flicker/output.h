@@ -23,7 +23,7 @@ class PairVideos {
     /// One frame's pictures in the techniques' order. base::RunError when an encoder fails.
     void add(const std::vector<image::ImageRgba8>& pictures);
 
-    /// Puts all videos in place. base::RunError when an encoder fails.
+    /// Puts all videos in place, and beside each its first frame as .png. base::RunError when an encoder fails.
     void finish();
 
     /// Where the videos are once finished.
@@ -35,6 +35,7 @@ class PairVideos {
         std::size_t right;
         std::filesystem::path path;
         std::unique_ptr<VideoWriter> video;
+        image::ImageRgba8 poster{}; ///< the first frame
     };
     std::vector<Pair> m_pairs;
 };

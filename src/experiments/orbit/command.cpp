@@ -23,6 +23,9 @@ struct OrbitArguments {
     std::filesystem::path plot;
 };
 
+constexpr const char* kWindowPicture =
+    "orbit_window.png"; ///< what the station's window shows before the zoom
+
 std::string fileName(const experiments::PictureResult& result) {
     std::string technique = result.technique;
     std::replace(technique.begin(), technique.end(), '/', '-'); // as in "anchored/fitted"
@@ -30,7 +33,8 @@ std::string fileName(const experiments::PictureResult& result) {
 }
 
 void writePictures(const PictureFolder& folder, const std::vector<experiments::PictureResult>& results,
-                   const std::string& device) {
+                   const image::ImageRgba8& window, const std::string& device) {
+    folder.write(kWindowPicture, window);
     for (const experiments::PictureResult& result : results) {
         folder.write(fileName(result) + ".png", result.picture);
         folder.write(fileName(result) + "_wrong.png", result.heatMap);
@@ -103,8 +107,8 @@ void run(Command& command, OrbitArguments& arguments) {
     console.line(
         fmt::format("\nshare of wrong pixels off edges; {}, {}x{}", device, options.width, options.height));
     if (folder.isWanted()) {
-        writePictures(folder, result.last, command.device().info().name);
-        console.line(fmt::format("pictures of the last frame in {}", folder.path().string()));
+        writePictures(folder, result.last, result.window, command.device().info().name);
+        console.line(fmt::format("pictures of the first and the last frame in {}", folder.path().string()));
     }
     if (!arguments.plot.empty()) {
         experiments::writePlot(arguments.plot,
@@ -115,6 +119,9 @@ void run(Command& command, OrbitArguments& arguments) {
                                           {"height", options.height},
                                           {"frames", options.frames},
                                           {"instances", setup.scene.instances.size()}});
+    if (folder.isWanted()) {
+        document["window_picture"] = kWindowPicture;
+    }
     const auto written = folder.isWanted() ? result.last : std::vector<experiments::PictureResult>();
     document["results"] =
         experiments::jsonOf(orbitColumns(written, result.results.back().frame), result.results);
@@ -131,8 +138,9 @@ void addOptions(CLI::App& command, OrbitArguments& arguments) {
     addTechniques(command, options.techniques);
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that cull, bin, record and cast the truth");
-    command.add_option("--out", arguments.folder,
-                       "Folder for pictures of the last frame, what is wrong in them, and all on one sheet");
+    command.add_option(
+        "--out", arguments.folder,
+        "Folder for pictures of the first and the last frame, what is wrong in them, and all on one sheet");
     command.add_option("--plot", arguments.plot,
                        "Draw wrong pixels over the lens into a .png or .svg file (needs gnuplot)");
 }

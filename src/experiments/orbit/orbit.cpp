@@ -66,6 +66,9 @@ OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, con
             const std::string& name = options.techniques[i].name;
             progress(run.results.size(), all, name);
             const render::Frame frame = renderers[i]->render(camera);
+            if (number == numbers.front()) {
+                run.window = frame.color;
+            }
             run.results.push_back({.frame = number,
                                    .fovYDegrees = camera.fovY * 180.0 / std::numbers::pi,
                                    .technique = name,

@@ -34,6 +34,7 @@ struct OrbitResult {
 struct OrbitRun {
     std::vector<OrbitResult> results; ///< by frame, then technique
     std::vector<PictureResult> last;  ///< of the path's last frame, by technique
+    image::ImageRgba8 window;         ///< the first frame under the last technique
 };
 
 /// The frames that are looked at: `count` of a path's `length`, evenly, ascending, the last always.

@@ -1,4 +1,4 @@
-// Chapter 7 says that the formulas of chapter 4 "are not reliable in practice": measured beside predicted, from `cdr probe`.
+// Chapter 7 calls the formulas of chapter 4 "not reliable in practice": measured beside predicted, from `cdr probe`.
 
 import { listingSeparation } from "./listing_a2.js";
 
@@ -41,25 +41,23 @@ export function listingReliability(document) {
 }
 
 /**
- * How well our forecast holds where a separation is resolved, or where none is although the forecast says so. A value
- * at the ladder's smallest rung says only "this or finer", so it is judged by whether the forecast lies there too.
+ * How well our forecast holds where a separation is resolved. A value at the ladder's smallest rung says only "this or
+ * finer", so it is judged by whether the forecast lies there too. Counted apart: where none is resolved although the
+ * forecast says so by more than a factor of two.
  */
 export function reliability(document) {
-    const kinds = { within: 0, coarser: 0, finer: 0 };
-    let worstRatio = 1;
-    const cases = document.results.filter((row) => row.resolved !== null || judgedRatio(row) > 2);
-    for (const row of cases) {
-        const ratio = judgedRatio(row);
-        if (ratio > 2) {
-            ++kinds.coarser;
-        } else if (ratio < 0.5) {
-            ++kinds.finer;
-        } else {
-            ++kinds.within;
-        }
-        worstRatio = Math.max(worstRatio, ratio);
-    }
-    return { ...kinds, all: cases.length, worstRatio, beyondBound: beyondBound(document) };
+    const ratios = document.results.filter((row) => row.resolved !== null).map(judgedRatio);
+    const coarser = ratios.filter((ratio) => ratio > 2).length;
+    const finer = ratios.filter((ratio) => ratio < 0.5).length;
+    return {
+        all: ratios.length,
+        within: ratios.length - coarser - finer,
+        coarser,
+        finer,
+        worstRatio: Math.max(1, ...ratios),
+        missed: document.results.filter((row) => row.resolved === null && judgedRatio(row) > 2).length,
+        beyondBound: beyondBound(document),
+    };
 }
 
 /** How many are coarser than even the bound, every rounding at its worst, by more than the ladder tells apart. */

@@ -1,12 +1,17 @@
 // How recording scales with threads, from the JSON of `cdr scaling`.
 
-/** The sweeps over threads: one per targets, cascades and number of cubes. */
+/** The targets, and how draws are submitted where that is not by secondaries. */
+export function nameOf({ targets, submission }) {
+    return submission === undefined || submission === "secondaries" ? targets : `${targets}, ${submission}`;
+}
+
+/** The sweeps over threads: one per targets, submission, cascades and number of cubes. */
 export function sweeps(document) {
     const byKey = new Map();
     for (const row of document.results) {
-        const key = `${row.targets} ${row.cascades} ${row.cubes}`;
+        const key = `${nameOf(row)} ${row.cascades} ${row.cubes}`;
         if (!byKey.has(key)) {
-            byKey.set(key, { targets: row.targets, cascades: row.cascades, cubes: row.cubes, points: [] });
+            byKey.set(key, { name: nameOf(row), cascades: row.cascades, cubes: row.cubes, points: [] });
         }
         byKey.get(key).points.push(row);
     }
@@ -19,14 +24,14 @@ export function choices(document) {
     return { cascades: unique("cascades"), cubes: unique("cubes") };
 }
 
-/** One field over threads, a series per targets. */
+/** One field over threads, a series per targets and submission. */
 export function series(document, cascades, cubes, field) {
     const chosen = sweeps(document).filter((sweep) => sweep.cascades === cascades && sweep.cubes === cubes);
     const x = [...new Set(chosen.flatMap((sweep) => sweep.points.map((point) => point.threads)))].sort((a, b) => a - b);
     return {
         x,
         series: chosen.map((sweep) => ({
-            name: sweep.targets,
+            name: sweep.name,
             values: x.map((threads) => sweep.points.find((point) => point.threads === threads)?.[field] ?? null),
         })),
     };

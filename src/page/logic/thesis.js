@@ -59,10 +59,3 @@ export const figure64 = {
     "logcdr-4": 8.4,
     "logcdr-5": 10.4,
 };
-
-/** What Figures 6.1 to 6.3 show. */
-export const figures6 = [
-    { figure: "6.1", technique: "standard", says: "depth testing fails for about every fragment" },
-    { figure: "6.2", technique: "log", says: "correct but for just a few pixels" },
-    { figure: "6.3", technique: "cdr", says: "correct but for just a few pixels" },
-];

@@ -92,6 +92,27 @@ export function tally(answers) {
     });
 }
 
+/**
+ * A person's answers beside what others chose of the same pairs.
+ * @param {object[]} rows of pairRows(): `observer` counts flips, null where it has no choice; `people` are those of 2013.
+ */
+export function compared(answers, rows) {
+    return answers.map((answer) => {
+        const { observer, people } = rows.find((row) => samePair(answer, row));
+        return { ...answer, observer, people };
+    });
+}
+
+/** How often a person chose as the observer that counts flips, and as most people in 2013. */
+export function agreement(comparedAnswers) {
+    const counted = comparedAnswers.filter((answer) => answer.observer !== null);
+    const withCounter = counted.filter((answer) => answer.chosen === answer.observer).length;
+    const withPeople = comparedAnswers.filter((answer) => answer.chosen === answer.people).length;
+    const majority = `with the majority of 2013 in ${withPeople} of ${comparedAnswers.length}`;
+    return counted.length === 0 ? `You agreed ${majority}.`
+        : `You agreed with the counter in ${withCounter} of ${counted.length}, and ${majority}.`;
+}
+
 function samePair(answer, pair) {
     return (
         (answer.left === pair.left && answer.right === pair.right) ||

@@ -180,7 +180,7 @@ function judgeProbe(document) {
     if (formulas.all === 0) {
         return { status: "open", sentence: "No D24 case of the thesis\u2019 techniques was resolved, so its formulas cannot be judged." };
     }
-    const found = `Of ${formulas.all} resolved D24 cases ${formulas.coarser} are coarser than the thesis\u2019 formulas (Listing A.2) say`;
+    const found = `Of ${formulas.all} resolved D24 ${formulas.all === 1 ? "case" : "cases"} ${formulas.coarser} ${areOf(formulas.coarser)} coarser than the thesis\u2019 formulas (Listing A.2) say`;
     const sentence = formulas.coarser === 0 ? `${found}. ${forecastSentence(document)}` :
         `${found}, the worst by a factor of ${number(formulas.worstRatio, 2)}: depth fights before the formula says so, as the thesis saw. ${forecastSentence(document)}`;
     const status = formulas.coarser > formulas.all / 2 ? "yes" : formulas.coarser > 0 ? "partly" : "no";
@@ -189,11 +189,14 @@ function judgeProbe(document) {
 
 /** What helps: a formula that knows the vertex. */
 function forecastSentence(document) {
-    const { within, coarser, finer, all, worstRatio, beyondBound } = reliability(document);
-    return `Our forecast adds float32\u2019s rounding of the vertex to the buffer\u2019s step: of ${all} resolved cases in all formats ${within} lie within a factor of two of it, ${coarser} are coarser, ${finer} finer` +
+    const { within, coarser, finer, all, worstRatio, missed, beyondBound } = reliability(document);
+    return `Our forecast adds float32\u2019s rounding of the vertex to the buffer\u2019s step: of the ${all} resolved cases in all formats ${within} lie within a factor of two of it, ${coarser} ${areOf(coarser)} coarser, ${finer} finer` +
         (coarser ? `, the worst by a factor of ${number(worstRatio, 2)}` : "") +
-        (beyondBound === null ? "." : `; ${beyondBound === 0 ? "none is" : `${beyondBound} are`} coarser than the bound that takes every rounding at its worst.`);
+        (missed ? `; ${missed} more ${areOf(missed)} forecast to resolve and ${missed === 1 ? "does" : "do"} not` : "") +
+        (beyondBound === null ? "." : `; ${beyondBound === 0 ? "none is" : `${beyondBound} ${areOf(beyondBound)}`} coarser than the bound that takes every rounding at its worst.`);
 }
+
+const areOf = (count) => (count === 1 ? "is" : "are");
 
 /** The whole report in a sentence. */
 export function summary(list, seconds) {

@@ -51,7 +51,7 @@ export function techniqueLabel(name, title) {
 export function colourOf(name) {
     const known = ["standard", "cdr", "log", "logcdr", "reversed", "anchored"];
     const targets = { single: "log", accumulate: "cdr", pool: "anchored", layers: "reversed", "one-pass": "standard" };
-    return known.includes(name) ? name : (targets[name.split(":")[0]] ?? "extra");
+    return known.includes(name) ? name : (targets[name.split(/[:,]/)[0]] ?? "extra");
 }
 
 /** The place in the page's HTML that a section fills. */

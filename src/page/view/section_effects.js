@@ -10,10 +10,16 @@ export function fillEffects(document, folder) {
     if (document.results.every((row) => row.picture)) {
         slot("effects", "wipe").append(makeWipe({
             scene: document.options.scene, width: document.options.width, height: document.options.height,
-            items: document.results.map((row) => itemOf(row, folder)), alt: altOf }));
+            items: document.results.map((row) => itemOf(row, folder)), start: startOf(document.results), alt: altOf }));
     }
     slot("effects", "table").append(makeTable(document),
         h("p", {}, `Worked out on each layer alone, occlusion leaves ${percent(document.lost_per_layer)} of the pixels too bright.`));
+}
+
+/** Occlusion of the finished picture beside that of each layer: what method 2 loses. */
+function startOf(rows) {
+    const places = ["occlusion", "occlusion-layers"].map((mode) => rows.findIndex((row) => row.mode === mode));
+    return places.includes(-1) ? [0, rows.length - 1] : places;
 }
 
 function itemOf(row, folder) {

@@ -81,7 +81,7 @@ function videos(document, folder) {
         h("div", { class: "videos" }, pairRows(document).map((row) => h("figure", {},
             h("video", {
                 src: `${folder}/${row.left}_${row.right}.mp4`, width: 2 * width, height, controls: true, muted: true, playsinline: true,
-                loop: true, preload: "metadata", "aria-label": `${title(row.left)} on the left, ${title(row.right)} on the right`,
+                loop: true, preload: "metadata", poster: `${folder}/${row.left}_${row.right}.png`, "aria-label": `${title(row.left)} on the left, ${title(row.right)} on the right`,
             }),
             h("figcaption", {}, `${title(row.left)}, left: ${number(row.flips[0], 9)} flips. ${title(row.right)}, right: ${number(row.flips[1], 9)} flips.`)))),
     ];

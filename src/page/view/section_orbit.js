@@ -1,4 +1,6 @@
 import { number, percent } from "../logic/format.js";
+import { runwayRows } from "../logic/opening.js";
+import { worstAndBest } from "../logic/pictures.js";
 import { techniqueTitles } from "../logic/thesis.js";
 import { slot, table, techniqueLabel } from "./elements.js";
 import { makeWipe } from "./wipe.js";
@@ -6,16 +8,16 @@ import { makeWipe } from "./wipe.js";
 const titleOf = (technique) => techniqueTitles[technique] ?? technique;
 
 export function fillOrbit(document, folder) {
-    const last = document.results.filter((row) => row.picture);
+    const last = runwayRows(document);
     if (last.length > 0) {
         slot("orbit", "wipe").append(makeWipe({
             scene: "The runway from orbit", width: document.options.width, height: document.options.height,
-            items: last.map((row) => itemOf(row, folder)), alt: altOf }));
+            items: last.map((row) => itemOf(row, folder)), start: worstAndBest(last), alt: altOf }));
     }
     slot("orbit", "table").append(makeTable(document));
 }
 
-function itemOf(row, folder) {
+export function itemOf(row, folder) {
     return {
         technique: row.technique,
         title: titleOf(row.technique),
@@ -25,7 +27,7 @@ function itemOf(row, folder) {
     };
 }
 
-function altOf(item, kind) {
+export function altOf(item, kind) {
     return kind === "picture" ? `The runway\u2019s numbers under ${item.title}: ${item.note}.` : `The same, wrong pixels red, under ${item.title}: ${item.note}.`;
 }
 

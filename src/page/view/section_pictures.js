@@ -1,4 +1,4 @@
-import { scenes } from "../logic/pictures.js";
+import { scenes, worstAndBest } from "../logic/pictures.js";
 import { number, percent } from "../logic/format.js";
 import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
@@ -14,7 +14,7 @@ export function fillPictures(document, folder) {
         const { title, text } = about[scene.name] ?? { title: scene.name, text: "" };
         const lens = `The thesis names no lens; here it is ${number(scene.results[0].fov_degrees, 4)}\u00b0 high.`;
         slot("pictures", "wipes").append(h("h3", {}, title), h("p", {}, `${text} ${scene.name === "cubes" ? lens : ""}`),
-            makeWipe({ scene: title, ...sizeOf(document), items: scene.results.map((result) => itemOf(result, folder)), alt: (item, kind) => altOf(title, item, kind) }));
+            makeWipe({ scene: title, ...sizeOf(document), items: scene.results.map((result) => itemOf(result, folder)), start: worstAndBest(scene.results), alt: (item, kind) => altOf(title, item, kind) }));
     }
     slot("pictures", "table").append(makeTable(document));
 }

@@ -1,5 +1,5 @@
 import { fixed, number } from "../logic/format.js";
-import { choices, series, summary } from "../logic/scaling.js";
+import { choices, nameOf, series, summary } from "../logic/scaling.js";
 import { h, slot, table } from "./elements.js";
 import { makePlot } from "./plot.js";
 
@@ -24,20 +24,20 @@ function sentence(document) {
         ? `All ${points} points drew the very image of one thread.`
         : `${differing} of ${points} points drew another image than one thread: a fault.`;
     const speed = best && best.threads > 1
-        ? `With no more threads than this machine\u2019s ${cpus} processors, recording was at best ${fixed(best.speedup, 2)} times as fast as on one, on ${best.threads} threads (${best.targets}, ${cascadesText(best.cascades)}, ${number(best.draws, 6)} draws).`
+        ? `With no more threads than this machine\u2019s ${cpus} processors, recording was at best ${fixed(best.speedup, 2)} times as fast as on one, on ${best.threads} threads (${nameOf(best)}, ${cascadesText(best.cascades)}, ${number(best.draws, 6)} draws).`
         : `On this machine\u2019s ${cpus} processors no number of threads recorded faster than one.`;
     return `${speed} The least a draw took to record was ${number(fastest, 3)} ns. ${images}`;
 }
 
 function figure(document, cascades, cubes, field, title, yLabel, ideal = false) {
     const { x, series: lines } = series(document, cascades, cubes, field);
-    const drawn = lines.map((line) => ({ ...line, title: line.name, points: true }));
+    const drawn = lines.map((line) => ({ ...line, title: line.name, points: true, dash: line.name.includes(",") ? [2, 3] : [] }));
     if (ideal) {
         drawn.push({ name: "ideal", title: "ideal", values: x, dash: [4, 5] });
     }
     return makePlot({
         title: `${title}, ${cascadesText(cascades)}, ${number(cubes, 7)} cubes`,
-        caption: "One line per way in which cascades reach the final picture. Medians over the repeats. Past the number of processors threads only wait for each other.",
+        caption: "One line per way in which cascades reach the final picture, and in which draws are submitted. Medians over the repeats. Past the number of processors threads only wait for each other.",
         x, xLabel: "threads", yLabel, logX: false, wholeX: true, logY: false, series: drawn,
     });
 }
@@ -45,6 +45,6 @@ function figure(document, cascades, cubes, field, title, yLabel, ideal = false) 
 function makeTable(document) {
     return table("Medians in milliseconds; record and execute stay apart.",
         ["Targets", "cascades", "threads", "draws", "record", "ns per draw", "speed-up", "efficiency", "execute", "frame"],
-        document.results.map((r) => [r.targets, r.cascades, r.threads, number(r.draws, 7), fixed(r.record_ms, 3), fixed(r.record_ns_per_draw, 0),
+        document.results.map((r) => [nameOf(r), r.cascades, r.threads, number(r.draws, 7), fixed(r.record_ms, 3), fixed(r.record_ns_per_draw, 0),
             fixed(r.speedup, 2), fixed(r.efficiency, 2), fixed(r.execute_ms, 2), fixed(r.frame_ms, 2)]));
 }

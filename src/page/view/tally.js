@@ -1,8 +1,21 @@
 import { fixed, probability } from "../logic/format.js";
 import { binomialP } from "../logic/statistics.js";
 import { techniqueTitles } from "../logic/thesis.js";
-import { tally } from "../logic/trials.js";
-import { table } from "./elements.js";
+import { agreement, tally } from "../logic/trials.js";
+import { h, table } from "./elements.js";
+
+/** One person's answers beside the counter's and those of 2013. */
+export function makeAgreement(comparedAnswers) {
+    const title = (name) => (name === null ? "neither" : techniqueTitles[name]);
+    const counts = comparedAnswers.some((answer) => answer.observer !== null);
+    return [
+        h("p", {}, h("strong", {}, agreement(comparedAnswers)), counts ? " The counter takes the side with fewer flips, pixel by pixel." : ""),
+        table("What flickers less: what you said, and what others did.",
+            ["Pair", "you", ...(counts ? ["counter"] : []), "2013"],
+            comparedAnswers.map((answer) => [`${title(answer.left)} : ${title(answer.right)}`, title(answer.chosen),
+                ...(counts ? [title(answer.observer)] : []), title(answer.people)])),
+    ];
+}
 
 /** Counts per pair with both tests, the thesis' twelve people beside them. */
 export function makeTally(answers) {

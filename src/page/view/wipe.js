@@ -5,12 +5,13 @@ import { h } from "./elements.js";
 let count = 0; // names of radio groups are page-wide
 
 /**
- * @param {{scene: string, width: number, height: number, alt: (item: object, kind: string) => string,
+ * @param {{scene: string, width: number, height: number, alt: (item: object, kind: string) => string, start?: number[],
  *          items: {technique: string, title: string, note: string, picture: string, heatMap: (string|undefined)}[]}} options
+ * `start` are the places of the two items shown first; of two items there is nothing to choose.
  */
-export function makeWipe({ scene, width, height, items, alt }) {
-    const left = picker("Left", items, 0);
-    const right = picker("Right", items, Math.min(items.length - 1, 3));
+export function makeWipe({ scene, width, height, items, alt, start = [0, items.length - 1] }) {
+    const left = picker("Left", items, start[0]);
+    const right = picker("Right", items, start[1]);
     const kinds = radios(`wipe-kind-${++count}`, [["picture", "Picture"], ["heatMap", "Heat map"]]);
     const lower = h("img", { class: "lower", width, height });
     const upper = h("img", { class: "upper", width, height });
@@ -42,7 +43,7 @@ export function makeWipe({ scene, width, height, items, alt }) {
     show();
     move();
     const hasHeatMaps = items.every((item) => item.heatMap);
-    return h("figure", { class: "wipe" }, h("div", { class: "choices" }, left.label, right.label, hasHeatMaps ? kinds.element : null), stage, caption);
+    return h("figure", { class: "wipe" }, h("div", { class: "choices" }, items.length > 2 ? [left.label, right.label] : null, hasHeatMaps ? kinds.element : null), stage, caption);
 }
 
 function picker(label, items, chosen) {

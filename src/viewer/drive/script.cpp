@@ -28,7 +28,8 @@ int keyOf(const std::string& name) {
         {"home", GLFW_KEY_HOME},        {"up", GLFW_KEY_UP},
         {"down", GLFW_KEY_DOWN},        {"left", GLFW_KEY_LEFT},
         {"right", GLFW_KEY_RIGHT},      {"escape", GLFW_KEY_ESCAPE},
-        {"shift", GLFW_KEY_LEFT_SHIFT}, {"control", GLFW_KEY_LEFT_CONTROL}};
+        {"shift", GLFW_KEY_LEFT_SHIFT}, {"control", GLFW_KEY_LEFT_CONTROL},
+        {"alt", GLFW_KEY_LEFT_ALT}};
     if (const auto found = kNamed.find(name); found != kNamed.end()) {
         return found->second;
     }

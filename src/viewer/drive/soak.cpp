@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cdr::viewer {
 
@@ -54,7 +55,11 @@ void Soak::play(const DrivenViewer& viewer) {
     // The pointer runs over the interface too.
     window.inject(MoveInput{step.input.cursor.x, step.input.cursor.y});
     model.orbits = step.orbits;
-    CameraControl::steer(step.input, step.zooms, model);
+    CameraInput input = step.input;
+    if (step.zooms) {
+        input.lens = std::exchange(input.scroll, 0.0);
+    }
+    CameraControl::steer(input, model);
     if (step.click) {
         const PictureExtent& extent = viewer.area.extent;
         viewer.session.click({std::min<double>(step.click->x, extent.width - 1.0),

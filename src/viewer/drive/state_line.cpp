@@ -10,7 +10,7 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr base::EnumNames<Motion, 3> kMotions{"motion", {"free", "scene-path", "recording"}};
+constexpr base::EnumNames<Motion, 4> kMotions{"motion", {"free", "scene-path", "recording", "tour"}};
 
 } // namespace
 

@@ -3,6 +3,7 @@
 #include <cdr/scene/frustum.h>
 #include <viewer/state/length_text.h>
 #include <viewer/state/technique_label.h>
+#include <viewer/state/tour.h>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -61,14 +62,14 @@ void plate(const Canvas& canvas, ImVec2 at, bool growsLeft, float most, const st
     }
 }
 
-/// "wrong 12.3 %" and the like, of views that count; else empty.
-std::string countText(const SideResult& side) {
-    if (side.wrong) {
-        return fmt::format("{:.3f} % wrong off edges", 100.0 * side.wrong->share());
+/// What a view that counts has counted; else empty.
+std::string countText(ViewKind view, const SideResult& side) {
+    if (view == ViewKind::wrong && side.wrong) {
+        return fmt::format("{} off edges, against the anchored answer", wrongText({*side.wrong}));
     }
-    if (side.flipsNow) {
-        return fmt::format("{} flips since the last frame, {} pixels in a second", *side.flipsNow,
-                           side.flippedPixels);
+    if (view == ViewKind::flips && side.flipsNow) {
+        return fmt::format("{} since the last frame, {} in a second", counted(*side.flipsNow, "flip"),
+                           counted(side.flippedPixels, "pixel"));
     }
     return {};
 }
@@ -76,12 +77,10 @@ std::string countText(const SideResult& side) {
 void drawLabel(const Canvas& canvas, const ViewerModel& model, std::size_t index, float divider) {
     const SideResult& side = model.shown->sides[index];
     const std::string title = techniqueName(side.options.technique);
-    std::string text = countText(side);
+    std::string text = countText(model.shown->settings.view, side);
     if (const auto& point = model.underCursor.at(index)) {
-        const bool resolves = std::isfinite(point->stepView);
-        text += fmt::format("{}tells {} apart at {}", text.empty() ? "" : "\n",
-                            resolves ? stepText(point->stepView) : "nothing",
-                            lengthText(point->distanceView, resolves ? point->stepView : 0.0));
+        text +=
+            fmt::format("{}{}", text.empty() ? "" : "\n", resolvesText(point->stepView, point->distanceView));
     }
     const bool isSplit = model.shown->sides.size() > 1;
     const float y = canvas.low.y + gap();
@@ -149,23 +148,44 @@ void drawMeasuring(const Canvas& canvas, const ViewerModel& model) {
     if (from && to) {
         canvas.draw.AddLine(*from, *to, kMarkInk, 1.5f);
     }
-    const std::string text = second ? describe(*model.measuring.span()) : "";
-    plate(canvas, {canvas.low.x + gap(), canvas.high.y - ImGui::GetFontSize() * 4.6f}, false,
-          canvas.width() - 2.0f * gap(), describe(*first), text);
 }
 
-void drawNotice(const Canvas& canvas, const Notice& notice) {
-    if (notice.text.empty() || std::chrono::steady_clock::now() > notice.until) {
-        return;
+/// A line in the middle of the canvas, on a dark plate whose lower edge is at `low`. Returns its upper edge.
+float drawLine(const Canvas& canvas, float low, ImU32 ink, const std::string& text) {
+    const float wrap = std::max(canvas.width() - 4.0f * gap(), ImGui::GetFontSize());
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const ImVec2 at{(canvas.low.x + canvas.high.x - size.x) / 2.0f, low - size.y - 0.6f * gap()};
+    const float top = at.y - 0.6f * gap();
+    canvas.draw.AddRectFilled({at.x - gap(), top}, {at.x + size.x + gap(), low}, kPaper, 5.0f);
+    canvas.draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ink, text.c_str(), nullptr, wrap);
+    return top;
+}
+
+/// From the picture's lower edge up: what was clicked, how much is wrong, then what there is to say.
+void drawLines(const Canvas& canvas, const ViewerModel& model) {
+    float low = canvas.high.y - gap();
+    const auto add = [&](ImU32 ink, const std::string& text) {
+        if (!text.empty()) {
+            low = drawLine(canvas, low, ink, text) - 0.5f * gap();
+        }
+    };
+    if (const auto& first = model.measuring.first()) {
+        const auto span = model.measuring.span();
+        add(kInk, span ? fmt::format("{}\n{}", describe(*first), describe(*span)) : describe(*first));
     }
-    const float most = canvas.width() - 4.0f * gap();
-    const float wrap = std::max(most, ImGui::GetFontSize());
-    const ImVec2 size = ImGui::CalcTextSize(notice.text.c_str(), nullptr, false, wrap);
-    const ImVec2 low{(canvas.low.x + canvas.high.x - size.x) / 2.0f, canvas.high.y - size.y - 2.5f * gap()};
-    canvas.draw.AddRectFilled({low.x - gap(), low.y - gap() * 0.6f},
-                              {low.x + size.x + gap(), low.y + size.y + gap() * 0.6f}, kPaper, 5.0f);
-    canvas.draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), low, notice.isProblem ? kProblem : kInk,
-                        notice.text.c_str(), nullptr, wrap);
+    add(model.isWrongCurrent ? kInk : kQuietInk, wrongText(model.wrong));
+    if (model.motion == Motion::tour) {
+        add(kInk, std::string(tourCaption(scene::degreesOf(model.camera.fovY))));
+    } else if (const auto step = model.firstSteps.text()) {
+        add(kMarkInk, std::string(*step));
+    }
+    if (model.seesNothing) {
+        add(kProblem, "Nothing is in view. Home brings the scene's own camera back.");
+    }
+    const Notice& notice = model.notice;
+    if (std::chrono::steady_clock::now() <= notice.until) {
+        add(notice.isProblem ? kProblem : kInk, notice.text);
+    }
 }
 
 } // namespace
@@ -185,7 +205,7 @@ void drawOverlay(const PictureArea& area, const ViewerModel& model) {
         }
         drawMeasuring(canvas, model);
     }
-    drawNotice(canvas, model.notice);
+    drawLines(canvas, model);
 }
 
 } // namespace cdr::viewer

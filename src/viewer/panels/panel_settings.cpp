@@ -1,6 +1,7 @@
 #include "panels.h"
 
 #include <viewer/state/explanations.h>
+#include <viewer/state/length_text.h>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -68,12 +69,13 @@ void drawScenePanel(const Widgets& widgets, ViewerModel& model) {
         widgets.combo("scene", shown, scenes.size(), [&](std::size_t i) { return scenes[i]; });
     if (chosen < scenes.size()) {
         model.settings.scene = scenes[chosen];
+        model.settings.choice = {};
     }
     if (model.shown != nullptr && model.shown->scene != nullptr) {
         const scene::OpenedScene& opened = *model.shown->scene;
-        widgets.sentence(fmt::format("{} objects, {} {}. Drop a .gltf or .glb file to open it.",
-                                     opened.setup.scene.objectCount(), opened.setup.scene.lights.size(),
-                                     opened.setup.scene.lights.size() == 1 ? "light" : "lights"));
+        widgets.sentence(fmt::format("{}, {}. Drop a .gltf or .glb file to open it.",
+                                     counted(opened.setup.scene.objectCount(), "object"),
+                                     counted(opened.setup.scene.lights.size(), "light")));
         for (const std::string& note : opened.notes) {
             widgets.sentence("ignored: " + note);
         }

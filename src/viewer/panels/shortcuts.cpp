@@ -15,9 +15,9 @@ void toggleComparison(ViewSettings& settings) {
     }
 }
 
-void nextView(ViewSettings& settings) {
+void stepView(ViewSettings& settings, std::size_t steps) {
     const auto now = static_cast<std::size_t>(settings.view);
-    settings.view = kViewKinds[(now + 1) % kViewKinds.size()];
+    settings.view = kViewKinds[(now + steps) % kViewKinds.size()];
 }
 
 void toggleMotion(ViewerModel& model, Motion motion) {
@@ -26,10 +26,15 @@ void toggleMotion(ViewerModel& model, Motion motion) {
 
 } // namespace
 
-void setOrbiting(ViewerModel& model, bool orbits) {
-    const bool isLookedFor = !model.measuring.first() && model.surfaceView > 0.0;
-    if (orbits && !model.orbits && isLookedFor) {
+void aimPivot(ViewerModel& model) {
+    if (!model.measuring.first() && model.surfaceView > 0.0) {
         model.pivot = model.camera.position - model.camera.back * model.surfaceView;
+    }
+}
+
+void setOrbiting(ViewerModel& model, bool orbits) {
+    if (orbits && !model.orbits) {
+        aimPivot(model);
     }
     model.orbits = orbits;
 }
@@ -51,6 +56,7 @@ void applyShortcut(const KeyInput& key, ViewerModel& model) {
         break;
     case GLFW_KEY_ESCAPE:
         model.showsHelp = false;
+        model.firstSteps.end();
         break;
     case GLFW_KEY_TAB:
         model.showsPanel = !model.showsPanel;
@@ -68,7 +74,7 @@ void applyShortcut(const KeyInput& key, ViewerModel& model) {
         }
         break;
     case GLFW_KEY_V:
-        nextView(model.settings);
+        stepView(model.settings, shift ? kViewKinds.size() - 1 : 1);
         break;
     case GLFW_KEY_O:
         setOrbiting(model, !model.orbits);
@@ -78,6 +84,12 @@ void applyShortcut(const KeyInput& key, ViewerModel& model) {
         break;
     case GLFW_KEY_HOME:
         model.actions.push_back(Action::sceneCamera);
+        break;
+    case GLFW_KEY_F:
+        model.actions.push_back(Action::frameSelected);
+        break;
+    case GLFW_KEY_T:
+        model.actions.push_back(Action::tour);
         break;
     case GLFW_KEY_R:
         model.actions.push_back(Action::record);

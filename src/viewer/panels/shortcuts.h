@@ -8,6 +8,8 @@ namespace cdr::viewer {
 /// What a key does to the model, those that move the camera aside. helpText() lists them.
 void applyShortcut(const KeyInput& key, ViewerModel& model);
 
+/// Where nothing was clicked, what the camera looks at becomes what it goes round.
+void aimPivot(ViewerModel& model);
 /// Orbits what was clicked, or else what the camera looks at; or flies.
 void setOrbiting(ViewerModel& model, bool orbits);
 

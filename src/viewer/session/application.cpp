@@ -109,7 +109,11 @@ void Application::handleInput() {
         }
     }
     if (const auto click = m_control.takeClick()) {
-        m_session.click(*click);
+        if (click->isDouble) {
+            setOrbiting(m_model, true); // what the first click picked
+        } else {
+            m_session.click(click->pixel);
+        }
     }
 }
 
@@ -202,6 +206,7 @@ void Application::run() {
         }
         const double seconds = secondsOfUpdate();
         m_control.apply(pictureArea(), seconds, m_model);
+        m_model.firstSteps.see(m_model.settings, m_model.camera);
         if (m_window.extent().width > 0 && m_window.extent().height > 0) {
             m_session.update(pictureArea(), m_control.cursor(), seconds, m_control.isActive());
         }

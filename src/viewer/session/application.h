@@ -51,6 +51,8 @@ class Application {
     void toggleRecording();
     void copyCommandLines();
     void captureWindow();
+    void frameSelected();
+    void toggleTour();
     PictureArea pictureArea() const;
     float sidebarWidth() const;
     /// Whether the window changes though nobody touches it, or has to count its frames.

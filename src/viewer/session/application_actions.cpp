@@ -4,6 +4,8 @@
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
 #include <cdr/image/codec.h>
+#include <viewer/state/camera/framing.h>
+#include <viewer/state/length_text.h>
 #include <viewer/state/shown_picture.h>
 
 #include <fmt/format.h>
@@ -26,6 +28,7 @@ void Application::dropFiles(const DropInput& drop) {
         return;
     }
     m_model.settings.scene = found->string();
+    m_model.settings.choice = {};
     m_model.say(drop.paths.size() == 1 ? fmt::format("opening {}", found->filename().string())
                                        : fmt::format("opening {}, of {} files that were dropped",
                                                      found->filename().string(), drop.paths.size()));
@@ -42,7 +45,7 @@ void Application::toggleRecording() {
         }
         const std::filesystem::path file = freeName("camera-path", ".json");
         scene::writeRecording(file, recorder.recording());
-        m_model.say(fmt::format("{} holds {} camera{}", file.string(), cameras, cameras == 1 ? "" : "s"));
+        m_model.say(fmt::format("{} holds {}", file.string(), counted(cameras, "camera")));
     } else if (m_model.hasCamera) {
         if (m_model.motion == Motion::recording) {
             m_model.motion = Motion::free; // what it plays goes
@@ -77,6 +80,33 @@ void Application::copyCommandLines() {
     }
     m_window.copyToClipboard(lines);
     m_model.say(fmt::format("copied: {}", lines));
+}
+
+void Application::frameSelected() {
+    const auto& last = m_model.measuring.second() ? m_model.measuring.second() : m_model.measuring.first();
+    if (!last || m_model.shown == nullptr) {
+        m_model.say("nothing is selected: click an object first", true);
+        return;
+    }
+    const double aspect = pictureArea().extent.aspect();
+    const Ball ball = ballOf(m_model.shown->scene->setup.scene.instances, last->object);
+    m_model.motion = Motion::free;
+    m_model.camera = scene::canonical(framed(m_model.camera, ball, aspect));
+    m_model.pivot = ball.centre;
+    m_model.surfaceView = glm::distance(m_model.camera.position, ball.centre);
+}
+
+void Application::toggleTour() {
+    if (m_model.motion == Motion::tour) {
+        m_model.motion = Motion::free;
+        return;
+    }
+    m_model.settings.scene = "orbit";
+    m_model.settings.choice = {};
+    m_model.settings.technique = depth::parseTechnique("standard");
+    m_model.settings.second = depth::parseTechnique("anchored");
+    m_model.playedSeconds = 0.0;
+    m_model.motion = Motion::tour;
 }
 
 void Application::perform(Action action) {
@@ -119,6 +149,12 @@ void Application::tryPerform(Action action) {
             m_model.playedSeconds = 0.0;
             m_model.motion = Motion::recording;
         }
+        break;
+    case Action::frameSelected:
+        frameSelected();
+        break;
+    case Action::tour:
+        toggleTour();
         break;
     case Action::forgetMeasuring:
         m_model.measuring.clear();

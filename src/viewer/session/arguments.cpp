@@ -18,12 +18,13 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
                     fmt::format("{}, or a .gltf or .glb file", fmt::join(scenes::generatedScenes(), ", ")))
         ->capture_default_str();
     program.add_option("--seed", arguments.seed, "Seed of a random scene")->capture_default_str();
+    CLI::Option* technique = program.add_option(
+        "--technique", arguments.technique,
+        "One picture: a preset (standard, cdr, log, logcdr, reversed, anchored) or mapping/split");
     program
-        .add_option("--technique", arguments.technique,
-                    "Preset (standard, cdr, log, logcdr, reversed, anchored) or mapping/split")
-        ->capture_default_str();
-    program.add_option("--compare", arguments.compare,
-                       "Two techniques, LEFT,RIGHT, with a divider between them");
+        .add_option("--compare", arguments.compare, "Two techniques, LEFT,RIGHT, with a divider between them")
+        ->capture_default_str()
+        ->excludes(technique);
     program
         .add_option(
             "--targets", arguments.targets,
@@ -33,6 +34,14 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
     program.add_option("--threads", arguments.threads, "Threads that cull, bin and record")
         ->capture_default_str();
     program.add_flag("--play", arguments.plays, "Follow the scene's camera path from the start");
+}
+
+/// What the copied command line says of the camera.
+void addPlace(CLI::App& program, Arguments& arguments) {
+    program.option_defaults()->group("Camera");
+    experiments::addCameraOptions(program, arguments.camera);
+    experiments::addSceneChoice(program, arguments.choice);
+    program.option_defaults()->group("Options");
 }
 
 void addWindowOptions(CLI::App& program, Arguments& arguments) {
@@ -58,6 +67,7 @@ void addViewerOptions(CLI::App& program, Arguments& arguments) {
     program.set_version_flag("--version",
                              fmt::format("{} {} ({})", program.get_name(), build.version, build.commit));
     addViewOptions(program, arguments);
+    addPlace(program, arguments);
     addWindowOptions(program, arguments);
     addMeasuringOptions(program, arguments);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <experiments/camera_options.h>
 #include <scenes/open_scene.h>
 
 #include <cstdint>
@@ -17,10 +18,13 @@ namespace cdr::viewer {
 
 /// The command line of cdr-viewer.
 struct Arguments {
-    std::string scene = "cubes";
+    std::string scene = "afc";
+    bool isFirstUse = false; ///< nothing was asked for: the interface says what can be done
+    scene::GltfChoice choice;
+    experiments::CameraOptions camera;
     std::uint64_t seed = scenes::kDefaultSeed;
-    std::string technique = "standard";
-    std::string compare; ///< "LEFT,RIGHT"; empty for one technique
+    std::string technique;                     ///< of one picture
+    std::string compare = "standard,anchored"; ///< "LEFT,RIGHT", unless there is one technique
     std::string targets = "single";
     std::string format;
     std::size_t threads = 1;

@@ -1,5 +1,6 @@
 #include "camera_control.h"
 
+#include <viewer/panels/shortcuts.h>
 #include <viewer/state/camera/fly_controller.h>
 #include <viewer/state/camera/gamepad.h>
 #include <viewer/state/camera/lens_zoom.h>
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double kClickPixels = 4.0;   ///< more is a drag
 constexpr double kDividerPixels = 8.0; ///< as near is on it
+constexpr std::chrono::milliseconds kDoubleClick{400};
 
 constexpr std::array<std::pair<int, CameraKey>, 14> kKeys{{{GLFW_KEY_W, CameraKey::forward},
                                                            {GLFW_KEY_UP, CameraKey::forward},
@@ -42,31 +44,40 @@ bool moves(const CameraKeys& keys) {
 
 } // namespace
 
+void CameraControl::onRelease(int button) {
+    if (m_held != button) {
+        return;
+    }
+    if (button == GLFW_MOUSE_BUTTON_LEFT && !m_dragsDivider && m_travelled <= kClickPixels) {
+        const auto now = std::chrono::steady_clock::now();
+        const bool isSoon = now - std::exchange(m_clickedAt, now) <= kDoubleClick;
+        m_click = Click{.pixel = m_pressed,
+                        .isDouble = isSoon && glm::distance(m_pressed, m_clicked) <= kClickPixels};
+        m_clicked = m_pressed;
+    }
+    m_held.reset();
+    m_dragsDivider = false;
+}
+
 void CameraControl::onButton(const ButtonInput& button, const PictureArea& area, bool free,
-                             const ViewerModel& model) {
-    const bool isLeft = button.button == GLFW_MOUSE_BUTTON_LEFT;
+                             ViewerModel& model) {
     if (!button.pressed) {
-        if (isLeft && m_turns && m_travelled <= kClickPixels) {
-            m_click = m_pressed;
-        }
-        m_turns = m_turns && !isLeft;
-        m_pans = m_pans && isLeft;
-        m_dragsDivider = m_dragsDivider && !isLeft;
+        onRelease(button.button);
         return;
     }
-    if (!free || !area.contains(m_input.cursor)) {
+    if (!free || m_held || !area.contains(m_input.cursor)) {
         return;
     }
-    const double divider = model.settings.divider * area.extent.width;
-    if (isLeft && model.settings.second &&
-        std::abs(m_input.cursor.x - divider) <= kDividerPixels * area.pixelsPerUnit) {
-        m_dragsDivider = true;
-        return;
-    }
-    m_turns = isLeft || m_turns;
-    m_pans = !isLeft || m_pans;
+    m_held = button.button;
     m_pressed = m_input.cursor;
     m_travelled = 0.0;
+    const double divider = model.settings.divider * area.extent.width;
+    m_dragsDivider = button.button == GLFW_MOUSE_BUTTON_LEFT && model.settings.second &&
+                     std::abs(m_input.cursor.x - divider) <= kDividerPixels * area.pixelsPerUnit;
+    m_pans = button.button == GLFW_MOUSE_BUTTON_MIDDLE && m_shift;
+    if (button.button == GLFW_MOUSE_BUTTON_MIDDLE && !model.orbits) {
+        aimPivot(model);
+    }
 }
 
 void CameraControl::onMove(const MoveInput& move, const PictureArea& area, ViewerModel& model) {
@@ -78,11 +89,15 @@ void CameraControl::onMove(const MoveInput& move, const PictureArea& area, Viewe
         return;
     }
     m_travelled += glm::length(by);
-    if (m_turns && m_travelled > kClickPixels) {
-        m_input.drag += by;
+    if (!m_held || m_travelled <= kClickPixels) {
+        return;
     }
-    if (m_pans) {
-        m_input.pan += by;
+    if (*m_held == GLFW_MOUSE_BUTTON_LEFT) {
+        m_input.drag += by;
+    } else if (*m_held == GLFW_MOUSE_BUTTON_RIGHT) {
+        m_input.look += by;
+    } else {
+        (m_pans ? m_input.pan : m_input.turn) += by;
     }
 }
 
@@ -93,11 +108,14 @@ void CameraControl::handle(const InputEvent& event, const PictureArea& area, boo
         onButton(*button, area, free, model);
     } else if (const auto* scroll = std::get_if<ScrollInput>(&event)) {
         if (free && area.contains(m_input.cursor)) {
-            m_input.scroll += scroll->y;
+            (m_lens ? m_input.lens : m_input.scroll) += scroll->y;
         }
     } else if (const auto* key = std::get_if<KeyInput>(&event)) {
-        if (key->key == GLFW_KEY_LEFT_CONTROL || key->key == GLFW_KEY_RIGHT_CONTROL) {
-            m_dollies = key->pressed;
+        if (key->key == GLFW_KEY_LEFT_ALT || key->key == GLFW_KEY_RIGHT_ALT) {
+            m_lens = key->pressed;
+        }
+        if (key->key == GLFW_KEY_LEFT_SHIFT || key->key == GLFW_KEY_RIGHT_SHIFT) {
+            m_shift = key->pressed;
         }
         for (const auto& [code, meaning] : kKeys) {
             if (code == key->key) {
@@ -132,37 +150,42 @@ void CameraControl::apply(const PictureArea& area, double seconds, ViewerModel& 
     readGamepad();
     m_input.extent = area.extent;
     m_input.seconds = seconds;
+    m_input.flies = m_held == GLFW_MOUSE_BUTTON_RIGHT;
     const CameraInput input = m_input;
-    m_input.drag = m_input.pan = glm::dvec2(0.0);
-    m_input.scroll = 0.0;
-    const bool asks =
-        isActive() || input.drag != glm::dvec2(0.0) || input.pan != glm::dvec2(0.0) || input.scroll != 0.0;
-    if (asks && model.hasCamera) {
+    m_input.drag = m_input.look = m_input.turn = m_input.pan = glm::dvec2(0.0);
+    m_input.scroll = m_input.lens = 0.0;
+    const bool drags = input.drag + input.look + input.turn + input.pan != glm::dvec2(0.0);
+    if ((isActive() || drags || input.scroll != 0.0 || input.lens != 0.0) && model.hasCamera) {
         model.motion = Motion::free; // whoever steers takes over
-        steer(input, !m_dollies, model);
+        steer(input, model);
     }
 }
 
-void CameraControl::steer(CameraInput input, bool zooms, ViewerModel& model) {
+void CameraControl::steer(const CameraInput& input, ViewerModel& model) {
     if (!model.hasCamera) {
         return;
     }
-    if (input.scroll != 0.0 && (!model.orbits || zooms)) {
+    const scene::Camera before = model.camera;
+    if (input.lens != 0.0 || input.axes.zoom != 0.0) {
         model.camera = zoomLens(model.camera, input);
-        input.scroll = 0.0;
     }
-    if (model.orbits) {
-        const Orbit orbited = orbit({.camera = model.camera, .pivot = model.pivot}, input);
-        model.camera = orbited.camera;
-        model.pivot = orbited.pivot;
-    } else {
-        model.camera = fly(model.camera, input, model.surfaceView);
-    }
-    model.camera = scene::canonical(model.camera); // what the copied command line says, to the bit
-}
-
-std::optional<glm::dvec2> CameraControl::takeClick() {
-    return std::exchange(m_click, std::nullopt);
+    const bool orbits = model.orbits && !input.flies;
+    CameraInput flying = input;
+    CameraInput turning = input;
+    flying.drag = input.look + (orbits ? glm::dvec2(0.0) : input.drag);
+    turning.drag = input.turn + (orbits ? input.drag : glm::dvec2(0.0));
+    CameraInput& resting = orbits ? flying : turning; // keys, wheel and sticks are the other's
+    resting.keys = {};
+    resting.axes = {};
+    resting.scroll = 0.0;
+    model.camera = heldBack(before, fly(model.camera, flying, model.surfaceView), model.wayAhead);
+    const Orbit orbited = orbit({.camera = model.camera, .pivot = model.pivot}, turning);
+    model.pivot = orbited.pivot;
+    model.camera = scene::canonical(orbited.camera); // what the copied command line says, to the bit
+    // The next picture may come late.
+    model.wayAhead = surfaceAhead(model.camera, before, model.wayAhead);
+    model.surfaceView =
+        std::max(surfaceAhead(model.camera, before, model.surfaceView), model.camera.nearView);
 }
 
 } // namespace cdr::viewer

@@ -5,7 +5,9 @@
 #include <viewer/state/viewer_model.h>
 #include <viewer/window/input_event.h>
 
+#include <chrono>
 #include <optional>
+#include <utility>
 
 namespace cdr::viewer {
 
@@ -17,28 +19,35 @@ class CameraControl {
     /// Moves the model's camera by what was asked since the last call.
     void apply(const PictureArea& area, double seconds, ViewerModel& model);
     /// Moves the model's camera as if that had been asked for.
-    /// @param zooms whether scrolling is for the lens though the camera orbits.
-    static void steer(CameraInput input, bool zooms, ViewerModel& model);
+    static void steer(const CameraInput& input, ViewerModel& model);
     /// Whether keys, buttons or a gamepad ask for motion without further events.
     bool isActive() const;
-    /// A pixel that was clicked since the last call.
-    std::optional<glm::dvec2> takeClick();
+    struct Click {
+        glm::dvec2 pixel;
+        bool isDouble; ///< soon after one at the same place
+    };
+    /// What was clicked since the last call.
+    std::optional<Click> takeClick() { return std::exchange(m_click, std::nullopt); }
     const glm::dvec2& cursor() const { return m_input.cursor; }
     bool dragsDivider() const { return m_dragsDivider; }
 
   private:
-    void onButton(const ButtonInput& button, const PictureArea& area, bool free, const ViewerModel& model);
+    void onButton(const ButtonInput& button, const PictureArea& area, bool free, ViewerModel& model);
+    void onRelease(int button);
     void onMove(const MoveInput& move, const PictureArea& area, ViewerModel& model);
     void readGamepad();
 
     CameraInput m_input;
-    bool m_turns = false; ///< the button that looks about is held
-    bool m_pans = false;
-    bool m_dollies = false; ///< scrolling is for an orbit's distance instead of the lens
+    std::optional<int> m_held; ///< the mouse button that was pressed over the picture
+    bool m_pans = false;       ///< that button shifts
+    bool m_lens = false;       ///< Alt is held: scrolling is for the lens
+    bool m_shift = false;
     bool m_dragsDivider = false;
     glm::dvec2 m_pressed{0.0};
+    glm::dvec2 m_clicked{0.0};
     double m_travelled = 0.0; ///< pixels since the press
-    std::optional<glm::dvec2> m_click;
+    std::optional<Click> m_click;
+    std::chrono::steady_clock::time_point m_clickedAt{};
 };
 
 } // namespace cdr::viewer

@@ -1,5 +1,6 @@
 #include "scene_renderer.h"
 
+#include <cdr/base/error.h>
 #include <cdr/scene/lod/levels.h>
 #include <viewer/state/view_picture.h>
 
@@ -10,10 +11,11 @@ namespace cdr::viewer {
 void SceneRenderer::open(const ViewSettings& settings) {
     const bool needsLevels = settings.finish.detail != visibility::DetailMode::none;
     if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
-        (m_hasLevels || !needsLevels)) {
+        settings.choice == m_choice && (m_hasLevels || !needsLevels)) {
         return;
     }
-    auto opened = std::make_shared<scene::OpenedScene>(scenes::openScene(settings.scene, settings.seed));
+    auto opened = std::make_shared<scene::OpenedScene>(
+        scenes::openScene(settings.scene, settings.seed, settings.choice));
     if (needsLevels) {
         host::WorkerPool workers(settings.threads);
         scene::makeLevels(opened->setup.scene, workers);
@@ -27,6 +29,7 @@ void SceneRenderer::open(const ViewSettings& settings) {
     m_scene = std::move(next);
     m_sceneName = settings.scene;
     m_seed = settings.seed;
+    m_choice = settings.choice;
     m_hasLevels = needsLevels;
 }
 
@@ -58,9 +61,24 @@ render::Frame SceneRenderer::renderReference(const RenderRequest& request, const
     return m_reference.render(set(), options, camera, render::FrameCopy::everything, request.isAtRest);
 }
 
+/// A count that is only beside the picture must not cost the picture.
+std::optional<render::Frame> SceneRenderer::renderReferenceIfItFits(const RenderRequest& request,
+                                                                    const scene::Camera& camera) {
+    try {
+        return renderReference(request, camera);
+    } catch (const base::RunError&) { // no memory for its images
+    } catch (const vk::OutOfDeviceMemoryError&) {
+    }
+    m_reference.drop();
+    return std::nullopt;
+}
+
 void SceneRenderer::paint(ViewKind view, std::size_t side, const render::Frame* reference,
                           SideResult& result) {
     const render::Frame& frame = *result.frame;
+    if (reference != nullptr && view != ViewKind::wrong) {
+        result.wrong = countWrong(frame, *reference);
+    }
     if (view == ViewKind::shaded) {
         result.picture = std::shared_ptr<const image::ImageRgba8>(result.frame, &frame.color);
         return;
@@ -107,8 +125,8 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
     std::optional<render::Frame> reference;
     if (needsReference(request.settings.view)) {
         reference = renderReference(request, result.camera);
-    } else {
-        m_reference.drop();
+    } else if (request.countsWrong) {
+        reference = renderReferenceIfItFits(request, result.camera);
     }
     const auto painted = Clock::now();
     for (std::size_t side = 0; side < sides; ++side) {

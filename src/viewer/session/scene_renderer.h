@@ -8,13 +8,14 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 
 namespace cdr::viewer {
 
 /// The open scene on its device, and the renderers that answer requests: left, right, and the anchored answer
-/// where a view needs it. One thread's.
+/// where a view needs it or wrong pixels are counted. One thread's.
 class SceneRenderer {
   public:
     /// The device must outlive the stage.
@@ -37,12 +38,15 @@ class SceneRenderer {
     void clearFlips();
     SideResult renderSide(const RenderRequest& request, std::size_t side, const scene::Camera& camera);
     render::Frame renderReference(const RenderRequest& request, const scene::Camera& camera);
+    std::optional<render::Frame> renderReferenceIfItFits(const RenderRequest& request,
+                                                         const scene::Camera& camera);
     void paint(ViewKind view, std::size_t side, const render::Frame* reference, SideResult& result);
     SceneOnDevice set() const;
 
     const gpu::Device& m_device;
     std::string m_sceneName;
     std::uint64_t m_seed = 0;
+    scene::GltfChoice m_choice;
     bool m_hasLevels = false; ///< of detail, which are made when first asked for
     std::unique_ptr<OnStage> m_scene;
     std::array<SideRenderer, 2> m_sides;

@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <viewer/state/camera/fly_controller.h>
+#include <viewer/state/tour.h>
 #include <viewer/window/window.h>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ void Session::renewDevice() {
 }
 
 void Session::followPath(double seconds) {
-    if (m_model.motion == Motion::recording) {
+    if (m_model.motion == Motion::recording || m_model.motion == Motion::tour) {
         m_model.playedSeconds += seconds;
     }
     if (m_model.motion == Motion::free || m_model.shown == nullptr || !m_thread->isReady()) {
@@ -51,11 +52,29 @@ void Session::followPath(double seconds) {
         m_model.camera = scene::canonical(m_model.shown->scene->setup.path.at(++m_model.pathFrame));
         return;
     }
+    if (m_model.motion == Motion::tour) {
+        followTour();
+        return;
+    }
     const scene::CameraRecording& recording = m_model.recorder.recording();
     if (m_model.playedSeconds > recording.seconds()) {
         m_model.motion = Motion::free;
     }
     m_model.camera = cameraAt(recording, m_model.playedSeconds);
+}
+
+void Session::followTour() {
+    if (m_model.shown->sceneName != m_model.settings.scene) {
+        m_model.playedSeconds = 0.0; // it is still being opened
+        return;
+    }
+    const scene::CameraPath& path = m_model.shown->scene->setup.path;
+    m_model.pathFrame = tourFrame(m_model.playedSeconds, path.frames);
+    m_model.camera = scene::canonical(path.at(m_model.pathFrame));
+    if (m_model.playedSeconds >= kTourSeconds) {
+        m_model.motion = Motion::free;
+        m_model.say(std::string(tourCaption(scene::degreesOf(m_model.camera.fovY))));
+    }
 }
 
 RenderRequest Session::wanted(const PictureArea& area) const {
@@ -88,7 +107,9 @@ void Session::update(const PictureArea& area, const glm::dvec2& cursor, double s
     const auto now = Clock::now();
     const bool isDue = area.contains(cursor) && now - m_surfacesAsked >= kSurfacesEvery;
     request.wantsSurfaces = !isMoving || isDue;
-    const bool lacksSurfaces = m_asked && !m_asked->wantsSurfaces && request.wantsSurfaces;
+    request.countsWrong = !isMoving;
+    const bool lacksSurfaces = m_asked && ((!m_asked->wantsSurfaces && request.wantsSurfaces) ||
+                                           (!m_asked->countsWrong && request.countsWrong));
     request.isAtRest = !isChanged && !isFlying && remembersFrames(request.settings);
     const bool lacksRest = request.isAtRest && !m_asked->isAtRest;
     if (!isChanged && !((m_model.rendersAlways || lacksSurfaces || lacksRest) && m_thread->isReady())) {
@@ -128,6 +149,7 @@ bool Session::takeResult() {
         std::rethrow_exception(result->failure->error);
     }
     m_model.say(result->failure->message, true);
+    m_model.motion = m_model.motion == Motion::tour ? Motion::free : m_model.motion;
     m_good.divider = m_model.settings.divider;
     m_model.settings = m_good;
     return false;
@@ -150,15 +172,38 @@ void Session::adopt(RenderResult result) {
     const bool isReadable = !result.sides.front().frame->gbuffer.pixels.empty();
     if (isReadable) {
         const render::Frame& frame = *result.sides.front().frame;
-        const double ahead = surfaceView(frame, glm::dvec2(frame.width(), frame.height()) / 2.0);
-        m_model.surfaceView = flightDistance(m_model.camera, ahead, m_model.surfaceView);
+        const double seen = surfaceView(frame, glm::dvec2(frame.width(), frame.height()) / 2.0);
+        m_model.seesNothing = !std::isfinite(seen);
+        // The camera flew on while the picture was made.
+        const double ahead = isEntered ? seen : surfaceAhead(m_model.camera, result.camera, seen);
+        m_model.wayAhead = std::max(ahead - 2.0 * m_model.camera.nearView, 0.0);
+        m_model.surfaceView = ahead > 0.0 ? flightDistance(m_model.camera, ahead, m_model.surfaceView)
+                                          : m_model.camera.nearView;
         if (isEntered) {
             const double pivotView = std::isfinite(ahead) ? ahead : m_model.surfaceView;
             m_model.pivot = m_model.camera.position - m_model.camera.back * pivotView;
         }
     }
+    takeWrong(result);
     m_good = result.settings;
     m_model.shown = std::make_shared<const RenderResult>(std::move(result));
+}
+
+/// What was counted of other techniques or another scene says nothing of these.
+void Session::takeWrong(const RenderResult& result) {
+    std::vector<WrongCount> counts;
+    for (const SideResult& side : result.sides) {
+        if (side.wrong) {
+            counts.push_back(*side.wrong);
+        }
+    }
+    m_model.isWrongCurrent = counts.size() == result.sides.size();
+    const bool isOther = m_model.shown == nullptr || m_model.shown->scene != result.scene ||
+                         m_good.technique != result.settings.technique ||
+                         m_good.second != result.settings.second;
+    if (m_model.isWrongCurrent || isOther) {
+        m_model.wrong = m_model.isWrongCurrent ? std::move(counts) : std::vector<WrongCount>();
+    }
 }
 
 void Session::click(const glm::dvec2& pixel) {
@@ -219,7 +264,8 @@ void Session::pick(const Click& click, const RenderResult& result) {
 
 void Session::enterScene(const RenderResult& result) {
     m_model.sceneCamera = result.scene->setup.path.at(0);
-    m_model.camera = scene::canonical(result.camera);
+    const auto first = std::exchange(m_model.firstCamera, std::nullopt);
+    m_model.camera = scene::canonical(first ? overridden(result.camera, *first) : result.camera);
     m_model.hasCamera = true;
     m_model.pathFrame = 0;
     m_model.surfaceView = 0.0;

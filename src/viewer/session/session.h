@@ -49,9 +49,11 @@ class Session {
     };
     void startThread();
     void followPath(double seconds);
+    void followTour();
     RenderRequest wanted(const PictureArea& area) const;
     void ask(RenderRequest request);
     void adopt(RenderResult result);
+    void takeWrong(const RenderResult& result);
     void enterScene(const RenderResult& result);
     void pickOrAsk();
     void takeClicked(const RenderResult& result);

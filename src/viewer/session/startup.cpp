@@ -16,8 +16,10 @@ ViewerModel initialModel(const Arguments& arguments) {
     settings.seed = arguments.seed;
     settings.targets = render::parseTargets(arguments.targets);
     settings.threads = arguments.threads;
-    settings.technique = depth::parseTechnique(arguments.technique);
-    if (!arguments.compare.empty()) {
+    settings.choice = arguments.choice;
+    if (!arguments.technique.empty()) {
+        settings.technique = depth::parseTechnique(arguments.technique);
+    } else {
         const std::size_t comma = arguments.compare.find(',');
         if (comma == std::string::npos) {
             throw base::InputError(
@@ -33,6 +35,14 @@ ViewerModel initialModel(const Arguments& arguments) {
         }
     }
     model.motion = arguments.plays ? Motion::scenePath : Motion::free;
+    if (!arguments.camera.path.empty()) {
+        model.recorder.load(scene::readRecording(arguments.camera.path));
+        model.motion = Motion::recording;
+    }
+    model.firstCamera = arguments.camera;
+    if (arguments.isFirstUse) {
+        model.firstSteps.begin();
+    }
     return model;
 }
 

@@ -117,6 +117,11 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     words.add(settings.scene.starts_with('-') ? fmt::format("./{}", settings.scene) : settings.scene);
     addTechnique(words, settings, renderOptions(settings, view.side, view.extent).technique);
     addCamera(words, view.camera, view.sceneCamera);
+    const auto addChoice = [&words](std::string_view option, const std::optional<std::uint32_t>& number) {
+        words.addUnless(!number, option, fmt::format("{}", number.value_or(0)));
+    };
+    addChoice("--gltf-scene", settings.choice.scene);
+    addChoice("--camera", settings.choice.camera);
     words.addUnless(settings.seed == scenes::kDefaultSeed, "--seed", fmt::format("{}", settings.seed));
     words.add("--size", fmt::format("{}x{}", view.extent.width, view.extent.height));
     words.addUnless(aovOf(settings.view) == "color", "--aov", aovOf(settings.view));

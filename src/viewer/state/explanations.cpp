@@ -130,8 +130,9 @@ std::string_view explain(ViewKind view) {
         "Red where another object shows than in the anchored answer of the same view, off edges; orange on "
         "edges, where rasterisation decides. The answer is anchored's, not the exact ray cast of the "
         "experiments.",
-        "Red where a pixel changed its object though the anchored answer did not, fading over a second: what "
-        "people see as flicker. Nothing shows while the camera rests."};
+        "Red where a pixel flips: off edges, its true object stays from one frame to the next while the drawn "
+        "one changes. The anchored answer stands for the truth. Red fades over a second, and nothing shows "
+        "while the camera rests."};
     return at(kTexts, view);
 }
 

@@ -13,15 +13,17 @@ constexpr std::array kMoving{
     HelpLine{"E Q, page up down", "rise and sink in the picture"},
     HelpLine{"shift, ctrl", "eight times faster, eight times slower"},
     HelpLine{"drag left", "look about; on an orbit, turn the scene"},
-    HelpLine{"drag right or middle", "on an orbit, shift the view"},
-    HelpLine{"O", "orbit what was last clicked, or fly again"},
+    HelpLine{"drag right", "look about, on an orbit too; keys fly meanwhile"},
+    HelpLine{"drag middle", "go round what was last clicked; with shift, shift the view"},
+    HelpLine{"wheel", "go nearer or farther"},
+    HelpLine{"F", "look at what was last clicked so that it fills the picture"},
+    HelpLine{"O, double click", "orbit what was last clicked; O flies again"},
     HelpLine{"home", "back to the scene's own camera"},
     HelpLine{"gamepad", "left stick moves, right stick looks, bumpers rise and sink, triggers zoom"},
 };
 
 constexpr std::array kLens{
-    HelpLine{"wheel", "narrow or widen the lens, 90 to 0.001 degrees, toward the cursor"},
-    HelpLine{"ctrl + wheel", "on an orbit, go nearer or farther instead"},
+    HelpLine{"alt + wheel", "narrow or widen the lens, 90 to 0.001 degrees, toward the cursor"},
 };
 
 constexpr std::array kComparing{
@@ -29,7 +31,8 @@ constexpr std::array kComparing{
     HelpLine{"shift + 1 to 6", "the same for the right side of a split screen"},
     HelpLine{"C", "split the screen, or join it"},
     HelpLine{"drag the divider", "wipe from one technique to the other"},
-    HelpLine{"V", "next view: shaded, cascades, distance, ids, wrong pixels, flips"},
+    HelpLine{"V",
+             "next view: shaded, cascades, distance, ids, wrong pixels, flips; with shift, the one before"},
 };
 
 constexpr std::array kMeasuring{
@@ -38,6 +41,7 @@ constexpr std::array kMeasuring{
 };
 
 constexpr std::array kKeeping{
+    HelpLine{"T", "a tour: from a space station's window to a runway's number"},
     HelpLine{"space", "follow the scene's own camera path, or stop"},
     HelpLine{"R", "record the camera's path, or end the recording"},
     HelpLine{"P", "play what was recorded"},
@@ -47,6 +51,7 @@ constexpr std::array kKeeping{
     HelpLine{"drop a file", "open a .gltf or .glb scene"},
     HelpLine{"tab", "show or hide the panels"},
     HelpLine{"F1", "show or hide this help"},
+    HelpLine{"ctrl + Q", "close the window"},
 };
 
 constexpr std::array kSections{

@@ -32,7 +32,7 @@ int placeOf(double value) {
 
 /// What a float64 holds.
 constexpr int kMostDigits = 17;
-constexpr int kDigitsWithoutStep = 6;
+constexpr int kDigitsWithoutStep = 4;
 
 } // namespace
 
@@ -50,6 +50,10 @@ std::string lengthText(double metres, double stepMetres) {
     const int last = hasStep ? placeOf(stepMetres / unit.metres) : first - kDigitsWithoutStep + 1;
     const int decimals = std::clamp(-last, 0, std::max(0, kMostDigits - 1 - first));
     return fmt::format("{:.{}f} {}", value, decimals, unit.name);
+}
+
+std::string counted(std::uint64_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 std::string stepText(double metres) {

@@ -25,6 +25,7 @@ struct RenderRequest {
     std::optional<scene::Camera> camera; ///< the scene's own first one without
     /// Frames that picking can read. Copying them costs several times what the picture costs.
     bool wantsSurfaces = true;
+    bool countsWrong = false; ///< in views that do not, too; takes wantsSurfaces and a frame more
     /// The camera stays where it was: fitted splits are fitted to it alone, so that what rests on the screen
     /// is what the copied command line renders, whatever frames came before.
     bool isAtRest = false;
@@ -36,7 +37,7 @@ struct SideResult {
     std::shared_ptr<const render::Frame> frame;
     std::shared_ptr<const image::ImageRgba8> picture; ///< what the view shows of it
     WorkerTimeline timeline;
-    std::optional<WrongCount> wrong;       ///< of the wrong view
+    std::optional<WrongCount> wrong;       ///< of the wrong view, or where it was asked for
     std::optional<std::uint64_t> flipsNow; ///< of the flips view: since the frame before
     std::uint64_t flippedPixels = 0;       ///< and within the last second
 };

@@ -43,18 +43,14 @@ double techniqueStepView(const depth::Technique& technique, const depth::Cascade
     return forecast.resolvedView();
 }
 
-std::string sideLabel(const depth::Technique& technique, const depth::Cascades& cascades,
-                      double distanceView) {
-    const double step = techniqueStepView(technique, cascades, distanceView);
-    if (!std::isfinite(distanceView)) {
-        return techniqueName(technique);
+std::string resolvesText(double stepView, double distanceView) {
+    if (!std::isfinite(stepView)) {
+        return fmt::format("tells nothing apart at {}", lengthText(distanceView));
     }
-    if (!std::isfinite(step)) {
-        return fmt::format("{}: tells nothing apart at {}", techniqueName(technique),
-                           lengthText(distanceView));
+    if (stepView >= 0.1 * distanceView) {
+        return fmt::format("a step is over a tenth of {}", lengthText(distanceView));
     }
-    return fmt::format("{}: tells {} apart at {}", techniqueName(technique), stepText(step),
-                       lengthText(distanceView, step));
+    return fmt::format("tells {} apart at {}", stepText(stepView), lengthText(distanceView));
 }
 
 } // namespace cdr::viewer

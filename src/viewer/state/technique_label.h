@@ -16,9 +16,7 @@ std::string techniqueName(const depth::Technique& technique);
 double techniqueStepView(const depth::Technique& technique, const depth::Cascades& cascades,
                          double distanceView);
 
-/// One side's label on a split screen: "anchored, d32f: tells 2.4 µm apart at 420.0013 km"; without the
-/// second half where the distance is not finite.
-std::string sideLabel(const depth::Technique& technique, const depth::Cascades& cascades,
-                      double distanceView);
+/// "tells 2.4 µm apart at 420 km"; where a step takes a good part of the way, that alone.
+std::string resolvesText(double stepView, double distanceView);
 
 } // namespace cdr::viewer

@@ -37,7 +37,7 @@ Rework reworkOf(const ViewSettings& before, const ViewSettings& after) {
     const auto needsLevels = [](const ViewSettings& settings) {
         return settings.finish.detail != visibility::DetailMode::none;
     };
-    if (before.scene != after.scene || before.seed != after.seed ||
+    if (before.scene != after.scene || before.seed != after.seed || before.choice != after.choice ||
         (needsLevels(after) && !needsLevels(before))) {
         return Rework::scene;
     }

@@ -31,6 +31,7 @@ depth::Technique referenceTechnique();
 struct ViewSettings {
     std::string scene = "rotation"; ///< a name or file for scenes::openScene()
     std::uint64_t seed = scenes::kDefaultSeed;
+    scene::GltfChoice choice{};                                     ///< of a glTF file
     depth::Technique technique = depth::parseTechnique("anchored"); ///< the left one of a split screen
     std::optional<depth::Technique> second{}; ///< right of the divider; empty for one picture
     double divider = 0.5;                     ///< share of the width that the left picture has, 0 to 1

@@ -2,14 +2,18 @@
 
 #include "camera/orbit_controller.h"
 #include "camera/path_recorder.h"
+#include "first_steps.h"
 #include "frame_statistics.h"
 #include "picking.h"
 #include "render_request.h"
 #include "view_settings.h"
 
+#include <experiments/camera_options.h>
+
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,10 +31,12 @@ enum class Action : std::uint8_t {
     record,      ///< begins or ends recording the camera
     playRecording,
     forgetMeasuring,
+    frameSelected, ///< look at what was clicked last so that it fills the picture
+    tour,          ///< begins or ends it
 };
 
 /// Where the camera comes from.
-enum class Motion : std::uint8_t { free, scenePath, recording };
+enum class Motion : std::uint8_t { free, scenePath, recording, tour };
 
 /// A line for the person at the window, and until when it shows.
 struct Notice {
@@ -47,21 +53,27 @@ struct ViewerModel {
 
     // Camera
     scene::Camera camera;
-    scene::Camera sceneCamera; ///< the scene's own at frame 0
-    bool hasCamera = false;    ///< false until a scene is open
+    scene::Camera sceneCamera;                             ///< the scene's own at frame 0
+    bool hasCamera = false;                                ///< false until a scene is open
+    std::optional<experiments::CameraOptions> firstCamera; ///< of the command line, for the first scene
     bool orbits = false;
     glm::dvec3 pivot{0.0};
     double surfaceView = 0.0; ///< view distance of what is looked at: speeds follow from it
+    /// What a flight may go ahead before it enters a surface: the way to where pictures showed one.
+    double wayAhead = std::numeric_limits<double>::infinity();
     Motion motion = Motion::free;
     std::uint32_t pathFrame = 0;
     PathRecorder recorder;
-    double playedSeconds = 0.0; ///< of what was recorded
+    double playedSeconds = 0.0; ///< of what was recorded, or of the tour
 
     // What is shown
     std::shared_ptr<const RenderResult> shown; ///< the last that did not fail
     /// By side: the newest frame that picking can read.
     std::array<std::shared_ptr<const render::Frame>, 2> readable;
     std::array<std::optional<PickedPoint>, 2> underCursor;
+    std::vector<WrongCount> wrong; ///< by side, the last that were counted with these techniques
+    bool isWrongCurrent = false;   ///< of the picture that is shown
+    bool seesNothing = false;      ///< no surface is in view
     Measuring measuring;
     std::optional<scene::Camera> clickedCamera; ///< of the picture that was clicked on last
     FrameStatistics statistics;
@@ -73,6 +85,7 @@ struct ViewerModel {
     // Interface
     bool showsPanel = true;
     bool showsHelp = false;
+    FirstSteps firstSteps;
     Notice notice;
     std::vector<Action> actions; ///< to be done before the next frame
 

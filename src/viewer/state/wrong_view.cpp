@@ -4,6 +4,12 @@
 
 #include <cdr/base/error.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
 namespace cdr::viewer {
 
 namespace {
@@ -11,31 +17,85 @@ namespace {
 constexpr image::Rgba8 kWrong{255, 0, 0, 255};
 constexpr image::Rgba8 kWrongOnEdge{255, 165, 0, 255};
 
-} // namespace
+/// What should be seen, and where that counts.
+struct Answer {
+    image::ImageU32 ids;
+    image::Raster<std::uint8_t> inner;
+};
 
-WrongCount paintWrong(const render::Frame& frame, const render::Frame& reference,
-                      image::ImageRgba8& picture) {
+Answer answerOf(const render::Frame& frame, const render::Frame& reference) {
     if (frame.width() != reference.width() || frame.height() != reference.height()) {
         throw base::InputError("wrong pixels: the two frames differ in size");
     }
-    resize(picture, frame.width(), frame.height());
-    const image::ImageU32 answer = reference.ids();
-    image::Raster<std::uint8_t> inner;
-    measure::innerMask(answer, inner);
-    WrongCount count;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        const bool isInner = inner.pixels[i] != 0;
+    Answer answer{.ids = reference.ids(), .inner = {}};
+    measure::innerMask(answer.ids, answer.inner);
+    return answer;
+}
+
+std::size_t objectsIn(const image::ImageU32& ids) {
+    const auto isObject = [](std::uint32_t id) { return id != 0; };
+    const auto first = std::find_if(ids.pixels.begin(), ids.pixels.end(), isObject);
+    if (first == ids.pixels.end()) {
+        return 0;
+    }
+    return std::any_of(first, ids.pixels.end(),
+                       [&](std::uint32_t id) { return isObject(id) && id != *first; })
+               ? 2
+               : 1;
+}
+
+WrongCount countAgainst(const Answer& answer, const render::Frame& frame) {
+    WrongCount count{.objects = objectsIn(answer.ids)};
+    for (std::size_t i = 0; i < answer.ids.pixels.size(); ++i) {
+        const bool isInner = answer.inner.pixels[i] != 0;
+        const bool isWrong = frame.gbuffer.pixels[i].id() != answer.ids.pixels[i];
         count.inner += isInner;
-        if (frame.gbuffer.pixels[i].id() == answer.pixels[i]) {
-            const std::uint8_t grey = dimGrey(frame.color.pixels[i]);
-            picture.pixels[i] = {grey, grey, grey, 255};
-            continue;
-        }
-        count.wrong += isInner;
-        count.edgeWrong += !isInner;
-        picture.pixels[i] = isInner ? kWrong : kWrongOnEdge;
+        count.wrong += isInner && isWrong;
+        count.edgeWrong += !isInner && isWrong;
     }
     return count;
+}
+
+} // namespace
+
+WrongCount countWrong(const render::Frame& frame, const render::Frame& reference) {
+    return countAgainst(answerOf(frame, reference), frame);
+}
+
+WrongCount paintWrong(const render::Frame& frame, const render::Frame& reference,
+                      image::ImageRgba8& picture) {
+    const Answer answer = answerOf(frame, reference);
+    resize(picture, frame.width(), frame.height());
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        const std::uint8_t grey = dimGrey(frame.color.pixels[i]);
+        const image::Rgba8 wrong = answer.inner.pixels[i] != 0 ? kWrong : kWrongOnEdge;
+        const bool isRight = frame.gbuffer.pixels[i].id() == answer.ids.pixels[i];
+        picture.pixels[i] = isRight ? image::Rgba8{grey, grey, grey, 255} : wrong;
+    }
+    return countAgainst(answer, frame);
+}
+
+std::string wrongText(const std::vector<WrongCount>& sides) {
+    if (sides.empty() || sides.front().objects == 0) {
+        return {};
+    }
+    if (sides.front().objects == 1) {
+        return "one object in view: none can be taken for another";
+    }
+    std::vector<std::string> shares;
+    for (const WrongCount& side : sides) {
+        shares.push_back(shareText(side.share()));
+    }
+    return fmt::format("wrong {}", fmt::join(shares, " | "));
+}
+
+std::string shareText(double share) {
+    const double percent = 100.0 * share;
+    if (percent == 0.0) {
+        return "0 %";
+    }
+    const int place = static_cast<int>(std::floor(std::log10(percent)));
+    return fmt::format("{:.{}f} %", percent, std::clamp(2 - place, 0, 6));
 }
 
 } // namespace cdr::viewer

@@ -5,6 +5,8 @@
 #include <cdr/render/frame.h>
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace cdr::viewer {
 
@@ -13,6 +15,7 @@ struct WrongCount {
     std::uint64_t inner = 0;     ///< pixels whose answer is shared by all eight neighbours
     std::uint64_t wrong = 0;     ///< of those
     std::uint64_t edgeWrong = 0; ///< elsewhere, where rasterisation decides
+    std::size_t objects = 0;     ///< in view: none, one, or 2 for more; of one, no pixel can show another
 
     double share() const { return inner ? static_cast<double>(wrong) / static_cast<double>(inner) : 0.0; }
 };
@@ -21,5 +24,15 @@ struct WrongCount {
 /// edges, else the picture in dim grey. base::InputError when the sizes differ.
 /// @param reference the same camera's frame by referenceTechnique().
 WrongCount paintWrong(const render::Frame& frame, const render::Frame& reference, image::ImageRgba8& picture);
+
+/// The count alone.
+WrongCount countWrong(const render::Frame& frame, const render::Frame& reference);
+
+/// "wrong 23.0 % | 0 %", a share for each side, or that of one object none can be. Empty without
+/// counts and where nothing is in view.
+std::string wrongText(const std::vector<WrongCount>& sides);
+
+/// "23.0 %": a share of 1 in three significant digits.
+std::string shareText(double share);
 
 } // namespace cdr::viewer

@@ -2,8 +2,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { formatRow, parseRows } from "../../../src/page/logic/csv.js";
 import { randomFrom, shuffled } from "../../../src/page/logic/random.js";
+import { pairRows } from "../../../src/page/logic/flicker.js";
 import { pairs, table62, thesisTechniques } from "../../../src/page/logic/thesis.js";
-import { columns, fromCsv, makeAnswer, makeTrials, pairName, tally, toCsv, withoutRepeats } from "../../../src/page/logic/trials.js";
+import { agreement, columns, compared, fromCsv, makeAnswer, makeTrials, pairName, tally, toCsv, withoutRepeats } from "../../../src/page/logic/trials.js";
 
 const answersOf = (seed, participant, side = "left") =>
     makeTrials(seed).map((trial, number) =>
@@ -106,4 +107,18 @@ test("the same file twice counts once, another participant counts", () => {
     const mine = answersOf(7, "p");
     assert.equal(withoutRepeats([...mine, ...mine]).length, 6);
     assert.equal(withoutRepeats([...mine, ...answersOf(7, "q")]).length, 12);
+});
+
+test("a person's answers are compared with the counter's and those of 2013", () => {
+    const flips = { standard: 90, cdr: 60, log: 40, logcdr: 40 };
+    const rows = pairRows({ results: Object.entries(flips).map(([technique, count]) => ({ technique, flips: count })) });
+    const answers = makeTrials("x").map((trial, i) =>
+        makeAnswer({ participant: "p", seed: "x", number: i + 1, trial, side: trial.left === trial.pair.left ? "right" : "left", seconds: 1, plays: 1 }));
+    // Always the better technique: as all of 2013 did, and as the counter where it has a choice.
+    assert.equal(agreement(compared(answers, rows)), "You agreed with the counter in 5 of 5, and with the majority of 2013 in 6 of 6.");
+    const first = answers[0];
+    const other = first.side === "left" ? "right" : "left";
+    const turned = [{ ...first, side: other, chosen: first[other] }, ...answers.slice(1)];
+    assert.match(agreement(compared(turned, rows)), /in 5 of 6\.$/);
+    assert.equal(agreement(compared(answers, pairRows({ results: [] }))), "You agreed with the majority of 2013 in 6 of 6.");
 });

@@ -66,6 +66,8 @@ test("by mouse, from start to file", async () => {
         await (i % 2 ? page.locator("#right") : left(page)).click();
     }
     assert.ok(await page.locator("#done").isVisible());
+    assert.match(await page.locator("#agreement strong").textContent(), /^You agreed (with the counter in \d of \d, and )?with the majority of 2013 in \d of 6\.$/);
+    await screenshot(page, "compare-done");
     const answers = fromCsv(await savedBy(page, "#save"));
     assert.deepEqual(answers.map((a) => [a.participant, a.seed, a.trial, a.chosen]),
         trials.map((trial, i) => ["Ada", "mouse", i + 1, i % 2 ? trial.right : trial.left]));

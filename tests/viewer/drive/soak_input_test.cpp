@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace cdr::viewer {
 
@@ -130,8 +131,8 @@ TEST(SoakInput, LeavesEveryCameraUsable) {
                 state = {.camera = home, .pivot = glm::dvec3(0.0)};
             }
             if (step.zooms) {
+                input.lens = std::exchange(input.scroll, 0.0);
                 state.camera = zoomLens(state.camera, input);
-                input.scroll = 0.0;
             }
             if (step.orbits) {
                 state = orbit(state, input);

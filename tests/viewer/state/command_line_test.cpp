@@ -101,7 +101,7 @@ TEST(RenderCommand, BringsFlownCamerasBackToTheBit) {
     for (int i = 0; i < 3000; ++i) {
         CameraInput input{.keys = {CameraKey::backward, CameraKey::right}, .seconds = 0.05};
         input.drag = {200.0 * uniform(), 90.0 * uniform()};
-        input.scroll = 2.0 * uniform();
+        input.lens = 2.0 * uniform();
         input.cursor = {640.0 + 600.0 * uniform(), 360.0 + 300.0 * uniform()};
         camera = zoomLens(fly(camera, input, surface), input);
         surface = std::min(surface * 1.01, 1e9);

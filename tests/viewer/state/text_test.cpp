@@ -20,7 +20,7 @@ TEST(LengthText, PicksTheUnitAndTheDigits) {
     EXPECT_EQ(lengthText(1.496e11, 1e6), "149.600 million km");
     EXPECT_EQ(lengthText(2.5e-6, 1e-7), "2.5 µm");
     EXPECT_EQ(lengthText(0.3, 0.01), "300 mm");
-    EXPECT_EQ(lengthText(12.0), "12.0000 m");
+    EXPECT_EQ(lengthText(12.0), "12.00 m");
     EXPECT_EQ(lengthText(-12.25, 0.01), "-12.25 m");
     EXPECT_EQ(lengthText(7.0, 300.0), "0 m");
     EXPECT_EQ(lengthText(0.0, 2e-6), "0 µm");
@@ -28,7 +28,7 @@ TEST(LengthText, PicksTheUnitAndTheDigits) {
     EXPECT_EQ(lengthText(950.0, 600.0), "950 m");
     EXPECT_EQ(lengthText(std::numeric_limits<double>::infinity(), 1.0), "infinite");
     EXPECT_EQ(lengthText(std::nan("")), "infinite");
-    EXPECT_EQ(lengthText(1.0, std::nan("")), "1.00000 m");
+    EXPECT_EQ(lengthText(1.0, std::nan("")), "1.000 m");
 }
 
 TEST(LengthText, ReadsBackToWithinAStepAndNotFiner) {
@@ -91,14 +91,16 @@ TEST(TechniqueStep, AnchoredTellsMicrometresApartWhereOthersTellNothing) {
     EXPECT_LT(techniqueStepView(anchored, thin, 1'000'016.001), 1e-4);
 }
 
-TEST(SideLabel, SaysTheTechniqueAndItsStep) {
-    const depth::Technique anchored = depth::parseTechnique("anchored");
-    const depth::Cascades thin{{999'984.0, 1'000'016.0}};
-    const std::string label = sideLabel(anchored, thin, 1e6);
-    EXPECT_EQ(label.find("anchored, d32f: tells "), 0u) << label;
-    EXPECT_NE(label.find(" µm apart at 1000.0000000"), std::string::npos) << label;
-    EXPECT_EQ(sideLabel(anchored, thin, std::numeric_limits<double>::infinity()), "anchored, d32f");
-    EXPECT_EQ(sideLabel(anchored, thin, 3.0), "anchored, d32f: tells nothing apart at 3.00000 m");
+TEST(ResolvesText, ClaimsNothingWhereAStepTakesAGoodPartOfTheWay) {
+    EXPECT_EQ(resolvesText(2.44e-6, 420'001.3), "tells 2.4 µm apart at 420.0 km");
+    EXPECT_EQ(resolvesText(2.762e6, 0.5), "a step is over a tenth of 500.0 mm");
+    EXPECT_EQ(resolvesText(std::numeric_limits<double>::infinity(), 3.0), "tells nothing apart at 3.000 m");
+}
+
+TEST(Counted, HasItsPlural) {
+    EXPECT_EQ(counted(0, "flip"), "0 flips");
+    EXPECT_EQ(counted(1, "flip"), "1 flip");
+    EXPECT_EQ(counted(2, "pixel"), "2 pixels");
 }
 
 } // namespace

@@ -136,6 +136,17 @@ TEST(PaintWrong, IsTheHeatMapWithTheAnswerAsTruth) {
     EXPECT_EQ(count.wrong, expected.wrong);
     EXPECT_EQ(count.edgeWrong, expected.edgeWrong);
     EXPECT_DOUBLE_EQ(count.share(), expected.fraction());
+    EXPECT_EQ(countWrong(frame, reference).wrong, expected.wrong);
+}
+
+TEST(WrongText, SaysWhyNothingCanBeWrong) {
+    EXPECT_EQ(wrongText({}), "");
+    EXPECT_EQ(wrongText({{.objects = 0}}), "");
+    EXPECT_EQ(wrongText({{.inner = 9, .objects = 1}}), "one object in view: none can be taken for another");
+    EXPECT_EQ(wrongText({{.inner = 1000, .wrong = 230, .objects = 2}, {.inner = 1000, .objects = 2}}),
+              "wrong 23.0 % | 0 %");
+    EXPECT_EQ(shareText(1.0), "100 %");
+    EXPECT_EQ(shareText(1e-6), "0.000100 %");
 }
 
 TEST(PaintWrong, FindsNothingInTheAnswerItself) {
@@ -144,6 +155,8 @@ TEST(PaintWrong, FindsNothingInTheAnswerItself) {
     const WrongCount count = paintWrong(frame, frame, picture);
     EXPECT_EQ(count.wrong + count.edgeWrong, 0u);
     EXPECT_GT(count.inner, 1000u);
+    EXPECT_EQ(count.objects, 2u);
+    EXPECT_EQ(wrongText({count, count}), "wrong 0 % | 0 %");
     EXPECT_THROW(paintWrong(frame, makeFrame(4, 4, [](auto, auto) { return MadePixel{}; }), picture),
                  base::InputError);
 }

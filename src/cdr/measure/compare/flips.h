@@ -15,7 +15,7 @@ struct IdFrame {
 
 /// Flicker between frames.
 struct FlipCount {
-    std::uint64_t flips = 0;    ///< pixels drawn as different objects where the truth stays the same
+    std::uint64_t flips = 0;    ///< see countFlips()
     std::uint64_t compared = 0; ///< pixels where the truth stays the same
 
     double perThousand() const {
@@ -32,8 +32,9 @@ image::Raster<std::uint8_t> steadyMask(const TruthImage& before,
                                        const TruthImage& after,
                                        const image::Raster<std::uint8_t>& innerAfter);
 
-/// Flips of the steady pixels: drawn as different objects, so at least one of the two is wrong. A wrong pixel
-/// that stays put does not flip. base::InputError when the sizes differ.
+/// A flip is a pixel off edges whose true object stays from one frame to the next while the drawn one changes: a
+/// steady pixel drawn as different objects, so at least one of the two is wrong. A wrong pixel that stays put does
+/// not flip. base::InputError when the sizes differ.
 FlipCount countFlips(const image::ImageU32& idsBefore, const image::ImageU32& idsAfter,
                      const image::Raster<std::uint8_t>& steady);
 

@@ -1,8 +1,10 @@
 #include "data_uri.h"
 
+#include <openssl/evp.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdint>
+#include <limits>
 
 namespace cdr::scene::gltf {
 
@@ -17,46 +19,22 @@ constexpr std::array<std::string_view, 7> kMediaTypes{"application/octet-stream"
                                                       "image/gif",
                                                       "text/plain"};
 
-/// The value of a base64 digit; nothing for another character.
-std::optional<std::uint32_t> base64Digit(char c) {
-    const auto from = [c](char first, std::uint32_t value) {
-        return value + static_cast<std::uint32_t>(c - first);
-    };
-    if (c >= 'A' && c <= 'Z') {
-        return from('A', 0);
-    }
-    if (c >= 'a' && c <= 'z') {
-        return from('a', 26);
-    }
-    if (c >= '0' && c <= '9') {
-        return from('0', 52);
-    }
-    return c == '+' ? std::optional(62u) : c == '/' ? std::optional(63u) : std::nullopt;
-}
-
 std::optional<host::Bytes> decodeBase64(std::string_view text) {
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (int padding = 0; padding < 2 && text.ends_with('='); ++padding) {
         text.remove_suffix(1);
     }
-    if (text.size() % 4 == 1) {
+    if (text.size() % 4 == 1 || text.size() > std::numeric_limits<int>::max() - 4u ||
+        text.find_first_not_of(kDigits) != std::string_view::npos) {
+        return {}; // OpenSSL would skip blanks at both ends
+    }
+    host::Bytes padded(text.begin(), text.end());
+    padded.resize((text.size() + 3) / 4 * 4, '=');
+    host::Bytes bytes(padded.size() / 4 * 3);
+    if (EVP_DecodeBlock(bytes.data(), padded.data(), static_cast<int>(padded.size())) < 0) {
         return {};
     }
-    host::Bytes bytes;
-    bytes.reserve(text.size() / 4 * 3 + 2);
-    std::uint32_t bits = 0;
-    int count = 0;
-    for (const char c : text) {
-        const std::optional<std::uint32_t> digit = base64Digit(c);
-        if (!digit) {
-            return {};
-        }
-        bits = bits << 6 | *digit;
-        count += 6;
-        if (count >= 8) {
-            count -= 8;
-            bytes.push_back(static_cast<std::uint8_t>(bits >> count & 0xff));
-        }
-    }
+    bytes.resize(text.size() * 3 / 4); // padding counts as zeros
     return bytes;
 }
 

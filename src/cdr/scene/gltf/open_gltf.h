@@ -13,6 +13,8 @@ struct GltfChoice {
     std::optional<std::uint32_t> scene; ///< else the file's default one
     std::optional<std::uint32_t>
         camera; ///< of the scene's perspective cameras; else one that frames all of it
+
+    bool operator==(const GltfChoice&) const = default;
 };
 
 /// Whether a path is to be opened as glTF, by its extension.

@@ -51,17 +51,30 @@ scene::Camera fly(const scene::Camera& camera, const CameraInput& input, double 
     const double seconds = std::clamp(input.seconds, 0.0, kLongestStep);
     scene::Camera flown = look(camera, input, seconds, speed);
     const glm::dvec3 wanted = wish(input);
-    if (wanted == glm::dvec3(0.0) || seconds <= 0.0) {
-        return flown;
-    }
     const double rate = rateOf(input.keys, speed) * seconds;
     // The surface comes nearer all the while: its distance falls as exp(-ahead).
-    const double ahead = rate * wanted.z;
+    const double ahead = rate * wanted.z + speed.perNotch * input.scroll;
+    if (ahead == 0.0 && rate * glm::dvec2(wanted) == glm::dvec2(0.0)) {
+        return flown;
+    }
     const double travelled = -surfaceView * std::expm1(-ahead);
     const double meanView = ahead == 0.0 ? surfaceView : travelled / ahead;
     const double across = rate * meanView * footprintSlope(camera, 1);
     flown.position += across * (wanted.x * flown.right + wanted.y * flown.up) - travelled * flown.back;
     return flown;
+}
+
+double surfaceAhead(const scene::Camera& now, const scene::Camera& then, double surfaceView) {
+    const double travelled = glm::dot(then.position - now.position, then.back);
+    return std::max(surfaceView - travelled, 0.0);
+}
+
+scene::Camera heldBack(const scene::Camera& before, scene::Camera after, double most) {
+    const double travelled = glm::dot(before.position - after.position, before.back);
+    if (travelled > most) {
+        after.position += (travelled - most) * before.back;
+    }
+    return after;
 }
 
 double flightDistance(const scene::Camera& camera, double surfaceView, double lastView) {

@@ -10,10 +10,11 @@ namespace cdr::viewer {
 struct FlySpeed {
     double perSecond = 0.7;       ///< ahead: share of the way to what is looked at; sideways: of the picture
     double fasterBy = 8.0;        ///< with CameraKey::faster, and the reverse with slower
+    double perNotch = 0.15;       ///< the same for a notch of scrolling
     double axisTurnHeights = 1.5; ///< picture heights per second that a gamepad turns by at full deflection
 };
 
-/// Flies freely: keys move, dragging looks about, so that what is under the pointer follows it pixel by
+/// Flies freely: keys and scrolling move, dragging looks about, so that what is under the pointer follows it pixel by
 /// pixel.
 ///
 /// Speed follows from the distance of what is looked at: ahead it is a share of the way there, so a surface
@@ -23,6 +24,13 @@ struct FlySpeed {
 /// @param surfaceView view distance of what is looked at, or of the nearest surface: see flightDistance().
 scene::Camera fly(const scene::Camera& camera, const CameraInput& input, double surfaceView,
                   const FlySpeed& speed = {});
+
+/// What is left of the way to a surface that was `surfaceView` ahead of `then`. Pictures come late: without this a camera
+/// that flies on would pass what they show. 0 where it was passed.
+double surfaceAhead(const scene::Camera& now, const scene::Camera& then, double surfaceView);
+
+/// A camera that moved no farther ahead than `most`, seen from where it was.
+scene::Camera heldBack(const scene::Camera& before, scene::Camera after, double most);
 
 /// The distance that a flight's speed follows from: a little short of `surfaceView`, so that approaching
 /// stops before near cuts the surface open; where that is infinite, or 0, the last such distance; between

@@ -34,13 +34,13 @@ scene::Camera setLens(const scene::Camera& camera, double fovDegrees) {
 }
 
 scene::Camera zoomLens(const scene::Camera& camera, const CameraInput& input) {
-    const double narrowing = kZoomPerNotch * (input.scroll + 10.0 * input.axes.zoom * input.seconds);
+    const double narrowing = kZoomPerNotch * (input.lens + 10.0 * input.axes.zoom * input.seconds);
     const scene::Camera zoomed = setLens(camera, scene::degreesOf(camera.fovY) * std::exp(-narrowing));
     if (narrowing == 0.0 || zoomed.fovY == camera.fovY) {
         return camera;
     }
     // A gamepad zooms to the middle; its cursor lies anywhere.
-    if (input.scroll == 0.0) {
+    if (input.lens == 0.0) {
         return zoomed;
     }
     const glm::dvec2 before = slopeOf(camera, input.cursor, input.extent.width, input.extent.height);

@@ -11,6 +11,11 @@ void PathRecorder::begin(std::string scene) {
     m_isRecording = true;
 }
 
+void PathRecorder::load(scene::CameraRecording recording) {
+    m_recording = std::move(recording);
+    m_isRecording = false;
+}
+
 void PathRecorder::keep(const scene::RecordedCamera& camera) {
     scene::record(m_recording, camera.seconds, camera.camera); // one that is kept already stays as it is
 }

@@ -16,6 +16,8 @@ class PathRecorder {
 
     /// Forgets what was recorded before.
     void begin(std::string scene);
+    /// A recording made before, instead of what was recorded.
+    void load(scene::CameraRecording recording);
     /// The camera `seconds` after the last one. False once the recording is full.
     bool add(double seconds, const scene::Camera& camera);
     /// Ends the recording with the last camera that was added.

@@ -20,7 +20,7 @@ TEST(LensZoom, KeepsWhatIsUnderTheCursorThere) {
     for (const double elevation : {0.0, 0.8, -1.3, -1.5}) {
         scene::Camera camera = cameraWith(90.0, {1e6, 0.0, 0.0},
                                           glm::dvec3(1e6 - std::cos(elevation), std::sin(elevation), 0.3));
-        const CameraInput input{.cursor = {900.0, 400.0}, .scroll = 2.0};
+        const CameraInput input{.cursor = {900.0, 400.0}, .lens = 2.0};
         const glm::dvec3 target = rayUnder(camera, input.cursor, input.extent);
         int steps = 0;
         while (camera.fovY > scene::radiansOf(kNarrowestDegrees) * 1.001) {
@@ -39,15 +39,15 @@ TEST(LensZoom, KeepsWhatIsUnderTheCursorThere) {
 
 TEST(LensZoom, IsExponentialReversibleAndBounded) {
     const scene::Camera camera = cameraWith(30.0, glm::dvec3(0.0), {0.0, 0.0, -1.0});
-    const CameraInput in{.cursor = {10.0, 700.0}, .scroll = 1.0};
+    const CameraInput in{.cursor = {10.0, 700.0}, .lens = 1.0};
     CameraInput out = in;
-    out.scroll = -1.0;
+    out.lens = -1.0;
     const scene::Camera once = zoomLens(camera, in);
     EXPECT_NEAR(once.fovY / camera.fovY, std::exp(-kZoomPerNotch), 1e-12);
     const scene::Camera back = zoomLens(once, out);
     EXPECT_NEAR(back.fovY / camera.fovY, 1.0, 1e-12);
     EXPECT_NEAR(glm::distance(back.back, camera.back), 0.0, 1e-9);
-    out.scroll = -1e3;
+    out.lens = -1e3;
     EXPECT_EQ(zoomLens(camera, out).fovY, scene::radiansOf(kWidestDegrees));
     expectSame(zoomLens(camera, {}), camera);
 }
@@ -55,7 +55,7 @@ TEST(LensZoom, IsExponentialReversibleAndBounded) {
 TEST(LensZoom, LensesAreThoseOfTheCommandLine) {
     scene::Camera camera = cameraWith(61.7, glm::dvec3(0.0), {0.3, 0.1, -1.0});
     for (int i = 0; i < 300; ++i) {
-        camera = zoomLens(camera, {.cursor = {200.0, 300.0}, .scroll = 0.37 * (i % 5 - 1.5)});
+        camera = zoomLens(camera, {.cursor = {200.0, 300.0}, .lens = 0.37 * (i % 5 - 1.5)});
         expectSame(scene::canonical(camera), camera);
         ASSERT_FALSE(testing::Test::HasFailure()) << i;
     }

@@ -1,13 +1,21 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cdr/scene/camera_path.h>
+#include <cdr/scene/gltf/open_gltf.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
 
-namespace cdr::cli {
+// CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
+namespace CLI {
+class App;
+}
+
+namespace cdr::experiments {
+
+/// Most frames one call renders.
+inline constexpr std::uint32_t kMaxFrames = 1'000'000;
 
 /// What a person may say of the cameras to render.
 struct CameraOptions {
@@ -23,8 +31,15 @@ struct CameraOptions {
     std::optional<double> farView;
 };
 
-/// Adds --frame, --frames, --path, --eye, --target, --direction, --up, --fov, --near and --far.
+/// Adds --frame and --frames.
+void addFrameOptions(CLI::App& command, CameraOptions& options);
+/// Adds --path, --eye, --target, --direction, --up, --fov, --near and --far.
 void addCameraOptions(CLI::App& command, CameraOptions& options);
+/// Adds --gltf-scene and --camera.
+void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
+
+/// The camera with what the options override. base::InputError for an unusable one.
+scene::Camera overridden(scene::Camera camera, const CameraOptions& options);
 
 /// Which frames to render, numbered from `first` on, and their cameras.
 class FrameCameras {
@@ -44,4 +59,4 @@ class FrameCameras {
     std::optional<scene::CameraPath> m_recorded;
 };
 
-} // namespace cdr::cli
+} // namespace cdr::experiments

@@ -1,7 +1,6 @@
 #include "camera_options.h"
 
-#include "shared_options.h"
-
+#include <CLI/CLI.hpp>
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/scene/camera_recording.h>
@@ -11,7 +10,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace cdr::cli {
+namespace cdr::experiments {
 
 namespace {
 
@@ -49,12 +48,14 @@ scene::Camera placed(const scene::Camera& camera, const CameraOptions& options) 
 
 } // namespace
 
-void addCameraOptions(CLI::App& command, CameraOptions& options) {
-    CLI::Option* frame =
-        command.add_option("--frame", options.frame, "First frame of the scene's camera path");
-    frame->capture_default_str();
+void addFrameOptions(CLI::App& command, CameraOptions& options) {
+    command.add_option("--frame", options.frame, "First frame of the scene's camera path")
+        ->capture_default_str();
     command.add_option("--frames", options.frames, "How many frames; 1, or with --path as many as recorded")
         ->check(CLI::Range(1u, kMaxFrames));
+}
+
+void addCameraOptions(CLI::App& command, CameraOptions& options) {
     CLI::Option* path = command.add_option("--path", options.path,
                                            "Camera path recorded by cdr-viewer, instead of the scene's");
     CLI::Option* eye =
@@ -66,12 +67,21 @@ void addCameraOptions(CLI::App& command, CameraOptions& options) {
     CLI::Option* up =
         command.add_option("--up", options.up, "What is up in the picture: x,y,z; else world y");
     target->excludes(direction);
-    for (CLI::Option* place : {frame, eye, target, direction, up}) {
+    for (CLI::Option* place : {eye, target, direction, up}) {
         place->excludes(path);
+    }
+    if (CLI::Option* frame = command.get_option_no_throw("--frame")) {
+        frame->excludes(path);
     }
     command.add_option("--fov", options.fovDegrees, "Vertical field of view in degrees");
     command.add_option("--near", options.nearView, "Near plane, view distance");
     command.add_option("--far", options.farView, "Far plane, view distance");
+}
+
+void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
+    command.add_option("--gltf-scene", choice.scene, "Scene of a glTF file, from 0; its default one");
+    command.add_option("--camera", choice.camera,
+                       "Look through a glTF scene's perspective camera, from 0; else all of it is framed");
 }
 
 FrameCameras::FrameCameras(const CameraOptions& options)
@@ -92,14 +102,17 @@ FrameCameras::FrameCameras(const CameraOptions& options)
 }
 
 scene::Camera FrameCameras::at(const scene::CameraPath& own, std::uint32_t frame) const {
-    scene::Camera camera = m_recorded ? m_recorded->at(frame) : own.at(frame);
-    if (m_options.fovDegrees) {
-        camera.fovY = scene::radiansOf(*m_options.fovDegrees);
-    }
-    camera.nearView = m_options.nearView.value_or(camera.nearView);
-    camera.farView = m_options.farView.value_or(camera.farView);
-    scene::requireUsable(camera);
-    return placed(camera, m_options);
+    return overridden(m_recorded ? m_recorded->at(frame) : own.at(frame), m_options);
 }
 
-} // namespace cdr::cli
+scene::Camera overridden(scene::Camera camera, const CameraOptions& options) {
+    if (options.fovDegrees) {
+        camera.fovY = scene::radiansOf(*options.fovDegrees);
+    }
+    camera.nearView = options.nearView.value_or(camera.nearView);
+    camera.farView = options.farView.value_or(camera.farView);
+    scene::requireUsable(camera);
+    return placed(camera, options);
+}
+
+} // namespace cdr::experiments

@@ -1,0 +1,24 @@
+#include "commands.h"
+#include "completions.h"
+#include "manual.h"
+
+#include <cdr/host/document.h>
+#include <cdr/host/standard_streams.h>
+
+#include <memory>
+#include <string>
+
+namespace cdr::cli {
+
+void addShellCommands(CLI::App& program) {
+    CLI::App* completions =
+        program.add_subcommand("completions", "Print what makes a shell complete cdr's commands and options");
+    auto shell = std::make_shared<std::string>();
+    completions->add_option("shell", *shell, "bash, zsh or fish")->required();
+    completions->callback(
+        [&program, shell] { host::printOutput(completionsOf(program, parseShell(*shell))); });
+    CLI::App* manual = program.add_subcommand("manual", "Print the manual page, which man shows");
+    manual->callback([&program] { host::printOutput(manualOf(program, host::buildInfo().version)); });
+}
+
+} // namespace cdr::cli

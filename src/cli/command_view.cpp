@@ -1,0 +1,56 @@
+#include "commands.h"
+
+#include <cdr/base/error.h>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace cdr::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// cdr-viewer beside this program; else the one that PATH finds.
+std::string viewerProgram() {
+    std::error_code error;
+    const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / "cdr-viewer";
+    return !error && fs::exists(beside, error) ? beside.string() : "cdr-viewer";
+}
+
+/// Becomes the viewer. base::InputError where there is none.
+[[noreturn]] void becomeViewer(std::vector<std::string> arguments, const GlobalOptions& global) {
+    if (!global.device.empty()) {
+        arguments.insert(arguments.begin(), "--device=" + global.device);
+    }
+    if (global.validate) {
+        arguments.insert(arguments.begin(), "--validate");
+    }
+    arguments.insert(arguments.begin(), viewerProgram());
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) {
+        pointers.push_back(argument.data());
+    }
+    pointers.push_back(nullptr);
+    ::execvp(pointers.front(), pointers.data());
+    throw base::InputError(
+        fmt::format("{}: cannot be started: {}", arguments.front(), std::generic_category().message(errno)));
+}
+
+} // namespace
+
+void addView(CLI::App& program, const GlobalOptions& global) {
+    CLI::App* app = program.add_subcommand("view", "Start cdr-viewer with the arguments that follow");
+    app->prefix_command();
+    app->fallthrough(false);
+    app->set_help_flag(); // what follows is the viewer's, --help too
+    app->callback([app, &global] { becomeViewer(app->remaining(), global); });
+}
+
+} // namespace cdr::cli

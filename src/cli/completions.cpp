@@ -1,0 +1,162 @@
+#include "completions.h"
+
+#include "help_format.h"
+
+#include <cdr/base/enum_names.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+namespace cdr::cli {
+
+namespace {
+
+constexpr base::EnumNames<Shell, 3> kShells{"shell", {"bash", "zsh", "fish"}};
+
+std::vector<std::string> commandNames(const CLI::App& program) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands({})) {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
+
+/// "--output" and "-o" of one option.
+std::vector<std::string> dashedNames(const CLI::Option& option) {
+    std::vector<std::string> names;
+    for (const std::string& name : option.get_lnames()) {
+        names.push_back("--" + name);
+    }
+    for (const std::string& name : option.get_snames()) {
+        names.push_back("-" + name);
+    }
+    return names;
+}
+
+std::vector<std::string> dashedNames(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : shownOptions(app)) {
+        for (std::string& name : dashedNames(*option)) {
+            names.push_back(std::move(name));
+        }
+    }
+    return names;
+}
+
+std::string escaped(const std::string& text, std::string_view special) {
+    std::string result;
+    for (const char c : text) {
+        result += c == '\''                                   ? "'\\''"
+                  : special.find(c) != std::string_view::npos ? fmt::format("\\{}", c)
+                                                              : std::string(1, c);
+    }
+    return result;
+}
+
+std::string bashScript(const CLI::App& program) {
+    std::string cases;
+    for (const CLI::App* command : program.get_subcommands({})) {
+        cases += fmt::format("        {}) words='{}' ;;\n", command->get_name(),
+                             fmt::join(dashedNames(*command), " "));
+    }
+    // Anything else a command takes may be a file, which `-o default` completes.
+    return fmt::format(R"(_cdr() {{
+    local current=${{COMP_WORDS[COMP_CWORD]}} command= words= word
+    for word in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
+        case $word in {0}) command=$word; break ;; esac
+    done
+    case $command in
+        '') words='{1} {2}' ;;
+{3}    esac
+    COMPREPLY=()
+    if [[ -z $command || $current == -* ]]; then COMPREPLY=($(compgen -W "$words" -- "$current")); fi
+}}
+complete -o default -F _cdr cdr
+)",
+                       fmt::join(commandNames(program), "|"), fmt::join(commandNames(program), " "),
+                       fmt::join(dashedNames(program), " "), cases);
+}
+
+std::string zshOptions(const CLI::App& app) {
+    std::string specs;
+    for (const CLI::Option* option : shownOptions(app)) {
+        for (const std::string& name : dashedNames(*option)) {
+            specs +=
+                fmt::format(" \\\n            '{}[{}]{}'", name, escaped(option->get_description(), "[]:\\"),
+                            takesValue(*option) ? ":value:_files" : "");
+        }
+    }
+    return specs;
+}
+
+std::string zshScript(const CLI::App& program) {
+    std::string commands;
+    std::string cases;
+    for (const CLI::App* command : program.get_subcommands({})) {
+        commands +=
+            fmt::format("    '{}:{}'\n", command->get_name(), escaped(command->get_description(), ":\\"));
+        cases += fmt::format("    {})\n        _arguments '*:file:_files'{} ;;\n", command->get_name(),
+                             zshOptions(*command));
+    }
+    return fmt::format(R"(#compdef cdr
+local -a commands=(
+{1})
+case ${{words[(r)({0})]}} in
+    '')
+        _describe command commands
+        _arguments{2} ;;
+{3}esac
+)",
+                       fmt::join(commandNames(program), "|"), commands, zshOptions(program), cases);
+}
+
+std::string fishOptions(const CLI::App& app, const std::string& condition) {
+    std::string lines;
+    for (const CLI::Option* option : shownOptions(app)) {
+        if (option->get_positional()) {
+            continue;
+        }
+        lines += fmt::format("complete -c cdr -n '{}'", condition);
+        for (const std::string& name : option->get_lnames()) {
+            lines += " -l " + name;
+        }
+        for (const std::string& name : option->get_snames()) {
+            lines += " -s " + name;
+        }
+        lines += fmt::format("{} -d '{}'\n", takesValue(*option) ? " -r" : "",
+                             escaped(option->get_description(), "\\"));
+    }
+    return lines;
+}
+
+std::string fishScript(const CLI::App& program) {
+    std::string lines = fishOptions(program, "__fish_use_subcommand");
+    for (const CLI::App* command : program.get_subcommands({})) {
+        lines += fmt::format("complete -c cdr -f -n __fish_use_subcommand -a {} -d '{}'\n",
+                             command->get_name(), escaped(command->get_description(), "\\"));
+        lines += fishOptions(*command, fmt::format("__fish_seen_subcommand_from {}", command->get_name()));
+    }
+    return lines;
+}
+
+} // namespace
+
+Shell parseShell(std::string_view name) {
+    return kShells.parse(name);
+}
+
+std::string completionsOf(const CLI::App& program, Shell shell) {
+    switch (shell) {
+    case Shell::zsh:
+        return zshScript(program);
+    case Shell::fish:
+        return fishScript(program);
+    case Shell::bash:
+        break;
+    }
+    return bashScript(program);
+}
+
+} // namespace cdr::cli

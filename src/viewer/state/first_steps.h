@@ -1,0 +1,32 @@
+#pragma once
+
+#include "view_settings.h"
+
+#include <cdr/scene/camera.h>
+
+#include <optional>
+#include <string_view>
+
+namespace cdr::viewer {
+
+/// What somebody who starts the viewer for the first time is asked to try: three steps, each of which goes when it is
+/// done.
+class FirstSteps {
+  public:
+    void begin() { m_step = 0; }
+    void end() { m_step = kSteps; }
+
+    /// Looks whether the step at hand was done since the last call.
+    void see(const ViewSettings& settings, const scene::Camera& camera);
+
+    /// "1 of 3: ..."; nothing when all are done, or none was begun.
+    std::optional<std::string_view> text() const;
+
+  private:
+    static constexpr int kSteps = 3;
+    int m_step = kSteps;
+    std::optional<ViewSettings> m_settings; ///< as they were
+    scene::Camera m_camera;
+};
+
+} // namespace cdr::viewer

@@ -1,0 +1,98 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+namespace cdr::cli_test {
+
+namespace {
+
+/// What bare `cdr` lists.
+std::vector<std::string> commandNames() {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("completions fish", folder.path());
+    std::vector<std::string> names;
+    std::istringstream lines(result.out);
+    const std::string before = "__fish_use_subcommand -a ";
+    for (std::string line; std::getline(lines, line);) {
+        if (const std::size_t at = line.find(before); at != std::string::npos) {
+            const std::size_t begin = at + before.size();
+            names.push_back(line.substr(begin, line.find(' ', begin) - begin));
+        }
+    }
+    return names;
+}
+
+TEST(ShellCommands, NothingAskedForShowsHelp) {
+    const TemporaryFolder folder;
+    const ProgramResult bare = runProgram("", folder.path());
+    EXPECT_EQ(bare.status, 0);
+    EXPECT_EQ(bare.out, runProgram("--help", folder.path()).out);
+    EXPECT_NE(bare.out.find("\nMeasure:\n"), std::string::npos) << bare.out;
+    EXPECT_EQ(runProgram("--quiet", folder.path()).status, 2);
+}
+
+TEST(ShellCommands, HelpFits100Columns) {
+    const TemporaryFolder folder;
+    std::vector<std::string> names = commandNames();
+    ASSERT_GE(names.size(), 18u);
+    names.emplace_back("");
+    for (const std::string& name : names) {
+        if (name == "view") {
+            continue; // its help is the viewer's
+        }
+        std::istringstream lines(runProgram(name + " --help", folder.path()).out);
+        std::string line;
+        std::string last;
+        while (std::getline(lines, line)) {
+            EXPECT_LE(line.size(), 100u) << name << ": " << line;
+            EXPECT_FALSE(line.empty() && last.empty()) << name << ": two blank lines";
+            last = line;
+        }
+    }
+}
+
+TEST(ShellCommands, BashCompletesCommandsAndTheirOptions) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "cdr.bash") << runProgram("completions bash", folder.path()).out;
+    const auto completed = [&](const std::string& words, int at) {
+        std::ofstream(folder.path() / "try.bash")
+            << "source cdr.bash; COMP_WORDS=(" << words << "); COMP_CWORD=" << at
+            << "; _cdr; echo ${COMPREPLY[@]}\n";
+        return runProgram("--version > /dev/null; bash try.bash", folder.path()).out;
+    };
+    EXPECT_EQ(completed("cdr ren", 1), "render\n");
+    EXPECT_EQ(completed("cdr --device 0 sc", 3), "scaling\n");
+    EXPECT_EQ(completed("cdr render cubes --tech", 3), "--technique\n");
+    EXPECT_EQ(completed("cdr render cu", 2), "\n"); // files
+}
+
+TEST(ShellCommands, EveryShellAndTheManualNameEveryCommand) {
+    const TemporaryFolder folder;
+    for (const char* what : {"completions bash", "completions zsh", "completions fish", "manual"}) {
+        const ProgramResult result = runProgram(what, folder.path());
+        EXPECT_EQ(result.status, 0) << result.err;
+        for (const std::string& name : commandNames()) {
+            EXPECT_NE(result.out.find(name), std::string::npos) << what << ": " << name;
+        }
+    }
+    EXPECT_EQ(runProgram("completions tcsh", folder.path()).status, 2);
+    const std::string manual = runProgram("manual", folder.path()).out;
+    EXPECT_NE(manual.find(".B \\-o,\\-\\-output TEXT\n"), std::string::npos);
+}
+
+TEST(ShellCommands, ViewHandsItsArgumentsToTheViewer) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("view --version", folder.path(), "PATH=/nowhere");
+    if (result.status == 2) {
+        GTEST_SKIP() << "cdr-viewer is not built: " << result.err;
+    }
+    EXPECT_EQ(result.out.substr(0, 11), "cdr-viewer ");
+}
+
+} // namespace
+
+} // namespace cdr::cli_test
