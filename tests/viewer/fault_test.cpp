@@ -21,7 +21,7 @@ constexpr const char* kScript = "wait-frame\nwait-ui 5\nwindow before.png\nkey 6
 
 /// Ends what hangs, with a status that no test expects.
 constexpr const char* kViewer =
-    "timeout 280 '" CDR_VIEWER_DRIVE "' --validate --script script --size 800x480 cubes";
+    "timeout 280 '" CDR_VIEWER_DRIVE "' --validate --script script --size 800x480 --technique standard cubes";
 
 class ViewerFault : public ViewerTest {
   protected:

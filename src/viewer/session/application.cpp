@@ -110,10 +110,10 @@ void Application::handleInput() {
     }
     if (const auto click = m_control.takeClick()) {
         if (click->isDouble) {
-            setOrbiting(m_model, true); // what the first click picked
-        } else {
-            m_session.click(click->pixel);
+            m_model.measuring.clear(); // no way from a point to itself
+            setOrbiting(m_model, true);
         }
+        m_session.click(click->pixel);
     }
 }
 
