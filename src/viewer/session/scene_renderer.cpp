@@ -1,6 +1,7 @@
 #include "scene_renderer.h"
 
 #include <cdr/base/error.h>
+#include <cdr/gpu/memory.h>
 #include <cdr/scene/lod/levels.h>
 #include <viewer/state/view_picture.h>
 
