@@ -185,8 +185,9 @@ Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Hand
             throw base::InputError(fmt::format("the borrowed device {} was made without {}", info.name,
                                                fmt::join(missing, ", ")));
         }
-        const auto missing = missingGpuDrivenFeatures(*borrowed.features);
-        info.gpuDrivenMissing.insert(info.gpuDrivenMissing.end(), missing.begin(), missing.end());
+        if (info.gpuDrivenMissing.empty()) { // else it was never on
+            info.gpuDrivenMissing = missingGpuDrivenFeatures(*borrowed.features);
+        }
     } else if (!borrowed.hasGpuDrivenFeatures) {
         info.gpuDrivenMissing = {"features that the device's maker left off"};
     }
