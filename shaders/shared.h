@@ -67,6 +67,25 @@ struct CascadePush {
 // Where a draw record lies in push constants, after the cascade's: for draws that bring their record along.
 CDR_CONST kPushedRecordOffset = 48u;
 
+// A corner of a facet as it is drawn: the visibility path's vertices come transformed.
+struct FacetVertex {
+    float x; // view space
+    float y;
+    float ahead; // view distance beyond the anchor plane
+    uint facet;  // of the triangles that start with it: 1 + the index of its FacetRecord
+};
+
+// A facet that a visibility buffer refers to: what shading needs of its surface. Two texels of four uints.
+struct FacetRecord {
+    vec2 normal;  // view space, octahedral
+    float extent; // the distance beyond the anchor differs from `ahead` by no more on the facet
+    uint albedo;  // as the G-buffer has it (gbuffer.glsl)
+    float x;      // a point of its plane, view space
+    float y;
+    float ahead; // of that point, beyond the anchor plane
+    uint id;     // as the G-buffer has it
+};
+
 // A point light in view space; every coordinate is a float and the rest that float left out of the float64.
 struct LightRecord {
     vec4 position;     // x, y, view distance, half distance
@@ -113,6 +132,8 @@ static_assert(sizeof(DrawRecord) == 64);
 static_assert(sizeof(CascadePush) == 40);
 static_assert(kPushedRecordOffset % 16 == 0 && kPushedRecordOffset >= sizeof(CascadePush));
 static_assert(kPushedRecordOffset + sizeof(DrawRecord) <= 128); // what every device has
+static_assert(sizeof(FacetVertex) == 16);
+static_assert(sizeof(FacetRecord) == 32);
 static_assert(sizeof(LightRecord) == 48);
 static_assert(sizeof(LayerPush) == 16);
 static_assert(sizeof(ShadingHeader) == 64 + 8 * kCascadeSlots);

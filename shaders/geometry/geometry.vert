@@ -4,14 +4,7 @@
 #include "geometry/depth_mapping.glsl"
 #include "targets/gbuffer.glsl"
 
-layout(constant_id = 0) const uint kDepthForm = kDepthFormLinear;
-layout(constant_id = 3) const uint kWide = 0u;
 layout(constant_id = 4) const uint kShiny = 0u;
-layout(constant_id = 5) const float kSnapStepsX = 0.0; // of vertices, from the picture's middle to its edge; 0: none
-layout(constant_id = 6) const float kSnapStepsY = 0.0;
-
-// The same bits from every pipeline: cascades, wide draws and batchings promise one picture.
-invariant gl_Position;
 
 #ifdef PUSHED_RECORD
 layout(push_constant) uniform Push {
@@ -26,6 +19,7 @@ layout(location = 6) in vec4 inAhead;
 layout(location = 7) in uvec4 inLook;
 layout(push_constant) uniform Push { CascadePush cascade; };
 #endif
+#include "geometry/place.glsl"
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec2 inNormal;
@@ -50,18 +44,7 @@ void main() {
     precise float x = dot(record.right.xyz, inPosition) + record.right.w;
     precise float y = dot(record.up.xyz, inPosition) + record.up.w;
     precise float ahead = dot(record.ahead.xyz, inPosition) + record.ahead.w;
-    gl_Position = clipPosition(kDepthForm, x, y, ahead, record.ahead.w, cascade);
-    if (kSnapStepsX != 0.0 && gl_Position.w > 0.0) {
-        vec2 steps = vec2(kSnapStepsX, kSnapStepsY);
-        gl_Position.xy = round(gl_Position.xy / gl_Position.w * steps) / steps * gl_Position.w;
-    }
-    vec2 inside = clipDistances(ahead, cascade);
-    if (kWide != 0u) {
-        // The fragment shader cuts wide draws; here only what lies behind the camera must go.
-        inside = vec2(gl_Position.w - 0.5 * (cascade.anchorView + cascade.nearAhead), 1.0);
-    }
-    gl_ClipDistance[0] = inside.x;
-    gl_ClipDistance[1] = inside.y;
+    place(x, y, ahead, record.ahead.w);
 
     // Normals turn by the cofactor matrix: right under non-uniform scale, and mirrored ones come out mirrored.
     vec3 back = -record.ahead.xyz;

@@ -9,13 +9,18 @@
 #endif
 #include "shading/lighting.glsl"
 
-// Deferred shading of the final G-buffer.
+// Deferred shading of the final surfaces.
 layout(constant_id = 0) const uint kFoggy = 0u;
 layout(constant_id = 1) const uint kShiny = 0u;
 // Whether the mapping has anchor planes; without, none is read. 2 is in flat_lighting.glsl.
 layout(constant_id = 3) const uint kAnchored = 1u;
 
+// FACETS: surfaces come from a visibility buffer and its facets instead.
 layout(set = 0, binding = 0) uniform usampler2D gbuffer;
+#ifdef FACETS
+#define FACETS_BINDING 2
+#include "targets/facets.glsl"
+#endif
 // OCCLUDED: by an image of the whole picture, or else OCCLUDED_PER_LAYER by what the layers left in the surfaces.
 #if defined(OCCLUDED)
 layout(set = 0, binding = 2) uniform sampler2D occlusionImage;
@@ -62,20 +67,48 @@ float opennessAt(ivec2 pixel, uvec4 texel, vec3 normal) {
 #endif
 }
 
-vec4 shade(ivec2 pixel, uvec4 texel) {
-    vec3 color = albedoOf(texel);
-    float ahead = aheadOf(texel);
-    vec2 anchor = anchorOf(texel);
+struct Surface {
+    vec3 albedo;
+    vec3 normal;
+    uint shine;
+    uint id;
+    vec2 ray;
+    vec2 anchor;
+    float ahead;
+};
+
+#ifdef FACETS
+bool isBackground(uvec4 texel) { return texel.x == 0u; }
+
+Surface surfaceOf(uvec4 texel) {
+    FacetRecord facet = facetAt(texel.x);
     vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(gbuffer, 0)));
-    if ((texel.w & kIdUnlit) == 0u) {
-        vec3 normal = normalOf(texel);
-        uint shine = kShiny != 0u ? shineOf(texel) : 0u;
-        color = litColor(color, shine, LitPoint(normal, ray, anchor, ahead, opennessAt(pixel, texel, normal)));
+    uvec4 known = uvec4(facet.albedo, 0u, 0u, facet.id);
+    vec2 anchor = anchorOf(known);
+    vec3 normal = normalOf(facet);
+    return Surface(albedoOf(known), normal, shineOf(known), facet.id, ray, anchor, aheadOn(facet, normal, ray, anchor.x));
+}
+#else
+bool isBackground(uvec4 texel) { return texel.w == 0u; }
+
+Surface surfaceOf(uvec4 texel) {
+    vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(gbuffer, 0)));
+    return Surface(albedoOf(texel), normalOf(texel), shineOf(texel), texel.w, ray, anchorOf(texel), aheadOf(texel));
+}
+#endif
+
+vec4 shade(ivec2 pixel, uvec4 texel) {
+    Surface surface = surfaceOf(texel);
+    vec3 color = surface.albedo;
+    if ((surface.id & kIdUnlit) == 0u) {
+        uint shine = kShiny != 0u ? surface.shine : 0u;
+        float openness = opennessAt(pixel, texel, surface.normal);
+        color = litColor(color, shine, LitPoint(surface.normal, surface.ray, surface.anchor, surface.ahead, openness));
     }
     if (kFoggy != 0u) {
-        color = throughFog(color, ray, anchor.x + ahead);
+        color = throughFog(color, surface.ray, surface.anchor.x + surface.ahead);
     }
-    return covering(color, ahead);
+    return covering(color, surface.ahead);
 }
 
 void main() {
@@ -83,7 +116,7 @@ void main() {
     uvec4 texel = texelFetch(gbuffer, pixel, 0);
     outColor = background();
     // A loop of no turn or one: software rasterisers skip what no pixel loops through, but may run both sides of an if.
-    uint turns = texel.w == 0u ? 0u : 1u;
+    uint turns = isBackground(texel) ? 0u : 1u;
     for (uint turn = 0u; turn < turns; ++turn) {
         outColor = shade(pixel, texel);
     }

@@ -1,10 +1,19 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-// Lays one layer G-buffer over the accumulated one; a merged pixel is the layer's own, bit for bit.
+// Lays one layer's buffer over the accumulated one; a merged pixel is the layer's own, bit for bit.
 layout(set = 0, binding = 0) uniform usampler2D layerBuffer;
 
+// FACETS: the buffers are visibility buffers, of one uint.
+#ifdef FACETS
+layout(location = 0) out uint outTexel;
+uint texelAt(ivec2 pixel) { return texelFetch(layerBuffer, pixel, 0).x; }
+bool isBackground(uint texel) { return texel == 0u; }
+#else
 layout(location = 0) out uvec4 outTexel;
+uvec4 texelAt(ivec2 pixel) { return texelFetch(layerBuffer, pixel, 0); }
+bool isBackground(uvec4 texel) { return texel.w == 0u; }
+#endif
 
 #ifdef OCCLUDED
 // And works out ambient occlusion on the layer alone, as the thesis' method 2 has it: what other cascades hold is not there.
@@ -29,8 +38,8 @@ void main() {
 #else
     ivec2 pixel = ivec2(gl_FragCoord.xy);
 #endif
-    outTexel = texelFetch(layerBuffer, pixel, 0);
-    if (outTexel.w == 0u) {
+    outTexel = texelAt(pixel);
+    if (isBackground(outTexel)) {
         discard; // background: what lies farther stays
     }
 #ifdef OCCLUDED

@@ -32,6 +32,7 @@ struct RenderArguments {
     std::string targets = "single";
     std::string submission = "secondaries";
     std::string batching = "instanced";
+    std::string surface = "gbuffer";
     EffectArguments effects;
     std::string detail = "none";
     std::uint32_t snapBits = 0;
@@ -102,6 +103,7 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::A
                                   .threads = arguments.threads,
                                   .submission = render::parseSubmission(arguments.submission),
                                   .batching = render::parseBatching(arguments.batching),
+                                  .surface = render::parseSurfacePath(arguments.surface),
                                   .detail = visibility::parseDetail(arguments.detail),
                                   .effects = effectsOf(arguments.effects),
                                   .focus = focusOf(arguments.effects),
@@ -243,6 +245,10 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
     command
         .add_option("--batching", arguments.batching,
                     "How draws become commands: per-object, push-constants or instanced")
+        ->capture_default_str();
+    command
+        .add_option("--surface", arguments.surface,
+                    "What is kept of surfaces until they are shaded: gbuffer or visibility")
         ->capture_default_str();
     command
         .add_option("--detail", arguments.detail,

@@ -41,6 +41,7 @@ experiments::Columns<RenderRow> renderColumns(bool showsHash) {
         {.key = "layers", .value = [](const RenderRow& row) { return row.options.targets.layers; }},
         {.key = "submission", .value = [](const RenderRow& row) { return nameOf(row.options.submission); }},
         {.key = "batching", .value = [](const RenderRow& row) { return nameOf(row.options.batching); }},
+        {.key = "surface", .value = [](const RenderRow& row) { return nameOf(row.options.surface); }},
         {.key = "detail", .value = [](const RenderRow& row) { return nameOf(row.options.detail); }},
         {.key = "threads", .value = [](const RenderRow& row) { return row.options.threads; }},
         {.key = "cascades",

@@ -189,6 +189,16 @@ void writeBufferBinding(const Device& device, vk::DescriptorSet set, std::uint32
                                          {});
 }
 
+void writeTexelBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
+                       vk::DescriptorType type, vk::BufferView texels) {
+    device.handle().updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
+                                                                .dstBinding = binding,
+                                                                .descriptorCount = 1,
+                                                                .descriptorType = type,
+                                                                .pTexelBufferView = &texels},
+                                         {});
+}
+
 void writeImageBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
                        vk::DescriptorType type, vk::ImageView view, vk::Sampler sampler) {
     const vk::DescriptorImageInfo info{

@@ -59,9 +59,11 @@ vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, std::uint32_t 
 
 vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, vk::DescriptorSetLayout layout);
 
-/// Points a binding at a whole buffer, or at an image that shaders read.
+/// Points a binding at a whole buffer, at a view of a buffer's texels, or at an image that shaders read.
 void writeBufferBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
                         vk::DescriptorType type, vk::Buffer buffer);
+void writeTexelBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
+                       vk::DescriptorType type, vk::BufferView texels);
 void writeImageBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
                        vk::DescriptorType type, vk::ImageView view, vk::Sampler sampler);
 

@@ -41,6 +41,7 @@ inline constexpr std::size_t kPipelineVariants = 5;
 /// What draws of the same mesh, material and handedness share. Consecutive draws of one kind bind nothing in
 /// between and may become one instanced draw.
 struct DrawKind {
+    std::uint32_t meshIndex = 0; ///< into scene::Scene::meshes
     MeshRange mesh;
     std::uint32_t variant = 0; ///< below kPipelineVariants
     bool doubleSided = false;

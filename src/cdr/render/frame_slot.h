@@ -5,6 +5,7 @@
 #include <cdr/render/readback.h>
 #include <cdr/render/renderer.h>
 #include <cdr/render/shading/picture.h>
+#include <cdr/render/shading/resolve_pass.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/submit/draw_path_factory.h>
 #include <cdr/render/targets/focus_layers.h>
@@ -21,6 +22,7 @@ namespace cdr::render {
 struct Renderer::Slot {
     std::unique_ptr<DrawPath> path;
     ShadingInputs shading;
+    PassInputs resolve;                               ///< where a visibility buffer is drawn
     std::optional<TranslucentPass::Slot> translucent; ///< where the scene has blended materials
     FocusInputs focus;                                ///< where the lens has one
     vk::UniqueFence done;
@@ -40,6 +42,8 @@ struct Renderer::Passes {
 
     Passes(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options,
            const Needs& needs);
+    /// The G-buffer; of a visibility buffer the one that frames for the host resolve.
+    const gpu::Image& gbuffer() const { return resolve != nullptr ? resolve->gbuffer() : targets.gbuffer(); }
 
     vk::Extent2D extent;
     bool lostShine; ///< FrameStats::lostShine of every frame
@@ -48,6 +52,7 @@ struct Renderer::Passes {
     Targets& targets; ///< those
     FrameCutter cutter;
     ShadingPass shading;
+    std::unique_ptr<ResolvePass> resolve;         ///< of a visibility buffer
     std::unique_ptr<TranslucentPass> translucent; ///< where the scene has blended materials
     Readback colorCopy;
     Readback gbufferCopy;

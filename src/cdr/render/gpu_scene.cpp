@@ -362,7 +362,8 @@ DrawKind GpuScene::State::kindOf(const KindKey& key) const {
     // Untextured materials read the white pixel, so that every pipeline has a valid set.
     const UploadedTexture& texture =
         material.baseColorTexture ? m_textures[*material.baseColorTexture] : m_white;
-    return {.mesh = m_meshes[mesh],
+    return {.meshIndex = mesh,
+            .mesh = m_meshes[mesh],
             .variant = variantOf(m_meshes[mesh], material),
             .doubleSided = material.doubleSided,
             .mirrored = mirrored,

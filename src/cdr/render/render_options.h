@@ -7,6 +7,7 @@
 #include <cdr/render/focus.h>
 #include <cdr/render/geometry/batching.h>
 #include <cdr/render/submit/submission.h>
+#include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets_choice.h>
 #include <cdr/render/translucency/translucency.h>
 #include <cdr/visibility/level_choice.h>
@@ -26,6 +27,7 @@ struct RenderOptions {
     host::Placement placement = host::Placement::free; ///< of those threads but the caller's
     Submission submission = Submission::secondaries;
     Batching batching = Batching::instanced;
+    SurfacePath surface = SurfacePath::gbuffer;
     /// None unless told. Meshes without levels are drawn in full whatever it says.
     visibility::Detail detail{};
     Effects effects{};

@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
+#include <cdr/render/choose_facets.h>
 #include <cdr/render/renderer_setup.h>
 
 #include <fmt/format.h>
@@ -14,6 +15,10 @@ namespace {
 
 double millisecondsBetween(host::Trace::Clock::time_point begin, host::Trace::Clock::time_point end) {
     return std::chrono::duration<double, std::milli>(end - begin).count();
+}
+
+bool drawsFacets(const RenderOptions& options) {
+    return options.surface == SurfacePath::visibility;
 }
 
 const GpuScene& fixed(const GpuScene& gpuScene) {
@@ -33,7 +38,8 @@ const GpuScene& followed(GpuScene& live) {
 std::variant<std::unique_ptr<Targets>, std::unique_ptr<FocusLayers>>
 makeOwnTargets(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options, bool shiny,
                const Picture& picture) {
-    const TargetsOptions targets = targetsOptions(picture.lit().options().extent, options);
+    const TargetsOptions targets = targetsOptions(
+        picture.lit().options().extent, drawsFacets(options) ? kVisibilityFormat : kGBufferFormat, options);
     if (!options.focus.isOn()) {
         return makeTargets(device, options.targets, targets);
     }
@@ -78,7 +84,9 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
               {.effects = options.effects,
                .shiny = needs.shiny,
                .anchored = depth::isAnchored(options.technique.mapping),
+               .facets = drawsFacets(options),
                .lights = static_cast<std::uint32_t>(drawn.scene.lights.size())}),
+      resolve(drawsFacets(options) ? std::make_unique<ResolvePass>(device, targets.gbuffer()) : nullptr),
       translucent(needs.blended ? std::make_unique<TranslucentPass>(device, drawn, targets.gbuffer(),
                                                                     picture.lit(), options.translucency)
                                 : nullptr),
@@ -103,7 +111,8 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_revision(gpuScene.revision()) {
     m_workers.setTrace(options.trace);
     checkedExtent(device, options, m_needs.blended);
-    m_paths = std::make_unique<DrawPathFactory>(device, m_drawn, options, m_needs.shiny);
+    m_paths = std::make_unique<DrawPathFactory>(device, m_drawn, chooseFacets(m_drawn, options), options,
+                                                m_needs.shiny);
     makePasses();
 }
 
@@ -132,6 +141,9 @@ void Renderer::makePasses() {
 
 void Renderer::makeInputs(Slot& slot, std::size_t lightRoom) {
     slot.shading = m_passes->shading.makeInputs(lightRoom);
+    if (m_passes->resolve != nullptr) {
+        slot.resolve = m_passes->resolve->makeInputs(slot.shading);
+    }
     slot.focus = {};
     slot.translucent.reset();
     if (m_passes->translucent != nullptr) {
@@ -144,7 +156,8 @@ void Renderer::remake(const Needs& needs) {
     std::unique_ptr<DrawPathFactory> paths;
     try {
         if (needs.shiny != before.shiny) {
-            paths = std::make_unique<DrawPathFactory>(m_device, m_drawn, m_options, needs.shiny);
+            paths = std::make_unique<DrawPathFactory>(m_device, m_drawn, chooseFacets(m_drawn, m_options),
+                                                      m_options, needs.shiny);
             std::swap(paths, m_paths);
         }
         makePasses();
@@ -211,6 +224,9 @@ void Renderer::launch(Slot& slot, Destination destination, const FrameSync& sync
     slot.path->begin(slot.view);
     m_passes->targets.record(*slot.path, slot.view);
     shade(slot);
+    if (m_passes->resolve != nullptr && destination == Destination::host) {
+        m_passes->resolve->record(slot.path->primary(), slot.resolve, slot.path->facets());
+    }
     if (slot.translucent) {
         m_passes->translucent->record(slot.path->primary(), *slot.translucent);
     }
@@ -226,6 +242,9 @@ void Renderer::launch(Slot& slot, Destination destination, const FrameSync& sync
 }
 
 void Renderer::shade(Slot& slot) {
+    if (drawsFacets(m_options)) {
+        slot.shading.setFacets(slot.path->facets());
+    }
     if (const auto* focus = std::get_if<std::unique_ptr<FocusLayers>>(&m_passes->ownTargets)) {
         (*focus)->light(slot.path->primary(), slot.shading, slot.focus);
     } else {
@@ -347,7 +366,7 @@ void Renderer::waitFor(Slot& slot) {
 }
 
 void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination) const {
-    const gpu::Image& gbuffer = m_passes->targets.gbuffer();
+    const gpu::Image& gbuffer = m_passes->gbuffer();
     m_device.beginLabel(primary, "read-back");
     m_passes->colorCopy.record(primary, m_passes->picture.encoded());
     if (destination == Destination::host) {

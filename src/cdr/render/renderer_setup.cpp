@@ -29,8 +29,9 @@ PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options,
             .antialias = options.effects.antialias};
 }
 
-TargetsOptions targetsOptions(vk::Extent2D extent, const RenderOptions& options) {
+TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options) {
     return {.extent = extent,
+            .format = format,
             .depthFormat = options.technique.format,
             .reversedDepth = depth::isReversed(options.technique.mapping),
             .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0};

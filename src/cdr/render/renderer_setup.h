@@ -15,7 +15,7 @@ namespace cdr::render {
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended);
 
 PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended);
-TargetsOptions targetsOptions(vk::Extent2D extent, const RenderOptions& options);
+TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options);
 
 /// FrameStats::lostShine of every frame.
 bool losesShine(const GpuScene& scene, const RenderOptions& options);

@@ -48,6 +48,7 @@ experiments::Columns<experiments::TimingResult> timingColumns() {
         {.key = "targets", .value = [](const Result& result) { return nameOf(result.mode.targets); }},
         {.key = "submission", .value = [](const Result& result) { return nameOf(result.mode.submission); }},
         {.key = "batching", .value = [](const Result& result) { return nameOf(result.mode.batching); }},
+        {.key = "surface", .value = [](const Result& result) { return nameOf(result.mode.surface); }},
         {.key = "cascades", .value = &Result::cascades, .heading = "cascades"},
         {.key = "median_us", .value = &Result::medianUs, .heading = "frame us", .format = micros},
         {.key = "p5_us", .value = &Result::lowUs, .heading = "5-95 %", .text = range},
@@ -175,7 +176,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
     command
         .add_option("--modes", arguments.modes,
                     "Only these beside standard, such as cdr-2,log,logcdr-5; also naive and standard/NAME "
-                    "with a batching or submission")
+                    "with a batching, submission or surface")
         ->delimiter(',');
     command.add_option("--csv", arguments.csv, "Write the results as CSV to FILE");
     command.add_option("--plot", arguments.plot, "Draw the figure into a .png or .svg file, by gnuplot");

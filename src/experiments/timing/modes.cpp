@@ -93,6 +93,8 @@ std::vector<TimingMode> extraTimingModes() {
             add(prefix + std::string(nameOf(batching)), technique,
                 [&](TimingMode& mode) { mode.batching = batching; });
         }
+        add(prefix + std::string(nameOf(render::SurfacePath::visibility)), technique,
+            [](TimingMode& mode) { mode.surface = render::SurfacePath::visibility; });
         for (const render::Submission submission :
              {render::Submission::primaries, render::Submission::gpuDriven}) {
             add(prefix + std::string(nameOf(submission)), technique,

@@ -56,6 +56,7 @@ class Race {
                                       .threads = options.threads,
                                       .submission = mode.submission,
                                       .batching = mode.batching,
+                                      .surface = mode.surface,
                                       .framesInFlight = options.framesInFlight,
                                       .trace = options.trace}));
         }

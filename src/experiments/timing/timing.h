@@ -5,6 +5,7 @@
 #include <cdr/host/trace.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/render/submit/draw_path.h>
+#include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets.h>
 
 #include <cstdint>
@@ -29,6 +30,7 @@ struct TimingMode {
     render::TargetsChoice targets = render::TargetsKind::single;
     render::Submission submission = render::Submission::secondaries;
     render::Batching batching = render::Batching::instanced;
+    render::SurfacePath surface = render::SurfacePath::gbuffer;
     TimingMeshes meshes = TimingMeshes::indexed;
     std::optional<double> thesisPercent; ///< overhead over standard that Figure 6.4 gives
 };
@@ -37,8 +39,8 @@ struct TimingMode {
 /// second is standard again, whose overhead is the noise floor.
 std::vector<TimingMode> timingModes();
 
-/// Modes that compare ways to draw rather than techniques: the naive baseline, batchings, submissions and
-/// variants of the logarithm. Timed where they are asked for.
+/// Modes that compare ways to draw rather than techniques: the naive baseline, batchings, submissions,
+/// surfaces and variants of the logarithm. Timed where they are asked for.
 std::vector<TimingMode> extraTimingModes();
 
 /// The modes of those names, standard twice in front whether named or not. base::InputError with a suggestion

@@ -1,4 +1,5 @@
 #include <cdr/gpu/pipeline.h>
+#include <cdr/render/geometry/begin_cascade.h>
 #include <cdr/render/geometry/geometry_pass.h>
 #include <cdr/render/view_transform.h>
 
@@ -28,15 +29,9 @@ GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene, con
 
 void GeometryPass::beginJob(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
                             vk::Buffer records) const {
-    const auto& [width, height] = view.cascades[cascade].extent;
-    const DepthSlice& slice = view.cascades[cascade].slice;
-    commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(width), static_cast<float>(height),
-                                         slice.min, slice.max});
-    commands.setScissor(0, vk::Rect2D{{0, 0}, {width, height}});
+    beginCascade(commands, view, cascade, m_pipelines.layout());
     commands.bindVertexBuffers(0, {m_scene.vertices(), records}, {0, 0});
     commands.bindIndexBuffer(m_scene.indices(), 0, vk::IndexType::eUint32);
-    commands.pushConstants<shaders::CascadePush>(m_pipelines.layout(), GeometryPipelines::kStages, 0,
-                                                 makeCascadePush(view, cascade));
 }
 
 /// Binds what a kind needs and is not bound yet.

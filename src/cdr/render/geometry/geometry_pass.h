@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
-#include <cdr/host/worker_pool.h>
 #include <cdr/render/frame_view.h>
+#include <cdr/render/geometry/draw_job.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/bin.h>
@@ -13,12 +13,6 @@
 #include <span>
 
 namespace cdr::render {
-
-/// A contiguous range of one cascade's draws.
-struct DrawJob {
-    std::size_t cascade = 0;
-    host::IndexRange draws; ///< into visibility::DrawLists::instance
-};
 
 /// How the draws of one technique over one scene are recorded.
 class GeometryPass {
@@ -31,7 +25,6 @@ class GeometryPass {
         const visibility::DrawLists& lists;
         std::span<shaders::DrawRecord> records; ///< mapped, one per draw of `lists`
         vk::Buffer recordBuffer;                ///< they are in
-        host::Trace* trace = nullptr;
     };
 
     /// Writes the records of a job's draws and their commands. `commands` is recording, inside a rendering

@@ -34,17 +34,6 @@ constexpr double kLogWideSpan = 0.02;
 /// Clipping rounds to about 1e-7 of the triangle's own span, which must stay below the overlap of 1e-6.
 constexpr double kLinearWideSpan = 4.0;
 
-std::uint32_t depthForm(depth::Mapping mapping) {
-    switch (mapping) {
-    case depth::Mapping::log:
-        return shaders::kDepthFormLog;
-    case depth::Mapping::logFragment:
-        return shaders::kDepthFormLogFragment;
-    default:
-        return shaders::kDepthFormLinear;
-    }
-}
-
 using Spirv = std::span<const std::uint32_t>;
 
 Spirv vertexShader(Batching batching, bool isFaceted) {
@@ -119,19 +108,29 @@ void GeometryPipelines::follow(const gpu::Device& device, const GpuScene& scene)
     make(device, scene, true, m_wide);
 }
 
-double GeometryPipelines::wideSpan(std::size_t cascades) const {
-    if (m_options.technique.mapping == depth::Mapping::log) {
+double wideSpan(depth::Mapping mapping, std::size_t cascades) {
+    if (mapping == depth::Mapping::log) {
         return kLogWideSpan;
     }
     // One cascade has no neighbour to crack from.
     return cascades > 1 ? kLinearWideSpan : std::numeric_limits<double>::infinity();
 }
 
+std::uint32_t depthFormOf(depth::Mapping mapping, bool wide) {
+    if (mapping == depth::Mapping::logFragment || (wide && mapping == depth::Mapping::log)) {
+        return shaders::kDepthFormLogFragment;
+    }
+    return mapping == depth::Mapping::log ? shaders::kDepthFormLog : shaders::kDepthFormLinear;
+}
+
+vk::CompareOp depthCompareOf(depth::Mapping mapping) {
+    return depth::isReversed(mapping) ? vk::CompareOp::eGreaterOrEqual : vk::CompareOp::eLessOrEqual;
+}
+
 void GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene, bool wide,
                              Pipelines& pipelines) const {
     const depth::Mapping mapping = m_options.technique.mapping;
-    const std::uint32_t form =
-        wide && mapping == depth::Mapping::log ? shaders::kDepthFormLogFragment : depthForm(mapping);
+    const std::uint32_t form = depthFormOf(mapping, wide);
     const bool writesDepth = form == shaders::kDepthFormLogFragment;
     for (const DrawKind& kind : scene.kinds()) {
         vk::UniquePipeline& pipeline = pipelines[kind.variant];
@@ -152,8 +151,7 @@ void GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene, b
              .attributes = attributesFor(m_options.batching),
              .colorFormats = {kGBufferFormat},
              .depthFormat = m_depthFormat,
-             .depthCompare =
-                 depth::isReversed(mapping) ? vk::CompareOp::eGreaterOrEqual : vk::CompareOp::eLessOrEqual});
+             .depthCompare = depthCompareOf(mapping)});
     }
 }
 

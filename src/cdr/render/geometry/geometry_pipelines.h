@@ -22,6 +22,16 @@ struct GeometryOptions {
     glm::vec2 snapSteps{0.0f};
 };
 
+/// Instances that span more than this share of their distance are drawn wide: cut, and for log given their
+/// depth, per fragment. Infinity for none.
+double wideSpan(depth::Mapping mapping, std::size_t cascades);
+
+/// How pipelines of a mapping form depth: shaders::kDepthFormLinear and its siblings.
+std::uint32_t depthFormOf(depth::Mapping mapping, bool wide);
+
+/// The clear value fails this comparison by nothing but equality.
+vk::CompareOp depthCompareOf(depth::Mapping mapping);
+
 /// The pipelines of one technique over one scene.
 class GeometryPipelines {
   public:
@@ -32,14 +42,11 @@ class GeometryPipelines {
 
     vk::PipelineLayout layout() const { return *m_layout; }
     vk::Format depthFormat() const { return m_depthFormat; }
-    /// Of a variant that some kind of the scene has. @param wide cuts per fragment, see wideSpan().
+    depth::Mapping mapping() const { return m_options.technique.mapping; }
+    /// Of a variant that some kind of the scene has. @param wide cuts per fragment, see render::wideSpan().
     vk::Pipeline pipeline(std::uint32_t variant, bool wide) const {
         return *(wide ? m_wide : m_compact)[variant];
     }
-
-    /// Instances that span more than this share of their distance are drawn wide: cut, and for log given
-    /// their depth, per fragment. Infinity for none.
-    double wideSpan(std::size_t cascades) const;
 
     /// The vertex buffer of draw records, one per instance.
     static constexpr std::uint32_t kRecordBinding = 1;

@@ -27,6 +27,10 @@ void PassInputs::setBuffer(std::uint32_t binding, const gpu::Buffer& buffer) {
     gpu::writeBufferBinding(*m_device, m_set, binding, vk::DescriptorType::eStorageBuffer, buffer.handle());
 }
 
+void PassInputs::setTexels(std::uint32_t binding, vk::BufferView texels) {
+    gpu::writeTexelBinding(*m_device, m_set, binding, vk::DescriptorType::eUniformTexelBuffer, texels);
+}
+
 FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOptions& options)
     : m_device(device),
       m_bindings(options.bindings),

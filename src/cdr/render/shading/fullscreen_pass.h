@@ -21,7 +21,7 @@ struct FullscreenPassOptions {
     std::span<const std::uint32_t> vertexSpirv{};
     std::span<const std::uint32_t> fragmentSpirv;
     std::vector<vk::DescriptorType>
-        bindings; ///< of set 0, for both stages: combined image samplers and storage buffers
+        bindings; ///< of set 0, for both stages: combined image samplers, storage buffers and uniform texel buffers
     vk::Format format = vk::Format::eUndefined;
     std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, ... of both stages
     std::uint32_t pushBytes = 0;          ///< of push constants that the fragment shader reads
@@ -37,6 +37,7 @@ class PassInputs {
     /// Points a binding at an image that will be in the shader read layout.
     void setImage(std::uint32_t binding, const gpu::Image& image);
     void setBuffer(std::uint32_t binding, const gpu::Buffer& buffer);
+    void setTexels(std::uint32_t binding, vk::BufferView texels);
     vk::DescriptorSet set() const { return m_set; }
 
   private:

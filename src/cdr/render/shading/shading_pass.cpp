@@ -1,6 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
+#include <cdr/shaders/shading_facets_frag.h>
 #include <cdr/shaders/shading_frag.h>
 #include <cdr/shaders/shading_layers_occluded_frag.h>
 #include <cdr/shaders/shading_occluded_frag.h>
@@ -32,7 +33,10 @@ FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shadi
                                   .format = format,
                                   .constants = {effects.fog.visibility > 0.0 ? 1u : 0u,
                                                 shading.shiny ? 1u : 0u, lights, shading.anchored ? 1u : 0u}};
-    if (isOccludedPerLayer(effects)) {
+    if (shading.facets) {
+        options.fragmentSpirv = kShadingFacetsFrag;
+        options.bindings.push_back(vk::DescriptorType::eUniformTexelBuffer);
+    } else if (isOccludedPerLayer(effects)) {
         options.fragmentSpirv = kShadingLayersOccludedFrag;
     } else if (isOccluded(effects)) {
         options.fragmentSpirv = kShadingOccludedFrag;

@@ -24,6 +24,10 @@ class ShadingInputs {
     void update(const scene::Scene& scene, const scene::Camera& camera, const scene::Frustum& frustum,
                 std::span<const double> anchorsView);
 
+    /// The records that a visibility buffer refers to; the last frame that used these inputs must have finished.
+    void setFacets(vk::BufferView facets) { m_inputs.setTexels(kFacetsBinding, facets); }
+    static constexpr std::uint32_t kFacetsBinding = 2;
+
     /// shaders::ShadingHeader and the lights, as shaders/lighting.glsl reads them.
     const gpu::Buffer& lights() const { return m_lights; }
 
@@ -39,8 +43,9 @@ class ShadingInputs {
 /// What a ShadingPass is made for.
 struct ShadingOptions {
     Effects effects;
-    bool shiny = false;       ///< whether the surfaces hold how they shine
-    bool anchored = false;    ///< whether the mapping has anchor planes
+    bool shiny = false;    ///< whether the surfaces hold how they shine
+    bool anchored = false; ///< whether the mapping has anchor planes
+    bool facets = false;   ///< whether surfaces come from a visibility buffer; then effects hold no occlusion
     std::uint32_t lights = 0; ///< as many as the scene has at first; up to shaders::kFlatLights cost least
 };
 
@@ -48,7 +53,7 @@ struct ShadingOptions {
 /// take.
 class ShadingPass {
   public:
-    /// @param into what record() writes.
+    /// @param gbuffer or the visibility buffer. @param into what record() writes.
     ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into,
                 const ShadingOptions& options);
 

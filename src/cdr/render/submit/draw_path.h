@@ -32,6 +32,8 @@ class DrawPath : public CascadeCommands {
     virtual void begin(const FrameView& view) = 0;
     /// Ends the frame's command buffers: these are to run, in this order. Valid until the next begin().
     virtual std::span<const vk::CommandBuffer> end(const FrameView& view) = 0;
+    /// The records of the facets that a visibility buffer refers to, once begun; none for a G-buffer.
+    virtual vk::BufferView facets() const { return {}; }
     /// After the frame ran. False when room did not suffice, which it now does: bin and draw it again.
     virtual bool settle(FrameStats& stats) = 0;
 };

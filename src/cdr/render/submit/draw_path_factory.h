@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cdr/render/drawn_scene.h>
+#include <cdr/render/geometry/facet_pass.h>
 #include <cdr/render/geometry/geometry_pass.h>
 #include <cdr/render/render_options.h>
 #include <cdr/render/submit/binning_pass.h>
+#include <cdr/render/submit/host_draws.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace cdr::render {
@@ -16,24 +19,28 @@ class DrawPathFactory {
     /// What the scene refers to must outlive the factory.
     /// base::InputError for a depth format that the device lacks, and for a submission it cannot do;
     /// base::RunError when its memory does not suffice, with both figures.
+    /// @param facets what a visibility buffer is drawn from; empty for a G-buffer.
     /// @param shiny as GeometryOptions has it.
-    DrawPathFactory(const gpu::Device& device, const DrawnScene& scene, const RenderOptions& options,
-                    bool shiny);
+    DrawPathFactory(const gpu::Device& device, const DrawnScene& scene, std::optional<FacetMeshes> facets,
+                    const RenderOptions& options, bool shiny);
 
     /// The factory and the workers must outlive the path.
     /// @param name that captures show.
     std::unique_ptr<DrawPath> make(host::WorkerPool& workers, const std::string& name) const;
 
     /// Makes the pipelines of draw kinds that came to the scene; those that are there stay.
-    void followKinds() { m_geometry.followKinds(); }
+    void followKinds();
 
   private:
+    std::unique_ptr<HostDraws> makeDraws(host::WorkerPool& workers) const;
+
     const gpu::Device& m_device;
     DrawnScene m_scene;
     Submission m_submission;
     host::Trace* m_trace;
-    GeometryPass m_geometry;
-    std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
+    std::unique_ptr<GeometryPass> m_geometry; ///< for a G-buffer
+    std::unique_ptr<FacetPass> m_facets;      ///< for a visibility buffer
+    std::unique_ptr<BinningPass> m_binning;   ///< for Submission::gpuDriven
 };
 
 } // namespace cdr::render

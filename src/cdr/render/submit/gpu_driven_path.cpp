@@ -117,7 +117,7 @@ void GpuDrivenPath::bin(const FrameView& view, const visibility::VisibleList&, F
     m_draws.runs = m_binning.runs();
     m_draws.groups = m_binning.groups();
     growLists(view.cascades.size());
-    shaders::BinningView block = viewOf(view, m_pass.pipelines().wideSpan(view.cascades.size()));
+    shaders::BinningView block = viewOf(view, wideSpan(m_pass.pipelines().mapping(), view.cascades.size()));
     block.instances = static_cast<std::uint32_t>(m_binning.instances());
     block.blocks =
         static_cast<std::uint32_t>((m_binning.instances() + shaders::kBinBlock - 1) / shaders::kBinBlock);

@@ -1,43 +1,55 @@
 #pragma once
 
+#include <cdr/render/geometry/draw_job.h>
 #include <cdr/render/submit/draw_path.h>
 #include <cdr/visibility/bin.h>
 
+#include <vulkan/vulkan.hpp>
+
 namespace cdr::render {
 
-/// Draws that the CPU bins, and the buffer their records are written to: what both recorded paths share.
+/// What draws on the CPU are made with.
+struct HostDrawsContext {
+    const gpu::Device& device;
+    const scene::Scene& scene;
+    host::WorkerPool& workers;
+    host::Trace* trace = nullptr;
+};
+
+/// Draws that the CPU bins and writes for the device: what both recorded paths share. What is written depends on
+/// the surfaces that are drawn.
 class HostDraws {
   public:
-    HostDraws(const gpu::Device& device, const scene::Scene& scene, const GeometryPass& pass,
-              host::WorkerPool& workers, host::Trace* trace)
-        : m_device(device),
-          m_scene(scene),
-          m_pass(pass),
-          m_workers(workers),
-          m_trace(trace) {}
+    explicit HostDraws(const HostDrawsContext& context) : m_context(context) {}
+    virtual ~HostDraws() = default;
+    HostDraws(const HostDraws&) = delete;
+    HostDraws& operator=(const HostDraws&) = delete;
 
-    /// Bins, chooses levels of detail and makes room for the records. base::RunError when the device has no
-    /// buffer as large.
+    /// Bins, chooses levels of detail and makes room. base::RunError when the device has no buffers as large.
     void bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats);
-    /// What recording the binned draws reads; the view must outlive it.
-    GeometryPass::Recording recording(const FrameView& view) const;
-    /// Shows the records to the device. Once all are written, before the frame is submitted.
-    void flush() const { m_records.flush(); }
+    /// Writes what the draws of a job read, and their commands. `commands` is recording, inside a rendering scope.
+    virtual void record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const = 0;
+    /// Shows what was written to the device. Once all jobs are, before the frame is submitted.
+    virtual void flush() const = 0;
+    virtual vk::Format surfaceFormat() const = 0;
+    virtual vk::Format depthFormat() const = 0;
+    /// The records of all facets, two texels each; none where the surfaces are not facets.
+    virtual vk::BufferView facets() const { return {}; }
 
     const visibility::DrawLists& lists() const { return m_lists; }
-    const GeometryPass& pass() const { return m_pass; }
-    host::WorkerPool& workers() const { return m_workers; }
+    host::WorkerPool& workers() const { return m_context.workers; }
+    host::Trace* trace() const { return m_context.trace; }
+
+  protected:
+    const gpu::Device& device() const { return m_context.device; }
+    virtual depth::Mapping mapping() const = 0;
+    virtual void makeRoom(std::size_t draws) = 0;
+    /// Half as many again, so that a camera that turns does not make new buffers at every frame.
+    static std::size_t roomFor(std::size_t draws);
 
   private:
-    void growRecords();
-
-    const gpu::Device& m_device;
-    const scene::Scene& m_scene;
-    const GeometryPass& m_pass;
-    host::WorkerPool& m_workers;
-    host::Trace* m_trace;
+    HostDrawsContext m_context;
     visibility::DrawLists m_lists; ///< kept from frame to frame so that a warm one allocates nothing
-    gpu::Buffer m_records;
 };
 
 } // namespace cdr::render

@@ -4,10 +4,10 @@
 
 namespace cdr::render {
 
-PrimaryPath::PrimaryPath(const gpu::Device& device, HostDraws draws, const std::string& name)
+PrimaryPath::PrimaryPath(const gpu::Device& device, std::unique_ptr<HostDraws> draws, const std::string& name)
     : m_device(device),
       m_draws(std::move(draws)),
-      m_pools(device, vk::CommandBufferLevel::ePrimary, m_draws.workers().threads(), name),
+      m_pools(device, vk::CommandBufferLevel::ePrimary, m_draws->workers().threads(), name),
       m_betweenPool(device, vk::CommandBufferLevel::ePrimary, name) {}
 
 void PrimaryPath::begin(const FrameView&) {
@@ -39,14 +39,12 @@ void PrimaryPath::drawScope(const GBufferScope& scope, host::IndexRange cascades
     m_commands.emplace_back();
 }
 
-void PrimaryPath::recordScope(vk::CommandBuffer commands, const Scope& scope,
-                              const GeometryPass::Recording& recording) const {
+void PrimaryPath::recordScope(vk::CommandBuffer commands, const Scope& scope, const FrameView& view) const {
     commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     m_device.beginLabel(commands, labelOf(scope.cascades).c_str());
     beginGBufferScope(commands, scope.scope, {});
     for (std::size_t cascade = scope.cascades.begin; cascade < scope.cascades.end; ++cascade) {
-        m_draws.pass().record(commands, {.cascade = cascade, .draws = recording.lists.range(cascade)},
-                              recording);
+        m_draws->record(commands, {.cascade = cascade, .draws = m_draws->lists().range(cascade)}, view);
     }
     commands.endRendering();
     m_device.endLabel(commands);
@@ -55,16 +53,16 @@ void PrimaryPath::recordScope(vk::CommandBuffer commands, const Scope& scope,
 
 std::span<const vk::CommandBuffer> PrimaryPath::end(const FrameView& view) {
     closeBetween();
-    const GeometryPass::Recording recording = m_draws.recording(view);
-    m_draws.workers().run(m_scopes.size(), [&](std::size_t job, std::size_t worker) {
+    const visibility::DrawLists& lists = m_draws->lists();
+    m_draws->workers().run(m_scopes.size(), [&](std::size_t job, std::size_t worker) {
         const Scope& scope = m_scopes[job];
-        const host::IndexRange draws{recording.lists.range(scope.cascades.begin).begin,
-                                     recording.lists.range(scope.cascades.end - 1).end};
-        const host::JobSpan span(recording.trace, worker, job, scope.cascades.begin, draws.size());
+        const host::IndexRange draws{lists.range(scope.cascades.begin).begin,
+                                     lists.range(scope.cascades.end - 1).end};
+        const host::JobSpan span(m_draws->trace(), worker, job, scope.cascades.begin, draws.size());
         m_commands[scope.slot] = m_pools.next(worker);
-        recordScope(m_commands[scope.slot], scope, recording);
+        recordScope(m_commands[scope.slot], scope, view);
     });
-    m_draws.flush();
+    m_draws->flush();
     return m_commands;
 }
 

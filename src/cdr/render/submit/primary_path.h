@@ -3,6 +3,7 @@
 #include <cdr/render/submit/host_draws.h>
 #include <cdr/render/submit/worker_command_pools.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,18 +15,19 @@ namespace cdr::render {
 /// busy.
 class PrimaryPath final : public DrawPath {
   public:
-    PrimaryPath(const gpu::Device& device, HostDraws draws, const std::string& name);
+    PrimaryPath(const gpu::Device& device, std::unique_ptr<HostDraws> draws, const std::string& name);
 
     bool needsVisible() const override { return true; }
     void bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats) override {
-        m_draws.bin(view, visible, stats);
+        m_draws->bin(view, visible, stats);
     }
     void begin(const FrameView& view) override;
-    bool isEmpty(std::size_t cascade) const override { return m_draws.lists().range(cascade).size() == 0; }
+    bool isEmpty(std::size_t cascade) const override { return m_draws->lists().range(cascade).size() == 0; }
     vk::CommandBuffer primary() override;
     void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;
     std::span<const vk::CommandBuffer> end(const FrameView& view) override;
     bool settle(FrameStats&) override { return true; }
+    vk::BufferView facets() const override { return m_draws->facets(); }
 
   private:
     struct Scope {
@@ -33,12 +35,11 @@ class PrimaryPath final : public DrawPath {
         host::IndexRange cascades;
         std::size_t slot; ///< into m_commands
     };
-    void recordScope(vk::CommandBuffer commands, const Scope& scope,
-                     const GeometryPass::Recording& recording) const;
+    void recordScope(vk::CommandBuffer commands, const Scope& scope, const FrameView& view) const;
     void closeBetween();
 
     const gpu::Device& m_device;
-    HostDraws m_draws;
+    std::unique_ptr<HostDraws> m_draws;
     WorkerCommandPools m_pools;
     gpu::CommandPool m_betweenPool;
     vk::CommandBuffer m_between; ///< recording; null where a scope came last

@@ -1,5 +1,4 @@
 #include <cdr/render/submit/secondary_path.h>
-#include <cdr/render/targets/gbuffer.h>
 
 #include <algorithm>
 #include <utility>
@@ -31,44 +30,46 @@ std::vector<DrawJob> makeJobs(const visibility::DrawLists& lists, std::size_t th
     return jobs;
 }
 
-SecondaryPath::SecondaryPath(const gpu::Device& device, HostDraws draws, const std::string& name)
+SecondaryPath::SecondaryPath(const gpu::Device& device, std::unique_ptr<HostDraws> draws,
+                             const std::string& name)
     : m_device(device),
       m_draws(std::move(draws)),
-      m_pools(device, vk::CommandBufferLevel::eSecondary, m_draws.workers().threads(), name),
+      m_pools(device, vk::CommandBufferLevel::eSecondary, m_draws->workers().threads(), name),
       m_primaryPool(device, vk::CommandBufferLevel::ePrimary, name) {}
 
 void SecondaryPath::begin(const FrameView& view) {
-    recordJobs(m_draws.recording(view));
-    m_draws.flush();
+    recordJobs(view);
+    m_draws->flush();
     m_primaryPool.reset();
     m_primary = m_primaryPool.next();
     m_primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
 }
 
-void SecondaryPath::recordJobs(const GeometryPass::Recording& recording) {
-    const GeometryPass& pass = m_draws.pass();
+void SecondaryPath::recordJobs(const FrameView& view) {
+    const visibility::DrawLists& lists = m_draws->lists();
     m_pools.beginFrame();
-    m_jobs = makeJobs(recording.lists, m_pools.workers());
+    m_jobs = makeJobs(lists, m_pools.workers());
     m_commands.assign(m_jobs.size(), nullptr);
-    m_cascadeBegins.assign(recording.lists.cascades() + 1, m_jobs.size());
+    m_cascadeBegins.assign(lists.cascades() + 1, m_jobs.size());
     for (std::size_t job = m_jobs.size(); job-- > 0;) {
         std::fill_n(m_cascadeBegins.begin(), m_jobs[job].cascade + 1, job);
     }
-    const vk::CommandBufferInheritanceRenderingInfo rendering{
-        .colorAttachmentCount = 1,
-        .pColorAttachmentFormats = &kGBufferFormat,
-        .depthAttachmentFormat = pass.pipelines().depthFormat(),
-        .rasterizationSamples = vk::SampleCountFlagBits::e1};
+    const vk::Format surfaceFormat = m_draws->surfaceFormat();
+    const vk::CommandBufferInheritanceRenderingInfo rendering{.colorAttachmentCount = 1,
+                                                              .pColorAttachmentFormats = &surfaceFormat,
+                                                              .depthAttachmentFormat = m_draws->depthFormat(),
+                                                              .rasterizationSamples =
+                                                                  vk::SampleCountFlagBits::e1};
     const vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};
     const vk::CommandBufferBeginInfo begin{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit |
                                                     vk::CommandBufferUsageFlagBits::eRenderPassContinue,
                                            .pInheritanceInfo = &inheritance};
-    m_draws.workers().run(m_jobs.size(), [&](std::size_t job, std::size_t worker) {
+    m_draws->workers().run(m_jobs.size(), [&](std::size_t job, std::size_t worker) {
         const DrawJob& work = m_jobs[job];
-        const host::JobSpan span(recording.trace, worker, job, work.cascade, work.draws.size());
+        const host::JobSpan span(m_draws->trace(), worker, job, work.cascade, work.draws.size());
         const vk::CommandBuffer commands = m_pools.next(worker);
         commands.begin(begin);
-        pass.record(commands, work, recording);
+        m_draws->record(commands, work, view);
         commands.end();
         m_commands[job] = commands;
     });

@@ -3,6 +3,7 @@
 #include <cdr/render/submit/host_draws.h>
 #include <cdr/render/submit/worker_command_pools.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,24 +20,25 @@ std::vector<DrawJob> makeJobs(const visibility::DrawLists& lists, std::size_t th
 /// job's index, so the order of execution never depends on which worker finished first.
 class SecondaryPath final : public DrawPath {
   public:
-    SecondaryPath(const gpu::Device& device, HostDraws draws, const std::string& name);
+    SecondaryPath(const gpu::Device& device, std::unique_ptr<HostDraws> draws, const std::string& name);
 
     bool needsVisible() const override { return true; }
     void bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats) override {
-        m_draws.bin(view, visible, stats);
+        m_draws->bin(view, visible, stats);
     }
     void begin(const FrameView& view) override;
-    bool isEmpty(std::size_t cascade) const override { return m_draws.lists().range(cascade).size() == 0; }
+    bool isEmpty(std::size_t cascade) const override { return m_draws->lists().range(cascade).size() == 0; }
     vk::CommandBuffer primary() override { return m_primary; }
     void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;
     std::span<const vk::CommandBuffer> end(const FrameView& view) override;
     bool settle(FrameStats&) override { return true; }
+    vk::BufferView facets() const override { return m_draws->facets(); }
 
   private:
-    void recordJobs(const GeometryPass::Recording& recording);
+    void recordJobs(const FrameView& view);
 
     const gpu::Device& m_device;
-    HostDraws m_draws;
+    std::unique_ptr<HostDraws> m_draws;
     WorkerCommandPools m_pools;
     gpu::CommandPool m_primaryPool;
     vk::CommandBuffer m_primary;

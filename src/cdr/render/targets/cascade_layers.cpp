@@ -1,6 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/targets/cascade_layers.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
+#include <cdr/shaders/merge_facets_frag.h>
 #include <cdr/shaders/merge_frag.h>
 #include <cdr/shaders/merge_occluded_frag.h>
 
@@ -15,11 +16,12 @@ namespace {
 
 /// The options, once the memory for the accumulated G-buffer and `layers` is known to be there.
 const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& options, std::size_t layers) {
-    gpu::requireDeviceBytes(device,
-                            gpu::predictBytes(device, gbufferOptions(options.extent)) +
-                                layers * predictLayerBytes(device, options.extent, options.depthFormat),
-                            fmt::format("an accumulated G-buffer of {}x{} with {} layers",
-                                        options.extent.width, options.extent.height, layers));
+    gpu::requireDeviceBytes(
+        device,
+        gpu::predictBytes(device, gbufferOptions(options.extent, options.format)) +
+            layers * predictLayerBytes(device, options.extent, options.depthFormat, options.format),
+        fmt::format("an accumulated G-buffer of {}x{} with {} layers", options.extent.width,
+                    options.extent.height, layers));
     return options;
 }
 
@@ -27,8 +29,11 @@ FullscreenPassOptions mergeOptions(const TargetsOptions& options) {
     FullscreenPassOptions merge{.name = "merge",
                                 .fragmentSpirv = kMergeFrag,
                                 .bindings = {vk::DescriptorType::eCombinedImageSampler},
-                                .format = kGBufferFormat,
+                                .format = options.format,
                                 .constants = {}};
+    if (options.format == kVisibilityFormat) {
+        merge.fragmentSpirv = kMergeFacetsFrag;
+    }
     if (options.occlusionRadius > 0.0) {
         merge.fragmentSpirv = kMergeOccludedFrag;
         merge.pushBytes = sizeof(shaders::LayerPush);
@@ -50,7 +55,7 @@ CascadeLayers::CascadeLayers(const gpu::Device& device, const TargetsOptions& op
       m_options(checked(device, options, count.first)),
       m_perCascade(count.perCascade),
       m_merge(device, mergeOptions(options)),
-      m_accumulated(makeGBuffer(device, options.extent, "G-buffer")) {
+      m_accumulated(makeGBuffer(device, options.extent, "G-buffer", options.format)) {
     grow(count.first);
 }
 
@@ -60,7 +65,8 @@ void CascadeLayers::grow(std::size_t layers) {
     }
     const std::size_t more = layers - m_layers.size();
     gpu::requireDeviceBytes(
-        m_device, more * predictLayerBytes(m_device, m_options.extent, m_options.depthFormat),
+        m_device,
+        more * predictLayerBytes(m_device, m_options.extent, m_options.depthFormat, m_options.format),
         fmt::format("{} layer G-buffers of {}x{}", more, m_options.extent.width, m_options.extent.height));
     while (m_layers.size() < layers) {
         m_layers.push_back(makeLayer(m_layers.size()));
@@ -69,7 +75,7 @@ void CascadeLayers::grow(std::size_t layers) {
 
 CascadeLayers::Layer CascadeLayers::makeLayer(std::size_t number) const {
     const std::string name = fmt::format("layer {}", number);
-    gpu::Image gbuffer = makeGBuffer(m_device, m_options.extent, name);
+    gpu::Image gbuffer = makeGBuffer(m_device, m_options.extent, name, m_options.format);
     PassInputs source = m_merge.makeInputs();
     source.setImage(0, gbuffer);
     return {.gbuffer = std::move(gbuffer),

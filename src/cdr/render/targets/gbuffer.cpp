@@ -20,15 +20,16 @@ glm::vec3 GBufferPixel::normalView() const {
     return glm::normalize(n);
 }
 
-gpu::ImageOptions gbufferOptions(vk::Extent2D extent) {
+gpu::ImageOptions gbufferOptions(vk::Extent2D extent, vk::Format format) {
     return {.extent = extent,
-            .format = kGBufferFormat,
+            .format = format,
             .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled |
                      vk::ImageUsageFlagBits::eTransferSrc};
 }
 
-gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name) {
-    return {device, gbufferOptions(extent), name};
+gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name,
+                       vk::Format format) {
+    return {device, gbufferOptions(extent, format), name};
 }
 
 gpu::ImageOptions depthBufferOptions(const gpu::Device& device, vk::Extent2D extent,
@@ -45,9 +46,10 @@ gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, depth
     return {device, depthBufferOptions(device, extent, format), name};
 }
 
-std::uint64_t predictLayerBytes(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format) {
-    return gpu::predictBytes(device, gbufferOptions(extent)) +
-           gpu::predictBytes(device, depthBufferOptions(device, extent, format));
+std::uint64_t predictLayerBytes(const gpu::Device& device, vk::Extent2D extent,
+                                depth::DepthFormat depthFormat, vk::Format format) {
+    return gpu::predictBytes(device, gbufferOptions(extent, format)) +
+           gpu::predictBytes(device, depthBufferOptions(device, extent, depthFormat));
 }
 
 } // namespace cdr::render

@@ -17,11 +17,17 @@ namespace cdr::render {
 /// out as shaders/targets/gbuffer.glsl says. Vulkan requires every device to render to it and to sample it.
 inline constexpr vk::Format kGBufferFormat = vk::Format::eR32G32B32A32Uint;
 
+/// Format of a visibility buffer, which takes the geometry buffer's place where surfaces are facets: 0 for
+/// background, else 1 + the index of a shaders::FacetRecord. Vulkan requires it likewise.
+inline constexpr vk::Format kVisibilityFormat = vk::Format::eR32Uint;
+
 static_assert(GBufferPixel::kIdBits == shaders::kIdBits &&
               GBufferPixel::kCascadeMask == shaders::kCascadeMask);
 
-gpu::ImageOptions gbufferOptions(vk::Extent2D extent);
-gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name);
+/// @param format kGBufferFormat, or kVisibilityFormat.
+gpu::ImageOptions gbufferOptions(vk::Extent2D extent, vk::Format format = kGBufferFormat);
+gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name,
+                       vk::Format format = kGBufferFormat);
 
 /// Of a depth attachment. base::InputError where the device lacks the format.
 gpu::ImageOptions depthBufferOptions(const gpu::Device& device, vk::Extent2D extent,
@@ -30,6 +36,7 @@ gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, depth
                            const std::string& name);
 
 /// Device bytes of a geometry buffer and a depth buffer.
-std::uint64_t predictLayerBytes(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format);
+std::uint64_t predictLayerBytes(const gpu::Device& device, vk::Extent2D extent,
+                                depth::DepthFormat depthFormat, vk::Format format = kGBufferFormat);
 
 } // namespace cdr::render

@@ -38,7 +38,7 @@ DepthSlice integerSlice(std::size_t slice, std::size_t slices, int bits) {
 } // namespace
 
 OnePassTargets::OnePassTargets(const gpu::Device& device, const TargetsOptions& options)
-    : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer")),
+    : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer", options.format)),
       m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth")),
       m_depthFormat(options.depthFormat),
       m_reversedDepth(options.reversedDepth) {}

@@ -7,7 +7,7 @@
 namespace cdr::render {
 
 SingleTargets::SingleTargets(const gpu::Device& device, const TargetsOptions& options)
-    : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer")),
+    : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer", options.format)),
       m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth")),
       m_reversedDepth(options.reversedDepth) {}
 

@@ -15,6 +15,7 @@ namespace cdr::render {
 /// What every kind of targets is made from.
 struct TargetsOptions {
     vk::Extent2D extent;
+    vk::Format format = kGBufferFormat; ///< or kVisibilityFormat
     depth::DepthFormat depthFormat = depth::DepthFormat::d32f;
     bool reversedDepth = false; ///< clear to 0 instead of 1
     /// Of ambient occlusion that each layer works out for itself before it is merged; 0 for none.

@@ -1,0 +1,54 @@
+#include <cdr/base/error.h>
+#include <cdr/render/choose_facets.h>
+
+#include <fmt/format.h>
+
+namespace cdr::render {
+
+namespace {
+
+/// Why a visibility buffer does not do; null where it does, as far as options tell.
+const char* refusalOf(const DrawnScene& drawn, const RenderOptions& options) {
+    if (options.submission == Submission::gpuDriven) {
+        return "its triangles are written by the CPU, not gpu-driven";
+    }
+    if (options.batching != Batching::instanced) {
+        return "it draws many objects by one command, so the batching must be instanced";
+    }
+    if (options.effects.occlusion.radius > 0.0) {
+        return "ambient occlusion reads the G-buffer";
+    }
+    if (options.focus.isOn()) {
+        return "a lens with a focus reads the G-buffer";
+    }
+    if (drawn.uploaded.hasBlended()) {
+        return "blended surfaces read the G-buffer";
+    }
+    if (drawn.uploaded.isLive()) {
+        return "its meshes are those of a scene that stays as it is";
+    }
+    return nullptr;
+}
+
+[[noreturn]] void refuse(const char* why) {
+    throw base::InputError(fmt::format("surface visibility cannot be used: {}", why));
+}
+
+} // namespace
+
+std::optional<FacetMeshes> chooseFacets(const DrawnScene& drawn, const RenderOptions& options) {
+    if (options.surface != SurfacePath::visibility) {
+        return std::nullopt;
+    }
+    if (const char* refusal = refusalOf(drawn, options)) {
+        refuse(refusal);
+    }
+    std::optional<FacetMeshes> facets = FacetMeshes::of(drawn.scene, drawn.uploaded);
+    if (!facets) {
+        refuse("a mesh is not made of a few plane faces of one colour, or a material is textured, masked or "
+               "double-sided");
+    }
+    return facets;
+}
+
+} // namespace cdr::render

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cdr/render/drawn_scene.h>
+#include <cdr/render/geometry/facet_meshes.h>
+#include <cdr/render/render_options.h>
+
+#include <optional>
+
+namespace cdr::render {
+
+/// The meshes to draw by facets, for a visibility buffer; empty for a G-buffer.
+/// base::InputError, with the reason, where a visibility buffer is asked for and cannot be used.
+std::optional<FacetMeshes> chooseFacets(const DrawnScene& drawn, const RenderOptions& options);
+
+} // namespace cdr::render

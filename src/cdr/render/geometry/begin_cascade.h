@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cdr/render/frame_view.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstddef>
+
+namespace cdr::render {
+
+/// Sets viewport, scissor and push constants of the draws of one cascade.
+/// @param layout has shaders::CascadePush at offset 0, in both stages.
+void beginCascade(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
+                  vk::PipelineLayout layout);
+
+} // namespace cdr::render

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cdr/host/worker_pool.h>
+
+#include <cstddef>
+
+namespace cdr::render {
+
+/// A contiguous range of one cascade's draws.
+struct DrawJob {
+    std::size_t cascade = 0;
+    host::IndexRange draws; ///< into visibility::DrawLists::instance
+};
+
+} // namespace cdr::render

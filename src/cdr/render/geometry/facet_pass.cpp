@@ -1,0 +1,100 @@
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/geometry/begin_cascade.h>
+#include <cdr/render/geometry/facet_pass.h>
+#include <cdr/render/targets/gbuffer.h>
+#include <cdr/shaders/facet_cut_frag.h>
+#include <cdr/shaders/facet_cut_vert.h>
+#include <cdr/shaders/facet_depth_frag.h>
+#include <cdr/shaders/facet_frag.h>
+#include <cdr/shaders/facet_vert.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace cdr::render {
+
+namespace {
+
+constexpr std::uint32_t kVertexBinding = 0;
+
+std::vector<vk::VertexInputAttributeDescription> attributes() {
+    return {{0, kVertexBinding, vk::Format::eR32G32B32Sfloat, offsetof(shaders::FacetVertex, x)},
+            {1, kVertexBinding, vk::Format::eR32Uint, offsetof(shaders::FacetVertex, facet)}};
+}
+
+} // namespace
+
+FacetPass::FacetPass(const gpu::Device& device, const GpuScene& scene, FacetMeshes meshes,
+                     const GeometryOptions& options)
+    : m_scene(scene),
+      m_meshes(std::move(meshes)),
+      m_options(options),
+      m_depthFormat(device.depthFormat(options.technique.format)),
+      m_layout(gpu::makePipelineLayout(
+          device, {}, {{.stageFlags = GeometryPipelines::kStages, .size = sizeof(shaders::CascadePush)}},
+          "facet layout")),
+      m_compact(makePipeline(device, false)),
+      m_wide(makePipeline(device, true)) {}
+
+vk::UniquePipeline FacetPass::makePipeline(const gpu::Device& device, bool wide) const {
+    using Spirv = std::span<const std::uint32_t>;
+    const std::uint32_t form = depthFormOf(mapping(), wide);
+    const bool writesDepth = form == shaders::kDepthFormLogFragment;
+    const bool cuts = wide || writesDepth;
+    return gpu::makeGraphicsPipeline(
+        device,
+        {.name = wide ? "facets, wide" : "facets",
+         .vertexSpirv = cuts ? Spirv(kFacetCutVert) : Spirv(kFacetVert),
+         .fragmentSpirv = writesDepth ? Spirv(kFacetDepthFrag)
+                          : cuts      ? Spirv(kFacetCutFrag)
+                                      : Spirv(kFacetFrag),
+         .constants = {form, 0u, 0u, wide ? 1u : 0u, 0u, std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
+                       std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
+         .layout = *m_layout,
+         .bindings = {{.binding = kVertexBinding,
+                       .stride = sizeof(shaders::FacetVertex),
+                       .inputRate = vk::VertexInputRate::eVertex}},
+         .attributes = attributes(),
+         .colorFormats = {kVisibilityFormat},
+         .depthFormat = m_depthFormat,
+         .depthCompare = depthCompareOf(mapping())});
+}
+
+void FacetPass::record(vk::CommandBuffer commands, const DrawJob& job, const Recording& recording) const {
+    const visibility::DrawLists& lists = recording.lists;
+    const FacetCounts& most = m_meshes.most();
+    FacetStreams streams = recording.streams;
+    const std::size_t first = job.draws.begin;
+    streams.vertices += first * most.vertices;
+    streams.indices += first * most.indices;
+    streams.facets += first * most.facets;
+    streams.firstFacet += static_cast<std::uint32_t>(first * most.facets);
+    FacetWriter writer(recording.view, job.cascade, m_options.shiny, streams);
+
+    beginCascade(commands, recording.view, job.cascade, *m_layout);
+    commands.bindVertexBuffers(kVertexBinding, {recording.vertices}, {0});
+    commands.bindIndexBuffer(recording.indices, 0, vk::IndexType::eUint32);
+    commands.setCullMode(vk::CullModeFlagBits::eBack);
+    commands.setFrontFace(vk::FrontFace::eCounterClockwise);
+    const std::size_t wideBegin = std::clamp(lists.wideBegin(job.cascade), first, job.draws.end);
+    std::size_t draw = first;
+    for (const auto& [end, pipeline] :
+         {std::pair(wideBegin, *m_compact), std::pair(job.draws.end, *m_wide)}) {
+        const std::uint32_t firstIndex = writer.counts().indices;
+        for (; draw < end; ++draw) {
+            const DrawSource& source = m_scene.sources()[lists.instance[draw]];
+            const std::uint32_t level = lists.level.empty() ? 0 : lists.level[draw];
+            writer.add(m_meshes.solid(source.kind, level), source, m_scene.materials()[source.material]);
+        }
+        if (const std::uint32_t count = writer.counts().indices - firstIndex; count > 0) {
+            commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
+            commands.drawIndexed(count, 1, static_cast<std::uint32_t>(first * most.indices) + firstIndex,
+                                 static_cast<std::int32_t>(first * most.vertices), 0);
+        }
+    }
+}
+
+} // namespace cdr::render

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cdr/render/frame_view.h>
+#include <cdr/render/geometry/facet_solid.h>
+#include <cdr/render/gpu_scene.h>
+#include <cdr/render/view_transform.h>
+#include <cdr/shaders/shared.h>
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace cdr::render {
+
+/// How much one writer wrote.
+struct FacetCounts {
+    std::uint32_t vertices = 0;
+    std::uint32_t indices = 0;
+    std::uint32_t facets = 0;
+};
+
+/// Where a writer writes, mapped and with room for all that it is given.
+struct FacetStreams {
+    shaders::FacetVertex* vertices = nullptr;
+    std::uint32_t* indices = nullptr; ///< from 0, the writer's first vertex
+    shaders::FacetRecord* facets = nullptr;
+    std::uint32_t firstFacet = 0; ///< index of the first among all of the frame's
+};
+
+/// Transforms solids into one cascade's vertices, and records of the facets that face the camera. Camera and
+/// anchor are subtracted in float64, and corners are rounded as geometry.vert rounds them.
+class FacetWriter {
+  public:
+    FacetWriter(const FrameView& view, std::size_t cascade, bool shiny, const FacetStreams& into);
+
+    void add(const FacetSolid& solid, const DrawSource& source, const MaterialWords& material);
+    const FacetCounts& counts() const { return m_counts; }
+
+  private:
+    /// What draws of one solid, basis and material share.
+    struct Turned {
+        const FacetSolid* solid = nullptr;
+        glm::mat3 basis{std::numeric_limits<float>::quiet_NaN()};
+        std::uint32_t material = 0;
+        bool isMirrored = false;
+        std::array<glm::vec3, kMaxSolidParts> corners{};            ///< in view space, before they are moved
+        std::array<glm::dvec3, kMaxSolidParts> normals{};           ///< world space, unit, outward
+        std::array<double, kMaxSolidParts> heights{};               ///< of the facets' planes over the origin
+        std::array<shaders::FacetRecord, kMaxSolidParts> records{}; ///< but for place and id
+    };
+    void turn(const FacetSolid& solid, const DrawSource& source, const shaders::DrawRecord& record);
+    void turnFacet(std::size_t facet, const DrawSource& source, const shaders::DrawRecord& record);
+    std::uint32_t facing(const DrawSource& source) const;
+
+    glm::dvec3 m_cameraPosition;
+    DrawRecordMaker m_records;
+    std::uint32_t m_cascadeBits;
+    bool m_shiny;
+    FacetStreams m_into;
+    FacetCounts m_counts;
+    Turned m_turned;
+};
+
+} // namespace cdr::render

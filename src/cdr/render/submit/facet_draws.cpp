@@ -1,0 +1,67 @@
+#include <cdr/base/error.h>
+#include <cdr/render/submit/facet_draws.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cdr::render {
+
+namespace {
+
+constexpr std::uint64_t kTexelsPerFacet = 2;
+
+gpu::Buffer makeStream(const gpu::Device& device, std::size_t bytes, vk::BufferUsageFlagBits usage,
+                       const char* name) {
+    return {device, std::max<std::size_t>(bytes, 1), usage, gpu::MemoryUse::hostWrites, name};
+}
+
+} // namespace
+
+void FacetDraws::makeRoom(std::size_t draws) {
+    if (m_room > 0 && draws <= m_room) {
+        return;
+    }
+    const FacetCounts& most = m_pass.meshes().most();
+    const std::uint64_t mostTexels = device().physical().getProperties().limits.maxTexelBufferElements;
+    const std::uint64_t texels = draws * most.facets * kTexelsPerFacet;
+    if (texels > mostTexels) {
+        throw base::RunError(fmt::format("{} draws have facets of {} texels, {} reads {}", draws, texels,
+                                         device().info().name, mostTexels));
+    }
+    const std::size_t room =
+        std::min(roomFor(draws), mostTexels / kTexelsPerFacet / std::max(most.facets, 1u));
+    gpu::requireDeviceBytes(device(), room * bytesPerDraw(most),
+                            fmt::format("the facets of {} draws", draws));
+    using Usage = vk::BufferUsageFlagBits;
+    m_vertices = makeStream(device(), room * most.vertices * sizeof(shaders::FacetVertex),
+                            Usage::eVertexBuffer, "facet vertices");
+    m_indices = makeStream(device(), room * most.indices * sizeof(std::uint32_t), Usage::eIndexBuffer,
+                           "facet indices");
+    m_facetTexels.reset();
+    m_facets =
+        makeStream(device(), std::max<std::size_t>(room * most.facets, 1) * sizeof(shaders::FacetRecord),
+                   Usage::eUniformTexelBuffer, "facets");
+    m_facetTexels = device().handle().createBufferViewUnique(
+        {.buffer = m_facets.handle(), .format = vk::Format::eR32G32B32A32Uint, .range = VK_WHOLE_SIZE});
+    m_room = room;
+}
+
+void FacetDraws::record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const {
+    m_pass.record(commands, job,
+                  {.view = view,
+                   .lists = lists(),
+                   .streams = {.vertices = static_cast<shaders::FacetVertex*>(m_vertices.mapped()),
+                               .indices = static_cast<std::uint32_t*>(m_indices.mapped()),
+                               .facets = static_cast<shaders::FacetRecord*>(m_facets.mapped())},
+                   .vertices = m_vertices.handle(),
+                   .indices = m_indices.handle()});
+}
+
+void FacetDraws::flush() const {
+    m_vertices.flush();
+    m_indices.flush();
+    m_facets.flush();
+}
+
+} // namespace cdr::render

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cdr/render/geometry/facet_pass.h>
+#include <cdr/render/submit/host_draws.h>
+
+namespace cdr::render {
+
+/// Draws into a visibility buffer: vertices, indices and the records of facets.
+class FacetDraws final : public HostDraws {
+  public:
+    FacetDraws(const HostDrawsContext& context, const FacetPass& pass) : HostDraws(context), m_pass(pass) {}
+
+    void record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const override;
+    void flush() const override;
+    vk::Format surfaceFormat() const override { return kVisibilityFormat; }
+    vk::Format depthFormat() const override { return m_pass.depthFormat(); }
+    vk::BufferView facets() const override { return *m_facetTexels; }
+
+  protected:
+    depth::Mapping mapping() const override { return m_pass.mapping(); }
+    void makeRoom(std::size_t draws) override;
+
+  private:
+    const FacetPass& m_pass;
+    std::size_t m_room = 0; ///< draws
+    gpu::Buffer m_vertices;
+    gpu::Buffer m_indices;
+    gpu::Buffer m_facets;
+    vk::UniqueBufferView m_facetTexels;
+};
+
+} // namespace cdr::render

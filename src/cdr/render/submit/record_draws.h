@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cdr/render/geometry/geometry_pass.h>
+#include <cdr/render/submit/host_draws.h>
+
+namespace cdr::render {
+
+/// Draws into a G-buffer, each with a draw record.
+class RecordDraws final : public HostDraws {
+  public:
+    RecordDraws(const HostDrawsContext& context, const GeometryPass& pass)
+        : HostDraws(context),
+          m_pass(pass) {}
+
+    void record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const override;
+    void flush() const override { m_records.flush(); }
+    vk::Format surfaceFormat() const override { return kGBufferFormat; }
+    vk::Format depthFormat() const override { return m_pass.pipelines().depthFormat(); }
+
+  protected:
+    depth::Mapping mapping() const override { return m_pass.pipelines().mapping(); }
+    void makeRoom(std::size_t draws) override;
+
+  private:
+    const GeometryPass& m_pass;
+    gpu::Buffer m_records;
+};
+
+} // namespace cdr::render

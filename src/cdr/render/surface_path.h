@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace cdr::render {
+
+/// What the geometry pass keeps of a surface until it is shaded. Pictures differ by roundings alone.
+enum class SurfacePath : std::uint8_t {
+    gbuffer,    ///< albedo, normal, distance and id: 16 bytes a pixel
+    visibility, ///< which facet: 4 bytes a pixel, and a record per facet that the CPU writes
+};
+
+inline constexpr std::array kSurfacePaths{SurfacePath::gbuffer, SurfacePath::visibility};
+
+/// "gbuffer" or "visibility".
+std::string_view nameOf(SurfacePath path);
+/// base::InputError with a suggestion for an unknown name.
+SurfacePath parseSurfacePath(std::string_view name);
+
+} // namespace cdr::render
