@@ -77,6 +77,8 @@ class Device {
     /// base::InputError that names the features which BorrowedDevice::features leaves off.
     explicit Device(const BorrowedDevice& borrowed);
     ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
     Device(Device&&) noexcept;
     Device& operator=(Device&&) noexcept;
 

@@ -1,6 +1,7 @@
 #include "device_query.h"
 
 #include <fmt/format.h>
+#include <vulkan/vulkan.hpp>
 
 #include <algorithm>
 #include <array>

@@ -38,6 +38,8 @@ class Instance {
   public:
     explicit Instance(const InstanceOptions& options = {});
     ~Instance();
+    Instance(const Instance&) = delete;
+    Instance& operator=(const Instance&) = delete;
     Instance(Instance&&) noexcept;
     Instance& operator=(Instance&&) noexcept;
 

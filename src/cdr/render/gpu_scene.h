@@ -31,6 +31,8 @@ class GpuScene {
     /// Of a scene that changes; the world must outlive this.
     GpuScene(const gpu::Device& device, const scene::World& world);
     ~GpuScene();
+    GpuScene(const GpuScene&) = delete;
+    GpuScene& operator=(const GpuScene&) = delete;
     GpuScene(GpuScene&&) noexcept;
     GpuScene& operator=(GpuScene&&) noexcept;
 

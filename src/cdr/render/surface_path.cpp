@@ -5,16 +5,16 @@ namespace cdr::render {
 
 namespace {
 
-constexpr base::EnumNames<SurfacePath, kSurfacePaths.size()> kNames{"surface", {"gbuffer", "visibility"}};
+constexpr base::EnumNames<SurfacePath, kSurfacePaths.size()> kSurfaceNames{"surface", {"gbuffer", "visibility"}};
 
 } // namespace
 
 std::string_view nameOf(SurfacePath path) {
-    return kNames.nameOf(path);
+    return kSurfaceNames.nameOf(path);
 }
 
 SurfacePath parseSurfacePath(std::string_view name) {
-    return kNames.parse(name);
+    return kSurfaceNames.parse(name);
 }
 
 } // namespace cdr::render
