@@ -5,7 +5,8 @@ namespace cdr::render {
 
 namespace {
 
-constexpr base::EnumNames<SurfacePath, kSurfacePaths.size()> kSurfaceNames{"surface", {"gbuffer", "visibility"}};
+constexpr base::EnumNames<SurfacePath, kSurfacePaths.size()> kSurfaceNames{"surface",
+                                                                           {"gbuffer", "visibility"}};
 
 } // namespace
 

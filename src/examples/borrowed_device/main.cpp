@@ -52,15 +52,16 @@ VkDevice makeDevice(VkPhysicalDevice physical, std::uint32_t family,
 }
 
 void drawOneBox(const cdr::gpu::Device& device) {
-    using namespace cdr;
-    scene::Scene scene;
-    scene.meshes.push_back(scene::makeBox(glm::vec3(1.0f)));
+    namespace render = cdr::render;
+    cdr::scene::Scene scene;
+    scene.meshes.push_back(cdr::scene::makeBox(glm::vec3(1.0f)));
     scene.materials.push_back({.name = "white"});
-    scene::addInstance(scene, 0, 0, 41, {0.0, 0.0, -5.0}, glm::mat3(1.0f));
+    cdr::scene::addInstance(scene, 0, 0, 41, {0.0, 0.0, -5.0}, glm::mat3(1.0f));
     const render::GpuScene onDevice(device, scene);
-    render::Renderer renderer(device, scene, onDevice,
-                              {.width = 64, .height = 64, .technique = depth::parseTechnique("anchored")});
-    const render::Frame frame = renderer.render(scene::Camera{});
+    render::Renderer renderer(
+        device, scene, onDevice,
+        {.width = 64, .height = 64, .technique = cdr::depth::parseTechnique("anchored")});
+    const render::Frame frame = renderer.render(cdr::scene::Camera{});
     std::printf("id %u at %.6f\n", frame.id(32, 32), frame.distanceView(32, 32));
 }
 

@@ -8,7 +8,11 @@
 #include <vector>
 
 int main() try {
-    using namespace cdr;
+    namespace base = cdr::base;
+    namespace depth = cdr::depth;
+    namespace gpu = cdr::gpu;
+    namespace render = cdr::render;
+    namespace scene = cdr::scene;
 
     const gpu::Instance instance;
     const gpu::Device device(instance, "");
