@@ -16,7 +16,7 @@ namespace {
 using render::SurfacePath;
 using render::TargetsKind;
 
-render::RenderOptions optionsFor(const depth::Technique& technique, SurfacePath surface) {
+render::RenderOptions surfaceOptions(const depth::Technique& technique, SurfacePath surface) {
     render::RenderOptions options = smallOptions(technique);
     options.surface = surface;
     return options;
@@ -70,9 +70,9 @@ TEST_F(SurfacePathTest, VisibilityShowsWhatTheGBufferShows) {
         for (const auto& [preset, technique] : depth::presets()) {
             SCOPED_TRACE(std::string(name) + " " + std::string(preset));
             render::Renderer visibility(device(), setup.scene, gpuScene,
-                                        optionsFor(technique, SurfacePath::visibility));
+                                        surfaceOptions(technique, SurfacePath::visibility));
             render::Renderer gbuffer(device(), setup.scene, gpuScene,
-                                     optionsFor(technique, SurfacePath::gbuffer));
+                                     surfaceOptions(technique, SurfacePath::gbuffer));
             const render::Frame a = visibility.render(setup.path.at(0));
             const render::Frame b = gbuffer.render(setup.path.at(0));
             const std::size_t wrong = measure::countWrong(b.ids(), truth).wrong;
@@ -94,7 +94,7 @@ TEST_F(SurfacePathTest, AllTargetsAndThreadsShowOnePicture) {
         for (const TargetsKind targets :
              {TargetsKind::single, TargetsKind::accumulate, TargetsKind::pool, TargetsKind::layers}) {
             for (const std::size_t threads : {1u, 4u}) {
-                render::RenderOptions options = optionsFor(technique, SurfacePath::visibility);
+                render::RenderOptions options = surfaceOptions(technique, SurfacePath::visibility);
                 options.targets = targets;
                 options.threads = threads;
                 options.submission =
@@ -112,7 +112,7 @@ TEST_F(SurfacePathTest, AllTargetsAndThreadsShowOnePicture) {
 TEST_F(SurfacePathTest, OnePassIsNoWorse) {
     const scene::SceneSetup setup = scenes::makeAfc(2013);
     const depth::Technique anchored = depth::parseTechnique("anchored");
-    render::RenderOptions options = optionsFor(anchored, SurfacePath::visibility);
+    render::RenderOptions options = surfaceOptions(anchored, SurfacePath::visibility);
     options.targets = TargetsKind::onePass;
     EXPECT_EQ(wrongIn(draw(setup.scene, setup.path.at(9), options), setup.scene, setup.path.at(9)).wrong, 0u);
 }
@@ -121,7 +121,7 @@ TEST_F(SurfacePathTest, FramesInFlightKeepTheirFacets) {
     const scene::SceneSetup setup = scenes::makeRotation(3, 4'000);
     const render::GpuScene gpuScene(device(), setup.scene);
     const depth::Technique standard = depth::parseTechnique("standard");
-    render::RenderOptions options = optionsFor(standard, SurfacePath::visibility);
+    render::RenderOptions options = surfaceOptions(standard, SurfacePath::visibility);
     render::Renderer one(device(), setup.scene, gpuScene, options);
     options.framesInFlight = 3;
     render::Renderer three(device(), setup.scene, gpuScene, options);
@@ -150,8 +150,8 @@ TEST_F(SurfacePathTest, MirroredShinyAndUnlitSurfacesLookTheSame) {
         }
     }
     const depth::Technique reversed = depth::parseTechnique("reversed");
-    const render::Frame a = draw(scene, setup.path.at(90), optionsFor(reversed, SurfacePath::visibility));
-    const render::Frame b = draw(scene, setup.path.at(90), optionsFor(reversed, SurfacePath::gbuffer));
+    const render::Frame a = draw(scene, setup.path.at(90), surfaceOptions(reversed, SurfacePath::visibility));
+    const render::Frame b = draw(scene, setup.path.at(90), surfaceOptions(reversed, SurfacePath::gbuffer));
     EXPECT_EQ(a.ids().pixels, b.ids().pixels);
     EXPECT_GT(std::count_if(a.gbuffer.pixels.begin(), a.gbuffer.pixels.end(),
                             [](const render::GBufferPixel& pixel) { return pixel.id() != 0; }),
