@@ -21,10 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-image::ImageRgba8 readPicture(const fs::path& path) {
-    return image::decodeImage(host::readFile(path, 1 << 26), path.string());
-}
-
 /// What the device has of the formats with 24 bits and more.
 std::string fineFormats() {
     return hasD24() ? "d24,d32f" : "d32f";

@@ -66,10 +66,6 @@ int compareFiles(const fs::path& golden, const fs::path& render) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-image::ImageRgba8 readPicture(const fs::path& path) {
-    return image::decodeImage(host::readFile(path, 1 << 26), path.string());
-}
-
 /// Pixels with a channel that does not lie between those of the golden pixels around it, within the usual tolerance. That
 /// is what is left to compare where vertices are snapped: edges move, by less than a pixel.
 std::size_t countApart(const image::ImageRgba8& golden, const image::ImageRgba8& render) {

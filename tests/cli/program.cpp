@@ -1,5 +1,8 @@
 #include "program.h"
 
+#include <cdr/host/file.h>
+#include <cdr/image/codec.h>
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -55,6 +58,10 @@ ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
     fs::remove(log + ".out");
     fs::remove(log + ".err");
     return result;
+}
+
+image::ImageRgba8 readPicture(const std::filesystem::path& path) {
+    return image::decodeImage(host::readFile(path, 1 << 26), path.string());
 }
 
 } // namespace cdr::cli_test

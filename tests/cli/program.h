@@ -3,6 +3,7 @@
 #include "../support/temporary_folder.h"
 
 #include <cdr/gpu/device.h>
+#include <cdr/image/image.h>
 
 #include <filesystem>
 #include <string>
@@ -38,5 +39,7 @@ constexpr const char* kNoGpuDriven = "left out: gpu-driven submission, which the
 using test::TemporaryFolder;
 
 std::string readText(const std::filesystem::path& path);
+
+image::ImageRgba8 readPicture(const std::filesystem::path& path);
 
 } // namespace cdr::cli_test
