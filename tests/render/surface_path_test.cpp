@@ -34,15 +34,35 @@ class SurfacePathTest : public RenderTest {
         }
         return "none";
     }
+
+    /// Whether the device reads as many facets of boxes, two texels each.
+    bool readsFacetsOf(const scene::Scene& scene) const {
+        return scene.instances.size() * 6 * 2 <=
+               device().physical().getProperties().limits.maxTexelBufferElements;
+    }
 };
 
-/// The largest error of a distance, relative to it, where the frame shows the true object.
+/// Whether the pixel and its neighbours show one face of one object, so that no edge, which each device rounds to
+/// a grid of its own, decides what the pixel shows.
+bool isInsideFace(const render::Frame& frame, std::uint32_t x, std::uint32_t y) {
+    if (x == 0 || y == 0 || x + 1 == frame.width() || y + 1 == frame.height()) {
+        return false;
+    }
+    const auto showsTheSame = [&](std::uint32_t thereX, std::uint32_t thereY) {
+        return frame.id(thereX, thereY) == frame.id(x, y) &&
+               glm::dot(frame.normalView(thereX, thereY), frame.normalView(x, y)) > 0.99f;
+    };
+    return showsTheSame(x - 1, y) && showsTheSame(x + 1, y) && showsTheSame(x, y - 1) &&
+           showsTheSame(x, y + 1);
+}
+
+/// The largest error of a distance, relative to it, where the frame shows the true object and no edge is near.
 double worstDistanceError(const render::Frame& frame, const measure::TruthImage& truth) {
     double worst = 0.0;
     for (std::uint32_t y = 0; y < frame.height(); ++y) {
         for (std::uint32_t x = 0; x < frame.width(); ++x) {
             const measure::TruthPixel& wanted = truth.at(x, y);
-            if (wanted.id != 0 && frame.id(x, y) == wanted.id) {
+            if (wanted.id != 0 && frame.id(x, y) == wanted.id && isInsideFace(frame, x, y)) {
                 worst = std::max(worst, std::abs(frame.distanceView(x, y) / wanted.distanceView - 1.0));
             }
         }
@@ -63,6 +83,9 @@ double shareOfOtherIds(const render::Frame& a, const render::Frame& b) {
 TEST_F(SurfacePathTest, VisibilityShowsWhatTheGBufferShows) {
     for (const char* name : {"cubes", "afc", "rotation", "mixed"}) {
         const scene::SceneSetup setup = scenes::openScene(name, 2013).setup;
+        if (!readsFacetsOf(setup.scene)) {
+            continue;
+        }
         const render::GpuScene gpuScene(device(), setup.scene);
         host::WorkerPool workers(2);
         const measure::TruthImage truth =
