@@ -151,18 +151,22 @@ void Renderer::makeInputs(Slot& slot, std::size_t lightRoom) {
     }
 }
 
-void Renderer::remake(const Needs& needs) {
-    const Needs before = std::exchange(m_needs, needs);
+void Renderer::remake(const Needs& needs, const RenderOptions& options) {
+    const Needs needsBefore = std::exchange(m_needs, needs);
+    const RenderOptions optionsBefore = std::exchange(m_options, options);
+    // Pipelines that snap vertices do so for one size.
+    const bool snapsAnew = options.snapBits > 0 && options != optionsBefore;
     std::unique_ptr<DrawPathFactory> paths;
     try {
-        if (needs.shiny != before.shiny) {
+        if (needs.shiny != needsBefore.shiny || snapsAnew) {
             paths = std::make_unique<DrawPathFactory>(m_device, m_drawn, chooseFacets(m_drawn, m_options),
                                                       m_options, needs.shiny);
             std::swap(paths, m_paths);
         }
         makePasses();
     } catch (...) { // all is as it was, and the next frame tries again
-        m_needs = before;
+        m_needs = needsBefore;
+        m_options = optionsBefore;
         if (paths != nullptr) {
             std::swap(paths, m_paths);
         }
@@ -176,7 +180,7 @@ void Renderer::followScene() {
     }
     if (needs() != m_needs) {
         finish();
-        remake(needs());
+        remake(needs(), m_options);
     }
     if (m_revision != m_drawn.uploaded.revision()) {
         m_paths->followKinds();
@@ -210,9 +214,14 @@ void Renderer::cull(const FrameView& view) {
     visibility::removeInstances(m_drawn.uploaded.blended(), m_visible);
 }
 
+Renderer::Slot& Renderer::slotOf(std::size_t frame) const {
+    return m_passes->slots[frame % m_passes->slots.size()];
+}
+
 Renderer::Slot& Renderer::nextSlot() {
-    Slot& slot = m_passes->slots[m_frames++ % m_passes->slots.size()];
+    Slot& slot = slotOf(m_frames);
     settle(slot);
+    ++m_frames;
     return slot;
 }
 
@@ -256,9 +265,11 @@ void Renderer::settle(Slot& slot) {
     while (slot.isPending) {
         gpu::waitAndReset(m_device, *slot.done);
         slot.isPending = false;
+        // A frame that was submitted and left cannot be drawn again once the scene changed, and must not be over the
+        // images of a later one.
         const bool isCurrent = m_drawn.uploaded.isCurrent() && slot.revision == m_drawn.uploaded.revision();
-        // A frame that was submitted and left cannot be drawn again once the scene changed.
-        if (!hasRoomSufficed(slot) && isCurrent) {
+        const bool isLast = &slot == &slotOf(m_frames - 1);
+        if (!hasRoomSufficed(slot) && isCurrent && isLast) {
             if (slot.path->needsVisible()) {
                 cull(slot.view); // by now the list may be a later frame's
             }
@@ -323,15 +334,20 @@ Surfaces Renderer::surfaces() const {
                             .layout = static_cast<VkImageLayout>(layout)};
     };
     Surfaces surfaces{.color = imageOf(m_passes->picture.encoded(), vk::ImageLayout::eUndefined),
-                      .gbuffer = imageOf(m_passes->targets.gbuffer(), vk::ImageLayout::eUndefined),
+                      .gbuffer = {},
                       .anchorsView = {}};
+    if (!drawsFacets(m_options)) {
+        surfaces.gbuffer = imageOf(m_passes->targets.gbuffer(), vk::ImageLayout::eUndefined);
+    }
     if (m_frames > 0) {
-        const Slot& last = m_passes->slots[(m_frames - 1) % m_passes->slots.size()];
+        const Slot& last = slotOf(m_frames - 1);
         // As Picture::finish(), the passes that read the G-buffer and copies to the host leave them.
         surfaces.color.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
-        surfaces.gbuffer.layout = last.destination == Destination::host
-                                      ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
-                                      : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+        if (surfaces.gbuffer.image != VK_NULL_HANDLE) {
+            surfaces.gbuffer.layout = last.destination == Destination::host
+                                          ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
+                                          : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+        }
         surfaces.anchorsView = last.view.anchorsView();
     }
     return surfaces;
@@ -339,20 +355,18 @@ Surfaces Renderer::surfaces() const {
 
 void Renderer::resize(std::uint32_t width, std::uint32_t height) {
     finish();
-    const RenderOptions before = m_options;
-    m_options.width = width;
-    m_options.height = height;
-    try {
-        makePasses();
-    } catch (...) {
-        m_options = before;
-        throw;
-    }
+    RenderOptions resized = m_options;
+    resized.width = width;
+    resized.height = height;
+    remake(m_needs, resized);
 }
 
 void Renderer::finish() {
-    for (Slot& slot : m_passes->slots) {
-        settle(slot);
+    const std::size_t slots = m_passes->slots.size();
+    for (std::size_t age = slots; age-- > 0;) { // in the order in which they were submitted
+        if (age < m_frames) {
+            settle(slotOf(m_frames - 1 - age));
+        }
     }
 }
 

@@ -55,15 +55,16 @@ class Renderer {
 
     /// Renders one frame without waiting for it: the CPU is at most `framesInFlight` ahead of the device.
     /// Errors of an earlier frame may come up here. A frame whose lists had too little room (gpu-driven, or translucent
-    /// surfaces sorted) signals nonetheless, and is drawn again, whole, once that is seen.
+    /// surfaces sorted) signals nonetheless, and unless a later frame was submitted is drawn again, whole, once that is
+    /// seen.
     void submit(const scene::Camera& camera, const FrameSync& sync = {});
     /// Waits for all that was submitted.
     void finish();
     /// Where the last frame is. Valid until the next frame, or resize().
     Surfaces surfaces() const;
 
-    /// Makes pictures of another size. Pipelines of the geometry stay. Waits for what is in flight; errors as the
-    /// constructor, which leave the size as it was.
+    /// Makes pictures of another size. Pipelines of the geometry stay, unless vertices are snapped. Waits for what is in
+    /// flight; errors as the constructor, which leave the size as it was.
     void resize(std::uint32_t width, std::uint32_t height);
 
     const RenderOptions& options() const { return m_options; }
@@ -83,10 +84,13 @@ class Renderer {
              const RenderOptions& options);
     Needs needs() const;
     void makePasses();
-    void remake(const Needs& needs);
+    /// For what the scene needs, or for a picture of another size. Nothing may be in flight.
+    void remake(const Needs& needs, const RenderOptions& options);
     void makeInputs(Slot& slot, std::size_t lightRoom);
     /// Takes over what changed in the scene.
     void followScene();
+    /// @param frame counted from 0, since the passes were made
+    Slot& slotOf(std::size_t frame) const;
     Slot& nextSlot();
     /// Lists what is drawn into the G-buffer: all that is seen but blended instances.
     void cull(const FrameView& view);

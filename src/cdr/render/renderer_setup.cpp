@@ -42,6 +42,15 @@ bool losesShine(const GpuScene& scene, const RenderOptions& options) {
     return scene.isShiny() && occlusion.radius > 0.0 && occlusion.perLayer;
 }
 
+std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
+    const vk::Extent2D extent{options.width, options.height};
+    const bool hasFacets = options.surface == SurfacePath::visibility;
+    return predictLayerBytes(device, extent, options.technique.format) +
+           (hasFacets ? gpu::predictBytes(device, gbufferOptions(extent, kVisibilityFormat)) : 0) +
+           Picture::predictBytes(device, pictureOptions(extent, options, hasBlended)) +
+           ShadingPass::predictBytes(extent, options.effects);
+}
+
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
     if (options.framesInFlight < 1 || options.framesInFlight > kMaxFramesInFlight) {
         throw base::InputError(fmt::format("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,
@@ -67,10 +76,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         }
     }
     const vk::Extent2D extent{options.width, options.height};
-    gpu::requireDeviceBytes(device,
-                            predictLayerBytes(device, extent, options.technique.format) +
-                                Picture::predictBytes(device, pictureOptions(extent, options, hasBlended)) +
-                                ShadingPass::predictBytes(extent, options.effects),
+    gpu::requireDeviceBytes(device, predictPictureBytes(device, options, hasBlended),
                             fmt::format("a {}x{} picture", extent.width, extent.height));
     return extent;
 }

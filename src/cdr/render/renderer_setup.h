@@ -14,6 +14,11 @@ namespace cdr::render {
 /// @param hasBlended whether the scene has blended instances.
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended);
 
+/// Device bytes of a picture and what it is drawn through: with a visibility buffer also the G-buffer that is resolved
+/// from it.
+/// @param hasBlended as above.
+std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options, bool hasBlended);
+
 PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended);
 TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options);
 

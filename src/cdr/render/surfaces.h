@@ -26,8 +26,9 @@ struct SurfaceImage {
 /// are. All frames of a renderer share them, so the next one writes over them; it runs after what its queue was given
 /// before, and after FrameSync::waits.
 struct Surfaces {
-    SurfaceImage color;   ///< sRGB, 8 bits
-    SurfaceImage gbuffer; ///< a GBufferPixel each
+    SurfaceImage color; ///< sRGB, 8 bits
+    SurfaceImage
+        gbuffer; ///< a GBufferPixel each; no image under SurfacePath::visibility, which keeps no G-buffer
     /// By cascade: what is added to GBufferPixel::ahead for the view distance.
     std::vector<double> anchorsView;
 };

@@ -22,13 +22,22 @@ using MeshHandle = Handle<struct MeshKind>;
 using MaterialHandle = Handle<struct MaterialKind>;
 using TextureHandle = Handle<struct TextureKind>;
 
+/// base::InputError: nothing is at this place.
+[[noreturn]] void refusePlace(const char* kind, std::size_t index);
+/// base::InputError: the handle names nothing that is there. @param wasThere whether there is such a place
+[[noreturn]] void refuseHandle(const char* kind, std::uint32_t index, std::uint32_t generation,
+                               bool wasThere);
+/// base::InputError: something uses it still.
+[[noreturn]] void refuseUsed(const char* kind, std::uint32_t index, std::uint32_t uses, const char* users);
+
 /// Hands out places in an array and takes them back. A place that was given back is used again before the array grows.
 template <typename Kind>
 class Places {
   public:
-    Places() = default;
-    /// The first `taken` places, none free.
-    explicit Places(std::size_t taken) : m_generations(taken, 1) {}
+    /// The first `taken` places, none free. @param kind as messages name it
+    explicit Places(const char* kind, std::size_t taken = 0) : m_kind(kind), m_generations(taken, 1) {}
+
+    const char* kind() const { return m_kind; }
 
     /// How many places there are, the free ones included.
     std::size_t size() const { return m_generations.size(); }
@@ -53,12 +62,22 @@ class Places {
     bool has(Handle<Kind> handle) const {
         return isTaken(handle.index) && m_generations[handle.index] == handle.generation;
     }
-    /// @param index of a taken place
+    /// base::InputError unless has(handle).
+    void require(Handle<Kind> handle) const {
+        if (!has(handle)) {
+            refuseHandle(m_kind, handle.index, handle.generation, handle.index < size());
+        }
+    }
+    /// base::InputError unless isTaken(index).
     Handle<Kind> at(std::size_t index) const {
+        if (!isTaken(index)) {
+            refusePlace(m_kind, index);
+        }
         return {static_cast<std::uint32_t>(index), m_generations[index]};
     }
 
   private:
+    const char* m_kind;
     std::vector<std::uint32_t> m_generations; ///< odd while taken
     std::vector<std::uint32_t> m_free;
 };

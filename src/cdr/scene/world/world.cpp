@@ -10,102 +10,71 @@ namespace cdr::scene {
 namespace {
 
 template <typename Kind>
-Handle<Kind> handleAt(const Places<Kind>& places, std::size_t index, const char* kind) {
-    if (!places.isTaken(index)) {
-        throw base::InputError(fmt::format("{} {} is not there", kind, index));
-    }
-    return places.at(index);
-}
-
-template <typename Kind>
-void requireHandle(const Places<Kind>& places, Handle<Kind> handle, const char* kind) {
-    if (!places.has(handle)) {
-        throw base::InputError(fmt::format("{} {} (generation {}) is not there: {}", kind, handle.index,
-                                           handle.generation,
-                                           handle.index < places.size() ? "it was removed" : "it never was"));
-    }
-}
-
-void requireUnused(std::uint32_t uses, std::uint32_t index, const char* kind, const char* users) {
-    if (uses > 0) {
-        throw base::InputError(
-            fmt::format("{} {} cannot be removed: {} {} use it", kind, index, uses, users));
-    }
-}
-
-template <typename Kind>
 std::string nameOf(const char* kind, Handle<Kind> handle) {
     return fmt::format("{} {}", kind, handle.index);
-}
-
-/// Puts a value at a place, which may be one beyond the last.
-template <typename T>
-void put(std::vector<T>& values, std::uint32_t index, T value) {
-    if (index == values.size()) {
-        values.push_back(std::move(value));
-    } else {
-        values[index] = std::move(value);
-    }
 }
 
 } // namespace
 
 World::World(Scene scene)
     : m_scene(std::move(scene)),
-      m_instances(m_scene.instances.size()),
-      m_meshes(m_scene.meshes.size()),
-      m_materials(m_scene.materials.size()),
-      m_textures(m_scene.textures.size()),
-      m_lightPlaces(m_scene.lights.size()),
-      m_meshUses(m_scene.meshes.size()),
-      m_materialUses(m_scene.materials.size()),
-      m_textureUses(m_scene.textures.size()) {
+      m_instances("instance", m_scene.instances.size()),
+      m_meshes("mesh", "instances", m_scene.meshes.size()),
+      m_materials("material", "instances", m_scene.materials.size()),
+      m_textures("texture", "materials", m_scene.textures.size()),
+      m_lightPlaces("light", m_scene.lights.size()) {
     requireUsable(m_scene);
     for (std::uint32_t light = 0; light < m_scene.lights.size(); ++light) {
         m_lightOf.push_back(light);
     }
     for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
-        ++m_meshUses[m_scene.instances.mesh[i]];
-        ++m_materialUses[m_scene.instances.material[i]];
+        m_meshes.use(m_scene.instances.mesh[i]);
+        m_materials.use(m_scene.instances.material[i]);
     }
     for (const Material& material : m_scene.materials) {
-        useTexture(material, 1);
+        useTexture(material);
     }
 }
 
 InstanceHandle World::instance(std::size_t index) const {
-    return handleAt(m_instances, index, "instance");
+    return m_instances.at(index);
 }
 
 MeshHandle World::mesh(std::size_t index) const {
-    return handleAt(m_meshes, index, "mesh");
+    return m_meshes.places().at(index);
 }
 
 MaterialHandle World::material(std::size_t index) const {
-    return handleAt(m_materials, index, "material");
+    return m_materials.places().at(index);
 }
 
 TextureHandle World::texture(std::size_t index) const {
-    return handleAt(m_textures, index, "texture");
+    return m_textures.places().at(index);
 }
 
 LightHandle World::light(std::size_t index) const {
-    return handleAt(m_lightPlaces, index, "light");
+    return m_lightPlaces.at(index);
 }
 
 void World::noteInstance(std::uint32_t index) {
-    m_changes.instances.add(index, m_scene.instances.size());
+    m_instanceChanges.add(index, m_scene.instances.size());
 }
 
-void World::useTexture(const Material& material, int uses) {
+void World::useTexture(const Material& material) {
     if (material.baseColorTexture) {
-        m_textureUses[*material.baseColorTexture] += static_cast<std::uint32_t>(uses);
+        m_textures.use(static_cast<std::uint32_t>(*material.baseColorTexture));
+    }
+}
+
+void World::releaseTexture(const Material& material) {
+    if (material.baseColorTexture) {
+        m_textures.release(static_cast<std::uint32_t>(*material.baseColorTexture));
     }
 }
 
 void World::requireInstance(const InstanceOptions& options) const {
-    requireHandle(m_meshes, options.mesh, "mesh");
-    requireHandle(m_materials, options.material, "material");
+    m_meshes.places().require(options.mesh);
+    m_materials.places().require(options.material);
     if (options.object > kMaxObjects) {
         throw base::InputError(fmt::format("object {} is over the limit of {}", options.object, kMaxObjects));
     }
@@ -126,18 +95,18 @@ InstanceHandle World::addInstance(const InstanceOptions& options) {
         instances.object[i] = options.object;
         placeInstance(m_scene, i, options.transform.position, options.transform.basis);
     }
-    ++m_meshUses[options.mesh.index];
-    ++m_materialUses[options.material.index];
+    m_meshes.use(options.mesh.index);
+    m_materials.use(options.material.index);
     noteInstance(i);
     return handle;
 }
 
 void World::removeInstance(InstanceHandle handle) {
-    requireHandle(m_instances, handle, "instance");
+    m_instances.require(handle);
     Instances& instances = m_scene.instances;
     const std::uint32_t i = handle.index;
-    --m_meshUses[instances.mesh[i]];
-    --m_materialUses[instances.material[i]];
+    m_meshes.release(instances.mesh[i]);
+    m_materials.release(instances.material[i]);
     m_instances.free(handle);
     instances.radius[i] = kNoRadius;
     instances.basis[i] = glm::mat3(0.0f);
@@ -154,7 +123,7 @@ void World::setTransforms(std::span<const InstanceHandle> handles, std::span<con
             fmt::format("{} instances cannot take {} transforms", handles.size(), transforms.size()));
     }
     for (std::size_t i = 0; i < handles.size(); ++i) {
-        requireHandle(m_instances, handles[i], "instance");
+        m_instances.require(handles[i]);
         if (!isUsable(transforms[i])) {
             requireUsable(transforms[i], nameOf("instance", handles[i]));
         }
@@ -166,31 +135,32 @@ void World::setTransforms(std::span<const InstanceHandle> handles, std::span<con
 }
 
 void World::setMaterial(InstanceHandle instance, MaterialHandle material) {
-    requireHandle(m_instances, instance, "instance");
-    requireHandle(m_materials, material, "material");
+    m_instances.require(instance);
+    m_materials.places().require(material);
     std::uint32_t& used = m_scene.instances.material[instance.index];
-    --m_materialUses[used];
+    m_materials.release(used);
     used = material.index;
-    ++m_materialUses[used];
+    m_materials.use(used);
     noteInstance(instance.index);
 }
 
 LightHandle World::addLight(const PointLight& light) {
     requireUsable(light, "the new light");
     const LightHandle handle = m_lightPlaces.take();
-    put(m_lightOf, handle.index, static_cast<std::uint32_t>(m_scene.lights.size()));
+    m_lightOf.resize(m_lightPlaces.size());
+    m_lightOf[handle.index] = static_cast<std::uint32_t>(m_scene.lights.size());
     m_scene.lights.push_back(light);
     return handle;
 }
 
 void World::setLight(LightHandle handle, const PointLight& light) {
-    requireHandle(m_lightPlaces, handle, "light");
+    m_lightPlaces.require(handle);
     requireUsable(light, nameOf("light", handle));
     m_scene.lights[m_lightOf[handle.index]] = light;
 }
 
 void World::removeLight(LightHandle handle) {
-    requireHandle(m_lightPlaces, handle, "light");
+    m_lightPlaces.require(handle);
     const std::uint32_t removed = m_lightOf[handle.index];
     // The others keep their order, since their light is added up in it.
     m_scene.lights.erase(m_scene.lights.begin() + removed);
@@ -202,72 +172,49 @@ void World::removeLight(LightHandle handle) {
 
 MeshHandle World::addMesh(Mesh mesh) {
     requireUsable(mesh, "the new mesh");
-    const MeshHandle handle = m_meshes.take();
-    put(m_scene.meshes, handle.index, std::move(mesh));
-    put(m_meshUses, handle.index, 0u);
-    m_changes.meshes.add(handle.index, m_scene.meshes.size());
-    return handle;
+    return m_meshes.add(m_scene.meshes, std::move(mesh));
 }
 
 void World::removeMesh(MeshHandle handle) {
-    requireHandle(m_meshes, handle, "mesh");
-    requireUnused(m_meshUses[handle.index], handle.index, "mesh", "instances");
-    m_meshes.free(handle);
-    m_scene.meshes[handle.index] = {};
-    m_changes.meshes.add(handle.index, m_scene.meshes.size());
+    m_meshes.remove(m_scene.meshes, handle, Mesh{});
 }
 
 void World::requireMaterial(const Material& material) const {
     requireUsable(material, m_scene.textures.size(), "the material");
     if (material.baseColorTexture) {
-        handleAt(m_textures, *material.baseColorTexture, "texture");
+        m_textures.places().at(*material.baseColorTexture);
     }
 }
 
 MaterialHandle World::addMaterial(Material material) {
     requireMaterial(material);
-    const MaterialHandle handle = m_materials.take();
-    useTexture(material, 1);
-    put(m_scene.materials, handle.index, std::move(material));
-    put(m_materialUses, handle.index, 0u);
-    m_changes.materials.add(handle.index, m_scene.materials.size());
-    return handle;
+    useTexture(material);
+    return m_materials.add(m_scene.materials, std::move(material));
 }
 
 void World::setMaterial(MaterialHandle handle, Material material) {
-    requireHandle(m_materials, handle, "material");
+    m_materials.places().require(handle);
     requireMaterial(material);
-    useTexture(m_scene.materials[handle.index], -1);
-    useTexture(material, 1);
-    m_scene.materials[handle.index] = std::move(material);
-    m_changes.materials.add(handle.index, m_scene.materials.size());
+    releaseTexture(m_scene.materials[handle.index]);
+    useTexture(material);
+    m_materials.set(m_scene.materials, handle, std::move(material));
 }
 
 void World::removeMaterial(MaterialHandle handle) {
-    requireHandle(m_materials, handle, "material");
-    requireUnused(m_materialUses[handle.index], handle.index, "material", "instances");
-    useTexture(m_scene.materials[handle.index], -1);
-    m_materials.free(handle);
-    m_scene.materials[handle.index] = {};
-    m_changes.materials.add(handle.index, m_scene.materials.size());
+    m_materials.requireUnused(handle);
+    releaseTexture(m_scene.materials[handle.index]);
+    m_materials.remove(m_scene.materials, handle, Material{});
 }
 
 TextureHandle World::addTexture(Texture texture) {
     requireUsable(texture, "the new texture");
-    const TextureHandle handle = m_textures.take();
-    put(m_scene.textures, handle.index, std::move(texture));
-    put(m_textureUses, handle.index, 0u);
-    m_changes.textures.add(handle.index, m_scene.textures.size());
-    return handle;
+    return m_textures.add(m_scene.textures, std::move(texture));
 }
 
 void World::removeTexture(TextureHandle handle) {
-    requireHandle(m_textures, handle, "texture");
-    requireUnused(m_textureUses[handle.index], handle.index, "texture", "materials");
-    m_textures.free(handle);
     // A place keeps a pixel, so that no picture is empty.
-    m_scene.textures[handle.index] = {.name = {}, .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})};
-    m_changes.textures.add(handle.index, m_scene.textures.size());
+    m_textures.remove(m_scene.textures, handle,
+                      Texture{.name = {}, .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})});
 }
 
 } // namespace cdr::scene

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cdr/scene/world/change_log.h>
 #include <cdr/scene/world/check.h>
-#include <cdr/scene/world/handle.h>
+#include <cdr/scene/world/table.h>
 
 #include <cstdint>
 #include <span>
@@ -29,7 +28,7 @@ struct InstanceOptions {
 /// that is free keeps an instance without size, which no picture and no truth shows.
 class World {
   public:
-    World() = default;
+    World() : World(Scene{}) {}
     /// base::InputError as requireUsable(scene).
     explicit World(Scene scene);
 
@@ -68,30 +67,30 @@ class World {
 
     /// What changed, for those that follow. Lights are few and read anew every frame.
     struct Changes {
-        ChangeLog instances;
-        ChangeLog meshes;
-        ChangeLog materials;
-        ChangeLog textures;
+        const ChangeLog& instances;
+        const ChangeLog& meshes;
+        const ChangeLog& materials;
+        const ChangeLog& textures;
     };
-    const Changes& changes() const { return m_changes; }
+    Changes changes() const {
+        return {m_instanceChanges, m_meshes.changes(), m_materials.changes(), m_textures.changes()};
+    }
 
   private:
     void requireInstance(const InstanceOptions& options) const;
     void requireMaterial(const Material& material) const;
     void noteInstance(std::uint32_t index);
-    void useTexture(const Material& material, int uses);
+    void useTexture(const Material& material);
+    void releaseTexture(const Material& material);
 
     Scene m_scene;
     Places<InstanceKind> m_instances;
-    Places<MeshKind> m_meshes;
-    Places<MaterialKind> m_materials;
-    Places<TextureKind> m_textures;
+    ChangeLog m_instanceChanges;
+    Table<MeshKind> m_meshes;
+    Table<MaterialKind> m_materials;
+    Table<TextureKind> m_textures;
     Places<LightKind> m_lightPlaces;
     std::vector<std::uint32_t> m_lightOf; ///< by place: into Scene::lights, which has no free places
-    std::vector<std::uint32_t> m_meshUses;
-    std::vector<std::uint32_t> m_materialUses;
-    std::vector<std::uint32_t> m_textureUses;
-    Changes m_changes;
 };
 
 } // namespace cdr::scene

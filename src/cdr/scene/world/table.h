@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cdr/scene/world/change_log.h>
+#include <cdr/scene/world/handle.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace cdr::scene {
+
+/// Things of one kind that others use: who has which place, how many use each, and what changed. The things themselves are
+/// an array of the scene's, which the functions are given; a place that is free keeps one that nothing uses.
+///
+/// Functions that take a handle throw base::InputError, and change nothing, unless it names what is there.
+template <typename Kind>
+class Table {
+  public:
+    /// @param kind and users as messages name them. @param taken how many things there are.
+    Table(const char* kind, const char* users, std::size_t taken = 0)
+        : m_places(kind, taken),
+          m_users(users),
+          m_uses(taken) {}
+
+    const Places<Kind>& places() const { return m_places; }
+    const ChangeLog& changes() const { return m_changes; }
+
+    /// @param index of a place that is there
+    void use(std::uint32_t index) { ++m_uses[index]; }
+    void release(std::uint32_t index) { --m_uses[index]; }
+
+    template <typename T>
+    Handle<Kind> add(std::vector<T>& things, T thing) {
+        const Handle<Kind> handle = m_places.take();
+        if (handle.index == things.size()) {
+            things.emplace_back();
+            m_uses.push_back(0);
+        }
+        put(things, handle.index, std::move(thing));
+        return handle;
+    }
+    template <typename T>
+    void set(std::vector<T>& things, Handle<Kind> handle, T thing) {
+        m_places.require(handle);
+        put(things, handle.index, std::move(thing));
+    }
+    /// base::InputError also where something uses it. @param free what the place keeps
+    template <typename T>
+    void remove(std::vector<T>& things, Handle<Kind> handle, T free) {
+        requireUnused(handle);
+        m_places.free(handle);
+        put(things, handle.index, std::move(free));
+    }
+    void requireUnused(Handle<Kind> handle) const {
+        m_places.require(handle);
+        if (m_uses[handle.index] > 0) {
+            refuseUsed(m_places.kind(), handle.index, m_uses[handle.index], m_users);
+        }
+    }
+
+  private:
+    template <typename T>
+    void put(std::vector<T>& things, std::uint32_t index, T thing) {
+        things[index] = std::move(thing);
+        m_changes.add(index, things.size());
+    }
+
+    Places<Kind> m_places;
+    const char* m_users;
+    std::vector<std::uint32_t> m_uses; ///< by place
+    ChangeLog m_changes;
+};
+
+} // namespace cdr::scene

@@ -1,0 +1,89 @@
+#include "fixture.h"
+#include "read_image.h"
+
+#include <cdr/render/renderer_setup.h>
+#include <scenes/cubes.h>
+
+namespace cdr::render_test {
+
+namespace {
+
+class SurfacesTest : public RenderTest {};
+
+TEST_F(SurfacesTest, AVisibilityBufferIsNotHandedOutAsAGBuffer) {
+    const scene::SceneSetup setup = scenes::makeAfc(1);
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    const render::GpuScene gpuScene(device(), setup.scene);
+    for (const render::SurfacePath path : render::kSurfacePaths) {
+        options.surface = path;
+        render::Renderer renderer(device(), setup.scene, gpuScene, options);
+        for (int frame = 0; frame < 2; ++frame) {
+            const render::Surfaces surfaces = renderer.surfaces();
+            const bool has = path == render::SurfacePath::gbuffer;
+            EXPECT_EQ(surfaces.gbuffer.image != VK_NULL_HANDLE, has);
+            EXPECT_EQ(surfaces.gbuffer.format, has ? VK_FORMAT_R32G32B32A32_UINT : VK_FORMAT_UNDEFINED);
+            EXPECT_EQ(surfaces.color.extent.width, options.width);
+            renderer.submit(setup.path.at(0));
+        }
+    }
+}
+
+TEST_F(SurfacesTest, AVisibilityBufferCountsInThePredictedBytes) {
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    const std::uint64_t without = predictPictureBytes(device(), options, false);
+    options.surface = render::SurfacePath::visibility;
+    EXPECT_GE(predictPictureBytes(device(), options, false),
+              without + std::uint64_t{4} * options.width * options.height);
+}
+
+/// A box that four cascades share asks for more draw records than there are instances, so frames that see it are drawn
+/// again. One that was submitted and left must not be over the images of the frame after it.
+TEST_F(SurfacesTest, AFrameThatLackedRoomDoesNotComeOverALaterOne) {
+    if (!canDrawGpuDriven()) {
+        return;
+    }
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, 0.0, -10.0});
+    addBox(scene, {0.0, 0.0, 500.0}, glm::mat3(100.0f));
+    render::RenderOptions options =
+        smallOptions(depth::parseTechnique("anchored/at:440,450,460,470,480,490,500"));
+    options.submission = render::Submission::gpuDriven;
+    options.framesInFlight = 2;
+    const scene::Camera fits{.fovY = 0.2};
+    scene::Camera lacks{.fovY = 0.4};
+    lacks.back = {0.0, 0.0, -1.0};
+    lacks.right = {-1.0, 0.0, 0.0};
+    const render::GpuScene gpuScene(device(), scene);
+    render::Renderer renderer(device(), scene, gpuScene, options);
+    renderer.submit(fits);
+    renderer.submit(lacks);
+    renderer.submit(fits);
+    renderer.finish();
+    const render::SurfaceImage gbuffer = renderer.surfaces().gbuffer;
+    const auto pixels =
+        readImage<render::GBufferPixel>(device(), gbuffer.image, gbuffer.extent, gbuffer.layout);
+    EXPECT_EQ(pixels.at(240, 135).id(), 1u);
+    EXPECT_EQ(renderer.render(lacks).id(240, 135), 2u);
+}
+
+/// Emulated snapping is by the picture's size.
+TEST_F(SurfacesTest, VerticesOfAResizedPictureSnapByItsOwnSize) {
+    const scene::SceneSetup setup = scenes::makeAfc(1);
+    const scene::Camera camera = setup.path.at(7);
+    const render::GpuScene gpuScene(device(), setup.scene);
+    for (const render::SurfacePath path : render::kSurfacePaths) {
+        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+        options.surface = path;
+        options.snapBits = 1;
+        render::Renderer renderer(device(), setup.scene, gpuScene, options);
+        renderer.submit(camera);
+        options.width = 333;
+        options.height = 111;
+        renderer.resize(options.width, options.height);
+        EXPECT_EQ(hashOf(renderer.render(camera)), hashOf(draw(setup.scene, camera, options)));
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test
