@@ -3,7 +3,7 @@
 import { pairRows } from "./logic/flicker.js";
 import { answered, freshSeed, nextTrial, restore, startSession, store } from "./logic/session.js";
 import { compared, fromCsv, maxBytes, toCsv, withoutRepeats } from "./logic/trials.js";
-import { makeAgreement, makeTally } from "./view/tally.js";
+import { makeAgreement, makePairs, makeTally } from "./view/tally.js";
 import { Trial } from "./view/trial.js";
 
 const kKey = "cdr-compare";
@@ -30,6 +30,11 @@ const kept = {
 const askedSeed = new URLSearchParams(location.search).get("seed");
 let session = restore(kept.read(), askedSeed);
 const flicker = window.cdrReport?.sections.flicker ?? { results: [] }; // a copy of this page may lie elsewhere
+/** Pictures of the scene that the videos show, if this report has them. */
+const stills = {
+    pictures: (window.cdrReport?.sections.pictures?.results ?? []).filter((picture) => picture.scene === "afc"),
+    folder: window.cdrReport?.report.results.find((row) => row.section === "pictures")?.folder,
+};
 let others = [];
 const trial = new Trial({
     onAnswer(answer) {
@@ -60,7 +65,9 @@ function showNext(focus) {
     if (next) {
         trial.begin(next, focus);
     } else {
-        byId("agreement").replaceChildren(...makeAgreement(compared(session.answers, pairRows(flicker))));
+        const answers = compared(session.answers, pairRows(flicker));
+        byId("agreement").replaceChildren(...makeAgreement(answers));
+        byId("pairs").replaceChildren(...makePairs(answers, stills.pictures, stills.folder));
     }
     if (!next && focus) {
         byId("done-title").focus();

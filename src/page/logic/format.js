@@ -37,6 +37,11 @@ export function percent(share, digits = 3) {
     return Number.isFinite(share) ? `${number(100 * share, digits)}${kThin}%` : "none";
 }
 
+/** A sentence of the program whose lengths, its only numbers with a point or an exponent, become numbers with units. */
+export function withUnits(sentence) {
+    return sentence.replace(/\d+\.\d+(e[+-]\d+)?|\d+e[+-]\d+/g, (text) => `${number(Number(text), 4)} units`);
+}
+
 /** A difference already in percent, its sign always there. */
 export function signedPercent(value, decimals = 1) {
     if (!Number.isFinite(value)) {

@@ -43,6 +43,24 @@ export function curves(document) {
     };
 }
 
+/**
+ * The same with the points of the thesis' Table 4.1 beside them. A value is undefined where a curve has no point of its
+ * own, which leaves no gap in it, and null between the thesis' points, which no line joins.
+ */
+export function curvesAndThesis(document) {
+    const { x, series } = curves(document);
+    const cells = Object.entries(table41).flatMap(([separation, depths]) =>
+        thesisTechniques.map((name) => ({ name, depth: depths[name], separation: Number(separation) })));
+    const all = [...new Set([...x, ...cells.map((cell) => cell.depth)])].sort((a, b) => a - b);
+    const places = new Map(x.map((depth, i) => [depth, i]));
+    return {
+        x: all,
+        series: series.map((one) => ({ ...one, values: all.map((depth) => one.values[places.get(depth)]) })),
+        thesis: thesisTechniques.map((name) => ({
+            name, values: all.map((depth) => cells.find((cell) => cell.name === name && cell.depth === depth)?.separation ?? null) })),
+    };
+}
+
 /** Every technique and format: at which distance the buffer alone still resolves each separation. */
 export function formatRows(document) {
     const keys = [...new Set(document.by_format.map((cell) => `${cell.technique} ${cell.format}`))];

@@ -32,7 +32,7 @@ export function table(caption, header, rows) {
     return h("div", { class: "scroll", role: "region", "aria-label": caption, tabindex: 0 },
         h("table", {},
             h("caption", {}, caption),
-            header && h("thead", {}, h("tr", {}, header.map((content) => cell("th", content, { scope: "col" })))),
+            header && h("thead", {}, h("tr", {}, header.map((content) => (content === "" ? h("td") : cell("th", content, { scope: "col" }))))),
             h("tbody", {}, rows.map((row) => h("tr", {}, row.map((content, i) =>
                 i === 0 ? cell("th", content, { scope: "row" }) : cell("td", content)))))));
 }

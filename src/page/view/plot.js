@@ -14,7 +14,7 @@ const dashes = { standard: [], cdr: [9, 4], log: [], logcdr: [9, 4], reversed: [
  * A plot with its tools, legend and read-out.
  * @param {{title: string, caption: string, x: number[], xLabel: string, yLabel: string, logX: boolean, logY: boolean,
  *          wholeX: boolean | undefined,
- *          series: {name: string, title: string, values: (number|null)[], dash?: number[], points?: boolean}[]}} options
+ *          series: {name: string, title: string, values: (number|null)[], dash?: number[], points?: boolean, isDots?: boolean}[]}} options
  */
 export function makePlot(options) {
     const readout = h("p", { class: "readout", role: "status" }, kHint);
@@ -230,6 +230,10 @@ function decades(plot, splits, axis) {
 
 function swatch(series) {
     const dash = (series.dash ?? dashes[series.name] ?? []).join(" ");
+    if (series.isDots) {
+        return svg("svg", { viewBox: "0 0 24 10", "aria-hidden": "true" },
+            svg("circle", { cx: 12, cy: 5, r: 3.5, fill: "none", stroke: `var(--${colourOf(series.name)})`, "stroke-width": 2 }));
+    }
     return svg("svg", { viewBox: "0 0 24 10", "aria-hidden": "true" },
         svg("line", { x1: 0, y1: 5, x2: 24, y2: 5, stroke: `var(--${colourOf(series.name)})`, "stroke-width": 3, "stroke-dasharray": dash }));
 }

@@ -1,4 +1,4 @@
-import { checkPercentages, curves, formatRows, tableRows } from "../logic/precision.js";
+import { checkPercentages, curvesAndThesis, formatRows, tableRows } from "../logic/precision.js";
 import { fixed, number, percent } from "../logic/format.js";
 import { techniqueTitles, thesisTechniques } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
@@ -23,12 +23,16 @@ function makeTable(document) {
 }
 
 function makeFigure(document) {
-    const { x, series } = curves(document);
+    const { x, series, thesis } = curvesAndThesis(document);
+    const titled = (list, suffix) => list.map((s) => ({ ...s, title: `${techniqueTitles[s.name] ?? s.name}${suffix}` }));
     return makePlot({
         title: "Figure 4.1: smallest resolvable separation over view distance",
-        caption: "Both axes are logarithmic, lower is finer. The four techniques of the thesis by its own formulas at 24 bits; Reversed in a 32-bit float and Anchored in cascades fitted to 32 units of content by the exact step of the buffer.",
+        caption: "Both axes are logarithmic, lower is finer. Points are the thesis\u2019 own numbers, its Table 4.1; lines are recomputed. The four techniques of the thesis by its own formulas at 24 bits; Reversed in a 32-bit float and Anchored in cascades fitted to 32 units of content by the exact step of the buffer.",
         x, xLabel: "view distance", yLabel: "separation", logX: true, logY: true,
-        series: series.map((s) => ({ ...s, values: s.values.map((v) => (v > 0 ? v : null)), title: techniqueTitles[s.name] ?? s.name })),
+        series: [
+            ...titled(series, "").map((s) => ({ ...s, values: s.values.map((v) => (v === undefined || v > 0 ? v : null)) })),
+            ...titled(thesis, ", thesis").map((s) => ({ ...s, points: true, dash: [], isDots: true })),
+        ],
     });
 }
 

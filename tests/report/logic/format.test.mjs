@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { duration, fixed, list, number, percent, powerOfTen, signedPercent } from "../../../src/page/logic/format.js";
+import { duration, fixed, list, number, percent, powerOfTen, signedPercent, withUnits } from "../../../src/page/logic/format.js";
 
 const plain = (text) => text.replaceAll("\u202f", " ");
 
@@ -16,6 +16,12 @@ test("numbers keep their digits, from tiny to huge", () => {
     for (const absent of [null, undefined, NaN, Infinity]) {
         assert.equal(number(absent), "none");
     }
+});
+
+test("lengths in sentences of the program get units, and counts do not", () => {
+    assert.equal(withUnits("anchored with d24 in 2 cascades is enough: it resolves 7.1234567e-06 at 1e+06, and 0.01 is asked for."),
+        "anchored with d24 in 2 cascades is enough: it resolves 7.123\u00b710\u207b\u2076 units at 1,000,000 units, and 0.01 units is asked for.");
+    assert.equal(withUnits("Cost: float64 offset per object, 1 more depth clear."), "Cost: float64 offset per object, 1 more depth clear.");
 });
 
 test("a rounded zero has no sign", () => {

@@ -2,14 +2,16 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { cpSync, mkdtempSync, mkdirSync } from "node:fs";
+import { cpSync, mkdtempSync, mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 // The packages live with the page, which is not above this file.
-const { chromium } = createRequire(new URL("../../../src/page/package.json", import.meta.url))("playwright-core");
+const requireOfPage = createRequire(new URL("../../../src/page/package.json", import.meta.url));
+const { chromium } = requireOfPage("playwright-core");
+const axeSource = readFileSync(requireOfPage.resolve("axe-core/axe.min.js"), "utf8");
 
 export const program = process.env.CDR_PROGRAM;
 export const folder = mkdtempSync(join(tmpdir(), "cdr_report_"));
@@ -68,6 +70,13 @@ export async function screenshot(page, name) {
         mkdirSync(screenshots, { recursive: true });
         await page.screenshot({ path: join(screenshots, `${name}.png`), fullPage: true });
     }
+}
+
+/** axe-core, which looks at the page as a screen reader does, finds nothing. */
+export async function assertNoFindings(page) {
+    await page.evaluate(axeSource); // not as a script element, which the page's policy would refuse from elsewhere
+    const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
+    assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((node) => node.html.slice(0, 120)).join(" | ")}`), []);
 }
 
 /** Nothing sticks out to the side. */

@@ -2,8 +2,9 @@ import assert from "node:assert/strict";
 import { copyFileSync, mkdirSync, readFileSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { techniqueTitles } from "../../../src/page/logic/thesis.js";
 import { makeTrials, toCsv, makeAnswer, fromCsv } from "../../../src/page/logic/trials.js";
-import { assertNoSidewaysScroll, close, copyReport, folder, launch, open, screenshot } from "./browser.mjs";
+import { assertNoFindings, assertNoSidewaysScroll, close, copyReport, folder, launch, open, screenshot } from "./browser.mjs";
 
 let browser;
 let report;
@@ -67,6 +68,17 @@ test("by mouse, from start to file", async () => {
     }
     assert.ok(await page.locator("#done").isVisible());
     assert.match(await page.locator("#agreement strong").textContent(), /^You agreed (with the counter in \d of \d, and )?with the majority of 2013 in \d of 6\.$/);
+    const maps = page.locator("#pairs img");
+    assert.equal(await maps.count(), 12, "two heat maps a pair");
+    const chosen = trials.map((trial, i) => techniqueTitles[i % 2 ? trial.right : trial.left]);
+    assert.deepEqual(await page.$$eval("#pairs li > p", (list) => list.map((p) => p.textContent.match(/You chose (.*)\.$/)[1])), chosen);
+    for (const [i, trial] of trials.entries()) {
+        await maps.nth(2 * i).scrollIntoViewIfNeeded();
+        await maps.nth(2 * i).evaluate((image) => image.decode());
+        assert.match(await maps.nth(2 * i).getAttribute("src"), new RegExp(`/afc_${trial.left}_wrong\\.png$`));
+        assert.match(await maps.nth(2 * i + 1).getAttribute("src"), new RegExp(`/afc_${trial.right}_wrong\\.png$`));
+    }
+    await assertNoFindings(page);
     await screenshot(page, "compare-done");
     const answers = fromCsv(await savedBy(page, "#save"));
     assert.deepEqual(answers.map((a) => [a.participant, a.seed, a.trial, a.chosen]),

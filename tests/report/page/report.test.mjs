@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { binomialP, chiSquared, chiSquaredP } from "../../../src/page/logic/statistics.js";
 import { figure64, pairs, table41 } from "../../../src/page/logic/thesis.js";
-import { assertNoSidewaysScroll, close, contrast, copyReport, folder, launch, makeReport, open, program, screenshot } from "./browser.mjs";
+import { assertNoFindings, assertNoSidewaysScroll, close, contrast, copyReport, folder, launch, makeReport, open, program, screenshot } from "./browser.mjs";
 
 let browser;
 let report;
@@ -186,6 +186,22 @@ test("dark is dark, light is light, and both can be read", async () => {
         await close(page);
     }
     assert.ok(paper.light > 200 && paper.dark < 60, JSON.stringify(paper));
+});
+
+for (const colorScheme of ["light", "dark"]) {
+    test(`axe finds nothing in the ${colorScheme}`, async () => {
+        const page = await openReport({ colorScheme });
+        await openAll(page);
+        await assertNoFindings(page);
+        await close(page);
+    });
+}
+
+test("the thesis' own numbers stand in its figure", async () => {
+    const page = await openReport();
+    const names = await page.$$eval("#precision .legend button", (buttons) => buttons.map((button) => button.firstChild.nextSibling.textContent));
+    assert.deepEqual(names.filter((name) => name.endsWith(", thesis")), ["Standard, thesis", "CDR, thesis", "Logarithmic, thesis", "LogCDR, thesis"]);
+    await close(page);
 });
 
 test("plots change their colours with the scheme", async () => {
