@@ -5,6 +5,9 @@
 #include <scenes/sheets.h>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <cmath>
 
 namespace cdr::measure {
 
@@ -101,6 +104,48 @@ TEST(LayeredTruth, PixelsNextToASilhouetteAreNotInner) {
         EXPECT_EQ(truth.at(x, 4).isInner, x != 4 && x != 5) << x;
     }
     EXPECT_FALSE(truth.at(0, 4).isInner);
+}
+
+/// Rows are cast in bands, so that each row of faces is kept only while its neighbours ask for it.
+TEST(LayeredTruth, PixelsBelowAnEdgeAreNotInnerWhateverTheRow) {
+    constexpr std::uint32_t kHeight = 100;
+    host::WorkerPool workers(2);
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
+    for (std::uint32_t edge = 2; edge + 2 < kHeight; ++edge) {
+        Stack stack;
+        stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.5f}, true);
+        const double pixel = 2.0 * 4.0 * std::tan(0.5) / kHeight;
+        // Its upper edge between the centres of two rows.
+        stack.scene.instances.y[0] = -8.0 + pixel * (kHeight / 2.0 - edge);
+        const LayeredTruth truth = castLayers(stack.scene, camera, 3, kHeight, workers);
+        for (std::uint32_t y = 1; y + 1 < kHeight; ++y) {
+            ASSERT_EQ(truth.at(1, y).fragments, y >= edge ? 1u : 0u) << edge << " " << y;
+            ASSERT_EQ(truth.at(1, y).isInner, y + 1 != edge && y != edge) << edge << " " << y;
+        }
+    }
+}
+
+TEST(LayeredTruth, TakesNoMoreMemoryThanItsPixelsAndSomeRows) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "AddressSanitizer keeps what is freed";
+#endif
+    constexpr std::uint32_t kPicture = 1024;
+    Stack stack;
+    for (int i = 0; i < 8; ++i) {
+        stack.add(4.0 + i, {0.0f, 1.0f, 0.0f, 0.5f}, true);
+    }
+    host::WorkerPool workers(2);
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
+    const auto peakKiB = [] {
+        rusage usage{};
+        ::getrusage(RUSAGE_SELF, &usage);
+        return static_cast<std::size_t>(usage.ru_maxrss);
+    };
+    castLayers(stack.scene, camera, kSide, kSide, workers); // what any call takes is taken
+    const std::size_t before = peakKiB();
+    const LayeredTruth truth = castLayers(stack.scene, camera, kPicture, kPicture, workers);
+    EXPECT_EQ(truth.at(500, 500).fragments, 8u);
+    EXPECT_LT((peakKiB() - before) * 1024, truth.pixels.size() * 2 * sizeof(LayeredPixel));
 }
 
 TEST(LayeredTruth, ComparesInnerPixelsOnly) {

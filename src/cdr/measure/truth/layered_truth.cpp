@@ -4,6 +4,7 @@
 #include <cdr/measure/truth/truth_light.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <tuple>
 #include <vector>
@@ -24,7 +25,6 @@ struct Face {
 
 /// The faces that a pixel shows, nearest first.
 using Sequence = std::vector<Face>;
-using Sequences = image::Raster<Sequence>;
 
 /// Where rays start and what they may meet.
 struct View {
@@ -71,10 +71,10 @@ glm::dvec3 colorOf(const View& view, const SurfaceHit& hit, std::uint32_t x, std
                       .normal = hit.normal});
 }
 
-void castPixel(const View& view, std::uint32_t x, std::uint32_t y, LayeredTruth& truth,
-               Sequences& sequences) {
-    LayeredPixel& pixel = truth.at(x, y);
-    Sequence& sequence = sequences.at(x, y);
+/// Pixel (x, y) as `pixel` and what it shows as `sequence`.
+void castPixel(const View& view, std::uint32_t x, std::uint32_t y, LayeredPixel& pixel, Sequence& sequence) {
+    pixel = {};
+    sequence.clear();
     double transmittance = 1.0;
     for (const SurfaceHit& hit : hitsAt(view, x, y)) {
         const double alpha = hit.isBlended ? std::clamp(hit.baseColor.a, 0.0, 1.0) : 1.0;
@@ -86,15 +86,14 @@ void castPixel(const View& view, std::uint32_t x, std::uint32_t y, LayeredTruth&
     pixel.color += transmittance * glm::dvec3(view.scene.background);
 }
 
-bool isInner(const Sequences& sequences, std::uint32_t x, std::uint32_t y) {
-    if (x == 0 || y == 0 || x + 1 >= sequences.width || y + 1 >= sequences.height) {
-        return false;
-    }
-    const Sequence& own = sequences.at(x, y);
-    for (std::uint32_t j = y - 1; j <= y + 1; ++j) {
+/// What the pixels of three rows show that follow each other, in the order of y modulo 3.
+using Window = std::array<std::vector<Sequence>, 3>;
+
+bool isInner(const Window& window, std::uint32_t x, std::uint32_t y) {
+    const Sequence& own = window[y % 3][x];
+    for (const std::vector<Sequence>& row : window) {
         for (std::uint32_t i = x - 1; i <= x + 1; ++i) {
-            const Sequence& other = sequences.at(i, j);
-            if (!std::equal(own.begin(), own.end(), other.begin(), other.end(),
+            if (!std::equal(own.begin(), own.end(), row[i].begin(), row[i].end(),
                             [](const Face& a, const Face& b) { return a.isSameAs(b); })) {
                 return false;
             }
@@ -103,14 +102,29 @@ bool isInner(const Sequences& sequences, std::uint32_t x, std::uint32_t y) {
     return true;
 }
 
-template <typename Function>
-void forEachPixel(std::uint32_t width, std::uint32_t height, host::WorkerPool& workers,
-                  const Function& function) {
-    workers.run(height, [&](std::size_t row, std::size_t) {
-        for (std::uint32_t x = 0; x < width; ++x) {
-            function(x, static_cast<std::uint32_t>(row));
+/// Rows that one job casts: few enough to keep workers busy, many beside the two around them that are cast again.
+constexpr std::size_t kBandRows = 32;
+
+/// Fills in a band of rows. Keeps what three rows show, since that of a large picture would take gigabytes.
+void castBand(const View& view, const host::IndexRange& band, LayeredTruth& truth) {
+    Window window;
+    window.fill(std::vector<Sequence>(truth.width));
+    LayeredPixel around;
+    const std::size_t first = band.begin > 0 ? band.begin - 1 : 0;
+    const std::size_t end = std::min<std::size_t>(band.end + 1, truth.height);
+    for (std::size_t row = first; row < end; ++row) {
+        const auto y = static_cast<std::uint32_t>(row);
+        const bool isOwn = row >= band.begin && row < band.end;
+        for (std::uint32_t x = 0; x < truth.width; ++x) {
+            castPixel(view, x, y, isOwn ? truth.at(x, y) : around, window[y % 3][x]);
         }
-    });
+        if (row < first + 2) {
+            continue; // the row above has none above it here
+        }
+        for (std::uint32_t x = 1; x + 1 < truth.width; ++x) {
+            truth.at(x, y - 1).isInner = isInner(window, x, y - 1);
+        }
+    }
 }
 
 } // namespace
@@ -127,11 +141,9 @@ LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, 
                     .instances = visibleInstances(scene, shapes, camera, width, height, workers),
                     .slopes = pixelSlopes(camera, width, height)};
     LayeredTruth truth(width, height);
-    Sequences sequences(width, height);
-    forEachPixel(width, height, workers,
-                 [&](std::uint32_t x, std::uint32_t y) { castPixel(view, x, y, truth, sequences); });
-    forEachPixel(width, height, workers, [&](std::uint32_t x, std::uint32_t y) {
-        truth.at(x, y).isInner = isInner(sequences, x, y);
+    const std::size_t bands = (std::size_t{height} + kBandRows - 1) / kBandRows;
+    workers.run(bands, [&](std::size_t band, std::size_t) {
+        castBand(view, host::evenRange(height, band, bands), truth);
     });
     return truth;
 }
