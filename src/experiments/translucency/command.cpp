@@ -75,6 +75,7 @@ void run(Command& command, TranslucencyArguments& arguments) {
     experiment.mapping = depth::parseMapping(arguments.mapping);
     experiment.mostBytes = arguments.memoryMiB << 20u;
     const PictureFolder folder(arguments.folder, command.files());
+    experiment.keepsPictures = folder.isWanted();
     const scene::SceneSetup setup = command.openScene(experiment.scene, experiment.seed);
     const experiments::TranslucencyResults all = experiments::runTranslucency(
         command.device(), setup, experiment, command.progressOf(experiment.scene));

@@ -1,10 +1,13 @@
 #include "translucency.h"
 
 #include <cdr/base/error.h>
+#include <cdr/gpu/memory.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/render/renderer.h>
 #include <cdr/visibility/blended.h>
 #include <experiments/frame_notes.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -49,6 +52,18 @@ TranslucencyResult compare(const gpu::Device& device, const scene::SceneSetup& s
     return result;
 }
 
+/// base::RunError unless the device has room for the renderers that are timed in turns, of which each has at least
+/// a G-buffer, a depth buffer and a picture.
+void requireRoom(const gpu::Device& device, const TranslucencyExperiment& experiment) {
+    constexpr std::uint64_t kBytesPerPixel = 16 + 4 + 4;
+    const std::size_t timed =
+        experiment.repeats > 0 ? experiment.cascades.size() * render::kTranslucencies.size() : 0;
+    gpu::requireDeviceBytes(
+        device, kBytesPerPixel * experiment.width * experiment.height * (timed + 1),
+        fmt::format("timing {}x{} pixels of {} renderers in turns (--repeats 0 times none)", experiment.width,
+                    experiment.height, timed));
+}
+
 } // namespace
 
 TranslucencyResults runTranslucency(const gpu::Device& device, const scene::SceneSetup& setup,
@@ -61,6 +76,7 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const scene::Scen
     for (const unsigned cascades : experiment.cascades) {
         splitOf(cascades); // refused before the truth is cast
     }
+    requireRoom(device, experiment);
     const render::GpuScene gpuScene(device, setup.scene);
     host::WorkerPool workers(experiment.threads);
     const measure::LayeredTruth truth =
@@ -74,6 +90,9 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const scene::Scen
             progress(all.results.size(), steps);
             const render::RenderOptions options = optionsFor(experiment, cascades, method);
             all.results.push_back(compare(device, setup, gpuScene, options, truth));
+            if (!experiment.keepsPictures) {
+                all.results.back().picture = {};
+            }
             if (experiment.repeats > 0) {
                 renderers.push_back(
                     std::make_unique<render::Renderer>(device, setup.scene, gpuScene, options));

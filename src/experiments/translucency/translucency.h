@@ -25,6 +25,7 @@ struct TranslucencyExperiment {
     std::size_t threads = 1;
     std::size_t repeats = 7; ///< timed frames per method and count, interleaved; 0 times nothing
     std::uint64_t mostBytes = render::TranslucencyOptions{}.mostBytes;
+    bool keepsPictures = true; ///< else those of the results stay empty: 4 bytes a pixel each
 };
 
 struct TranslucencyResult {
@@ -45,7 +46,8 @@ struct TranslucencyResults {
 /// Called before each step with how many of all are done.
 using TranslucencyProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// base::InputError for a scene without translucent surfaces, or an unusable number of cascades.
+/// base::InputError for a scene without translucent surfaces, or an unusable number of cascades. base::RunError
+/// where the device lacks the memory for all renderers at once, which timing takes.
 /// @param setup what experiment.scene names.
 TranslucencyResults runTranslucency(const gpu::Device& device, const scene::SceneSetup& setup,
                                     const TranslucencyExperiment& experiment,
