@@ -6,6 +6,7 @@
 #include <cdr/gpu/failure.h>
 #include <cdr/host/document.h>
 #include <cdr/host/standard_streams.h>
+#include <cdr/host/unfinished_file.h>
 
 #include <fmt/format.h>
 
@@ -83,6 +84,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    cdr::host::removeUnfinishedFilesOnSignals();
     try {
         const int status = run(argc, argv);
         cdr::host::flushStandardOutput();

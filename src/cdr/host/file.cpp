@@ -57,10 +57,12 @@ std::string randomName() {
 }
 
 /// Creates an empty file in `folder` that nobody else has; its mode is what the process' umask leaves.
-fs::path createTemporary(const fs::path& folder, const std::string& extension) {
+fs::path createTemporary(const fs::path& folder, const std::string& extension,
+                         std::optional<UnfinishedFile>& unfinished) {
     constexpr int kTries = 16;
     for (int i = 0; i < kTries; ++i) {
         fs::path temporary = folder / ("." + randomName() + extension);
+        unfinished.emplace(temporary);
         const int file =
             ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (file >= 0) {
@@ -71,6 +73,7 @@ fs::path createTemporary(const fs::path& folder, const std::string& extension) {
             break;
         }
     }
+    unfinished.reset();
     return {};
 }
 
@@ -161,8 +164,8 @@ PendingFile::PendingFile(fs::path path) : m_path(std::move(path)), m_target(with
         throw base::InputError(m_path.string() + ": cannot be written");
     }
     const fs::path beside = m_target.has_parent_path() ? m_target.parent_path() : ".";
-    m_temporary =
-        createTemporary(m_isCopied ? fs::temp_directory_path() : beside, m_path.extension().string());
+    m_temporary = createTemporary(m_isCopied ? fs::temp_directory_path() : beside,
+                                  m_path.extension().string(), m_unfinished);
     if (m_temporary.empty()) {
         throw base::InputError(m_path.string() + ": cannot be written, its folder is missing or read-only");
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/host/unfinished_file.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -18,7 +20,8 @@ Bytes readFile(const std::filesystem::path& path, std::uintmax_t maxBytes);
 /// A file that is being written. Bytes go to a temporary file, and commit() puts them in place whole. Without
 /// commit() the temporary file is removed and `path` stays as it was.
 ///
-/// The temporary file has a random name, and is created only if nothing of that name exists.
+/// The temporary file has a random name, and is created only if nothing of that name exists. In a program that
+/// called removeUnfinishedFilesOnSignals() it goes when a signal ends the process.
 /// - A regular file, or nothing, at `path`: the temporary file lies beside it and is renamed over it. The
 ///   mode of a file that was there is kept.
 /// - A link: the same for what it points at; the link stays.
@@ -43,6 +46,7 @@ class PendingFile {
     bool m_isCopied = false;         ///< into the target, which is no regular file
     std::optional<int> m_descriptor; ///< that the target stands for
     std::filesystem::path m_temporary;
+    std::optional<UnfinishedFile> m_unfinished; ///< the temporary file
 };
 
 /// Lets `write` fill a PendingFile and commits it. Whatever `write` throws passes through.

@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/failure.h>
 #include <cdr/host/standard_streams.h>
+#include <cdr/host/unfinished_file.h>
 
 #include <fmt/format.h>
 
@@ -28,6 +29,7 @@ void runViewer(const Arguments& arguments, Driver* driver) {
 }
 
 int exitStatusOf(const char* program, const std::function<int()>& body) {
+    host::removeUnfinishedFilesOnSignals();
     try {
         const int status = body();
         host::flushStandardOutput();
