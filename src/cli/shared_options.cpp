@@ -3,33 +3,16 @@
 #include <cdr/base/error.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/render/render_options.h>
+#include <experiments/number_checks.h>
 
 #include <fmt/format.h>
 
 #include <charconv>
-#include <limits>
-#include <string_view>
 #include <system_error>
 
 namespace cdr::cli {
 
 namespace {
-
-/// CLI11 takes -1 for 2^64 - 1, and so all that is too large.
-const CLI::Validator kWholeNumber(
-    [](const std::string& text) -> std::string {
-        constexpr std::string_view kDigits = "0123456789";
-        std::uint64_t value = 0;
-        const char* end = text.data() + text.size();
-        const bool isDecimal = text.find_first_not_of(kDigits) == std::string::npos;
-        const bool isTooLarge = std::from_chars(text.data(), end, value).ec == std::errc::result_out_of_range;
-        if (text.starts_with('-') || (isDecimal && isTooLarge)) {
-            return fmt::format("must be a whole number from 0 to {}, not {}",
-                               std::numeric_limits<std::uint64_t>::max(), text.substr(0, 60));
-        }
-        return "";
-    },
-    "");
 
 struct PictureSize {
     std::uint32_t width = 0;
@@ -80,7 +63,7 @@ void addThreads(CLI::App& command, std::size_t& threads, const std::string& help
 }
 
 void addSeed(CLI::App& command, std::uint64_t& seed, const std::string& help) {
-    command.add_option("--seed", seed, help)->check(kWholeNumber)->capture_default_str();
+    command.add_option("--seed", seed, help)->check(experiments::wholeNumber())->capture_default_str();
 }
 
 void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help, std::uint32_t most) {

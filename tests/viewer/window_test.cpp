@@ -192,6 +192,12 @@ TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
     expectError("no-such-scene", 2, "no-such-scene");
     expectError("--device 99", 2, "99");
     expectError("--script script", 2, "--script");
+    for (const std::string option : {"--ui-scale nan", "--seed -1", "--frames -1", "--threads -1"}) {
+        expectError("--frames 1 " + option + " afc", 2, option.substr(0, option.find(' ')));
+    }
+    const RunResult endless =
+        runShell("timeout 20 '" CDR_VIEWER_DRIVE "' --soak nan", folder(), environment());
+    EXPECT_EQ(endless.status, 2);
     const RunResult undriven = runShell("'" CDR_VIEWER_DRIVE "' --script missing", folder(), environment());
     EXPECT_EQ(undriven.status, 2);
     EXPECT_NE(undriven.err.find("missing"), std::string::npos) << undriven.err;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cdr/host/standard_streams.h>
+#include <experiments/number_checks.h>
 #include <viewer/session/program.h>
 
 #include <filesystem>
@@ -28,7 +29,7 @@ void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
     program
         .add_option("--soak", arguments.soakSeconds,
                     "Play random input worth so many seconds, as fast as frames come, and quit")
-        ->check(CLI::Range(1.0, kMaxSoakSeconds))
+        ->check(cdr::experiments::numberFrom(1.0, kMaxSoakSeconds))
         ->excludes(script);
 }
 

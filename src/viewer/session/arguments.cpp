@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <cdr/base/error.h>
 #include <cdr/host/document.h>
+#include <cdr/host/worker_pool.h>
+#include <experiments/number_checks.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
@@ -17,7 +19,9 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
         .add_option("scene", arguments.scene,
                     fmt::format("{}, or a .gltf or .glb file", fmt::join(scenes::generatedScenes(), ", ")))
         ->capture_default_str();
-    program.add_option("--seed", arguments.seed, "Seed of a random scene")->capture_default_str();
+    program.add_option("--seed", arguments.seed, "Seed of a random scene")
+        ->check(experiments::wholeNumber())
+        ->capture_default_str();
     CLI::Option* technique = program.add_option(
         "--technique", arguments.technique,
         "One picture: a preset (standard, cdr, log, logcdr, reversed, anchored) or mapping/split");
@@ -32,6 +36,7 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
         ->capture_default_str();
     program.add_option("--format", arguments.format, "Depth buffer: d16, d24 or d32f");
     program.add_option("--threads", arguments.threads, "Threads that cull, bin and record")
+        ->check(CLI::Range(std::size_t{1}, host::WorkerPool::kMaxThreads))
         ->capture_default_str();
     program.add_flag("--play", arguments.plays, "Follow the scene's camera path from the start");
 }
@@ -51,11 +56,12 @@ void addWindowOptions(CLI::App& program, Arguments& arguments) {
                      "Run under the Khronos validation layer; any message is a failure");
     program.add_flag("--vsync", arguments.waitsForDisplay, "Show frames at the display's pace");
     program.add_option("--ui-scale", arguments.uiScale, "Size of text; 1 is 96 dots per inch")
-        ->check(CLI::Range(0.5, 4.0));
+        ->check(experiments::numberFrom(0.5, 4.0));
 }
 
 void addMeasuringOptions(CLI::App& program, Arguments& arguments) {
-    program.add_option("--frames", arguments.frames, "Quit after so many frames of the interface");
+    program.add_option("--frames", arguments.frames, "Quit after so many frames of the interface")
+        ->check(experiments::wholeNumber());
     program.add_option("--screenshot", arguments.screenshot, "Write the window as PNG when it quits");
     program.add_flag("--statistics", arguments.statistics, "Print frame times when it quits");
 }
