@@ -8,6 +8,7 @@
 #include <experiments/flicker/pairs.h>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdlib>
 #include <filesystem>
@@ -161,6 +162,33 @@ TEST_F(FlickerTest, ADamagedStateIsRefused) {
         host::writeText(state(), damaged);
         EXPECT_THROW(runFlicker(device(), options), base::InputError) << damaged.substr(0, 40);
     }
+}
+
+/// Numbers that the run cannot have come to; else any would be averaged in.
+TEST_F(FlickerTest, AlteredCountsAreRefused) {
+    FlickerOptions options = smallRun();
+    options.frames = 2;
+    options.state = state();
+    runFlicker(device(), options);
+    const host::Bytes whole = host::readFile(state(), 1 << 20);
+    const auto json = nlohmann::json::parse(whole);
+    for (const auto& [name, value] : json.at("results").at(0).items()) {
+        if (value.is_string()) {
+            continue;
+        }
+        for (const char* wrong : {"-1", "1e300", "18446744073709551615", "\"1\"", "-0.5"}) {
+            nlohmann::json altered = json;
+            altered["results"][0][name] = nlohmann::json::parse(wrong);
+            host::writeText(state(), altered.dump());
+            const bool isSum =
+                name == "duplication_sum"; // bounded by the scene, which the state does not know
+            if (!isSum || std::string(wrong).front() != '1') {
+                EXPECT_THROW(runFlicker(device(), options), base::InputError) << name << " " << wrong;
+            }
+        }
+    }
+    host::writeText(state(), std::string(whole.begin(), whole.end()));
+    EXPECT_NO_THROW(runFlicker(device(), options));
 }
 
 TEST_F(FlickerTest, ThreadsDoNotChangeTheFigures) {

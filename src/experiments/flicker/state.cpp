@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace cdr::experiments {
 
@@ -51,45 +52,87 @@ nlohmann::ordered_json toJson(const FlickerResult& result) {
             {"cascades", result.cascades}};
 }
 
+/// A count as toJson() wrote it; a negative or fractional number would become another.
+template <typename Count>
+void readCount(const nlohmann::json& json, const char* name, Count& count) {
+    const nlohmann::json& number = json.at(name);
+    if (!number.is_number_unsigned() || number.get<std::uint64_t>() > std::numeric_limits<Count>::max()) {
+        throw base::InputError(std::string(name) + " is no such count");
+    }
+    number.get_to(count);
+}
+
 /// Fills in what toJson() wrote. nlohmann::json::exception for a missing field or one of another type.
 void fromJson(const nlohmann::json& json, std::uint32_t frames, FlickerResult& result) {
     result.frames = frames;
-    json.at("pixels").get_to(result.wrong.pixels);
-    json.at("wrong").get_to(result.wrong.wrong);
-    json.at("edge_wrong").get_to(result.wrong.edgeWrong);
-    json.at("overlap_pixels").get_to(result.wrong.overlapPixels);
-    json.at("overlap_wrong").get_to(result.wrong.overlapWrong);
-    json.at("flips").get_to(result.flips.flips);
-    json.at("flips_compared").get_to(result.flips.compared);
+    readCount(json, "pixels", result.wrong.pixels);
+    readCount(json, "wrong", result.wrong.wrong);
+    readCount(json, "edge_wrong", result.wrong.edgeWrong);
+    readCount(json, "overlap_pixels", result.wrong.overlapPixels);
+    readCount(json, "overlap_wrong", result.wrong.overlapWrong);
+    readCount(json, "flips", result.flips.flips);
+    readCount(json, "flips_compared", result.flips.compared);
     json.at("flip_sum").get_to(result.flipSum);
-    json.at("flip_frames").get_to(result.flipFrames);
+    readCount(json, "flip_frames", result.flipFrames);
     json.at("duplication_sum").get_to(result.duplicationSum);
-    json.at("cascades").get_to(result.cascades);
+    readCount(json, "cascades", result.cascades);
 }
 
-FlickerState parse(const host::Bytes& bytes, const std::string& digest, const FlickerState& fresh,
-                   const std::string& name) {
-    const nlohmann::json json = nlohmann::json::parse(bytes);
-    if (json.at("digest").get<std::string>() != digest) {
-        throw base::InputError(name +
-                               ": is the state of a run with other options, another version or device; "
+/// Whether that many frames of `pixels` pixels can have come to such sums.
+bool canBe(const FlickerResult& result, std::uint32_t frames, std::uint64_t pixels) {
+    const auto isSumOfShares = [](double sum, std::uint64_t count) {
+        return sum >= 0.0 && sum <= static_cast<double>(count);
+    };
+    const std::uint64_t all = pixels * frames;
+    const auto& wrong = result.wrong;
+    return wrong.pixels <= all && wrong.wrong <= wrong.pixels && wrong.edgeWrong <= all &&
+           wrong.overlapPixels <= wrong.pixels && wrong.overlapWrong <= wrong.overlapPixels &&
+           result.flips.compared <= all && result.flips.flips <= result.flips.compared &&
+           result.flipFrames <= frames && isSumOfShares(result.flipSum, result.flipFrames) &&
+           result.duplicationSum >= 0.0 && std::isfinite(result.duplicationSum) &&
+           result.cascades <= depth::kMaxCascades;
+}
+
+FlickerState parse(std::string_view text, const FlickerRun& run, const FlickerState& fresh) {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    if (json.at("digest").get<std::string>() != run.digest) {
+        throw base::InputError("is the state of a run with other options, another version or device; "
                                "remove it or name another file");
     }
     FlickerState state = fresh;
-    json.at("frames_done").get_to(state.framesDone);
+    readCount(json, "frames_done", state.framesDone);
+    if (state.framesDone > run.frames) {
+        throw base::InputError("holds more frames than the run has");
+    }
     for (std::size_t i = 0; i < state.results.size(); ++i) {
-        fromJson(json.at("results").at(i), state.framesDone, state.results[i]);
+        FlickerResult& result = state.results[i];
+        fromJson(json.at("results").at(i), state.framesDone, result);
+        if (!canBe(result, state.framesDone, run.pixels)) {
+            throw base::InputError("holds counts that the run cannot have come to");
+        }
     }
     return state;
 }
 
 } // namespace
 
+FlickerState readState(std::string_view text, const FlickerRun& run, const FlickerState& fresh,
+                       const std::string& name) {
+    try {
+        return parse(text, run, fresh);
+    } catch (const nlohmann::json::exception&) {
+        throw base::InputError(name + ": is not the state of a flicker run");
+    } catch (const base::InputError& error) {
+        throw base::InputError(name + ": " + error.what());
+    }
+}
+
 FlickerStateFile::FlickerStateFile(std::filesystem::path path, const FlickerOptions& options,
                                    const gpu::DeviceInfo& device)
     : m_path(std::move(path)),
-      m_digest(digestOf(options, device)),
-      m_frames(options.frames) {
+      m_run({.digest = digestOf(options, device),
+             .frames = options.frames,
+             .pixels = std::uint64_t{options.width} * options.height}) {
     host::requireWritable(m_path);
 }
 
@@ -97,20 +140,13 @@ void FlickerStateFile::load(FlickerState& state) const {
     if (!std::filesystem::exists(m_path)) {
         return;
     }
-    try {
-        const FlickerState loaded =
-            parse(host::readFile(m_path, kMostBytes), m_digest, state, m_path.string());
-        if (loaded.framesDone > m_frames) {
-            throw base::InputError(m_path.string() + ": holds more frames than the run has");
-        }
-        state = loaded;
-    } catch (const nlohmann::json::exception&) {
-        throw base::InputError(m_path.string() + ": is not the state of a flicker run");
-    }
+    const host::Bytes bytes = host::readFile(m_path, kMostBytes);
+    state =
+        readState({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, m_run, state, m_path.string());
 }
 
 void FlickerStateFile::save(const FlickerState& state) const {
-    nlohmann::ordered_json json{{"digest", m_digest}, {"frames_done", state.framesDone}};
+    nlohmann::ordered_json json{{"digest", m_run.digest}, {"frames_done", state.framesDone}};
     for (const FlickerResult& result : state.results) {
         json["results"].push_back(toJson(result));
     }

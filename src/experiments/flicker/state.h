@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cdr::experiments {
@@ -16,6 +17,20 @@ struct FlickerState {
     std::vector<FlickerResult> results; ///< as of those frames, one per technique
 };
 
+/// The run that a state belongs to.
+struct FlickerRun {
+    std::string digest; ///< of everything the results depend on
+    std::uint32_t frames = 0;
+    std::uint64_t pixels = 0; ///< of a frame
+};
+
+/// The state that a text holds, as FlickerStateFile wrote it.
+/// @param fresh the run's state before its first frame.
+/// @param name of the file, which a message begins with.
+/// base::InputError, in one line, for a damaged text, one of another run, or counts that the run cannot have come to.
+FlickerState readState(std::string_view text, const FlickerRun& run, const FlickerState& fresh,
+                       const std::string& name);
+
 /// Keeps a run's state in a file from frame to frame, written whole or not at all.
 class FlickerStateFile {
   public:
@@ -24,8 +39,8 @@ class FlickerStateFile {
     FlickerStateFile(std::filesystem::path path, const FlickerOptions& options,
                      const gpu::DeviceInfo& device);
 
-    /// Takes what an earlier run left; leaves `state` as it is where there is no file. base::InputError, in
-    /// one line, for a damaged file or one of a run with other options, another version or device.
+    /// Takes what an earlier run left; leaves `state` as it is where there is no file. base::InputError as
+    /// readState(): other options, another version and another device make another run.
     void load(FlickerState& state) const;
 
     /// base::InputError when the file cannot be written.
@@ -33,8 +48,7 @@ class FlickerStateFile {
 
   private:
     std::filesystem::path m_path;
-    std::string m_digest;
-    std::uint32_t m_frames;
+    FlickerRun m_run;
 };
 
 } // namespace cdr::experiments
