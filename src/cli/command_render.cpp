@@ -1,6 +1,5 @@
 #include "command.h"
 #include "commands.h"
-#include "effect_options.h"
 #include "frame_output.h"
 #include "sequence_name.h"
 
@@ -9,7 +8,9 @@
 #include <cdr/render/renderer.h>
 #include <cdr/scene/lod/levels.h>
 #include <experiments/camera_options.h>
+#include <experiments/effect_options.h>
 #include <experiments/frame_notes.h>
+#include <scenes/colours.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ struct RenderArguments {
     std::string submission = "secondaries";
     std::string batching = "instanced";
     std::string surface = "gbuffer";
-    EffectArguments effects;
+    experiments::EffectArguments effects;
     std::string detail = "none";
     std::uint32_t snapBits = 0;
     std::size_t threads = 1;
@@ -44,6 +45,7 @@ struct RenderArguments {
     bool hash = false;
     std::filesystem::path trace;
     experiments::CameraOptions camera;
+    std::string colours = "thesis";
     std::uint64_t seed = scenes::kDefaultSeed;
     scene::GltfChoice choice;
 };
@@ -105,9 +107,9 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::A
                                   .batching = render::parseBatching(arguments.batching),
                                   .surface = render::parseSurfacePath(arguments.surface),
                                   .detail = visibility::parseDetail(arguments.detail),
-                                  .effects = effectsOf(arguments.effects),
-                                  .focus = focusOf(arguments.effects),
-                                  .translucency = translucencyOf(arguments.effects)};
+                                  .effects = experiments::effectsOf(arguments.effects),
+                                  .focus = experiments::focusOf(arguments.effects),
+                                  .translucency = experiments::translucencyOf(arguments.effects)};
     options.snapBits = arguments.snapBits;
     options.translucency.countsFragments = aov == experiments::Aov::coverage;
     return options;
@@ -176,6 +178,7 @@ std::string whatWasWritten(const RenderArguments& arguments, const experiments::
 
 void runRender(Command& command, RenderArguments& arguments) {
     const experiments::Aov aov = experiments::parseAov(arguments.aov);
+    const scenes::Colours colours = scenes::parseColours(arguments.colours);
     const SequenceName name(arguments.file);
     render::RenderOptions options = optionsOf(arguments, aov);
     if (!arguments.camera.path.empty()) {
@@ -189,6 +192,7 @@ void runRender(Command& command, RenderArguments& arguments) {
         options.trace = &trace.emplace(options.threads);
     }
     scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
+    scenes::paint(setup.scene, colours);
     if (options.detail.mode != visibility::DetailMode::none) {
         scene::makeLevels(setup.scene, workers);
     }
@@ -266,13 +270,14 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     command.option_defaults()->group("Technique");
     addTechniqueOptions(command, arguments);
     command.option_defaults()->group("Effects");
-    addEffectOptions(command, arguments.effects);
+    experiments::addEffectOptions(command, arguments.effects);
     command.option_defaults()->group("Camera");
     experiments::addFrameOptions(command, arguments.camera);
     experiments::addCameraOptions(command, arguments.camera);
     command.option_defaults()->group("Scene");
     experiments::addSceneChoice(command, arguments.choice);
     addSeed(command, arguments.seed, "Seed of a random scene");
+    experiments::addColours(command, arguments.colours);
     command.option_defaults()->group("Output");
     addSize(command, arguments.width, arguments.height);
     addSnapBits(command, arguments.snapBits);

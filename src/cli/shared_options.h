@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cdr/depth/technique.h>
 #include <experiments/camera_options.h>
+#include <experiments/effect_options.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -29,8 +30,7 @@ struct OutputOptions {
 /// Most frames one call renders.
 using experiments::kMaxFrames;
 
-/// Most MiB that --translucency-memory takes: 4 TiB.
-inline constexpr std::uint64_t kMostTranslucencyMiB = std::uint64_t{1} << 22u;
+using experiments::kMostTranslucencyMiB;
 
 // Each adds an option; what it refers to must live as long as the command.
 

@@ -78,6 +78,11 @@ void addCameraOptions(CLI::App& command, CameraOptions& options) {
     command.add_option("--far", options.farView, "Far plane, view distance");
 }
 
+void addColours(CLI::App& command, std::string& colours) {
+    command.add_option("--colours", colours, "Of a generated scene: thesis (one grey) or bright")
+        ->capture_default_str();
+}
+
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
     command.add_option("--gltf-scene", choice.scene, "Scene of a glTF file, from 0; its default one");
     command.add_option("--camera", choice.camera,

@@ -37,6 +37,8 @@ void addFrameOptions(CLI::App& command, CameraOptions& options);
 void addCameraOptions(CLI::App& command, CameraOptions& options);
 /// Adds --gltf-scene and --camera.
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
+/// Adds --colours.
+void addColours(CLI::App& command, std::string& colours);
 
 /// The camera with what the options override. base::InputError for an unusable one.
 scene::Camera overridden(scene::Camera camera, const CameraOptions& options);

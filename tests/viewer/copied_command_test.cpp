@@ -56,6 +56,19 @@ TEST_P(CopiedCommand, DrawsWhatTheWindowShows) {
     }
 }
 
+/// The copied line again, in the viewer: it shows the same picture and copies the same line.
+TEST_F(ViewerTest, OpensWhatItCopied) {
+    const std::string chosen = "wait-frame\nhold D\nwait-ui 2\nlet D\nclick Draw\nclick occlusion\n"
+                               "click occlusion=1\nclick fog\nclick fog=100\nkey V\nwait-frame\n";
+    const std::string copies = "command\nkey F12\nwait-ui 3\nquit\n";
+    const RunResult first = play("alley --technique log-fragment/count:4 --size 800x1400", chosen + copies);
+    const auto line = first.lines("cdr render");
+    ASSERT_EQ(line.size(), 1u) << first.out;
+    const RunResult second = play(line[0].substr(std::string("cdr render ").size()), "wait-frame\n" + copies);
+    EXPECT_EQ(second.lines("cdr render"), line) << second.out;
+    EXPECT_EQ(picture("cdr-picture-0002.png"), picture("cdr-picture-0001.png"));
+}
+
 const std::string kMoved =
     "hold D\nwait-ui 2\nlet D\nmove 200 200\npress\nmove 215 190\nmove 230 180\nwait-ui 2\n"
     "release\nhold W\nwait-ui 2\nlet W\n";

@@ -139,6 +139,48 @@ TEST_F(ViewerTest, RecordsAPathAndPlaysIt) {
     EXPECT_EQ(valueOf(states[2], "eye"), valueOf(states[0], "eye")) << "playing ends where recording ended";
 }
 
+TEST_F(ViewerTest, KeysReachThePanelsAndComeBack) {
+    const RunResult run = play("--size 1280x720 --compare standard,anchored cubes",
+                               "wait-frame\nkey F4\nwait-ui 3\nwhere targets\nkey F2\nwait-ui 3\nstate\n"
+                               "key down\nkey space\nwait-ui 3\nwait-frame\nstate\n"
+                               "key escape\nkey V\nhold D\nwait-ui 4\nlet D\nwait-frame\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 3u);
+    EXPECT_EQ(run.lines("targets ").size(), 1u) << "F4 shows the panel Draw";
+    EXPECT_EQ(valueOf(states[0], "colours"), "bright");
+    EXPECT_EQ(valueOf(states[1], "colours"), "thesis") << "the second item of the panel Look";
+    EXPECT_EQ(valueOf(states[1], "eye"), valueOf(states[0], "eye")) << "arrows flew";
+    EXPECT_EQ(valueOf(states[2], "view"), "cascades");
+    EXPECT_NE(valueOf(states[2], "eye"), valueOf(states[1], "eye")) << "the camera has no keys";
+}
+
+TEST_F(ViewerTest, ShowsPicturesOfScenesToChooseFrom) {
+    const RunResult run = play("--size 1280x720 --technique standard cubes",
+                               "wait-frame\nwait-ui 3\nwindow closed.png\nclick scene\nwait-ui 3\nwindow "
+                               "open.png\nclick scene=orbit\nwait-frame\nstate\nquit\n");
+    EXPECT_EQ(valueOf(run.lines("scene=").at(0), "shown"), "orbit");
+    // Names alone would bring no more than shades of grey.
+    EXPECT_GT(colors(picture("open.png")), colors(picture("closed.png")) + 3000);
+    keepContactSheet("scenes.png", {picture("closed.png"), picture("open.png")});
+}
+
+TEST_F(ViewerTest, RecordsBothSidesAsAVideo) {
+    const RunResult run = play("--size 801x480 --compare standard,anchored cubes",
+                               "wait-frame\nkey F11\nwait-ui 10\nhold D\nwait-ui 110\nlet D\nkey F11\n"
+                               "wait-ui 2\nstate\nquit\n");
+    const std::string notice = valueOf(run.lines("scene=").at(0), "notice");
+    if (notice.find("ffmpeg") != std::string::npos) {
+        GTEST_SKIP() << notice;
+    }
+    // 122 frames of the interface, each a sixtieth of a second.
+    EXPECT_NE(notice.find("cdr-video-0001.mp4 holds 6"), std::string::npos) << notice;
+    const RunResult frame = runShell("ffmpeg -loglevel error -i cdr-video-0001.mp4 -frames:v 1 first.png",
+                                     folder(), environment());
+    ASSERT_EQ(frame.status, 0) << frame.err;
+    EXPECT_EQ(picture("first.png").width, 2 * 452u) << "two pictures of 453, the odd column left out";
+    EXPECT_EQ(picture("first.png").height, 480u);
+}
+
 TEST_F(ViewerTest, EveryTabDraws) {
     std::string script = "wait-frame\n";
     std::vector<std::string> names;

@@ -18,11 +18,12 @@ std::string stateLine(const ViewerModel& model) {
     const ViewSettings& settings = model.settings;
     std::string line = fmt::format(
         "scene={} technique={} second={} view={} targets={} threads={} divider={:.4f} fov={:.6g} orbits={} "
-        "motion={} eye={}",
+        "motion={} colours={} eye={}",
         settings.scene, techniqueName(settings.technique),
         settings.second ? techniqueName(*settings.second) : "none", nameOf(settings.view),
         nameOf(settings.targets), settings.threads, settings.divider, scene::degreesOf(model.camera.fovY),
-        model.orbits ? 1 : 0, kMotions.nameOf(model.motion), exactText(model.camera.position));
+        model.orbits ? 1 : 0, kMotions.nameOf(model.motion), nameOf(settings.colours),
+        exactText(model.camera.position));
     if (model.shown != nullptr && !model.shown->sides.empty()) {
         const SideResult& side = model.shown->sides.front();
         line += fmt::format(" shown={} size={}x{} cascades={} draws={}", model.shown->sceneName,

@@ -1,6 +1,7 @@
 #include "interface.h"
 
 #include "style.h"
+#include "thumbnails.h"
 
 #include <cdr/gpu/commands.h>
 
@@ -64,7 +65,9 @@ Interface::Interface(const UiDevice& ui, Window& window, const Presenter& presen
     io.IniFilename = nullptr; // layout is ours, nothing is left behind
     io.LogFilename = nullptr;
     applyStyle(m_scale);
+    reserveThumbnails(*io.Fonts);
     loadFont();
+    copyThumbnails(*io.Fonts);
     constexpr std::uint32_t kSets = 8;
     const vk::DescriptorPoolSize size{vk::DescriptorType::eCombinedImageSampler, kSets};
     // Back ends since 1.89 give their sets back one by one.
@@ -126,10 +129,11 @@ void Interface::uploadFont() const {
 #endif // newer back ends upload when they first need it
 }
 
-void Interface::begin(double seconds) {
+void Interface::begin(double seconds, bool keysChoose) {
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
+    io.ConfigFlags = keysChoose ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
     io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 1.0));
     // The window's size as the callbacks told it, so that injected sizes count too.
     const vk::Extent2D extent = m_window.extent();

@@ -17,7 +17,8 @@ class Interface {
 
     /// Starts a frame; widgets follow.
     /// @param seconds since the last.
-    void begin(double seconds);
+    /// @param keysChoose whether arrow keys go from item to item.
+    void begin(double seconds, bool keysChoose);
     /// Ends it; valid until the next begin().
     ImDrawData* end();
 

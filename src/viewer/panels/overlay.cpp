@@ -18,7 +18,7 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr ImU32 kPaper = IM_COL32(18, 20, 24, 214);
+constexpr ImU32 kPaper = IM_COL32(18, 20, 24, 255); ///< covers the divider under a text
 constexpr ImU32 kInk = IM_COL32(228, 232, 238, 255);
 constexpr ImU32 kQuietInk = IM_COL32(160, 168, 180, 255);
 constexpr ImU32 kMarkInk = IM_COL32(90, 169, 230, 255);
@@ -174,6 +174,10 @@ void drawLines(const Canvas& canvas, const ViewerModel& model) {
         add(kInk, span ? fmt::format("{}\n{}", describe(*first), describe(*span)) : describe(*first));
     }
     add(model.isWrongCurrent ? kInk : kQuietInk, wrongText(model.wrong));
+    add(kQuietInk, lagText(model.lagSeconds));
+    if (model.video) {
+        add(kProblem, fmt::format("recording a video, {:.0f} s; F11 ends it", model.video->seconds()));
+    }
     if (model.motion == Motion::tour) {
         add(kInk, std::string(tourCaption(scene::degreesOf(model.camera.fovY))));
     } else if (const auto step = model.firstSteps.text()) {

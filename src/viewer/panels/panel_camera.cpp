@@ -43,6 +43,10 @@ void chooseMotion(const Widgets& widgets, ViewerModel& model) {
     if (widgets.button("of the window")) {
         model.actions.push_back(Action::screenshotWindow);
     }
+    widgets.beside();
+    if (widgets.button(model.video != nullptr ? "stop video" : "video", model.video != nullptr)) {
+        model.actions.push_back(Action::video);
+    }
 }
 
 } // namespace

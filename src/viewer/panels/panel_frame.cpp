@@ -135,14 +135,12 @@ void drawFrameGraph(const Widgets& widgets, const ViewerModel& model) {
                   fmt::format("{:.1f} frames a second, {:.1f} ms", model.framesPerSecond, total.last));
     widgets.value("interface", fmt::format("{:.1f} ms a frame", model.uiFrameMs));
     const float mostMs = std::max(total.max, 1.0f);
+    widgets.value("highest", fmt::format("{:.1f} ms", mostMs));
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, letters(kGraphHeight)};
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + size.y},
                                               ImGui::GetColorU32(ImGuiCol_FrameBg), 4.0f);
     drawBars(model.statistics, low, size, mostMs);
-    ImGui::GetWindowDrawList()->AddText({low.x + letters(6.0f), low.y + letters(3.0f)},
-                                        ImGui::GetColorU32(ImGuiCol_TextDisabled),
-                                        fmt::format("{:.1f} ms", mostMs).c_str());
     ImGui::Dummy(size);
     drawStageTable(model.statistics);
 }

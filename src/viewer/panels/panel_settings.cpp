@@ -1,4 +1,5 @@
 #include "panels.h"
+#include "thumbnails.h"
 
 #include <viewer/state/explanations.h>
 #include <viewer/state/length_text.h>
@@ -65,11 +66,15 @@ void drawScenePanel(const Widgets& widgets, ViewerModel& model) {
     widgets.heading("Scene");
     const std::string shown = std::filesystem::path(model.settings.scene).filename().string();
     const std::span<const std::string_view> scenes = scenes::generatedScenes();
-    const std::size_t chosen =
-        widgets.combo("scene", shown, scenes.size(), [&](std::size_t i) { return scenes[i]; });
+    const std::size_t chosen = widgets.combo(
+        "scene", shown, scenes.size(), [&](std::size_t i) { return scenes[i]; }, drawThumbnail);
     if (chosen < scenes.size()) {
         model.settings.scene = scenes[chosen];
         model.settings.choice = {};
+    }
+    bool isBright = model.settings.colours == scenes::Colours::bright;
+    if (widgets.checkbox("bright colours", isBright)) {
+        model.settings.colours = isBright ? scenes::Colours::bright : scenes::Colours::thesis;
     }
     if (model.shown != nullptr && model.shown->scene != nullptr) {
         const scene::OpenedScene& opened = *model.shown->scene;

@@ -39,6 +39,11 @@ void setOrbiting(ViewerModel& model, bool orbits) {
     model.orbits = orbits;
 }
 
+bool isForEveryPlace(const KeyInput& key) {
+    return (key.key >= GLFW_KEY_F1 && key.key <= GLFW_KEY_F12) || key.key == GLFW_KEY_ESCAPE ||
+           (key.modifiers & GLFW_MOD_CONTROL) != 0;
+}
+
 void applyShortcut(const KeyInput& key, ViewerModel& model) {
     if (!key.pressed || key.repeated) {
         return;
@@ -50,13 +55,22 @@ void applyShortcut(const KeyInput& key, ViewerModel& model) {
         model.settings = withPreset(model.settings, side, static_cast<std::size_t>(key.key - GLFW_KEY_1) + 1);
         return;
     }
+    if (key.key >= GLFW_KEY_F2 && key.key < GLFW_KEY_F2 + static_cast<int>(kPanels.size())) {
+        model.panelKeys = PanelKeys{.panel = static_cast<std::size_t>(key.key - GLFW_KEY_F2)};
+        model.showsPanel = true;
+        return;
+    }
     switch (key.key) {
     case GLFW_KEY_F1:
         model.showsHelp = !model.showsHelp;
         break;
     case GLFW_KEY_ESCAPE:
-        model.showsHelp = false;
-        model.firstSteps.end();
+        if (model.panelKeys) {
+            model.panelKeys.reset();
+        } else {
+            model.showsHelp = false;
+            model.firstSteps.end();
+        }
         break;
     case GLFW_KEY_TAB:
         model.showsPanel = !model.showsPanel;
@@ -99,6 +113,9 @@ void applyShortcut(const KeyInput& key, ViewerModel& model) {
         break;
     case GLFW_KEY_X:
         model.actions.push_back(Action::forgetMeasuring);
+        break;
+    case GLFW_KEY_F11:
+        model.actions.push_back(Action::video);
         break;
     case GLFW_KEY_F12:
         model.actions.push_back(shift ? Action::screenshotWindow : Action::screenshotPicture);

@@ -4,19 +4,37 @@
 
 #include <imgui.h>
 
+#include <array>
+#include <cstddef>
 #include <functional>
 
 namespace cdr::viewer {
 
 namespace {
 
-void drawTab(const char* name, ItemPlaces& places, const std::function<void()>& body) {
-    const bool isOpen = ImGui::BeginTabItem(name);
+/// A panel's contents, whose items the arrow keys reach together with the rest of the window.
+bool beginPanel(const char* name) {
+#if IMGUI_VERSION_NUM < 19100
+    return ImGui::BeginChild(name, {0.0f, 0.0f}, false, ImGuiWindowFlags_NavFlattened);
+#else
+    return ImGui::BeginChild(name, {0.0f, 0.0f}, ImGuiChildFlags_NavFlattened);
+#endif
+}
+
+void drawTab(std::size_t panel, ItemPlaces& places, ViewerModel& model, const std::function<void()>& body) {
+    const char* name = kPanels.at(panel);
+    const bool isAsked = model.panelKeys && model.panelKeys->panel == panel && !model.panelKeys->isOpened;
+    const bool isOpen =
+        ImGui::BeginTabItem(name, nullptr, isAsked ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
     places.note(name);
     if (!isOpen) {
         return;
     }
-    ImGui::BeginChild(name);
+    if (isAsked) {
+        ImGui::SetNextWindowFocus();
+        model.panelKeys->isOpened = true;
+    }
+    beginPanel(name);
     body();
     ImGui::EndChild();
     ImGui::EndTabItem();
@@ -30,27 +48,27 @@ void drawSidebar(const Widgets& widgets, ItemPlaces& places, float width, Viewer
     ImGui::SetNextWindowSize({width, window.y});
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
     if (ImGui::BeginTabBar("tabs")) {
-        drawTab("Look", places, [&] {
+        drawTab(0, places, model, [&] {
             drawScenePanel(widgets, model);
             drawTechniquePanel(widgets, model);
             drawViewPanel(widgets, model);
         });
-        drawTab("Camera", places, [&] {
+        drawTab(1, places, model, [&] {
             drawCameraPanel(widgets, model);
             drawMeasuringPanel(widgets, model);
         });
-        drawTab("Draw", places, [&] {
+        drawTab(2, places, model, [&] {
             drawRenderingPanel(widgets, model);
             drawFinishPanel(widgets, model);
         });
-        drawTab("Frame", places, [&] {
+        drawTab(3, places, model, [&] {
             drawFrameGraph(widgets, model);
             widgets.checkbox("render though nothing changes", model.rendersAlways);
             drawTimeline(widgets, model);
         });
-        drawTab("Inside", places, [&] {
+        drawTab(4, places, model, [&] {
             drawCascadesPanel(widgets, model);
             drawMemoryPanel(widgets, model);
         });

@@ -7,7 +7,9 @@ namespace cdr::viewer {
 
 namespace {
 
-constexpr float kLabelShare = 0.30f; ///< of a panel's width
+constexpr float kLabelShare = 0.30f;  ///< of a panel's width
+constexpr float kPictureWidth = 6.0f; ///< in letters' heights
+constexpr float kPictureShape = 9.0f / 16.0f;
 
 void text(std::string_view words) {
     ImGui::TextUnformatted(words.data(), words.data() + words.size());
@@ -53,17 +55,26 @@ void Widgets::label(std::string_view name) const {
 }
 
 std::size_t Widgets::combo(std::string_view name, std::string_view shown, std::size_t count,
-                           const std::function<std::string_view(std::size_t)>& nameOf) const {
+                           const std::function<std::string_view(std::size_t)>& nameOf,
+                           const PictureOf& pictureOf) const {
     label(name);
     std::size_t chosen = count;
     const bool isOpen = ImGui::BeginCombo(fmt::format("##{}", name).c_str(), std::string(shown).c_str(),
-                                          ImGuiComboFlags_HeightLarge);
+                                          ImGuiComboFlags_HeightLargest);
     if (isOpen) {
         for (std::size_t i = 0; i < count; ++i) {
             const std::string entry(nameOf(i));
-            if (ImGui::Selectable(entry.c_str(), entry == shown)) {
+            const float side = pictureOf ? kPictureWidth * ImGui::GetFontSize() : 0.0f;
+            ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
+            if (pictureOf) {
+                pictureOf(i, side);
+                ImGui::SameLine();
+            }
+            if (ImGui::Selectable(entry.c_str(), entry == shown, ImGuiSelectableFlags_None,
+                                  {0.0f, side * kPictureShape})) {
                 chosen = i;
             }
+            ImGui::PopStyleVar();
             m_places.note(fmt::format("{}={}", name, entry));
         }
         ImGui::EndCombo();

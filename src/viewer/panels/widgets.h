@@ -24,9 +24,13 @@ class Widgets {
     /// A name in quiet letters and its value beside it.
     void value(std::string_view name, const std::string& text) const;
 
-    /// A choice among names, labelled to the left. @return the index chosen now, or `count`.
+    /// Draws the picture of a choice as an item of that width.
+    using PictureOf = std::function<void(std::size_t, float)>;
+    /// A choice among names, labelled to the left, each beside its picture if there is one. @return the index chosen
+    /// now, or `count`.
     std::size_t combo(std::string_view name, std::string_view shown, std::size_t count,
-                      const std::function<std::string_view(std::size_t)>& nameOf) const;
+                      const std::function<std::string_view(std::size_t)>& nameOf,
+                      const PictureOf& pictureOf = {}) const;
     bool button(std::string_view name, bool isOn = false) const;
     bool checkbox(std::string_view name, bool& isOn) const;
     bool count(std::string_view name, int& value, int low, int high) const;

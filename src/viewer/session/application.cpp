@@ -100,11 +100,15 @@ void Application::handleInput() {
         if (const auto* drop = std::get_if<DropInput>(&event)) {
             dropFiles(*drop);
         } else if (const auto* key = std::get_if<KeyInput>(&event)) {
-            if (!m_interface.wantsKeys()) {
+            const bool isTyped = m_interface.wantsKeys() || (m_model.panelKeys && !isForEveryPlace(*key));
+            if (!isTyped) {
                 applyShortcut(*key, m_model);
             }
-            m_control.handle(event, area, !m_interface.wantsKeys(), m_model);
+            m_control.handle(event, area, !isTyped && !m_model.panelKeys, m_model);
         } else {
+            if (free && std::holds_alternative<ButtonInput>(event) && area.contains(m_control.cursor())) {
+                m_model.panelKeys.reset(); // whoever takes the picture takes the keys along
+            }
             m_control.handle(event, area, free, m_model);
         }
     }
@@ -133,8 +137,8 @@ PictureArea Application::pictureArea() const {
 }
 
 bool Application::isMoving() const {
-    return m_model.motion != Motion::free || m_model.rendersAlways || m_isMissed || m_arguments.frames ||
-           !m_session.isSettled();
+    return m_model.motion != Motion::free || m_model.rendersAlways || m_model.video != nullptr ||
+           m_isMissed || m_arguments.frames || !m_session.isSettled();
 }
 
 bool Application::isRedrawDue() const {
@@ -173,7 +177,7 @@ void Application::drawFrame() {
     }
     m_lastFrame = begin;
     m_places.beginFrame();
-    m_interface.begin(m_driver != nullptr ? Driver::kStepSeconds : interval);
+    m_interface.begin(m_driver != nullptr ? Driver::kStepSeconds : interval, m_model.panelKeys.has_value());
     layOut();
     ImDrawData* drawn = m_interface.end();
     image::ImageRgba8 pixels;
@@ -205,6 +209,7 @@ void Application::run() {
             m_redraws = std::max(m_redraws, 1);
         }
         const double seconds = secondsOfUpdate();
+        recordVideo(seconds);
         m_control.apply(pictureArea(), seconds, m_model);
         m_model.firstSteps.see(m_model.settings, m_model.camera);
         if (m_window.extent().width > 0 && m_window.extent().height > 0) {
@@ -221,6 +226,9 @@ void Application::run() {
 }
 
 void Application::finish() {
+    if (m_model.video != nullptr) {
+        perform(Action::video);
+    }
     if (!m_arguments.screenshot.empty()) {
         m_capture = m_arguments.screenshot;
         constexpr int kTries = 3; // the window may just have changed its size

@@ -49,6 +49,8 @@ class Application {
     void tryPerform(Action action);
     void dropFiles(const DropInput& drop);
     void toggleRecording();
+    void toggleVideo();
+    void recordVideo(double seconds);
     void copyCommandLines();
     void captureWindow();
     void frameSelected();

@@ -11,6 +11,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace cdr::viewer {
 
@@ -52,6 +55,36 @@ void Application::toggleRecording() {
         }
         recorder.begin(m_model.settings.scene);
         m_model.say("recording the camera; R ends it");
+    }
+}
+
+void Application::toggleVideo() {
+    if (m_model.video != nullptr) {
+        const auto video = std::exchange(m_model.video, nullptr);
+        video->finish();
+        m_model.say(fmt::format("{} holds {}, {:.1f} s", video->file().string(),
+                                counted(video->pictures(), "picture"), video->seconds()));
+    } else if (m_model.shown != nullptr) {
+        const std::vector<SideResult>& sides = m_model.shown->sides;
+        const image::ImageRgba8& first = *sides.front().picture;
+        m_model.video = std::make_unique<VideoRecording>(freeName("cdr-video", ".mp4"), sides.size(),
+                                                         first.width, first.height);
+    }
+}
+
+void Application::recordVideo(double seconds) {
+    if (m_model.video == nullptr) {
+        return;
+    }
+    const std::vector<SideResult>& sides = m_model.shown->sides;
+    const image::ImageRgba8* right = sides.size() > 1 ? sides[1].picture.get() : nullptr;
+    try {
+        if (!m_model.video->add(*sides.front().picture, right, seconds)) {
+            toggleVideo(); // another size or number of pictures is another video
+        }
+    } catch (const base::RunError& error) {
+        m_model.video.reset();
+        m_model.say(error.what(), true);
     }
 }
 
@@ -152,6 +185,9 @@ void Application::tryPerform(Action action) {
         break;
     case Action::frameSelected:
         frameSelected();
+        break;
+    case Action::video:
+        toggleVideo();
         break;
     case Action::tour:
         toggleTour();

@@ -22,6 +22,7 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
     program.add_option("--seed", arguments.seed, "Seed of a random scene")
         ->check(experiments::wholeNumber())
         ->capture_default_str();
+    experiments::addColours(program, arguments.colours);
     CLI::Option* technique = program.add_option(
         "--technique", arguments.technique,
         "One picture: a preset (standard, cdr, log, logcdr, reversed, anchored) or mapping/split");
@@ -39,6 +40,24 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
         ->check(CLI::Range(std::size_t{1}, host::WorkerPool::kMaxThreads))
         ->capture_default_str();
     program.add_flag("--play", arguments.plays, "Follow the scene's camera path from the start");
+}
+
+/// What a line of `cdr render` says besides, as the viewer copies it.
+void addRenderLine(CLI::App& program, Arguments& arguments) {
+    program.option_defaults()->group("As cdr render takes it");
+    program.add_option("--depth", arguments.depth, "Depth mapping, instead of a technique");
+    program.add_option("--split", arguments.split, "How cascades are cut, instead of a technique");
+    program.add_option("--submission", arguments.submission, "secondaries, primaries or gpu-driven")
+        ->capture_default_str();
+    program.add_option("--batching", arguments.batching, "per-object, push-constants or instanced")
+        ->capture_default_str();
+    program.add_option("--detail", arguments.detail, "none, object or cascade")->capture_default_str();
+    experiments::addEffectOptions(program, arguments.effects);
+    program.add_option("--aov", arguments.aov, "View: color, cascade, distance, id or wrong")
+        ->capture_default_str();
+    program.add_option("-o,--output", arguments.output,
+                       "Not written: the panels hide, and the thesis' colours stay");
+    program.option_defaults()->group("Options");
 }
 
 /// What the copied command line says of the camera.
@@ -74,6 +93,7 @@ void addViewerOptions(CLI::App& program, Arguments& arguments) {
                              fmt::format("{} {} ({})", program.get_name(), build.version, build.commit));
     addViewOptions(program, arguments);
     addPlace(program, arguments);
+    addRenderLine(program, arguments);
     addWindowOptions(program, arguments);
     addMeasuringOptions(program, arguments);
 }

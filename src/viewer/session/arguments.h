@@ -1,6 +1,7 @@
 #pragma once
 
 #include <experiments/camera_options.h>
+#include <experiments/effect_options.h>
 #include <scenes/open_scene.h>
 
 #include <cstdint>
@@ -23,8 +24,17 @@ struct Arguments {
     scene::GltfChoice choice;
     experiments::CameraOptions camera;
     std::uint64_t seed = scenes::kDefaultSeed;
+    std::string colours;                       ///< empty: bright, but for a line that renders a picture
     std::string technique;                     ///< of one picture
     std::string compare = "standard,anchored"; ///< "LEFT,RIGHT", unless there is one technique
+    std::string depth;                         ///< with `split`, instead of a technique
+    std::string split;
+    std::string submission = "secondaries";
+    std::string batching = "instanced";
+    std::string detail = "none";
+    experiments::EffectArguments effects;
+    std::string aov = "color";
+    std::string output; ///< of a line that renders a picture, which is shown instead; empty without
     std::string targets = "single";
     std::string format;
     std::size_t threads = 1;

@@ -12,11 +12,12 @@ namespace cdr::viewer {
 void SceneRenderer::open(const ViewSettings& settings) {
     const bool needsLevels = settings.finish.detail != visibility::DetailMode::none;
     if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
-        settings.choice == m_choice && (m_hasLevels || !needsLevels)) {
+        settings.colours == m_colours && settings.choice == m_choice && (m_hasLevels || !needsLevels)) {
         return;
     }
     auto opened = std::make_shared<scene::OpenedScene>(
         scenes::openScene(settings.scene, settings.seed, settings.choice));
+    scenes::paint(opened->setup.scene, settings.colours);
     if (needsLevels) {
         host::WorkerPool workers(settings.threads);
         scene::makeLevels(opened->setup.scene, workers);
@@ -30,6 +31,7 @@ void SceneRenderer::open(const ViewSettings& settings) {
     m_scene = std::move(next);
     m_sceneName = settings.scene;
     m_seed = settings.seed;
+    m_colours = settings.colours;
     m_choice = settings.choice;
     m_hasLevels = needsLevels;
 }

@@ -46,6 +46,7 @@ class SceneRenderer {
     const gpu::Device& m_device;
     std::string m_sceneName;
     std::uint64_t m_seed = 0;
+    scenes::Colours m_colours = scenes::Colours::thesis;
     scene::GltfChoice m_choice;
     bool m_hasLevels = false; ///< of detail, which are made when first asked for
     std::unique_ptr<OnStage> m_scene;

@@ -38,6 +38,7 @@ void Session::renewDevice() {
     startThread();
     m_click.reset();
     m_asked.reset();
+    m_pending.clear();
 }
 
 void Session::followPath(double seconds) {
@@ -89,6 +90,11 @@ RenderRequest Session::wanted(const PictureArea& area) const {
 }
 
 void Session::update(const PictureArea& area, const glm::dvec2& cursor, double seconds, bool isSteered) {
+    while (!m_pending.empty() && m_pending.front().serial <= m_shownSerial) {
+        m_pending.pop_front();
+    }
+    m_model.lagSeconds =
+        m_pending.empty() ? 0.0 : std::chrono::duration<double>(Clock::now() - m_pending.front().at).count();
     if (m_click && !m_click->serial) {
         pickOrAsk();
     }
@@ -105,7 +111,7 @@ void Session::update(const PictureArea& area, const glm::dvec2& cursor, double s
     const bool isFlying = isSteered || m_model.motion != Motion::free;
     const bool isMoving = isFlying || m_model.rendersAlways;
     const auto now = Clock::now();
-    const bool isDue = area.contains(cursor) && now - m_surfacesAsked >= kSurfacesEvery;
+    const bool isDue = (area.contains(cursor) || isSteered) && now - m_surfacesAsked >= kSurfacesEvery;
     request.wantsSurfaces = !isMoving || isDue;
     request.countsWrong = !isMoving;
     const bool lacksSurfaces = m_asked && ((!m_asked->wantsSurfaces && request.wantsSurfaces) ||
@@ -123,6 +129,7 @@ void Session::update(const PictureArea& area, const glm::dvec2& cursor, double s
 
 void Session::ask(RenderRequest request) {
     m_serial = request.serial;
+    m_pending.push_back({.serial = m_serial, .at = Clock::now()});
     m_asked = request;
     m_thread->request(std::move(request));
 }
@@ -244,6 +251,7 @@ void Session::takeClicked(const RenderResult& result) {
         m_model.say(result.failure->message, true);
     }
     m_click.reset();
+    m_pending.clear();
     m_asked.reset(); // this picture was not for showing, so what is wanted is asked for again
 }
 

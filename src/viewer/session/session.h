@@ -70,6 +70,11 @@ class Session {
     std::uint64_t m_results = 0;
     std::optional<Click> m_click;
     Clock::time_point m_surfacesAsked{};
+    struct Asked {
+        std::uint64_t serial;
+        Clock::time_point at;
+    };
+    std::deque<Asked> m_pending;              ///< asked for and not yet shown, oldest first
     std::deque<Clock::time_point> m_arrivals; ///< of the last second
     std::optional<RenderThread> m_thread;     ///< always there but in renewDevice()
 };

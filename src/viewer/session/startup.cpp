@@ -1,6 +1,7 @@
 #include "startup.h"
 
 #include <cdr/base/error.h>
+#include <viewer/state/command_line.h>
 #include <viewer/window/window.h>
 
 #include <fmt/format.h>
@@ -9,25 +10,52 @@
 
 namespace cdr::viewer {
 
+namespace {
+
+void chooseTechniques(const Arguments& arguments, ViewSettings& settings) {
+    const std::size_t comma = arguments.compare.find(',');
+    if (!arguments.depth.empty() || !arguments.split.empty()) {
+        settings.technique.mapping =
+            depth::parseMapping(arguments.depth.empty() ? "standard" : arguments.depth);
+        settings.technique.split = depth::parseSplit(arguments.split.empty() ? "none" : arguments.split);
+    } else if (!arguments.technique.empty()) {
+        settings.technique = depth::parseTechnique(arguments.technique);
+    } else if (comma != std::string::npos) {
+        settings.technique = depth::parseTechnique(arguments.compare.substr(0, comma));
+        settings.second = depth::parseTechnique(arguments.compare.substr(comma + 1));
+    } else {
+        throw base::InputError(
+            fmt::format("--compare must be LEFT,RIGHT, not '{}'", arguments.compare.substr(0, 60)));
+    }
+}
+
+ViewSettings settingsOf(const Arguments& arguments) {
+    ViewSettings settings;
+    settings.scene = arguments.scene;
+    settings.seed = arguments.seed;
+    const char* colours = arguments.output.empty() ? "bright" : "thesis";
+    settings.colours = scenes::parseColours(arguments.colours.empty() ? colours : arguments.colours);
+    settings.targets = render::parseTargets(arguments.targets);
+    settings.submission = render::parseSubmission(arguments.submission);
+    settings.batching = render::parseBatching(arguments.batching);
+    settings.threads = arguments.threads;
+    settings.choice = arguments.choice;
+    settings.view = viewOfAov(arguments.aov);
+    settings.finish = {.detail = visibility::parseDetail(arguments.detail).mode,
+                       .translucency = experiments::translucencyOf(arguments.effects).method,
+                       .effects = experiments::effectsOf(arguments.effects),
+                       .focus = experiments::focusOf(arguments.effects)};
+    chooseTechniques(arguments, settings);
+    return settings;
+}
+
+} // namespace
+
 ViewerModel initialModel(const Arguments& arguments) {
     ViewerModel model;
     ViewSettings& settings = model.settings;
-    settings.scene = arguments.scene;
-    settings.seed = arguments.seed;
-    settings.targets = render::parseTargets(arguments.targets);
-    settings.threads = arguments.threads;
-    settings.choice = arguments.choice;
-    if (!arguments.technique.empty()) {
-        settings.technique = depth::parseTechnique(arguments.technique);
-    } else {
-        const std::size_t comma = arguments.compare.find(',');
-        if (comma == std::string::npos) {
-            throw base::InputError(
-                fmt::format("--compare must be LEFT,RIGHT, not '{}'", arguments.compare.substr(0, 60)));
-        }
-        settings.technique = depth::parseTechnique(arguments.compare.substr(0, comma));
-        settings.second = depth::parseTechnique(arguments.compare.substr(comma + 1));
-    }
+    settings = settingsOf(arguments);
+    model.showsPanel = arguments.output.empty();
     if (!arguments.format.empty()) {
         settings.technique.format = depth::parseDepthFormat(arguments.format);
         if (settings.second) {

@@ -1,8 +1,12 @@
 #include "command_line.h"
 
+#include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace cdr::viewer {
@@ -117,6 +121,8 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     words.add(settings.scene.starts_with('-') ? fmt::format("./{}", settings.scene) : settings.scene);
     addTechnique(words, settings, renderOptions(settings, view.side, view.extent).technique);
     addCamera(words, view.camera, view.sceneCamera);
+    const bool isGrey = settings.colours == scenes::Colours::thesis || scene::isGltfPath(settings.scene);
+    words.addUnless(isGrey, "--colours", nameOf(settings.colours));
     const auto addChoice = [&words](std::string_view option, const std::optional<std::uint32_t>& number) {
         words.addUnless(!number, option, fmt::format("{}", number.value_or(0)));
     };
@@ -127,6 +133,16 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     words.addUnless(aovOf(settings.view) == "color", "--aov", aovOf(settings.view));
     words.add("--output", output);
     return words.line();
+}
+
+ViewKind viewOfAov(std::string_view aov) {
+    constexpr std::array<std::string_view, 5> kAovs{"color", "cascade", "distance", "id", "wrong"};
+    for (const ViewKind view : kViewKinds) {
+        if (aovOf(view) == aov) {
+            return view; // of two with one name the first, which is shaded
+        }
+    }
+    throw base::InputError(base::unknownName("output", aov, kAovs));
 }
 
 std::string shellQuoted(std::string_view word) {

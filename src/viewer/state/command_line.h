@@ -27,6 +27,9 @@ struct ReproducedView {
 /// answer; flips, which need time, become the shaded picture.
 std::string renderCommand(const ReproducedView& view, std::string_view output = "view.png");
 
+/// The view that renderCommand() calls so. base::InputError with a suggestion for another name.
+ViewKind viewOfAov(std::string_view aov);
+
 /// `word` as a POSIX shell must read it to mean it: as it is where nothing in it is special, else in single
 /// quotes.
 std::string shellQuoted(std::string_view word);

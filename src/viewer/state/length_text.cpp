@@ -16,7 +16,7 @@ struct Unit {
     std::string_view name;
 };
 constexpr std::array<Unit, 5> kUnits{
-    {{1e-6, "µm"}, {1e-3, "mm"}, {1.0, "m"}, {1e3, "km"}, {1e9, "million km"}}};
+    {{1e-6, "µm"}, {1e-3, "mm"}, {1.0, "m"}, {1e3, "km"}, {1e9, "million\u00a0km"}}};
 
 /// The largest unit that the length fills.
 const Unit& unitOf(double metres) {
@@ -42,18 +42,23 @@ std::string lengthText(double metres, double stepMetres) {
     }
     const bool hasStep = std::isfinite(stepMetres) && stepMetres > 0.0;
     if (metres == 0.0 || (hasStep && std::abs(metres) < 0.5 * stepMetres)) {
-        return fmt::format("0 {}", unitOf(hasStep ? stepMetres : 1.0).name);
+        return fmt::format("0\u00a0{}", unitOf(hasStep ? stepMetres : 1.0).name);
     }
     const Unit& unit = unitOf(metres);
     const double value = metres / unit.metres;
     const int first = placeOf(std::abs(value));
     const int last = hasStep ? placeOf(stepMetres / unit.metres) : first - kDigitsWithoutStep + 1;
     const int decimals = std::clamp(-last, 0, std::max(0, kMostDigits - 1 - first));
-    return fmt::format("{:.{}f} {}", value, decimals, unit.name);
+    return fmt::format("{:.{}f}\u00a0{}", value, decimals, unit.name);
 }
 
 std::string counted(std::uint64_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string lagText(double seconds) {
+    constexpr double kNoticed = 0.5;
+    return seconds < kNoticed ? "" : fmt::format("rendering, {:.1f}\u00a0s behind", seconds);
 }
 
 std::string stepText(double metres) {
@@ -63,11 +68,11 @@ std::string stepText(double metres) {
     // Below that, zeros would be all there is to see.
     constexpr double kSmallest = 1e-10;
     if (std::abs(metres) < kSmallest) {
-        return metres == 0.0 ? "0 µm" : fmt::format("{:.1e} m", metres);
+        return metres == 0.0 ? "0\u00a0µm" : fmt::format("{:.1e}\u00a0m", metres);
     }
     const Unit& unit = unitOf(metres);
     const double value = metres / unit.metres;
-    return fmt::format("{:.{}f} {}", value, std::max(0, 1 - placeOf(std::abs(value))), unit.name);
+    return fmt::format("{:.{}f}\u00a0{}", value, std::max(0, 1 - placeOf(std::abs(value))), unit.name);
 }
 
 } // namespace cdr::viewer

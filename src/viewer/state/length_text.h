@@ -14,6 +14,9 @@ std::string lengthText(double metres, double stepMetres = 0.0);
 /// "1 flip", "2 flips".
 std::string counted(std::uint64_t count, std::string_view noun);
 
+/// What to say of a picture that has been waited for so long; nothing below half a second.
+std::string lagText(double seconds);
+
 /// A step or an uncertainty: two significant digits, such as "2.4 µm".
 std::string stepText(double metres);
 

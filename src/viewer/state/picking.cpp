@@ -4,6 +4,8 @@
 #include "length_text.h"
 #include "technique_label.h"
 
+#include <cdr/scene/frustum.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,6 +40,23 @@ double surfaceView(const render::Frame& frame, const glm::dvec2& pixel) {
         inside ? frame.distanceView(static_cast<std::uint32_t>(pixel.x), static_cast<std::uint32_t>(pixel.y))
                : std::numeric_limits<double>::infinity();
     return std::isfinite(under) ? under : nearestSurface(frame);
+}
+
+bool isBehindSurface(const render::Frame& frame, const glm::dvec3& position) {
+    const scene::Camera& camera = frame.camera;
+    const glm::dvec3 view = camera.toView(position);
+    if (-view.z <= camera.nearView || frame.gbuffer.pixels.empty()) {
+        return false;
+    }
+    const scene::Frustum frustum =
+        scene::frustumOf(camera, static_cast<double>(frame.width()) / frame.height(), 1.0);
+    const glm::dvec2 share = 0.5 + 0.5 * glm::dvec2(view.x / frustum.tanX, -view.y / frustum.tanY) / -view.z;
+    if (share.x < 0.0 || share.y < 0.0 || share.x >= 1.0 || share.y >= 1.0) {
+        return false;
+    }
+    const double surface = frame.distanceView(static_cast<std::uint32_t>(share.x * frame.width()),
+                                              static_cast<std::uint32_t>(share.y * frame.height()));
+    return -view.z > surface - 2.0 * camera.nearView;
 }
 
 std::string objectName(const scene::Scene& scene, std::uint32_t object) {

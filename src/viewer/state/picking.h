@@ -29,6 +29,10 @@ std::optional<PickedPoint> pickAt(const render::Frame& frame, const scene::Scene
 /// where that is background or outside; infinity where all is background. What a flight's speed follows from.
 double surfaceView(const render::Frame& frame, const glm::dvec2& pixel);
 
+/// Whether a place lies behind what the frame's camera sees there, or nearer before it than two near planes. A place that
+/// the frame does not show is behind nothing.
+bool isBehindSurface(const render::Frame& frame, const glm::dvec3& position);
+
 /// Object index's name in the scene, or "object INDEX".
 std::string objectName(const scene::Scene& scene, std::uint32_t object);
 

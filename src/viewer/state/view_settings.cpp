@@ -38,7 +38,7 @@ Rework reworkOf(const ViewSettings& before, const ViewSettings& after) {
         return settings.finish.detail != visibility::DetailMode::none;
     };
     if (before.scene != after.scene || before.seed != after.seed || before.choice != after.choice ||
-        (needsLevels(after) && !needsLevels(before))) {
+        before.colours != after.colours || (needsLevels(after) && !needsLevels(before))) {
         return Rework::scene;
     }
     if (before.technique != after.technique || before.second != after.second ||

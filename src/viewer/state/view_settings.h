@@ -4,6 +4,7 @@
 #include "finish.h"
 
 #include <cdr/render/renderer.h>
+#include <scenes/colours.h>
 #include <scenes/open_scene.h>
 
 #include <array>
@@ -31,6 +32,7 @@ depth::Technique referenceTechnique();
 struct ViewSettings {
     std::string scene = "rotation"; ///< a name or file for scenes::openScene()
     std::uint64_t seed = scenes::kDefaultSeed;
+    scenes::Colours colours = scenes::Colours::thesis;              ///< of a generated scene
     scene::GltfChoice choice{};                                     ///< of a glTF file
     depth::Technique technique = depth::parseTechnique("anchored"); ///< the left one of a split screen
     std::optional<depth::Technique> second{}; ///< right of the divider; empty for one picture

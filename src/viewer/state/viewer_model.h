@@ -6,6 +6,7 @@
 #include "frame_statistics.h"
 #include "picking.h"
 #include "render_request.h"
+#include "video_recording.h"
 #include "view_settings.h"
 
 #include <experiments/camera_options.h>
@@ -33,10 +34,20 @@ enum class Action : std::uint8_t {
     forgetMeasuring,
     frameSelected, ///< look at what was clicked last so that it fills the picture
     tour,          ///< begins or ends it
+    video,         ///< begins or ends recording what is shown
 };
 
 /// Where the camera comes from.
 enum class Motion : std::uint8_t { free, scenePath, recording, tour };
+
+/// The panels beside the picture, as their tabs name them.
+inline constexpr std::array<const char*, 5> kPanels{"Look", "Camera", "Draw", "Frame", "Inside"};
+
+/// The panel whose controls the keyboard reaches, instead of the camera.
+struct PanelKeys {
+    std::size_t panel = 0; ///< of kPanels
+    bool isOpened = false; ///< whether it has come to the front
+};
 
 /// A line for the person at the window, and until when it shows.
 struct Notice {
@@ -64,7 +75,8 @@ struct ViewerModel {
     Motion motion = Motion::free;
     std::uint32_t pathFrame = 0;
     PathRecorder recorder;
-    double playedSeconds = 0.0; ///< of what was recorded, or of the tour
+    double playedSeconds = 0.0;            ///< of what was recorded, or of the tour
+    std::unique_ptr<VideoRecording> video; ///< null while none is recorded
 
     // What is shown
     std::shared_ptr<const RenderResult> shown; ///< the last that did not fail
@@ -78,12 +90,15 @@ struct ViewerModel {
     std::optional<scene::Camera> clickedCamera; ///< of the picture that was clicked on last
     FrameStatistics statistics;
     double framesPerSecond = 0.0;
+    double lagSeconds =
+        0.0; ///< how long ago the oldest picture was asked for that is not yet shown; 0 for none
     double uiFrameMs = 0.0;     ///< the interface, drawn and handed to the display
     double presentMs = 0.0;     ///< of it, waiting for and handing to the display
     bool rendersAlways = false; ///< though nothing changes: to see times settle
 
     // Interface
     bool showsPanel = true;
+    std::optional<PanelKeys> panelKeys;
     bool showsHelp = false;
     FirstSteps firstSteps;
     Notice notice;

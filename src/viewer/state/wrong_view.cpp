@@ -86,16 +86,16 @@ std::string wrongText(const std::vector<WrongCount>& sides) {
     for (const WrongCount& side : sides) {
         shares.push_back(shareText(side.share()));
     }
-    return fmt::format("wrong {}", fmt::join(shares, " | "));
+    return fmt::format("wrong\u00a0{}", fmt::join(shares, "\u00a0|\u00a0"));
 }
 
 std::string shareText(double share) {
     const double percent = 100.0 * share;
     if (percent == 0.0) {
-        return "0 %";
+        return "0\u00a0%";
     }
     const int place = static_cast<int>(std::floor(std::log10(percent)));
-    return fmt::format("{:.{}f} %", percent, std::clamp(2 - place, 0, 6));
+    return fmt::format("{:.{}f}\u00a0%", percent, std::clamp(2 - place, 0, 6));
 }
 
 } // namespace cdr::viewer

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
 #include <cdr/render/translucency/translucency.h>
@@ -8,7 +7,15 @@
 #include <cstdint>
 #include <string>
 
-namespace cdr::cli {
+// CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
+namespace CLI {
+class App;
+}
+
+namespace cdr::experiments {
+
+/// Most MiB that --translucency-memory takes: 4 TiB.
+inline constexpr std::uint64_t kMostTranslucencyMiB = std::uint64_t{1} << 22u;
 
 /// The effects and the translucency of a picture as a command line gives them.
 struct EffectArguments {
@@ -29,4 +36,4 @@ render::Focus focusOf(const EffectArguments& arguments);
 /// base::InputError with a suggestion for an unknown method.
 render::TranslucencyOptions translucencyOf(const EffectArguments& arguments);
 
-} // namespace cdr::cli
+} // namespace cdr::experiments

@@ -1,7 +1,6 @@
 #include "effect_options.h"
 
-#include "shared_options.h"
-
+#include <CLI/CLI.hpp>
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 
@@ -10,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-namespace cdr::cli {
+namespace cdr::experiments {
 
 namespace {
 
@@ -106,4 +105,4 @@ render::TranslucencyOptions translucencyOf(const EffectArguments& arguments) {
             .mostBytes = arguments.translucencyMiB << 20u};
 }
 
-} // namespace cdr::cli
+} // namespace cdr::experiments
