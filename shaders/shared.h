@@ -109,6 +109,13 @@ struct PictureSize {
     vec2 pixels;
 };
 
+// The depth of a host's camera: scale + offset / view distance; push constants.
+struct HostDepthPush {
+    float scale;
+    float offset;
+    float background; // what the host clears to
+};
+
 // How a layer's surfaces fade out with their distance; push constants. All zero: not at all.
 struct LayerFade {
     float beginAhead; // beyond the cascade's anchor plane

@@ -112,4 +112,14 @@ if [[ $(<"$work/borrowed") != "id 42 at 4.000000"*"was made without depthClamp" 
     echo "unexpected output of borrowed_device: $(<"$work/borrowed")" >&2
     exit 1
 fi
+# What is nearer than the other by 0.00001 units, whether it is the engine's or cdr's; and the sky where neither is.
+cat >"$work/host_compositing.txt" <<'EOF'
+at -1.0: id 101
+at -0.6: id 1
+at  1.0: id 2
+at  2.5: id 103
+at  0.0: id 0, the sky
+EOF
+build_example host_compositing "$work/host_compositing"
+expect_lines "$work/host_compositing/host_compositing" "$work/host_compositing.txt"
 echo "render: installed, examples built and run"

@@ -56,6 +56,13 @@ void waitAndReset(const Device& device, vk::Fence done) {
     device.handle().resetFences(done);
 }
 
+void waitForTimeline(const Device& device, vk::Semaphore timeline, std::uint64_t value) {
+    const vk::Result result =
+        device.handle().waitSemaphores({.semaphoreCount = 1, .pSemaphores = &timeline, .pValues = &value},
+                                       std::numeric_limits<std::uint64_t>::max());
+    vk::resultCheck(result, "vkWaitSemaphores");
+}
+
 void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>& record) {
     CommandPool pool(device, vk::CommandBufferLevel::ePrimary, "one-time pool");
     const vk::CommandBuffer commands = pool.next();

@@ -5,6 +5,7 @@
 #include <vulkan/vulkan.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -43,6 +44,9 @@ void waitForQueue(const Device& device);
 
 /// Waits for a submission and makes its fence unsignalled again. base::RunError when the device is lost.
 void waitAndReset(const Device& device, vk::Fence done);
+
+/// Waits until a timeline semaphore reaches a value. base::RunError when the device is lost.
+void waitForTimeline(const Device& device, vk::Semaphore timeline, std::uint64_t value);
 
 /// Records commands once, submits them and waits: for uploads, not for frames.
 void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>& record);

@@ -75,7 +75,8 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
     const vk::DeviceQueueCreateInfo queue{
         .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &kPriority};
     vk::PhysicalDeviceVulkan13Features v13{.synchronization2 = true, .dynamicRendering = true};
-    vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13, .drawIndirectCount = gpuDriven};
+    vk::PhysicalDeviceVulkan12Features v12{
+        .pNext = &v13, .drawIndirectCount = gpuDriven, .timelineSemaphore = true};
     const vk::PhysicalDeviceFeatures2 features{
         .pNext = &v12,
         .features = {.multiDrawIndirect = gpuDriven,

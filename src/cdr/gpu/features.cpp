@@ -98,6 +98,7 @@ void enableFeatures(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2& featur
     VkPhysicalDeviceFeatures& core = features.features;
     v13->dynamicRendering = VK_TRUE;
     v13->synchronization2 = VK_TRUE;
+    v12->timelineSemaphore = VK_TRUE; // every device of Vulkan 1.2 has it; frames that a host records use it
     core.depthClamp = VK_TRUE;
     core.shaderClipDistance = VK_TRUE;
     if (info.gpuDrivenMissing.empty()) {

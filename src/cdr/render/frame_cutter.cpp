@@ -29,8 +29,9 @@ FrameView FrameCutter::look(const scene::Camera& camera) const {
             .cascades = {}};
 }
 
-void FrameCutter::cut(FrameView& view, const visibility::VisibleList& visible) {
-    const depth::Cascades ranges = m_split.cut(view.camera, view.frustum, visible);
+void FrameCutter::cut(FrameView& view, const visibility::VisibleList& visible,
+                      std::span<const depth::Interval> occupied) {
+    const depth::Cascades ranges = m_split.cut(view.camera, view.frustum, visible, occupied);
     std::optional<FocusLens> lens;
     if (m_focus.isOn()) {
         lens.emplace(m_focus, view.frustum.tanY, m_extent.height);

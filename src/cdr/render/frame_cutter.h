@@ -5,6 +5,8 @@
 #include <cdr/render/render_options.h>
 #include <cdr/render/targets/targets.h>
 
+#include <span>
+
 namespace cdr::render {
 
 /// Says of each frame who looks, and into which cascades the view is cut. Remembers the last frame's cut, so
@@ -19,7 +21,9 @@ class FrameCutter {
 
     /// Fills FrameView::cascades. base::InputError for an unusable split or range.
     /// @param visible opaque instances; read only where needsVisible().
-    void cut(FrameView& view, const visibility::VisibleList& visible);
+    /// @param occupied view distances of what else is drawn.
+    void cut(FrameView& view, const visibility::VisibleList& visible,
+             std::span<const depth::Interval> occupied = {});
 
     bool needsVisible() const { return m_split.needsVisible(); }
     /// The next frame is cut as a first one is.

@@ -2,6 +2,7 @@
 
 #include <cdr/render/frame_cutter.h>
 #include <cdr/render/frame_view.h>
+#include <cdr/render/output/depth_output.h>
 #include <cdr/render/readback.h>
 #include <cdr/render/renderer.h>
 #include <cdr/render/shading/picture.h>
@@ -25,7 +26,14 @@ struct Renderer::Slot {
     PassInputs resolve;                               ///< where a visibility buffer is drawn
     std::optional<TranslucentPass::Slot> translucent; ///< where the scene has blended materials
     FocusInputs focus;                                ///< where the lens has one
+    std::optional<DepthOutput::Inputs> depthOutput;   ///< once a host asked for depth
     vk::UniqueFence done;
+    /// A host's timeline semaphore and the value that says that the frame is done, in place of `done`.
+    struct Recorded {
+        vk::Semaphore timeline;
+        std::uint64_t value = 0;
+    };
+    std::optional<Recorded> recorded;
     bool isPending = false;
     host::Trace::Clock::time_point submitted;
 
@@ -33,6 +41,13 @@ struct Renderer::Slot {
     FrameStats stats;
     std::uint64_t revision = 0; ///< of the scene
     Destination destination = Destination::device;
+};
+
+/// Where a frame goes.
+struct Renderer::Delivery {
+    Destination destination = Destination::device;
+    FrameSync sync{};
+    const HostFrame* host = nullptr; ///< into which it is recorded; null: it is submitted
 };
 
 /// What a renderer draws with, for a picture of one size and for what its scene needs.
@@ -54,6 +69,7 @@ struct Renderer::Passes {
     ShadingPass shading;
     std::unique_ptr<ResolvePass> resolve;         ///< of a visibility buffer
     std::unique_ptr<TranslucentPass> translucent; ///< where the scene has blended materials
+    std::unique_ptr<DepthOutput> depthOutput{};   ///< once a host asked for depth
     Readback colorCopy;
     Readback gbufferCopy;
     std::size_t lightRoom = 0; ///< of each slot's inputs

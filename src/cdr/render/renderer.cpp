@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/render/choose_facets.h>
+#include <cdr/render/output/host_commands.h>
 #include <cdr/render/renderer_setup.h>
 
 #include <fmt/format.h>
@@ -145,6 +146,7 @@ void Renderer::makeInputs(Slot& slot, std::size_t lightRoom) {
         slot.resolve = m_passes->resolve->makeInputs(slot.shading);
     }
     slot.focus = {};
+    slot.depthOutput.reset();
     slot.translucent.reset();
     if (m_passes->translucent != nullptr) {
         slot.translucent.emplace(m_passes->translucent->makeSlot(slot.shading));
@@ -225,15 +227,20 @@ Renderer::Slot& Renderer::nextSlot() {
     return slot;
 }
 
-void Renderer::launch(Slot& slot, Destination destination, const FrameSync& sync) {
+void Renderer::launch(Slot& slot, const Delivery& delivery) {
     Stopwatch watch(m_options.trace);
+    const Destination destination = delivery.destination;
+    const HostCommands host = delivery.host != nullptr
+                                  ? hostCommands(m_device, m_options, slot.view, *delivery.host)
+                                  : HostCommands{};
     slot.destination = destination;
     slot.path->bin(slot.view, m_visible, slot.stats);
     slot.stats.times.binMs = watch.lap("bin");
-    slot.path->begin(slot.view);
+    slot.path->begin(slot.view, host);
     m_passes->targets.record(*slot.path, slot.view);
     shade(slot);
-    if (m_passes->resolve != nullptr && destination == Destination::host) {
+    const bool wantsDepth = delivery.host != nullptr && delivery.host->depth.has_value();
+    if (m_passes->resolve != nullptr && (destination == Destination::host || wantsDepth)) {
         m_passes->resolve->record(slot.path->primary(), slot.resolve, slot.path->facets());
     }
     if (slot.translucent) {
@@ -243,10 +250,17 @@ void Renderer::launch(Slot& slot, Destination destination, const FrameSync& sync
     if (destination != Destination::device) {
         recordReadback(slot.path->primary(), destination);
     }
+    slot.recorded.reset();
+    if (delivery.host != nullptr) {
+        recordOutputs(slot, *delivery.host);
+        slot.recorded = {.timeline = delivery.host->done, .value = delivery.host->doneValue};
+    }
     const std::span<const vk::CommandBuffer> commands = slot.path->end(slot.view);
     slot.stats.times.recordMs = watch.lap("record");
     slot.submitted = host::Trace::Clock::now();
-    gpu::submit(m_device, commands, *slot.done, sync.waits, sync.signals);
+    if (delivery.host == nullptr) {
+        gpu::submit(m_device, commands, *slot.done, delivery.sync.waits, delivery.sync.signals);
+    }
     slot.isPending = true;
 }
 
@@ -263,17 +277,21 @@ void Renderer::shade(Slot& slot) {
 
 void Renderer::settle(Slot& slot) {
     while (slot.isPending) {
-        gpu::waitAndReset(m_device, *slot.done);
+        if (slot.recorded) {
+            gpu::waitForTimeline(m_device, slot.recorded->timeline, slot.recorded->value);
+        } else {
+            gpu::waitAndReset(m_device, *slot.done);
+        }
         slot.isPending = false;
         // A frame that was submitted and left cannot be drawn again once the scene changed, and must not be over the
-        // images of a later one.
+        // images of a later one. One that a host recorded has gone into the host's images.
         const bool isCurrent = m_drawn.uploaded.isCurrent() && slot.revision == m_drawn.uploaded.revision();
         const bool isLast = &slot == &slotOf(m_frames - 1);
-        if (!hasRoomSufficed(slot) && isCurrent && isLast) {
+        if (!hasRoomSufficed(slot) && isCurrent && isLast && !slot.recorded) {
             if (slot.path->needsVisible()) {
                 cull(slot.view); // by now the list may be a later frame's
             }
-            launch(slot, slot.destination, {});
+            launch(slot, {.destination = slot.destination});
         }
     }
 }
@@ -285,7 +303,7 @@ bool Renderer::hasRoomSufficed(Slot& slot) {
     return opaqueSufficed && blendedSufficed;
 }
 
-Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destination, const FrameSync& sync) {
+Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& delivery) {
     scene::requireUsable(camera);
     followScene();
     Slot& slot = nextSlot();
@@ -298,59 +316,39 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, Destination destinati
     slot.stats = {};
     slot.stats.lostShine = m_passes->lostShine;
     slot.stats.times.cullMs = watch.lap("cull");
-    m_passes->cutter.cut(slot.view, m_visible);
+    m_passes->cutter.cut(slot.view, m_visible,
+                         delivery.host != nullptr ? std::span<const depth::Interval>(delivery.host->occupied)
+                                                  : std::span<const depth::Interval>());
     slot.shading.update(m_drawn.scene, camera, slot.view.frustum, slot.view.anchorsView());
     slot.stats.times.splitMs = watch.lap("split");
     if (slot.translucent) {
         m_passes->translucent->prepare(*slot.translucent, slot.view, m_workers);
         slot.stats.times.translucentMs = watch.lap("translucent draws");
     }
-    launch(slot, destination, sync);
+    launch(slot, delivery);
     return slot;
 }
 
 Frame Renderer::render(const scene::Camera& camera, FrameCopy copy) {
-    Slot& slot = run(camera, copy == FrameCopy::color ? Destination::hostColor : Destination::host);
+    Slot& slot =
+        run(camera, {.destination = copy == FrameCopy::color ? Destination::hostColor : Destination::host});
     waitFor(slot);
     return fetch(slot);
 }
 
 FrameStats Renderer::draw(const scene::Camera& camera) {
-    Slot& slot = run(camera, Destination::device);
+    Slot& slot = run(camera, {});
     waitFor(slot);
     return slot.stats;
 }
 
 void Renderer::submit(const scene::Camera& camera, const FrameSync& sync) {
-    run(camera, Destination::device, sync);
+    run(camera, {.sync = sync});
 }
 
-Surfaces Renderer::surfaces() const {
-    const auto imageOf = [](const gpu::Image& image, vk::ImageLayout layout) {
-        return SurfaceImage{.image = image.handle(),
-                            .view = image.view(),
-                            .format = static_cast<VkFormat>(image.options().format),
-                            .extent = image.options().extent,
-                            .layout = static_cast<VkImageLayout>(layout)};
-    };
-    Surfaces surfaces{.color = imageOf(m_passes->picture.encoded(), vk::ImageLayout::eUndefined),
-                      .gbuffer = {},
-                      .anchorsView = {}};
-    if (!drawsFacets(m_options)) {
-        surfaces.gbuffer = imageOf(m_passes->targets.gbuffer(), vk::ImageLayout::eUndefined);
-    }
-    if (m_frames > 0) {
-        const Slot& last = slotOf(m_frames - 1);
-        // As Picture::finish(), the passes that read the G-buffer and copies to the host leave them.
-        surfaces.color.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
-        if (surfaces.gbuffer.image != VK_NULL_HANDLE) {
-            surfaces.gbuffer.layout = last.destination == Destination::host
-                                          ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
-                                          : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-        }
-        surfaces.anchorsView = last.view.anchorsView();
-    }
-    return surfaces;
+void Renderer::record(const scene::Camera& camera, const HostFrame& frame) {
+    requireRecordable(m_device, m_options, frame);
+    run(camera, {.host = &frame});
 }
 
 void Renderer::resize(std::uint32_t width, std::uint32_t height) {
@@ -377,42 +375,6 @@ void Renderer::waitFor(Slot& slot) {
     if (m_options.trace != nullptr) {
         m_options.trace->addStage("execute", slot.submitted, done);
     }
-}
-
-void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination) const {
-    const gpu::Image& gbuffer = m_passes->gbuffer();
-    m_device.beginLabel(primary, "read-back");
-    m_passes->colorCopy.record(primary, m_passes->picture.encoded());
-    if (destination == Destination::host) {
-        gpu::pipelineBarrier(
-            primary, {gpu::imageBarrier(
-                         gbuffer.handle(), vk::ImageAspectFlagBits::eColor,
-                         vk::PipelineStageFlagBits2::eFragmentShader, vk::AccessFlagBits2::eShaderSampledRead,
-                         vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
-                         vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal)});
-        m_passes->gbufferCopy.record(primary, gbuffer);
-    }
-    if (m_passes->translucent != nullptr) {
-        m_passes->translucent->recordReadback(primary);
-    }
-    recordHostBarrier(primary);
-    m_device.endLabel(primary);
-}
-
-Frame Renderer::fetch(const Slot& slot) const {
-    Frame frame;
-    frame.camera = slot.view.camera;
-    frame.cascades = slot.view.ranges();
-    frame.anchorsView = slot.view.anchorsView();
-    frame.color = m_passes->colorCopy.fetch<image::Rgba8>();
-    if (slot.destination == Destination::host) {
-        frame.gbuffer = m_passes->gbufferCopy.fetch<GBufferPixel>();
-    }
-    if (m_passes->translucent != nullptr) {
-        frame.fragmentCounts = m_passes->translucent->fragmentCounts();
-    }
-    frame.stats = slot.stats;
-    return frame;
 }
 
 } // namespace cdr::render

@@ -3,6 +3,7 @@
 #include <cdr/host/worker_pool.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/frame.h>
+#include <cdr/render/host_frame.h>
 #include <cdr/render/render_options.h>
 #include <cdr/render/surfaces.h>
 #include <cdr/visibility/cull.h>
@@ -58,7 +59,16 @@ class Renderer {
     /// surfaces sorted) signals nonetheless, and unless a later frame was submitted is drawn again, whole, once that is
     /// seen.
     void submit(const scene::Camera& camera, const FrameSync& sync = {});
-    /// Waits for all that was submitted.
+    /// Records one frame into a host's command buffer and images, which the host submits: to the device's queue, and
+    /// before this or any other renderer of the device begins its next frame. Waits for the frame that was recorded
+    /// `framesInFlight` calls before.
+    ///
+    /// A frame whose lists had too little room, as for submit(), lacks what found none; the next one has the room.
+    /// base::InputError for what cannot be recorded into, or with Submission::primaries, which needs command buffers of
+    /// its own; then nothing was recorded. After any other error, one of HostFrame::draw's too, the host's commands are
+    /// to be reset.
+    void record(const scene::Camera& camera, const HostFrame& frame);
+    /// Waits for all that was submitted or recorded.
     void finish();
     /// Where the last frame is. Valid until the next frame, or resize().
     Surfaces surfaces() const;
@@ -72,6 +82,7 @@ class Renderer {
   private:
     struct Slot;
     struct Passes;
+    struct Delivery;
     /// What of the scene decides which passes and pipelines there are.
     struct Needs {
         bool shiny = false;
@@ -96,10 +107,11 @@ class Renderer {
     void cull(const FrameView& view);
     void shade(Slot& slot);
     bool hasRoomSufficed(Slot& slot);
-    void launch(Slot& slot, Destination destination, const FrameSync& sync);
+    void launch(Slot& slot, const Delivery& delivery);
+    void recordOutputs(Slot& slot, const HostFrame& host);
     void settle(Slot& slot);
     void waitFor(Slot& slot);
-    Slot& run(const scene::Camera& camera, Destination destination, const FrameSync& sync = {});
+    Slot& run(const scene::Camera& camera, const Delivery& delivery);
     void recordReadback(vk::CommandBuffer primary, Destination destination) const;
     Frame fetch(const Slot& slot) const;
 

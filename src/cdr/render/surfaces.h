@@ -13,7 +13,7 @@ struct FrameSync {
     std::span<const VkSemaphoreSubmitInfo> signals{};
 };
 
-/// An image of the renderer's own, one level and layer, and how a frame leaves it.
+/// An image, one level, layer and sample, and how a frame leaves it. From Renderer::surfaces() it is the renderer's own.
 struct SurfaceImage {
     VkImage image = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;
@@ -22,7 +22,7 @@ struct SurfaceImage {
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
-/// A submitted frame on the device. The images may be sampled and copied from, in any layout: a frame takes them as they
+/// A submitted or recorded frame on the device. The images may be sampled and copied from, in any layout: a frame takes them as they
 /// are. All frames of a renderer share them, so the next one writes over them; it runs after what its queue was given
 /// before, and after FrameSync::waits.
 struct Surfaces {

@@ -3,13 +3,17 @@
 
 namespace cdr::render {
 
-void beginCascade(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
-                  vk::PipelineLayout layout) {
+void setCascadeViewport(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade) {
     const auto& [width, height] = view.cascades[cascade].extent;
     const DepthSlice& slice = view.cascades[cascade].slice;
     commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(width), static_cast<float>(height),
                                          slice.min, slice.max});
     commands.setScissor(0, vk::Rect2D{{0, 0}, {width, height}});
+}
+
+void beginCascade(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
+                  vk::PipelineLayout layout) {
+    setCascadeViewport(commands, view, cascade);
     commands.pushConstants<shaders::CascadePush>(layout, GeometryPipelines::kStages, 0,
                                                  makeCascadePush(view, cascade));
 }

@@ -61,7 +61,7 @@ void Picture::finish(vk::CommandBuffer primary) const {
     gpu::pipelineBarrier(
         primary,
         {gpu::imageBarrier(m_encoded.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-                           Access::eColorAttachmentWrite, Stage::eCopy, Access::eTransferRead,
+                           Access::eColorAttachmentWrite, Stage::eAllTransfer, Access::eTransferRead,
                            vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
     m_device.endLabel(primary);
 }

@@ -9,6 +9,8 @@
 
 #include <vulkan/vulkan.hpp>
 
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -16,6 +18,14 @@ namespace cdr::render {
 
 /// What captures call a rendering scope: "cascade 2" or "cascades 0 to 4".
 std::string labelOf(host::IndexRange cascades);
+
+/// A host's part in the commands of a frame.
+struct HostCommands {
+    vk::CommandBuffer
+        into{}; ///< recording; takes the frame in place of buffers of the path's own. Null: those
+    /// Draws the host's objects, inside the rendering scope of a cascade. Empty: there are none.
+    std::function<void(vk::CommandBuffer commands, std::size_t cascade)> draw{};
+};
 
 /// One way for a frame's draws to reach the device, for one frame slot: it owns the slot's command pools and
 /// lists, so a slot's frame must have finished before its next begins.
@@ -29,8 +39,10 @@ class DrawPath : public CascadeCommands {
     /// @param visible what the camera sees; empty where needsVisible() is false and nobody else needs it.
     virtual void bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats) = 0;
     /// Takes back the slot's command buffers and starts the frame's. Reads what bin() decided.
-    virtual void begin(const FrameView& view) = 0;
-    /// Ends the frame's command buffers: these are to run, in this order. Valid until the next begin().
+    /// @param host must live until end(); empty for the path of Submission::primaries, which has no one command buffer.
+    virtual void begin(const FrameView& view, const HostCommands& host) = 0;
+    /// Ends the frame's command buffers: these are to run, in this order. Valid until the next begin(). A host's is left
+    /// recording, and nothing is to run.
     virtual std::span<const vk::CommandBuffer> end(const FrameView& view) = 0;
     /// The records of the facets that a visibility buffer refers to, once begun; none for a G-buffer.
     virtual vk::BufferView facets() const { return {}; }

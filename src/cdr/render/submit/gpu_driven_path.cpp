@@ -130,11 +130,15 @@ void GpuDrivenPath::bin(const FrameView& view, const visibility::VisibleList&, F
     m_result.flush();
 }
 
-void GpuDrivenPath::begin(const FrameView& view) {
+void GpuDrivenPath::begin(const FrameView& view, const HostCommands& host) {
     m_frame = &view;
-    m_pool.reset();
-    m_primary = m_pool.next();
-    m_primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    m_host = &host;
+    m_primary = host.into;
+    if (!m_primary) {
+        m_pool.reset();
+        m_primary = m_pool.next();
+        m_primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    }
     m_binning.record(m_primary, m_binningSet, view.cascades.size(), m_copies);
 }
 
@@ -143,14 +147,20 @@ void GpuDrivenPath::drawScope(const GBufferScope& scope, host::IndexRange cascad
     beginGBufferScope(m_primary, scope, {});
     for (std::size_t cascade = cascades.begin; cascade < cascades.end; ++cascade) {
         m_pass.recordIndirect(m_primary, *m_frame, cascade, m_draws);
+        if (m_host->draw) {
+            m_host->draw(m_primary, cascade);
+        }
     }
     m_primary.endRendering();
     m_device.endLabel(m_primary);
 }
 
 std::span<const vk::CommandBuffer> GpuDrivenPath::end(const FrameView&) {
-    m_primary.end();
     m_binning.noteRecorded();
+    if (m_host->into) {
+        return {};
+    }
+    m_primary.end();
     return {&m_primary, 1};
 }
 

@@ -18,7 +18,7 @@ class GpuDrivenPath final : public DrawPath {
 
     bool needsVisible() const override { return false; }
     void bin(const FrameView& view, const visibility::VisibleList&, FrameStats& stats) override;
-    void begin(const FrameView& view) override;
+    void begin(const FrameView& view, const HostCommands& host) override;
     bool isEmpty(std::size_t) const override { return false; } ///< only the device knows
     vk::CommandBuffer primary() override { return m_primary; }
     void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;
@@ -45,6 +45,7 @@ class GpuDrivenPath final : public DrawPath {
     BinningPass::Copies m_copies;
     GeometryPass::IndirectDraws m_draws;
     const FrameView* m_frame = nullptr; ///< that is being recorded
+    const HostCommands* m_host = nullptr;
 };
 
 } // namespace cdr::render

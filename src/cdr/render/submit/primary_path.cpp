@@ -10,7 +10,7 @@ PrimaryPath::PrimaryPath(const gpu::Device& device, std::unique_ptr<HostDraws> d
       m_pools(device, vk::CommandBufferLevel::ePrimary, m_draws->workers().threads(), name),
       m_betweenPool(device, vk::CommandBufferLevel::ePrimary, name) {}
 
-void PrimaryPath::begin(const FrameView&) {
+void PrimaryPath::begin(const FrameView&, const HostCommands&) {
     m_betweenPool.reset();
     m_pools.beginFrame();
     m_between = nullptr;

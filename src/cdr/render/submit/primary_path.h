@@ -21,7 +21,7 @@ class PrimaryPath final : public DrawPath {
     void bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats) override {
         m_draws->bin(view, visible, stats);
     }
-    void begin(const FrameView& view) override;
+    void begin(const FrameView& view, const HostCommands&) override;
     bool isEmpty(std::size_t cascade) const override { return m_draws->lists().range(cascade).size() == 0; }
     vk::CommandBuffer primary() override;
     void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;

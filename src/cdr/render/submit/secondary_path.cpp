@@ -12,6 +12,24 @@ constexpr std::size_t kJobsPerThread = 4;
 /// A secondary costs about as much to begin and execute as this many draws to record.
 constexpr std::size_t kMinDrawsPerJob = 256;
 
+/// How a secondary begins that draws inside a rendering scope.
+struct SecondaryBegin {
+    explicit SecondaryBegin(const HostDraws& draws) : surfaceFormat(draws.surfaceFormat()) {
+        rendering.depthAttachmentFormat = draws.depthFormat();
+    }
+    SecondaryBegin(const SecondaryBegin&) = delete;
+    SecondaryBegin& operator=(const SecondaryBegin&) = delete;
+
+    vk::Format surfaceFormat;
+    vk::CommandBufferInheritanceRenderingInfo rendering{.colorAttachmentCount = 1,
+                                                        .pColorAttachmentFormats = &surfaceFormat,
+                                                        .rasterizationSamples = vk::SampleCountFlagBits::e1};
+    vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};
+    vk::CommandBufferBeginInfo info{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit |
+                                             vk::CommandBufferUsageFlagBits::eRenderPassContinue,
+                                    .pInheritanceInfo = &inheritance};
+};
+
 } // namespace
 
 std::vector<DrawJob> makeJobs(const visibility::DrawLists& lists, std::size_t threads) {
@@ -35,14 +53,36 @@ SecondaryPath::SecondaryPath(const gpu::Device& device, std::unique_ptr<HostDraw
     : m_device(device),
       m_draws(std::move(draws)),
       m_pools(device, vk::CommandBufferLevel::eSecondary, m_draws->workers().threads(), name),
-      m_primaryPool(device, vk::CommandBufferLevel::ePrimary, name) {}
+      m_primaryPool(device, vk::CommandBufferLevel::ePrimary, name),
+      m_hostPool(device, vk::CommandBufferLevel::eSecondary, name + " host") {}
 
-void SecondaryPath::begin(const FrameView& view) {
+void SecondaryPath::begin(const FrameView& view, const HostCommands& host) {
     recordJobs(view);
     m_draws->flush();
-    m_primaryPool.reset();
-    m_primary = m_primaryPool.next();
-    m_primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    recordHost(view.cascades.size(), host);
+    m_isOwn = !host.into;
+    m_primary = host.into;
+    if (m_isOwn) {
+        m_primaryPool.reset();
+        m_primary = m_primaryPool.next();
+        m_primary.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    }
+}
+
+void SecondaryPath::recordHost(std::size_t cascades, const HostCommands& host) {
+    m_hostCommands.clear();
+    if (!host.draw) {
+        return;
+    }
+    const SecondaryBegin begin(*m_draws);
+    m_hostPool.reset();
+    for (std::size_t cascade = 0; cascade < cascades; ++cascade) {
+        const vk::CommandBuffer commands = m_hostPool.next();
+        commands.begin(begin.info);
+        host.draw(commands, cascade);
+        commands.end();
+        m_hostCommands.push_back(commands);
+    }
 }
 
 void SecondaryPath::recordJobs(const FrameView& view) {
@@ -54,21 +94,12 @@ void SecondaryPath::recordJobs(const FrameView& view) {
     for (std::size_t job = m_jobs.size(); job-- > 0;) {
         std::fill_n(m_cascadeBegins.begin(), m_jobs[job].cascade + 1, job);
     }
-    const vk::Format surfaceFormat = m_draws->surfaceFormat();
-    const vk::CommandBufferInheritanceRenderingInfo rendering{.colorAttachmentCount = 1,
-                                                              .pColorAttachmentFormats = &surfaceFormat,
-                                                              .depthAttachmentFormat = m_draws->depthFormat(),
-                                                              .rasterizationSamples =
-                                                                  vk::SampleCountFlagBits::e1};
-    const vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};
-    const vk::CommandBufferBeginInfo begin{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit |
-                                                    vk::CommandBufferUsageFlagBits::eRenderPassContinue,
-                                           .pInheritanceInfo = &inheritance};
+    const SecondaryBegin begin(*m_draws);
     m_draws->workers().run(m_jobs.size(), [&](std::size_t job, std::size_t worker) {
         const DrawJob& work = m_jobs[job];
         const host::JobSpan span(m_draws->trace(), worker, job, work.cascade, work.draws.size());
         const vk::CommandBuffer commands = m_pools.next(worker);
-        commands.begin(begin);
+        commands.begin(begin.info);
         m_draws->record(commands, work, view);
         commands.end();
         m_commands[job] = commands;
@@ -78,16 +109,27 @@ void SecondaryPath::recordJobs(const FrameView& view) {
 void SecondaryPath::drawScope(const GBufferScope& scope, host::IndexRange cascades) {
     m_device.beginLabel(m_primary, labelOf(cascades).c_str());
     beginGBufferScope(m_primary, scope, vk::RenderingFlagBits::eContentsSecondaryCommandBuffers);
-    const std::size_t begin = m_cascadeBegins[cascades.begin];
-    const std::size_t end = m_cascadeBegins[cascades.end];
-    if (end > begin) {
-        m_primary.executeCommands(static_cast<std::uint32_t>(end - begin), &m_commands[begin]);
+    const auto execute = [&](std::size_t begin, std::size_t end) {
+        if (end > begin) {
+            m_primary.executeCommands(static_cast<std::uint32_t>(end - begin), &m_commands[begin]);
+        }
+    };
+    if (m_hostCommands.empty()) {
+        execute(m_cascadeBegins[cascades.begin], m_cascadeBegins[cascades.end]);
+    } else {
+        for (std::size_t cascade = cascades.begin; cascade < cascades.end; ++cascade) {
+            execute(m_cascadeBegins[cascade], m_cascadeBegins[cascade + 1]);
+            m_primary.executeCommands(m_hostCommands[cascade]);
+        }
     }
     m_primary.endRendering();
     m_device.endLabel(m_primary);
 }
 
 std::span<const vk::CommandBuffer> SecondaryPath::end(const FrameView&) {
+    if (!m_isOwn) {
+        return {};
+    }
     m_primary.end();
     return {&m_primary, 1};
 }

@@ -26,8 +26,10 @@ class SecondaryPath final : public DrawPath {
     void bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats) override {
         m_draws->bin(view, visible, stats);
     }
-    void begin(const FrameView& view) override;
-    bool isEmpty(std::size_t cascade) const override { return m_draws->lists().range(cascade).size() == 0; }
+    void begin(const FrameView& view, const HostCommands& host) override;
+    bool isEmpty(std::size_t cascade) const override {
+        return m_hostCommands.empty() && m_draws->lists().range(cascade).size() == 0;
+    }
     vk::CommandBuffer primary() override { return m_primary; }
     void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;
     std::span<const vk::CommandBuffer> end(const FrameView& view) override;
@@ -36,15 +38,20 @@ class SecondaryPath final : public DrawPath {
 
   private:
     void recordJobs(const FrameView& view);
+    void recordHost(std::size_t cascades, const HostCommands& host);
 
     const gpu::Device& m_device;
     std::unique_ptr<HostDraws> m_draws;
     WorkerCommandPools m_pools;
     gpu::CommandPool m_primaryPool;
+    gpu::CommandPool m_hostPool;
     vk::CommandBuffer m_primary;
+    bool m_isOwn = true; ///< the primary; else it is a host's
     std::vector<DrawJob> m_jobs;
     std::vector<vk::CommandBuffer> m_commands; ///< by job
     std::vector<std::size_t> m_cascadeBegins;  ///< first job of each cascade, and the end
+    std::vector<vk::CommandBuffer>
+        m_hostCommands; ///< by cascade, of what a host draws; empty where it draws nothing
 };
 
 } // namespace cdr::render

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cdr/depth/cascade_constants.h>
+#include <cdr/depth/occupancy.h>
+#include <cdr/render/surfaces.h>
+
+#include <vulkan/vulkan_core.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace cdr::render {
+
+/// A depth image of the host's, which a frame fills with the depth that the host's own camera has of what cdr drew.
+struct HostDepth {
+    /// VK_FORMAT_D32_SFLOAT, made for VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, with a view. What it held is lost.
+    SurfaceImage image{};
+    /// Mapping::reversed or Mapping::standard: the host's depth range and compare. Background gets what it clears to.
+    depth::Mapping mapping = depth::Mapping::reversed;
+    double nearView = 0.1;           ///< of the host's projection, above 0
+    std::optional<double> farView{}; ///< empty for reversed: infinity
+};
+
+/// One cascade while it is drawn, for the host to draw its own objects into.
+struct HostCascade {
+    /// Recording, inside the rendering scope of the cascade. Viewport and scissor are set.
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    std::uint32_t index = 0; ///< what cdrGBufferTexel() takes
+    /// View distances that the cascade draws: objects that meet it belong here, and clip distances cut them.
+    depth::Cascade clipRange;
+    double anchorView = 0.0;           ///< in float64, what objects' view distances are taken relative to
+    depth::CascadeConstants constants; ///< CdrCascade of cdr_depth.glsl
+    VkFormat depthFormat =
+        VK_FORMAT_UNDEFINED; ///< the colour format is that of a G-buffer, VK_FORMAT_R32G32B32A32_UINT
+    VkCompareOp depthCompare = VK_COMPARE_OP_LESS_OR_EQUAL;
+};
+
+/// What a frame is recorded into. All of it is the host's.
+struct HostFrame {
+    /// A primary of the family of the device's queue that is recording, outside a rendering scope. What the host bound
+    /// before is not bound afterwards.
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    /// A timeline semaphore that reaches `doneValue` once the device has run `commands`; signalled by the submission
+    /// that they are in, or by the host where it drops them. The renderer waits for it before it takes back what the
+    /// frame reads, so it must outlive the renderer, or live until Renderer::finish().
+    VkSemaphore done = VK_NULL_HANDLE;
+    std::uint64_t doneValue = 0;
+    /// Where the picture goes: of the renderer's size, made for VK_IMAGE_USAGE_TRANSFER_DST_BIT, in a format that
+    /// vkCmdBlitImage() writes; no view. What it held is lost, and `layout` is what the frame leaves it in.
+    SurfaceImage color{};
+    std::optional<HostDepth> depth{};
+    /// Called for each cascade, the nearest or the farthest first, on the caller's thread. Empty: the host draws nothing
+    /// inside cascades. A surface writes a texel by cdr_gbuffer.glsl, is lit as cdr's own are, and hides them or is
+    /// hidden by them to the step of the technique's depth. Not with SurfacePath::visibility or a focus.
+    std::function<void(const HostCascade&)> draw{};
+    /// View distances of what `draw` draws: fitted cascades cover them too.
+    std::vector<depth::Interval> occupied{};
+};
+
+} // namespace cdr::render

@@ -1,0 +1,58 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/render/output/color_output.h>
+
+#include <array>
+#include <cstdint>
+
+namespace cdr::render {
+
+namespace {
+
+using Stage = vk::PipelineStageFlagBits2;
+using Access = vk::AccessFlagBits2;
+
+constexpr vk::ImageSubresourceLayers kColorLayer{vk::ImageAspectFlagBits::eColor, 0, 0, 1};
+
+void copyPicture(vk::CommandBuffer primary, const gpu::Image& picture, const SurfaceImage& into) {
+    primary.copyImage(picture.handle(), vk::ImageLayout::eTransferSrcOptimal, into.image,
+                      vk::ImageLayout::eTransferDstOptimal,
+                      vk::ImageCopy{.srcSubresource = kColorLayer,
+                                    .dstSubresource = kColorLayer,
+                                    .extent = {into.extent.width, into.extent.height, 1}});
+}
+
+void convertPicture(vk::CommandBuffer primary, const gpu::Image& picture, const SurfaceImage& into) {
+    const std::array<vk::Offset3D, 2> all{vk::Offset3D{0, 0, 0},
+                                          vk::Offset3D{static_cast<std::int32_t>(into.extent.width),
+                                                       static_cast<std::int32_t>(into.extent.height), 1}};
+    primary.blitImage(picture.handle(), vk::ImageLayout::eTransferSrcOptimal, into.image,
+                      vk::ImageLayout::eTransferDstOptimal,
+                      vk::ImageBlit{.srcSubresource = kColorLayer,
+                                    .srcOffsets = all,
+                                    .dstSubresource = kColorLayer,
+                                    .dstOffsets = all},
+                      vk::Filter::eNearest);
+}
+
+} // namespace
+
+void recordColorOutput(vk::CommandBuffer primary, const gpu::Image& picture, const SurfaceImage& into) {
+    const auto barrier = [&](Stage srcStage, vk::AccessFlags2 srcAccess, Stage dstStage,
+                             vk::AccessFlags2 dstAccess, vk::ImageLayout before, vk::ImageLayout after) {
+        gpu::pipelineBarrier(primary,
+                             {gpu::imageBarrier(into.image, vk::ImageAspectFlagBits::eColor, srcStage,
+                                                srcAccess, dstStage, dstAccess, before, after)});
+    };
+    barrier(Stage::eAllCommands, Access::eMemoryWrite, Stage::eAllTransfer, Access::eTransferWrite,
+            vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal);
+    if (vk::Format(into.format) == picture.options().format) {
+        copyPicture(primary, picture, into);
+    } else {
+        convertPicture(primary, picture, into);
+    }
+    barrier(Stage::eAllTransfer, Access::eTransferWrite, Stage::eAllCommands,
+            Access::eMemoryRead | Access::eMemoryWrite, vk::ImageLayout::eTransferDstOptimal,
+            vk::ImageLayout(into.layout));
+}
+
+} // namespace cdr::render

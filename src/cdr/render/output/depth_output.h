@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/host_frame.h>
+#include <cdr/render/shading/shading_pass.h>
+
+#include <vulkan/vulkan.hpp>
+
+namespace cdr::render {
+
+/// The format of the depth images that hosts hand in.
+inline constexpr vk::Format kHostDepthFormat = vk::Format::eD32Sfloat;
+
+/// Turns a G-buffer into the depth of a host's own camera.
+class DepthOutput {
+  public:
+    explicit DepthOutput(const gpu::Device& device);
+
+    /// What one frame in flight reads.
+    class Inputs {
+      public:
+        Inputs() = default;
+
+      private:
+        friend class DepthOutput;
+        vk::UniqueDescriptorPool m_pool;
+        vk::DescriptorSet m_set;
+    };
+    Inputs makeInputs(const gpu::Image& gbuffer, const ShadingInputs& shading) const;
+
+    /// Reads the G-buffer in shader read layout, and leaves the host's image in the layout that it names.
+    void record(vk::CommandBuffer primary, const Inputs& inputs, const HostDepth& into) const;
+
+  private:
+    const gpu::Device& m_device;
+    vk::UniqueSampler m_sampler;
+    vk::UniqueDescriptorSetLayout m_setLayout;
+    vk::UniquePipelineLayout m_layout;
+    vk::UniquePipeline m_pipeline;
+};
+
+} // namespace cdr::render

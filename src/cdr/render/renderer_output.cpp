@@ -1,0 +1,86 @@
+#include "frame_slot.h"
+
+#include <cdr/gpu/commands.h>
+#include <cdr/render/output/color_output.h>
+
+namespace cdr::render {
+
+Surfaces Renderer::surfaces() const {
+    const auto imageOf = [](const gpu::Image& image, vk::ImageLayout layout) {
+        return SurfaceImage{.image = image.handle(),
+                            .view = image.view(),
+                            .format = static_cast<VkFormat>(image.options().format),
+                            .extent = image.options().extent,
+                            .layout = static_cast<VkImageLayout>(layout)};
+    };
+    Surfaces surfaces{.color = imageOf(m_passes->picture.encoded(), vk::ImageLayout::eUndefined),
+                      .gbuffer = {},
+                      .anchorsView = {}};
+    if (m_passes->resolve == nullptr) {
+        surfaces.gbuffer = imageOf(m_passes->targets.gbuffer(), vk::ImageLayout::eUndefined);
+    }
+    if (m_frames > 0) {
+        const Slot& last = slotOf(m_frames - 1);
+        // As Picture::finish(), the passes that read the G-buffer and copies to the host leave them.
+        surfaces.color.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+        if (surfaces.gbuffer.image != VK_NULL_HANDLE) {
+            surfaces.gbuffer.layout = last.destination == Destination::host
+                                          ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
+                                          : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+        }
+        surfaces.anchorsView = last.view.anchorsView();
+    }
+    return surfaces;
+}
+
+void Renderer::recordOutputs(Slot& slot, const HostFrame& host) {
+    const vk::CommandBuffer primary = slot.path->primary();
+    if (host.depth) {
+        if (m_passes->depthOutput == nullptr) {
+            m_passes->depthOutput = std::make_unique<DepthOutput>(m_device);
+        }
+        if (!slot.depthOutput) {
+            slot.depthOutput = m_passes->depthOutput->makeInputs(m_passes->gbuffer(), slot.shading);
+        }
+        m_passes->depthOutput->record(primary, *slot.depthOutput, *host.depth);
+    }
+    recordColorOutput(primary, m_passes->picture.encoded(), host.color);
+}
+
+void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination) const {
+    const gpu::Image& gbuffer = m_passes->gbuffer();
+    m_device.beginLabel(primary, "read-back");
+    m_passes->colorCopy.record(primary, m_passes->picture.encoded());
+    if (destination == Destination::host) {
+        gpu::pipelineBarrier(
+            primary, {gpu::imageBarrier(
+                         gbuffer.handle(), vk::ImageAspectFlagBits::eColor,
+                         vk::PipelineStageFlagBits2::eFragmentShader, vk::AccessFlagBits2::eShaderSampledRead,
+                         vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
+                         vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal)});
+        m_passes->gbufferCopy.record(primary, gbuffer);
+    }
+    if (m_passes->translucent != nullptr) {
+        m_passes->translucent->recordReadback(primary);
+    }
+    recordHostBarrier(primary);
+    m_device.endLabel(primary);
+}
+
+Frame Renderer::fetch(const Slot& slot) const {
+    Frame frame;
+    frame.camera = slot.view.camera;
+    frame.cascades = slot.view.ranges();
+    frame.anchorsView = slot.view.anchorsView();
+    frame.color = m_passes->colorCopy.fetch<image::Rgba8>();
+    if (slot.destination == Destination::host) {
+        frame.gbuffer = m_passes->gbufferCopy.fetch<GBufferPixel>();
+    }
+    if (m_passes->translucent != nullptr) {
+        frame.fragmentCounts = m_passes->translucent->fragmentCounts();
+    }
+    frame.stats = slot.stats;
+    return frame;
+}
+
+} // namespace cdr::render

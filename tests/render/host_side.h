@@ -1,0 +1,67 @@
+#pragma once
+
+#include "read_image.h"
+
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/renderer.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <optional>
+
+namespace cdr::render_test {
+
+/// A host that has frames recorded into its own command buffers and images, and submits them itself.
+class HostSide {
+  public:
+    HostSide(const gpu::Device& device, vk::Extent2D extent,
+             vk::Format colorFormat = vk::Format::eR8G8B8A8Srgb);
+
+    /// A frame that goes into this host's images, not yet recorded; its commands are recording.
+    render::HostFrame begin();
+    /// The host's depth image, for HostFrame::depth: reversed, of an infinite far plane.
+    render::HostDepth depth(double nearView) const;
+    /// Ends the commands of begin() and submits them.
+    void submit();
+
+    /// What the last submitted frame left, once it ran.
+    template <typename Pixel>
+    image::Raster<Pixel> color() const {
+        return readImage<Pixel>(m_device, m_color.handle(), m_extent, VK_IMAGE_LAYOUT_GENERAL);
+    }
+    image::Raster<float> depthValues() const {
+        return readImage<float>(m_device, m_depth.handle(), m_extent, VK_IMAGE_LAYOUT_GENERAL,
+                                vk::ImageAspectFlagBits::eDepth);
+    }
+
+  private:
+    const gpu::Device& m_device;
+    vk::Extent2D m_extent;
+    gpu::Image m_color;
+    gpu::Image m_depth;
+    gpu::CommandPool m_pool;
+    vk::UniqueSemaphore m_done;
+    std::uint64_t m_frames = 0;
+    vk::CommandBuffer m_commands;
+};
+
+/// Draws squares of a host's that face the camera, as src/examples/host_compositing does.
+class HostSquares {
+  public:
+    /// @param format of the cascades' depth
+    HostSquares(const gpu::Device& device, vk::Format format);
+
+    struct Square {
+        double x = 0.0; ///< view space
+        double distanceView = 0.0;
+        double halfSide = 0.0;
+        std::uint32_t object = 0;
+    };
+    void draw(const render::HostCascade& cascade, const Square& square) const;
+
+  private:
+    vk::UniquePipelineLayout m_layout;
+    vk::UniquePipeline m_pipeline;
+};
+
+} // namespace cdr::render_test

@@ -1,0 +1,228 @@
+#include "fixture.h"
+#include "host_side.h"
+
+#include <cdr/base/error.h>
+#include <scenes/cubes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace cdr::render_test {
+
+namespace {
+
+class RecordTest : public RenderTest {
+  protected:
+    /// Those that can go into a command buffer of the host's.
+    std::vector<render::Submission> recordable() {
+        std::vector<render::Submission> all = submissions();
+        std::erase(all, render::Submission::primaries);
+        return all;
+    }
+};
+
+vk::Extent2D extentOf(const render::RenderOptions& options) {
+    return {options.width, options.height};
+}
+
+TEST_F(RecordTest, ARecordedPictureIsTheRenderedOne) {
+    const scene::SceneSetup setup = scenes::makeAfc(1);
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    const render::GpuScene gpuScene(device(), setup.scene);
+    for (const render::Submission submission : recordable()) {
+        options.submission = submission;
+        options.framesInFlight = 2;
+        HostSide host(device(), extentOf(options));
+        render::Renderer renderer(device(), setup.scene, gpuScene, options);
+        for (const int at : {7, 100, 200}) { // frames share the host's images too
+            const scene::Camera camera = setup.path.at(static_cast<std::size_t>(at));
+            renderer.record(camera, host.begin());
+            host.submit();
+            EXPECT_EQ(host.color<image::Rgba8>().pixels, draw(setup.scene, camera, options).color.pixels)
+                << nameOf(submission) << " " << at;
+        }
+        renderer.resize(64, 32); // waits for the host's submissions
+        EXPECT_EQ(renderer.render(setup.path.at(0)).width(), 64u);
+    }
+}
+
+/// The host's format says how the picture is encoded.
+TEST_F(RecordTest, AnotherFormatHoldsTheSamePicture) {
+    const scene::SceneSetup setup = scenes::makeAfc(1);
+    const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    const scene::Camera camera = setup.path.at(7);
+    const image::ImageRgba8 wanted = draw(setup.scene, camera, options).color;
+    const render::GpuScene gpuScene(device(), setup.scene);
+    HostSide host(device(), extentOf(options), vk::Format::eB8G8R8A8Srgb);
+    render::Renderer renderer(device(), setup.scene, gpuScene, options);
+    renderer.record(camera, host.begin());
+    host.submit();
+    const auto bgra = host.color<image::Rgba8>();
+    int most = 0;
+    for (std::size_t i = 0; i < bgra.pixels.size(); ++i) {
+        for (const auto& [from, to] : {std::pair{0u, 2u}, {1u, 1u}, {2u, 0u}}) {
+            most = std::max(most, std::abs(bgra.pixels[i][from] - wanted.pixels[i][to]));
+        }
+    }
+    EXPECT_LE(most, 1);
+}
+
+/// The host's reversed depth of every pixel, of both surface paths, against the distances that the frame holds.
+TEST_F(RecordTest, HostDepthIsThatOfItsOwnCamera) {
+    constexpr double kNearView = 0.25;
+    const scene::SceneSetup setup = scenes::makeAfc(1);
+    const scene::Camera camera = setup.path.at(7);
+    const render::GpuScene gpuScene(device(), setup.scene);
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    for (const render::SurfacePath path : render::kSurfacePaths) {
+        options.surface = path;
+        const render::Frame wanted = draw(setup.scene, camera, options);
+        HostSide host(device(), extentOf(options));
+        render::Renderer renderer(device(), setup.scene, gpuScene, options);
+        render::HostFrame frame = host.begin();
+        frame.depth = host.depth(kNearView);
+        renderer.record(camera, frame);
+        host.submit();
+        const image::Raster<float> depths = host.depthValues();
+        std::size_t surfaces = 0;
+        for (std::uint32_t y = 0; y < options.height; ++y) {
+            for (std::uint32_t x = 0; x < options.width; ++x) {
+                const double zNdc = kNearView / wanted.distanceView(x, y); // 0 for background
+                ASSERT_NEAR(depths.at(x, y), zNdc, 2e-7 * zNdc) << x << " " << y;
+                surfaces += zNdc > 0.0 ? 1 : 0;
+            }
+        }
+        EXPECT_GT(surfaces, 1000u);
+        EXPECT_LT(surfaces, depths.pixels.size());
+    }
+}
+
+/// Squares of the host's, 0.00001 units before and behind the faces of boxes 1,000 km away, and one where cdr draws
+/// nothing. Every target and submission shows of each pair the nearer one.
+TEST_F(RecordTest, AHostsObjectsShareTheDepthOfEachCascade) {
+    constexpr double kFaceView = 1e6;
+    constexpr double kGapView = 1e-5;
+    scene::Scene scene = boxScene();
+    for (const double x : {-1.0, 1.0}) {
+        addBox(scene, {x, 0.0, -kFaceView - 0.5});
+    }
+    const std::vector<HostSquares::Square> squares{{-1.0, kFaceView - kGapView, 0.25, 10},
+                                                   {1.0, kFaceView + kGapView, 0.25, 11},
+                                                   {-1.5, 0.5 * kFaceView, 0.25, 12},
+                                                   {1.5, 2.0 * kFaceView, 1.0, 13}};
+    const scene::Camera camera{.fovY = 4e-6, .nearView = 1.0, .farView = 1e8};
+    const HostSquares host(device(), device().depthFormat(depth::DepthFormat::d32f));
+    const render::GpuScene gpuScene(device(), scene);
+    for (const render::TargetsKind targets : render::kTargetsKinds) {
+        for (const render::Submission submission : recordable()) {
+            render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+            options.targets = targets;
+            options.submission = submission;
+            HostSide side(device(), extentOf(options));
+            render::Renderer renderer(device(), scene, gpuScene, options);
+            render::HostFrame frame = side.begin();
+            frame.depth = side.depth(1.0);
+            for (const HostSquares::Square& square : squares) {
+                frame.occupied.push_back({square.distanceView - 1.0, square.distanceView + 1.0});
+            }
+            frame.draw = [&](const render::HostCascade& cascade) {
+                for (const HostSquares::Square& square : squares) {
+                    host.draw(cascade, square);
+                }
+            };
+            renderer.record(camera, frame);
+            side.submit();
+            const render::SurfaceImage gbuffer = renderer.surfaces().gbuffer;
+            const auto pixels =
+                readImage<render::GBufferPixel>(device(), gbuffer.image, gbuffer.extent, gbuffer.layout);
+            const auto idAt = [&](double x) { // on the plane of the faces
+                const double perUnit = options.height / (2.0 * kFaceView * std::tan(0.5 * camera.fovY));
+                return pixels
+                    .at(static_cast<std::uint32_t>(options.width / 2.0 + x * perUnit), options.height / 2)
+                    .id();
+            };
+            const std::string what = std::string(nameOf(targets)) + " " + std::string(nameOf(submission));
+            EXPECT_EQ(idAt(-1.0), 11u) << what; // the host's before the box
+            EXPECT_EQ(idAt(-0.6), 1u) << what;  // the box beside it
+            EXPECT_EQ(idAt(1.0), 2u) << what;   // the box before the host's
+            EXPECT_EQ(idAt(-3.0), 13u) << what; // the host's where cdr draws nothing
+            EXPECT_EQ(idAt(3.0), 0u) << what;   // nothing
+            EXPECT_EQ(idAt(0.4), 14u) << what;  // the host's beyond, beside the box
+            EXPECT_GT(side.color<image::Rgba8>().at(240, 1)[3], 0) << what;
+            const image::Raster<float> depths = side.depthValues();
+            EXPECT_GT(*std::max_element(depths.pixels.begin(), depths.pixels.end()), 1.9e-6f) << what;
+        }
+    }
+}
+
+TEST_F(RecordTest, AWorldChangesBetweenRecordedFrames) {
+    scene::World world(boxScene());
+    const scene::InstanceHandle box =
+        world.addInstance({.mesh = world.mesh(0), .material = world.material(0)});
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    options.framesInFlight = 2;
+    render::GpuScene gpuScene(device(), world);
+    HostSide host(device(), extentOf(options));
+    render::Renderer renderer(device(), gpuScene, options);
+    for (int turn = 0; turn < 6; ++turn) {
+        world.setTransform(box, {.position = {0.3 * turn, 0.0, -5.0}});
+        if (turn == 3) {
+            world.addMesh(scene::makeBox(glm::vec3(2.0f))); // what frames in flight read is replaced
+        }
+        renderer.record({}, host.begin());
+        host.submit();
+    }
+    EXPECT_EQ(host.color<image::Rgba8>().pixels, draw(world.scene(), {}, options).color.pixels);
+}
+
+TEST_F(RecordTest, WhatCannotBeRecordedIntoIsRefused) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, 0.0, -5.0});
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    const render::GpuScene gpuScene(device(), scene);
+    HostSide host(device(), extentOf(options));
+    render::HostFrame frame = host.begin();
+    frame.depth = host.depth(0.1);
+    const auto refusal = [&](const auto& spoil) {
+        render::HostFrame spoilt = frame;
+        render::RenderOptions its = options;
+        spoil(spoilt, its);
+        render::Renderer renderer(device(), scene, gpuScene, its);
+        try {
+            renderer.record({}, spoilt);
+            return std::string("none");
+        } catch (const base::InputError& error) {
+            return std::string(error.what());
+        }
+    };
+    using Frame = render::HostFrame;
+    using Options = render::RenderOptions;
+    const auto expectRefusal = [&](const char* text, const auto& spoil) {
+        EXPECT_NE(refusal(spoil).find(text), std::string::npos) << text << ": " << refusal(spoil);
+    };
+    expectRefusal("semaphore", [](Frame& f, Options&) { f.done = VK_NULL_HANDLE; });
+    expectRefusal("command buffer", [](Frame& f, Options&) { f.commands = VK_NULL_HANDLE; });
+    expectRefusal("480x269", [](Frame& f, Options&) { f.color.extent.height = 269; });
+    expectRefusal("480x271", [](Frame& f, Options&) { f.depth->image.extent.height = 271; });
+    expectRefusal("layout", [](Frame& f, Options&) { f.color.layout = VK_IMAGE_LAYOUT_UNDEFINED; });
+    expectRefusal("format", [](Frame& f, Options&) { f.color.format = VK_FORMAT_D16_UNORM; });
+    expectRefusal("D32_SFLOAT", [](Frame& f, Options&) { f.depth->image.format = VK_FORMAT_D16_UNORM; });
+    expectRefusal("view", [](Frame& f, Options&) { f.depth->image.view = VK_NULL_HANDLE; });
+    expectRefusal("near", [](Frame& f, Options&) { f.depth->nearView = 0.0; });
+    expectRefusal("far", [](Frame& f, Options&) { f.depth->farView = 0.05; });
+    expectRefusal("far", [](Frame& f, Options&) { f.depth->mapping = depth::Mapping::standard; });
+    expectRefusal("anchored", [](Frame& f, Options&) { f.depth->mapping = depth::Mapping::anchored; });
+    expectRefusal("primaries", [](Frame&, Options& o) { o.submission = render::Submission::primaries; });
+    expectRefusal("visibility", [](Frame& f, Options& o) {
+        o.surface = render::SurfacePath::visibility;
+        f.draw = [](const render::HostCascade&) {};
+    });
+    render::Renderer renderer(device(), scene, gpuScene, options);
+    renderer.record({}, frame); // and as it was it is fine
+    host.submit();
+}
+
+} // namespace
+
+} // namespace cdr::render_test
