@@ -54,14 +54,12 @@ DepthOutput::DepthOutput(const gpu::Device& device)
                                                     .depthCompare = vk::CompareOp::eAlways})) {}
 
 DepthOutput::Inputs DepthOutput::makeInputs(const gpu::Image& gbuffer, const ShadingInputs& shading) const {
-    Inputs inputs;
-    inputs.m_pool = gpu::makeDescriptorPool(m_device, 1, 1, depthBindings());
-    inputs.m_set = gpu::allocateSet(m_device, *inputs.m_pool, *m_setLayout);
-    gpu::writeImageBinding(m_device, inputs.m_set, 0, vk::DescriptorType::eCombinedImageSampler,
-                           gbuffer.view(), *m_sampler);
-    gpu::writeBufferBinding(m_device, inputs.m_set, 1, vk::DescriptorType::eStorageBuffer,
-                            shading.lights().handle());
-    return inputs;
+    vk::UniqueDescriptorPool pool = gpu::makeDescriptorPool(m_device, 1, 1, depthBindings());
+    const vk::DescriptorSet set = gpu::allocateSet(m_device, *pool, *m_setLayout);
+    gpu::writeImageBinding(m_device, set, 0, vk::DescriptorType::eCombinedImageSampler, gbuffer.view(),
+                           *m_sampler);
+    gpu::writeBufferBinding(m_device, set, 1, vk::DescriptorType::eStorageBuffer, shading.lights().handle());
+    return {std::move(pool), set};
 }
 
 void DepthOutput::record(vk::CommandBuffer primary, const Inputs& inputs, const HostDepth& into) const {

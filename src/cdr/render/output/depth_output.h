@@ -6,6 +6,8 @@
 
 #include <vulkan/vulkan.hpp>
 
+#include <utility>
+
 namespace cdr::render {
 
 /// The format of the depth images that hosts hand in.
@@ -18,11 +20,9 @@ class DepthOutput {
 
     /// What one frame in flight reads.
     class Inputs {
-      public:
-        Inputs() = default;
-
-      private:
         friend class DepthOutput;
+        Inputs(vk::UniqueDescriptorPool pool, vk::DescriptorSet set) : m_pool(std::move(pool)), m_set(set) {}
+
         vk::UniqueDescriptorPool m_pool;
         vk::DescriptorSet m_set;
     };

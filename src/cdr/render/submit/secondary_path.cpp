@@ -17,6 +17,7 @@ struct SecondaryBegin {
     explicit SecondaryBegin(const HostDraws& draws) : surfaceFormat(draws.surfaceFormat()) {
         rendering.depthAttachmentFormat = draws.depthFormat();
     }
+    ~SecondaryBegin() = default;
     SecondaryBegin(const SecondaryBegin&) = delete;
     SecondaryBegin& operator=(const SecondaryBegin&) = delete;
 
