@@ -22,12 +22,6 @@ constexpr std::array<std::array<float, 3>, 7> kPalette{{{0.05f, 0.34f, 0.38f},
 /// Objects in a row share a colour where there are many, since a run of one material is one draw.
 constexpr std::uint32_t kMostRuns = 4096;
 
-bool isGrey(const scene::Scene& scene) {
-    return std::all_of(scene.materials.begin(), scene.materials.end(), [](const scene::Material& material) {
-        return material.name == "white" || material.name == "twin";
-    });
-}
-
 void addPalette(scene::Scene& scene) {
     const auto first = static_cast<std::uint32_t>(scene.materials.size());
     for (const auto& [red, green, blue] : kPalette) {
@@ -52,8 +46,14 @@ Colours parseColours(std::string_view name) {
     return kColourNames.parse(name);
 }
 
+bool isGreyInThesis(const scene::Scene& scene) {
+    return std::all_of(scene.materials.begin(), scene.materials.end(), [](const scene::Material& material) {
+        return material.name == "white" || material.name == "twin" || material.name == "colour";
+    });
+}
+
 void paint(scene::Scene& scene, Colours colours) {
-    if (colours == Colours::thesis || scene.materials.empty() || !isGrey(scene)) {
+    if (colours == Colours::thesis || scene.materials.empty() || !isGreyInThesis(scene)) {
         return;
     }
     addPalette(scene);

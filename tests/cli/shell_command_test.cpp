@@ -84,6 +84,26 @@ TEST(ShellCommands, EveryShellAndTheManualNameEveryCommand) {
     EXPECT_NE(manual.find(".B \\-o,\\-\\-output TEXT\n"), std::string::npos);
 }
 
+/// With or without NO_COLOR. On a terminal progress replaces its line, elsewhere it is not shown.
+TEST(ShellCommands, NothingIsColoured) {
+    const TemporaryFolder folder;
+    const std::string render = "render cubes --size 64x36 --frames 2";
+    const ProgramResult plain = runProgram(render, folder.path());
+    EXPECT_EQ((plain.out + plain.err).find('\x1b'), std::string::npos) << plain.out << plain.err;
+    // script(1) gives the command a terminal.
+    const ProgramResult onTerminal =
+        runProgram("--version > /dev/null; script -qec \"'" CDR_PROGRAM "' " + render + "\" /dev/null < /dev/null",
+                   folder.path());
+    if (onTerminal.status == 127) {
+        GTEST_SKIP() << "no script(1): " << onTerminal.err;
+    }
+    const std::string& shown = onTerminal.out;
+    EXPECT_NE(shown.find("1/2 cubes"), std::string::npos) << shown;
+    for (std::size_t at = shown.find('\x1b'); at != std::string::npos; at = shown.find('\x1b', at + 1)) {
+        EXPECT_EQ(shown.substr(at + 1, 2), "[K") << shown;
+    }
+}
+
 TEST(ShellCommands, ViewHandsItsArgumentsToTheViewer) {
     const TemporaryFolder folder;
     const ProgramResult result = runProgram("view --version", folder.path(), "PATH=/nowhere");

@@ -29,6 +29,7 @@ TEST(Colours, ChangeColoursAndNothingElse) {
         EXPECT_EQ(bright.instances.mesh, grey.instances.mesh) << name;
         EXPECT_GE(materialsIn(bright).size(), 7u) << name;
         EXPECT_GT(bright.background.b, 0.0f) << name;
+        EXPECT_TRUE(isGreyInThesis(grey) && isGreyInThesis(bright)) << name;
     }
 }
 
@@ -39,6 +40,7 @@ TEST(Colours, LeaveWhatHasColoursAndWhatIsTheThesis) {
         paint(painted, Colours::bright);
         EXPECT_EQ(painted.instances.material, own.instances.material) << name;
         EXPECT_EQ(painted.background, own.background) << name;
+        EXPECT_FALSE(isGreyInThesis(own)) << name;
     }
     Scene grey = sceneOf("afc");
     paint(grey, Colours::thesis);

@@ -104,7 +104,7 @@ Interface::Context::~Context() {
     ImGui::DestroyContext();
 }
 
-void Interface::loadFont() {
+void Interface::loadFont() const {
     ImGuiIO& io = ImGui::GetIO();
     const float pixels = std::round(kTextHeight * m_scale * m_pixelsPerUnit);
     // Drawn at the display's pixels, laid out in screen coordinates.

@@ -37,7 +37,7 @@ class Interface {
         Context(const Context&) = delete;
         Context& operator=(const Context&) = delete;
     };
-    void loadFont();
+    void loadFont() const;
     void uploadFont() const;
 
     const gpu::Device& m_device;

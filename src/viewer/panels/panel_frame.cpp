@@ -102,8 +102,7 @@ void drawTracks(const WorkerTimeline& timeline) {
                      ImGui::GetColorU32(ImGuiCol_TextDisabled), text.c_str());
     };
     name(0, "stages");
-    for (std::size_t i = 0; i < timeline.stages.size(); ++i) {
-        const TimelineStage& stage = timeline.stages[i];
+    for (const TimelineStage& stage : timeline.stages) {
         const auto known = std::find_if(kFrameStages.begin(), kFrameStages.end(),
                                         [&](FrameStage each) { return nameOf(each) == stage.name; });
         const auto color = known == kFrameStages.end() ? kStageColors.back()

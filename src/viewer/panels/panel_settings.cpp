@@ -72,12 +72,12 @@ void drawScenePanel(const Widgets& widgets, ViewerModel& model) {
         model.settings.scene = scenes[chosen];
         model.settings.choice = {};
     }
-    bool isBright = model.settings.colours == scenes::Colours::bright;
-    if (widgets.checkbox("bright colours", isBright)) {
-        model.settings.colours = isBright ? scenes::Colours::bright : scenes::Colours::thesis;
-    }
     if (model.shown != nullptr && model.shown->scene != nullptr) {
         const scene::OpenedScene& opened = *model.shown->scene;
+        bool isBright = model.settings.colours == scenes::Colours::bright;
+        if (scenes::isGreyInThesis(opened.setup.scene) && widgets.checkbox("bright colours", isBright)) {
+            model.settings.colours = isBright ? scenes::Colours::bright : scenes::Colours::thesis;
+        }
         widgets.sentence(fmt::format("{}, {}. Drop a .gltf or .glb file to open it.",
                                      counted(opened.setup.scene.objectCount(), "object"),
                                      counted(opened.setup.scene.lights.size(), "light")));
