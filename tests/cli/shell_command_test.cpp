@@ -91,9 +91,9 @@ TEST(ShellCommands, NothingIsColoured) {
     const ProgramResult plain = runProgram(render, folder.path());
     EXPECT_EQ((plain.out + plain.err).find('\x1b'), std::string::npos) << plain.out << plain.err;
     // script(1) gives the command a terminal.
-    const ProgramResult onTerminal =
-        runProgram("--version > /dev/null; script -qec \"'" CDR_PROGRAM "' " + render + "\" /dev/null < /dev/null",
-                   folder.path());
+    const ProgramResult onTerminal = runProgram("--version > /dev/null; script -qec \"'" CDR_PROGRAM "' " +
+                                                    render + "\" /dev/null < /dev/null",
+                                                folder.path());
     if (onTerminal.status == 127) {
         GTEST_SKIP() << "no script(1): " << onTerminal.err;
     }

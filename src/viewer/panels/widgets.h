@@ -18,11 +18,11 @@ class Widgets {
     explicit Widgets(ItemPlaces& places) : m_places(places) {}
 
     /// A caption above a group.
-    void heading(std::string_view text) const;
+    void heading(std::string_view words) const;
     /// A sentence in quiet letters, wrapped.
-    void sentence(std::string_view text) const;
+    void sentence(std::string_view words) const;
     /// A name in quiet letters and its value beside it.
-    void value(std::string_view name, const std::string& text) const;
+    void value(std::string_view name, const std::string& words) const;
 
     /// Draws the picture of a choice as an item of that width.
     using PictureOf = std::function<void(std::size_t, float)>;
