@@ -148,6 +148,29 @@ TEST_F(FrameTest, ABorrowedDeviceRendersTheSameAndStaysAlive) {
     EXPECT_EQ(draw(setup.scene, camera, options).color, own.color);
 }
 
+/// Images of a borrowed device come from its owner's allocator, which stays.
+TEST_F(FrameTest, ABorrowedAllocatorIsUsedAndStays) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, 0.0, -5.0});
+    const std::uint64_t before = gpu::freeDeviceBytes(device());
+    {
+        const gpu::Device borrowed(gpu::BorrowedDevice{.instance = instance().handle(),
+                                                       .physical = device().physical(),
+                                                       .device = device().handle(),
+                                                       .queue = device().queue(),
+                                                       .queueFamily = device().queueFamily(),
+                                                       .allocator = device().allocator()});
+        EXPECT_EQ(borrowed.allocator(), device().allocator());
+        const render::GpuScene gpuScene(borrowed, scene);
+        render::Renderer renderer(borrowed, scene, gpuScene, smallOptions(depth::parseTechnique("anchored")));
+        EXPECT_EQ(renderer.render({}).id(240, 135), 1u);
+        EXPECT_LT(gpu::freeDeviceBytes(device()), before);
+    }
+    const gpu::Buffer stillThere(device(), 64, vk::BufferUsageFlagBits::eTransferDst,
+                                 gpu::MemoryUse::deviceOnly, "after");
+    EXPECT_TRUE(stillThere.handle());
+}
+
 /// A device without a feature that it is borrowed with is refused by the feature's name.
 TEST_F(FrameTest, ABorrowedDeviceIsRefusedByTheNameOfWhatItLacks) {
     VkPhysicalDeviceVulkan13Features v13{};

@@ -1,21 +1,14 @@
 #include "host_side.h"
 
+#include "read_spirv.h"
+
 #include <cdr/render/targets/gbuffer.h>
 
-#include <fstream>
 #include <vector>
 
 namespace cdr::render_test {
 
 namespace {
-
-std::vector<std::uint32_t> readSpirv(const char* path) {
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    std::vector<std::uint32_t> words(static_cast<std::size_t>(file.tellg()) / sizeof(std::uint32_t));
-    file.seekg(0);
-    file.read(reinterpret_cast<char*>(words.data()), static_cast<std::streamsize>(words.size() * 4));
-    return words;
-}
 
 struct SquarePush {
     depth::CascadeConstants cascade;

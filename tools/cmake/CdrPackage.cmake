@@ -11,6 +11,7 @@ configure_file("${PROJECT_SOURCE_DIR}/tools/cmake/version.h.in" "${version_inclu
 target_sources(cdr_base PUBLIC
     FILE_SET version TYPE HEADERS BASE_DIRS "${version_include}" FILES "${version_include}/cdr/version.h")
 
+set(CDR_INSTALLED_ROOMS base depth)
 install(TARGETS cdr_base EXPORT cdr-depth FILE_SET HEADERS FILE_SET version)
 install(TARGETS cdr_depth EXPORT cdr-depth FILE_SET HEADERS)
 install(EXPORT cdr-depth NAMESPACE cdr:: DESTINATION "${CDR_CONFIG_DIR}")
@@ -22,6 +23,7 @@ if(CDR_BUILD_RENDER)
     foreach(room visibility gpu render)
         install(TARGETS cdr_${room} EXPORT cdr-render FILE_SET HEADERS)
     endforeach()
+    list(APPEND CDR_INSTALLED_ROOMS host image scene visibility gpu render)
     install(EXPORT cdr-render NAMESPACE cdr:: DESTINATION "${CDR_CONFIG_DIR}")
 endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/shaders/public/" DESTINATION "${CDR_SHADER_DIR}"

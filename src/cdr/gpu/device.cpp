@@ -121,7 +121,8 @@ struct Device::Handles {
     PFN_vkSetDebugUtilsObjectNameEXT setName = nullptr;
     PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;
-    std::unique_ptr<VmaAllocator_T, AllocatorDeleter> allocator;
+    std::unique_ptr<VmaAllocator_T, AllocatorDeleter> ownedAllocator; ///< empty when borrowed
+    VmaAllocator_T* allocator = nullptr;
     vk::UniquePipelineCache pipelineCache;
 };
 
@@ -152,7 +153,7 @@ void Device::submit(const VkSubmitInfo2& submission, VkFence done) const {
 }
 
 VmaAllocator_T* Device::allocator() const {
-    return m_handles->allocator.get();
+    return m_handles->allocator;
 }
 
 vk::PipelineCache Device::pipelineCache() const {
@@ -180,6 +181,7 @@ Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Hand
     m_handles->queueFamily = borrowed.queueFamily;
     m_handles->queue = borrowed.queue;
     m_handles->submit = borrowed.submit;
+    m_handles->allocator = borrowed.allocator;
     DeviceInfo& info = m_handles->info = describe(borrowed.physical, 0);
     if (borrowed.features != nullptr) {
         if (const auto missing = missingFeatures(*borrowed.features); !missing.empty()) {
@@ -208,6 +210,10 @@ void Device::finish(VkInstance instance, bool hasDebugNames) {
         m_handles->endLabel = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
             m_handles->device.getProcAddr("vkCmdEndDebugUtilsLabelEXT"));
     }
+    m_handles->pipelineCache = m_handles->device.createPipelineCacheUnique({});
+    if (m_handles->allocator != nullptr) {
+        return;
+    }
     const VmaAllocatorCreateInfo info{.flags = 0,
                                       .physicalDevice = m_handles->physical,
                                       .device = m_handles->device,
@@ -219,10 +225,9 @@ void Device::finish(VkInstance instance, bool hasDebugNames) {
                                       .instance = instance,
                                       .vulkanApiVersion = VK_API_VERSION_1_3,
                                       .pTypeExternalMemoryHandleTypes = nullptr};
-    VmaAllocator allocator = nullptr;
-    vk::resultCheck(static_cast<vk::Result>(vmaCreateAllocator(&info, &allocator)), "vmaCreateAllocator");
-    m_handles->allocator.reset(allocator);
-    m_handles->pipelineCache = m_handles->device.createPipelineCacheUnique({});
+    vk::resultCheck(static_cast<vk::Result>(vmaCreateAllocator(&info, &m_handles->allocator)),
+                    "vmaCreateAllocator");
+    m_handles->ownedAllocator.reset(m_handles->allocator);
 }
 
 vk::Format Device::depthFormat(depth::DepthFormat format) const {

@@ -63,6 +63,9 @@ struct BorrowedDevice {
     /// shaderFloat64, multiDrawIndirect, drawIndirectFirstInstance and drawIndirectCount are on too.
     bool hasGpuDrivenFeatures = false;
     bool hasFragmentStores = false; ///< fragmentStoresAndAtomics is on too
+    /// The owner's VmaAllocator of this device, which is then used and stays; null: one of its own is made. Made by the
+    /// version of Vulkan Memory Allocator that cdr was built with, and it must outlive the gpu::Device.
+    VmaAllocator_T* allocator = nullptr;
     /// Takes the place of vkQueueSubmit2() on `queue`, for a queue that others submit to as well: it takes their lock.
     std::function<VkResult(const VkSubmitInfo2& submission, VkFence done)> submit{};
 };

@@ -1,0 +1,112 @@
+#include "fixture.h"
+#include "read_image.h"
+#include "read_spirv.h"
+
+#include <cdr/gpu/pipeline.h>
+#include <scenes/cubes.h>
+
+#include <array>
+#include <cstring>
+#include <vector>
+
+namespace cdr::render_test {
+
+namespace {
+
+/// Of each pixel: the distance as a pair, id, cascade; normal, whether it is written alike; albedo, whether it is.
+using Decoded = std::array<float, 12>;
+
+class DecodeTest : public RenderTest {
+  protected:
+    image::Raster<Decoded> decode(const char* shader, const render::SurfaceImage& gbuffer,
+                                  const std::vector<double>& anchorsView) {
+        using Type = vk::DescriptorType;
+        const std::vector<Type> bindings{Type::eSampledImage, Type::eStorageBuffer};
+        constexpr auto kStage = vk::ShaderStageFlagBits::eCompute;
+        std::array<std::array<float, 4>, 8> anchors{};
+        for (std::size_t i = 0; i < anchorsView.size(); ++i) {
+            anchors[i][0] = static_cast<float>(anchorsView[i]);
+            anchors[i][1] = static_cast<float>(anchorsView[i] - static_cast<double>(anchors[i][0]));
+        }
+        const auto setLayout = gpu::makeSetLayout(device(), bindings, kStage, "decode");
+        const auto layout = gpu::makePipelineLayout(
+            device(), {*setLayout}, {{.stageFlags = kStage, .size = sizeof(anchors)}}, "decode");
+        const auto pipeline = gpu::makeComputePipeline(device(), readSpirv(shader), *layout, "decode");
+        const auto pool = gpu::makeDescriptorPool(device(), 1, 1, bindings);
+        const vk::DescriptorSet set = gpu::allocateSet(device(), *pool, *setLayout);
+        image::Raster<Decoded> decoded(gbuffer.extent.width, gbuffer.extent.height);
+        const gpu::Buffer values(device(), decoded.pixels.size() * sizeof(Decoded),
+                                 vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostReads,
+                                 "decoded");
+        gpu::writeImageBinding(device(), set, 0, Type::eSampledImage, gbuffer.view, {});
+        gpu::writeBufferBinding(device(), set, 1, Type::eStorageBuffer, values.handle());
+        gpu::runOnce(device(), [&](vk::CommandBuffer commands) {
+            commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
+            commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, set, {});
+            commands.pushConstants<decltype(anchors)>(*layout, kStage, 0, anchors);
+            commands.dispatch((decoded.width + 7) / 8, (decoded.height + 7) / 8, 1);
+            gpu::pipelineBarrier(commands, {},
+                                 {{.srcStageMask = vk::PipelineStageFlagBits2::eComputeShader,
+                                   .srcAccessMask = vk::AccessFlagBits2::eShaderStorageWrite,
+                                   .dstStageMask = vk::PipelineStageFlagBits2::eHost,
+                                   .dstAccessMask = vk::AccessFlagBits2::eHostRead}});
+        });
+        values.invalidate();
+        std::memcpy(decoded.pixels.data(), values.mapped(), decoded.pixels.size() * sizeof(Decoded));
+        return decoded;
+    }
+};
+
+/// A host's shaders read what Frame says, in GLSL and in HLSL; distances to the same bits.
+TEST_F(DecodeTest, AHostsShadersReadWhatAFrameHolds) {
+    const scene::SceneSetup setup = scenes::makeAfc(1);
+    const scene::Camera camera = setup.path.at(7);
+    const render::GpuScene gpuScene(device(), setup.scene);
+    render::Renderer renderer(device(), setup.scene, gpuScene,
+                              smallOptions(depth::parseTechnique("anchored/count:4")));
+    const render::Frame frame = renderer.render(camera);
+    renderer.submit(camera); // leaves the G-buffer for shaders to read
+    renderer.finish();
+    const render::Surfaces surfaces = renderer.surfaces();
+    ASSERT_LE(surfaces.anchorsView.size(), 8u);
+    ASSERT_GT(surfaces.anchorsView.size(), 1u);
+    const auto decoded = decode(CDR_DECODE_GBUFFER, surfaces.gbuffer, surfaces.anchorsView);
+    std::size_t compared = 0;
+    for (std::uint32_t y = 0; y < frame.height(); ++y) {
+        for (std::uint32_t x = 0; x < frame.width(); ++x) {
+            const Decoded& pixel = decoded.at(x, y);
+            ASSERT_EQ(pixel[2], static_cast<float>(frame.id(x, y)));
+            if (frame.id(x, y) == 0) {
+                continue;
+            }
+            ++compared;
+            const double distanceView = frame.distanceView(x, y);
+            ASSERT_NEAR(static_cast<double>(pixel[0]) + static_cast<double>(pixel[1]), distanceView,
+                        1e-13 * distanceView);
+            ASSERT_EQ(pixel[3], static_cast<float>(frame.cascade(x, y)));
+            const glm::vec3 normal = frame.normalView(x, y);
+            ASSERT_LT(glm::distance(glm::vec3(pixel[4], pixel[5], pixel[6]), normal), 1e-6f);
+            ASSERT_EQ(pixel[7], 1.0f);
+            const std::uint32_t red = frame.gbuffer.at(x, y).albedo & 0xffu;
+            const float root = static_cast<float>(red) / 255.0f;
+            ASSERT_NEAR(pixel[8], root * root, 1e-6f);
+            ASSERT_EQ(pixel[11], 1.0f);
+        }
+    }
+    EXPECT_GT(compared, 1000u);
+    const auto byHlsl = decode(CDR_DECODE_GBUFFER_HLSL, surfaces.gbuffer, surfaces.anchorsView);
+    for (std::size_t i = 0; i < decoded.pixels.size(); ++i) {
+        if (decoded.pixels[i][2] != 0.0f) {
+            for (std::size_t k = 0; k < 4; ++k) { // what is not a rounded direction or colour
+                ASSERT_EQ(byHlsl.pixels[i][k], decoded.pixels[i][k]) << i;
+            }
+            for (std::size_t k = 4; k < 12; ++k) {
+                ASSERT_NEAR(byHlsl.pixels[i][k], decoded.pixels[i][k], 1e-6f) << i;
+            }
+        }
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test
