@@ -3,6 +3,8 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/output/color_output.h>
 
+#include <memory>
+
 namespace cdr::render {
 
 Surfaces Renderer::surfaces() const {

@@ -3,6 +3,9 @@
 #include <cdr/shaders/fullscreen_vert.h>
 #include <cdr/shaders/output_depth_frag.h>
 
+#include <utility>
+#include <vector>
+
 namespace cdr::render {
 
 namespace {
