@@ -2,46 +2,93 @@
 //
 // The environment variable CDR_FAULT chooses it: "CALL DEVICE AFTER TIMES RESULT", for instance
 // "vkQueueSubmit2 render 5 1 -4".
-// - CALL is one of the functions below.
+// - CALL is one of the functions below, or "each": then the calls of all of them are counted together, but for those that
+//   cannot return RESULT by the specification.
 // - DEVICE is "window" (devices with a swapchain), "render" (devices without) or "any".
 // - Calls are counted over all such devices. The first AFTER succeed, the next TIMES return RESULT, a VkResult.
 // - For vkGetPhysicalDeviceSurfaceCapabilitiesKHR, RESULT replaces both sides of currentExtent; -1 is "any".
 //
 // A lost device stays lost, and so does the surface of the last swapchain.
+//
+// The environment variable CDR_FAULT_LOG names a file that gets, when the process ends, how many calls were counted and the
+// name of the first that failed.
 
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 namespace {
 
 constexpr const char* kSurfaceCapabilities = "vkGetPhysicalDeviceSurfaceCapabilitiesKHR";
 constexpr const char* kCreateSwapchain = "vkCreateSwapchainKHR";
 
+/// Whether a function can return a result, by the specification. Those that wait, submit or read results tell of a lost
+/// device; those do not run out of device memory that never take any.
+bool canReturn(std::string_view name, long result) {
+    constexpr std::array kOfLoss{"vkQueueSubmit",     "vkQueueSubmit2",        "vkQueueWaitIdle",
+                                 "vkDeviceWaitIdle",  "vkWaitForFences",       "vkWaitSemaphores",
+                                 "vkGetFenceStatus",  "vkCreateDevice",        "vkGetQueryPoolResults",
+                                 "vkQueuePresentKHR", "vkAcquireNextImageKHR", "vkCreateSwapchainKHR"};
+    constexpr std::array kOfHostAlone{"vkCreatePipelineCache"};
+    constexpr std::array kOfDeviceAlone{"vkResetFences", "vkResetCommandPool"};
+    const auto isIn = [&](const auto& names) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    switch (result) {
+    case VK_ERROR_DEVICE_LOST:
+        return isIn(kOfLoss);
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+        return !isIn(kOfHostAlone);
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+        return !isIn(kOfDeviceAlone);
+    default:
+        return false;
+    }
+}
+
 struct Fault {
     std::string call, device;
     long after = 0, times = 0, result = 0;
     std::atomic<long> calls{0};
+    std::atomic<const char*> failed{nullptr};
 
     Fault() {
         const char* text = std::getenv("CDR_FAULT");
         std::istringstream(text != nullptr ? text : "") >> call >> device >> after >> times >> result;
     }
+    ~Fault() {
+        if (const char* log = std::getenv("CDR_FAULT_LOG")) {
+            const char* first = failed;
+            std::ofstream(log) << calls << ' ' << (first != nullptr ? first : "none") << '\n';
+        }
+    }
+    Fault(const Fault&) = delete;
+    Fault& operator=(const Fault&) = delete;
+
     /// Counts a call. True when it must fail.
     bool hits(const char* name, bool hasSwapchain) {
-        if (call != name || (device != "any" && device != (hasSwapchain ? "window" : "render"))) {
+        const bool isMeant = call == name || (call == "each" && canReturn(name, result));
+        if (!isMeant || (device != "any" && device != (hasSwapchain ? "window" : "render"))) {
             return false;
         }
         const long number = calls++;
-        return number >= after && number - after < times;
+        const bool isHit = number >= after && number - after < times;
+        if (const char* none = nullptr; isHit) {
+            failed.compare_exchange_strong(none, name);
+        }
+        return isHit;
     }
 };
 
@@ -79,7 +126,7 @@ struct NextDevice {
             call<PFN_vkDeviceWaitIdle>("vkDeviceWaitIdle")(handle);
             isLost = true;
         }
-        return isLost ? VK_ERROR_DEVICE_LOST : VK_SUCCESS;
+        return isLost && canReturn(name, VK_ERROR_DEVICE_LOST) ? VK_ERROR_DEVICE_LOST : VK_SUCCESS;
     }
 };
 
@@ -135,6 +182,9 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
                                             const VkAllocationCallbacks* callbacks, VkDevice* made) {
     auto* link = linkOf<VkLayerDeviceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
     const NextInstance instance = instanceOf(physical);
+    if (fault().hits("vkCreateDevice", false)) {
+        return static_cast<VkResult>(fault().result);
+    }
     const PFN_vkGetDeviceProcAddr get = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
     const PFN_vkGetInstanceProcAddr getAbove = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
     link->u.pLayerInfo = link->u.pLayerInfo->pNext;
@@ -254,14 +304,46 @@ PFN_vkVoidFunction own(const char* name) {
     if (const auto found = made.find(name); found != made.end()) {
         return found->second;
     }
+    CDR_FAULT_CALL(vkAcquireNextImageKHR)
+    CDR_FAULT_CALL(vkAllocateCommandBuffers)
+    CDR_FAULT_CALL(vkAllocateDescriptorSets)
+    CDR_FAULT_CALL(vkAllocateMemory)
+    CDR_FAULT_CALL(vkBeginCommandBuffer)
+    CDR_FAULT_CALL(vkBindBufferMemory)
+    CDR_FAULT_CALL(vkBindBufferMemory2)
+    CDR_FAULT_CALL(vkBindImageMemory)
+    CDR_FAULT_CALL(vkBindImageMemory2)
+    CDR_FAULT_CALL(vkCreateBuffer)
+    CDR_FAULT_CALL(vkCreateBufferView)
+    CDR_FAULT_CALL(vkCreateCommandPool)
+    CDR_FAULT_CALL(vkCreateComputePipelines)
+    CDR_FAULT_CALL(vkCreateDescriptorPool)
+    CDR_FAULT_CALL(vkCreateDescriptorSetLayout)
+    CDR_FAULT_CALL(vkCreateFence)
+    CDR_FAULT_CALL(vkCreateGraphicsPipelines)
+    CDR_FAULT_CALL(vkCreateImage)
+    CDR_FAULT_CALL(vkCreateImageView)
+    CDR_FAULT_CALL(vkCreatePipelineCache)
+    CDR_FAULT_CALL(vkCreatePipelineLayout)
+    CDR_FAULT_CALL(vkCreateQueryPool)
+    CDR_FAULT_CALL(vkCreateSampler)
+    CDR_FAULT_CALL(vkCreateSemaphore)
+    CDR_FAULT_CALL(vkCreateShaderModule)
+    CDR_FAULT_CALL(vkDeviceWaitIdle)
+    CDR_FAULT_CALL(vkEndCommandBuffer)
+    CDR_FAULT_CALL(vkFlushMappedMemoryRanges)
+    CDR_FAULT_CALL(vkGetFenceStatus)
+    CDR_FAULT_CALL(vkGetQueryPoolResults)
+    CDR_FAULT_CALL(vkInvalidateMappedMemoryRanges)
+    CDR_FAULT_CALL(vkMapMemory)
+    CDR_FAULT_CALL(vkQueuePresentKHR)
     CDR_FAULT_CALL(vkQueueSubmit)
     CDR_FAULT_CALL(vkQueueSubmit2)
     CDR_FAULT_CALL(vkQueueWaitIdle)
-    CDR_FAULT_CALL(vkDeviceWaitIdle)
+    CDR_FAULT_CALL(vkResetCommandPool)
+    CDR_FAULT_CALL(vkResetFences)
     CDR_FAULT_CALL(vkWaitForFences)
-    CDR_FAULT_CALL(vkAllocateMemory)
-    CDR_FAULT_CALL(vkAcquireNextImageKHR)
-    CDR_FAULT_CALL(vkQueuePresentKHR)
+    CDR_FAULT_CALL(vkWaitSemaphores)
     return nullptr;
 }
 

@@ -1,0 +1,139 @@
+#include "../support/fault.h"
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace cdr::cli_test {
+
+namespace {
+
+using test::Fault;
+
+/// A command at its smallest.
+struct Swept {
+    const char* command;
+    const char* name;
+
+    friend std::ostream& operator<<(std::ostream& out, const Swept& swept) { return out << swept.command; }
+};
+
+class FaultSweep : public testing::TestWithParam<Swept> {
+  protected:
+    struct Run {
+        ProgramResult result;
+        long calls = 0;     ///< that could have failed so
+        std::string failed; ///< the call that did
+    };
+
+    Run runUnder(const Fault& fault, const TemporaryFolder& folder) const {
+        const std::filesystem::path log = folder.path().string() + ".fault";
+        Run run{.result = runProgram(std::string(GetParam().command) + " --validate", folder.path(),
+                                     "CDR_FAULT_LOG='" + log.string() + "' " + fault.environment() +
+                                         " timeout 100"),
+                .failed = {}};
+        std::istringstream(readText(log)) >> run.calls >> run.failed;
+        std::filesystem::remove(log);
+        return run;
+    }
+};
+
+/// No hidden file, pictures that can be read, and documents that parse.
+void expectWhole(const TemporaryFolder& folder) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+        const std::string name = entry.path().filename().string();
+        EXPECT_NE(name.front(), '.') << name;
+        if (entry.path().extension() == ".png") {
+            EXPECT_NO_THROW(readPicture(entry.path())) << name;
+        } else if (entry.path().extension() == ".json") {
+            EXPECT_TRUE(nlohmann::json::accept(readText(entry.path()))) << name;
+        }
+    }
+}
+
+/// Which calls to fail: a few, spread over all, or with CDR_ALL_CASES each.
+std::vector<long> chosenOf(long calls, std::size_t salt) {
+    constexpr long kChosen = 5;
+    std::vector<long> chosen;
+    if (std::getenv("CDR_ALL_CASES") != nullptr) {
+        for (long i = 0; i < calls; ++i) {
+            chosen.push_back(i);
+        }
+        return chosen;
+    }
+    for (long i = 0; i < kChosen; ++i) {
+        const long place = (calls * i + static_cast<long>(salt) * 7 % calls) / kChosen;
+        chosen.push_back(std::min(place, calls - 1));
+    }
+    return chosen;
+}
+
+/// One call fails once, whichever: one line and exit status 1, or all as if nothing had been; files are whole; no
+/// validation message, no hang, no crash.
+TEST_P(FaultSweep, EveryCallMayFail) {
+    if (std::string(GetParam().command).find("gpu-driven") != std::string::npos && !canDrawGpuDriven()) {
+        GTEST_SKIP() << "the device cannot draw gpu-driven";
+    }
+    std::size_t cases = 0;
+    for (const long error :
+         {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY, VK_ERROR_DEVICE_LOST}) {
+        Fault fault{.call = "each", .after = test::kForever, .result = error};
+        const TemporaryFolder whole;
+        const Run sound = runUnder(fault, whole);
+        ASSERT_EQ(sound.result.status, 0) << sound.result.err;
+        ASSERT_GT(sound.calls, 0);
+        for (const long after : chosenOf(sound.calls, cases)) {
+            fault.after = after;
+            const TemporaryFolder folder;
+            const Run run = runUnder(fault, folder);
+            SCOPED_TRACE(testing::Message() << GetParam().command << ": call " << after << " of "
+                                            << sound.calls << ", " << run.failed << ", " << error);
+            ++cases;
+            expectWhole(folder);
+            if (run.result.status == 0) {
+                EXPECT_EQ(run.result.err, sound.result.err);
+                continue;
+            }
+            EXPECT_EQ(run.result.status, 1);
+            EXPECT_EQ(std::count(run.result.err.begin(), run.result.err.end(), '\n'), 1) << run.result.err;
+            EXPECT_EQ(run.result.err.find("validation"), std::string::npos) << run.result.err;
+            EXPECT_NE(run.failed, "none");
+        }
+    }
+    RecordProperty("cases", static_cast<int>(cases));
+    std::printf("%zu cases\n", cases);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Commands, FaultSweep,
+    testing::Values(
+        Swept{"render cubes --size 16x16 -o a.png --json a.json", "Render"},
+        Swept{
+            "render cubes --size 16x16 --frames 2 --threads 2 --technique anchored --targets pool:2 -o a%d.png",
+            "Pool"},
+        Swept{"render cubes --size 16x16 --technique logcdr --targets one-pass -o a.png", "OnePass"},
+        Swept{"render cubes --size 16x16 --submission gpu-driven -o a.png", "GpuDriven"},
+        Swept{"render cubes --size 16x16 --submission primaries -o a.png", "Primaries"},
+        Swept{"render cubes --size 16x16 --surface visibility -o a.png", "Visibility"},
+        Swept{"render sheets --size 16x16 --translucency sorted -o a.png", "Sorted"},
+        Swept{"render cubes --size 16x16 --targets layers --split count:3 --focus 12000:1 -o a.png", "Focus"},
+        Swept{"render cubes --size 16x16 --antialias edges --occlusion 1 --fog 1e5 -o a.exr", "Effects"},
+        Swept{"pictures --scenes cubes --techniques log --size 16x16 --frames 1 --out p --json p.json",
+              "Pictures"},
+        Swept{"flicker --frames 2 --size 16x16 --techniques cdr --state s.json --json f.json", "Flicker"},
+        Swept{"timing --frames 1 --size 16x16 --modes log --in-flight 2 --csv t.csv", "Timing"},
+        Swept{"probe --size 16x16 --techniques standard --formats d32f --distances 10 --json p.json",
+              "Probe"},
+        Swept{"translucency --size 16x16 --repeats 1 --cascades 2 --out t", "Translucency"}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+} // namespace
+
+} // namespace cdr::cli_test

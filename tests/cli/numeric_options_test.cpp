@@ -1,0 +1,282 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <ostream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace cdr::cli_test {
+
+namespace {
+
+/// Ends and middles of the ranges of float32, float64 and whole numbers, and what is no number. None asks for much work
+/// and is taken: whole numbers are few, or more than any option allows.
+constexpr std::array kNumbers{"0",
+                              "-0",
+                              "1",
+                              "7",
+                              "65",
+                              "-1",
+                              "0.5",
+                              "-0.5",
+                              "nan",
+                              "-nan",
+                              "inf",
+                              "-inf",
+                              "1e400",
+                              "-1e400",
+                              "4.9e-324",
+                              "-4.9e-324",
+                              "1e-310",
+                              "2.3e-308",
+                              "1e-60",
+                              "1e-46",
+                              "1.4e-45",
+                              "1e-41",
+                              "1e-40",
+                              "1e-38",
+                              "1e-7",
+                              "16777217",
+                              "3.4e38",
+                              "3.5e38",
+                              "1e40",
+                              "1.1e40",
+                              "1e60",
+                              "1e150",
+                              "1e300",
+                              "1.7976931348623157e308",
+                              "-1.7976931348623157e308",
+                              "4294967295",
+                              "4294967296",
+                              "-4294967295",
+                              "9223372036854775808",
+                              "18446744073709551615",
+                              "18446744073709551616",
+                              "1e",
+                              "0x",
+                              "0x1p-1074",
+                              "1,2",
+                              "1e5,",
+                              ""};
+
+/// A command at its smallest, and where numbers stand in its options as @.
+struct Numbers {
+    const char* command;
+    std::vector<const char*> options;
+    const char* name;
+
+    friend std::ostream& operator<<(std::ostream& out, const Numbers& numbers) {
+        return out << numbers.command;
+    }
+};
+
+const std::vector<Numbers> kNumbersOfCommands{
+    {"render cubes --size 16x16 -o a%d.png",
+     {"--fov @",
+      "--near @",
+      "--far @",
+      "--near @ --far 1e40",
+      "--near 1e-40 --far @",
+      "--depth anchored --split fitted --near @",
+      "--depth anchored --split fitted --far @",
+      "--split minimax:4 --depth log --near @",
+      "--frame @",
+      "--frames @",
+      "--threads @",
+      "--seed @",
+      "--camera @",
+      "--gltf-scene @",
+      "--snap-bits @",
+      "--translucency-memory @",
+      "--split ratio:@",
+      "--split count:@",
+      "--split at:@",
+      "--split at:1,@",
+      "--split minimax:@",
+      "--split fitted:@",
+      "--split fitted:@px",
+      "--split fitted:1px,max=@",
+      "--depth anchored --split fitted:@",
+      "--detail object:@",
+      "--detail cascade:@",
+      "--targets pool:@",
+      "--occlusion @",
+      "--fog @",
+      "--fog 10,@,0,0",
+      "--fog 1,1,1,@",
+      "--targets layers --split count:3 --focus @:1",
+      "--targets layers --split count:3 --focus 100:@",
+      "--targets layers --split count:3 --focus @:@:blend",
+      "--eye @,0,0",
+      "--eye 0,@,@",
+      "--target @,0,1",
+      "--direction 0,@,-1",
+      "--direction @,@,@",
+      "--up @,1,0",
+      "--eye @,@,@ --target @,@,0",
+      "--size @x8",
+      "--size 8x@"},
+     "Render"},
+    {"render sheets --size 16x16 -o a.png --translucency sorted",
+     {"--translucency-memory @", "--near @", "--far @", "--fog @", "--occlusion @"},
+     "Sheets"},
+    {"render orbit --size 16x16 -o a.png --technique anchored",
+     {"--fov @", "--near @", "--frame @"},
+     "Orbit"},
+    {"advise --separation 1",
+     {"--near @", "--far @", "--fov @", "--height @", "--at @", "--span @", "--sub-pixel-bits @", "--slope @",
+      "--seed @", "--threads @", "--frames @", "--sub-pixel-bits 8 --slope @",
+      "--near @ --far 1e40 --at 1e40"},
+     "Advise"},
+    {"advise", {"--separation @", "--separation @ --near 1e-40 --far 1e40"}, "Separation"},
+    {"precision", {"--near @ --far 1e-1", "--far @"}, "Precision"},
+    {"probe --size 16x16 --techniques standard --formats d32f",
+     {"--distances @", "--seed @", "--threads @"},
+     "Probe"},
+    {"pictures --scenes cubes --techniques log --size 16x16",
+     {"--seed @", "--threads @", "--snap-bits @"},
+     "Pictures"},
+    {"timing --frames 1 --size 16x16 --modes log", {"--in-flight @", "--seed @", "--threads @"}, "Timing"},
+    {"flicker --frames 1 --size 16x16 --techniques standard",
+     {"--flip-every @", "--seed @", "--threads @"},
+     "Flicker"},
+    {"focus --frames 1 --cameras 1 --size 16x16",
+     {"--distance @", "--aperture @", "--seed @", "--distance @ --aperture @"},
+     "Focus"},
+    {"effects --frames 1 --size 16x16", {"--occlusion @", "--fog @"}, "Effects"},
+    {"detail --frames 1 --size 16x16", {"--pixels @"}, "Detail"},
+    {"translucency --size 16x16 --repeats 0 --cascades 1",
+     {"--translucency-memory @", "--seed @"},
+     "Translucency"},
+    {"translucency --size 16x16 --repeats 0", {"--cascades @"}, "Cascades"},
+    {"scaling --size 16x16 --draws 1 --threads 1 --cascades 1 --repeats 1 --targets single",
+     {"--seed @"},
+     "Scaling"}};
+
+std::string replaced(std::string text, const std::string& number) {
+    for (std::size_t at = text.find('@'); at != std::string::npos; at = text.find('@', at + number.size())) {
+        text.replace(at, 1, number);
+    }
+    return text;
+}
+
+/// Every file is whole: no hidden ones, no empty ones.
+bool isWhole(const TemporaryFolder& folder) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+        if (entry.path().filename().string().front() == '.' ||
+            (entry.is_regular_file() && entry.file_size() == 0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// "--near @" with a space instead of "=" would take "-1" for an option.
+std::string quoted(const std::string& option) {
+    std::istringstream words(option);
+    std::string line;
+    std::string word;
+    while (words >> word) {
+        const bool isName = word.starts_with("--") && word.find('@') == std::string::npos;
+        line += isName ? " " + word + "=" : "'" + word + "'";
+    }
+    return line;
+}
+
+class NumericOptions : public testing::TestWithParam<Numbers> {};
+
+/// An answer, or one line and exit status 2 and nothing written, within a time that no sound run needs.
+TEST_P(NumericOptions, EveryNumberIsTakenOrRefused) {
+    // All take half an hour; every suite runs others of them only when the list changes.
+    const std::size_t stride = std::getenv("CDR_ALL_CASES") != nullptr ? 1 : 37;
+    std::size_t number = 0;
+    for (const char* option : GetParam().options) {
+        for (const char* value : kNumbers) {
+            if (number++ % stride != 0) {
+                continue;
+            }
+            const std::string arguments = std::string(GetParam().command) + replaced(quoted(option), value);
+            SCOPED_TRACE(arguments);
+            const TemporaryFolder folder;
+            const ProgramResult result = runProgram(arguments, folder.path(), "timeout 100");
+            EXPECT_TRUE(result.status == 0 || result.status == 2) << result.status << " " << result.err;
+            EXPECT_TRUE(isWhole(folder));
+            if (result.status == 2) {
+                EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+                EXPECT_TRUE(folder.isEmpty());
+            }
+        }
+    }
+}
+
+/// Also where the option would not matter.
+TEST_P(NumericOptions, WhatIsNoFiniteNumberIsRefused) {
+    constexpr std::array kNoNumbers{"nan", "-nan", "inf", "-inf", "1e400", "-1e400", "1e", "x", ""};
+    const std::size_t stride = std::getenv("CDR_ALL_CASES") != nullptr ? 1 : 13;
+    std::size_t number = 0;
+    for (const char* option : GetParam().options) {
+        for (const char* value : kNoNumbers) {
+            if (number++ % stride != 0) {
+                continue;
+            }
+            const std::string arguments = std::string(GetParam().command) + replaced(quoted(option), value);
+            const TemporaryFolder folder;
+            const ProgramResult result = runProgram(arguments, folder.path(), "timeout 100");
+            EXPECT_EQ(result.status, 2) << arguments << "\n" << result.err;
+            EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+            EXPECT_TRUE(folder.isEmpty()) << arguments;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Commands, NumericOptions, testing::ValuesIn(kNumbersOfCommands),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+/// Options that take a number by itself stand above, or are named here with why not.
+TEST(NumericOptionsList, HoldsEveryOption) {
+    const std::set<std::string> left{
+        "report --threads",   "report --seed",   // hours; the same checks as elsewhere
+        "pictures --frames",  "timing --frames", // the same check as render's
+        "flicker --frames",   "focus --frames",    "effects --frames",       "detail --frames",
+        "orbit --frames",     "focus --cameras",   "scaling --draws",        "scaling --threads",
+        "scaling --cascades", "scaling --repeats", "translucency --repeats", "translucency --threads",
+        "orbit --threads",    "focus --threads",   "effects --threads",      "effects --seed",
+        "detail --threads",   "detail --seed"};
+    std::set<std::string> commands;
+    std::set<std::string> listed = left;
+    for (const Numbers& numbers : kNumbersOfCommands) {
+        const std::string command =
+            std::string(numbers.command).substr(0, std::string(numbers.command).find(' '));
+        commands.insert(command);
+        for (const char* option : numbers.options) {
+            std::istringstream words(option);
+            for (std::string word; words >> word;) {
+                listed.insert(command + " " + word);
+            }
+        }
+    }
+    commands.insert({"report", "orbit"});
+    const TemporaryFolder folder;
+    for (const std::string& command : commands) {
+        std::istringstream help(runProgram(command + " --help", folder.path()).out);
+        for (std::string line; std::getline(help, line);) {
+            std::istringstream words(line);
+            std::string name;
+            std::string type;
+            words >> name >> type;
+            if (type == "UINT" || type == "INT" || type == "FLOAT") {
+                EXPECT_TRUE(listed.contains(command + " " + name)) << command << " " << name;
+            }
+        }
+    }
+}
+
+} // namespace
+
+} // namespace cdr::cli_test
