@@ -1,0 +1,145 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <ostream>
+#include <random>
+#include <string>
+
+namespace cdr::cli_test {
+
+namespace {
+
+/// Whether CDR_ALL_CASES asks for all cases instead of some.
+bool takesAll() {
+    return std::getenv("CDR_ALL_CASES") != nullptr;
+}
+
+/// Files that can be read, and hidden ones only where they may stay.
+void expectWholeFiles(const TemporaryFolder& folder, bool mayHide = false) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+        const std::string name = entry.path().filename().string();
+        if (name.front() == '.') {
+            EXPECT_TRUE(mayHide) << name;
+            continue;
+        }
+        if (entry.path().extension() == ".png") {
+            EXPECT_NO_THROW(readPicture(entry.path())) << name;
+        } else if (entry.path().extension() == ".json") {
+            EXPECT_TRUE(nlohmann::json::accept(readText(entry.path()))) << name;
+        } else if (entry.is_regular_file()) {
+            EXPECT_GT(entry.file_size(), 0u) << name;
+        }
+    }
+}
+
+/// A command that writes.
+struct Writer {
+    const char* command;
+    const char* name;
+
+    friend std::ostream& operator<<(std::ostream& out, const Writer& writer) { return out << writer.command; }
+};
+
+class FileFaults : public testing::TestWithParam<Writer> {};
+
+/// One call on a file fails, whichever: one line that says so, exit status 1 or 2, and what there is is whole.
+TEST_P(FileFaults, EveryWriteMayFail) {
+    if (std::string(CDR_FILE_FAULTS).empty()) {
+        GTEST_SKIP() << "sanitizers stand where the library that makes calls fail would";
+    }
+    const auto run = [&](long after, int error, const TemporaryFolder& folder) {
+        return runProgram(GetParam().command, folder.path(),
+                          "CDR_FILE_FAULT='" + std::to_string(after) + " " + std::to_string(error) +
+                              "' LD_PRELOAD='" CDR_FILE_FAULTS "' timeout 100");
+    };
+    constexpr long kNever = 1'000'000'000;
+    constexpr long kMostCalls = 2000;
+    std::size_t cases = 0;
+    for (const int error : {ENOSPC, EACCES, EIO, ENOENT}) {
+        const long stride = takesAll() ? 1 : 3;
+        for (long after = error % stride; after < kMostCalls; after += stride) {
+            const TemporaryFolder folder;
+            const ProgramResult result = run(after, error, folder);
+            SCOPED_TRACE(testing::Message() << GetParam().command << ": call " << after << ", " << error);
+            expectWholeFiles(folder);
+            ++cases;
+            if (result.status == 0) {
+                EXPECT_EQ(result.err, "");
+                break; // more calls than there are
+            }
+            EXPECT_TRUE(result.status == 1 || result.status == 2) << result.status;
+            EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        }
+    }
+    EXPECT_GT(cases, 8u);
+    std::printf("%zu cases\n", cases);
+    const TemporaryFolder folder;
+    EXPECT_EQ(run(kNever, ENOSPC, folder).status, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Commands, FileFaults,
+    testing::Values(
+        Writer{"render cubes --size 16x16 --quiet -o a.png --json a.json --trace t.json", "Render"},
+        Writer{"render cubes --size 16x16 --quiet --aov distance -o a.exr", "Exr"},
+        Writer{"render cubes --size 16x16 --quiet --frames 2 -o a%d.tga", "Tga"},
+        Writer{"precision --quiet --curve c.csv --json p.json", "Precision"},
+        Writer{"pictures --quiet --scenes cubes --techniques log --size 16x16 --frames 1 --out p",
+               "Pictures"},
+        Writer{"flicker --quiet --frames 2 --size 16x16 --techniques cdr --state s.json --tga t", "Flicker"},
+        Writer{"timing --quiet --frames 1 --size 16x16 --modes log --csv t.csv --trace t.json", "Timing"}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+/// Interrupted at random moments, a run goes on to the results of one that was not.
+TEST(Signals, ARunThatIsInterruptedEndsAsOneThatIsNot) {
+    const std::string command =
+        "flicker --quiet --frames 12 --size 64x36 --techniques cdr,log --state s.json --json f.json";
+    const TemporaryFolder whole;
+    ASSERT_EQ(runProgram(command, whole.path()).status, 0);
+    const nlohmann::json wanted = nlohmann::json::parse(readText(whole.path() / "f.json")).at("results");
+    std::mt19937 random(17);
+    std::uniform_real_distribution<> seconds(0.02, 0.4);
+    const int runs = takesAll() ? 200 : 6;
+    const char* const signals[]{"INT", "TERM", "KILL"};
+    int interrupted = 0;
+    for (int i = 0; i < runs; ++i) {
+        const TemporaryFolder folder;
+        const std::string signal = signals[i % 3];
+        ProgramResult result;
+        for (int attempt = 0; attempt < 3; ++attempt) {
+            result = runProgram(command, folder.path(),
+                                "timeout --signal=" + signal + " " + std::to_string(seconds(random)));
+            interrupted += result.status != 0 ? 1 : 0;
+            expectWholeFiles(folder, signal == "KILL");
+        }
+        result = runProgram(command, folder.path());
+        ASSERT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(nlohmann::json::parse(readText(folder.path() / "f.json")).at("results"), wanted) << signal;
+    }
+    EXPECT_GT(interrupted, 0);
+    std::printf("%d interruptions\n", interrupted);
+}
+
+/// The same moments while pictures are written: each that is there is whole.
+TEST(Signals, PicturesOfARunThatIsInterruptedAreWhole) {
+    std::mt19937 random(18);
+    std::uniform_real_distribution<> seconds(0.05, 0.6);
+    const int runs = takesAll() ? 200 : 6;
+    const char* const signals[]{"INT", "TERM", "KILL"};
+    for (int i = 0; i < runs; ++i) {
+        const TemporaryFolder folder;
+        const std::string signal = signals[i % 3];
+        runProgram("render cubes --size 320x180 --frames 100 --quiet -o a%d.png", folder.path(),
+                   "timeout --signal=" + signal + " " + std::to_string(seconds(random)));
+        expectWholeFiles(folder, signal == "KILL");
+    }
+}
+
+} // namespace
+
+} // namespace cdr::cli_test
