@@ -2,6 +2,9 @@
 # Installs whatever is missing to build, test and run cdr, on Debian 12, Debian 13, Ubuntu 24.04 or later: distribution
 # packages, into src/page/node_modules the npm packages of the report's page, and into .cache the pictures of the Earth for
 # the scene orbit. Where all is there it touches neither the system nor the network.
+# Usage: tools/setup.sh [--dry-run | --list]
+# --dry-run says what is missing, where it would come from and what checks it, and changes nothing. --list names the
+# distribution's packages.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -38,6 +41,17 @@ as_root() {
     fi
 }
 
+dry_run=false
+case ${1-} in
+    '') ;;
+    --dry-run) dry_run=true ;;
+    --list)
+        printf '%s\n' "${packages[@]}" nodejs npm chromium libvulkan-memory-allocator-dev
+        exit
+        ;;
+    *) echo "usage: tools/setup.sh [--dry-run | --list]" >&2 && exit 2 ;;
+esac
+
 command -v apt-get >/dev/null ||
     fail "needs apt; on another system install what its list of packages names, and Vulkan Memory Allocator"
 
@@ -52,6 +66,26 @@ installed=" $(dpkg-query --show --showformat='${Package}=${db:Status-Status} ' "
 for package in "${packages[@]}"; do
     [[ $installed == *" $package=installed "* ]] || missing+=("$package")
 done
+
+lock=src/page/package-lock.json
+# Whether src/page/node_modules holds what the lock file names, file by file as npm unpacked it.
+has_npm_packages() {
+    cmp --silent "$lock" src/page/node_modules/.cdr-lock.json &&
+        (cd src/page/node_modules && sha256sum --check --status --strict .cdr-sums) 2>/dev/null
+}
+
+if $dry_run; then
+    would() { echo "would install $1: $2"; }
+    if ((${#missing[@]})); then would "by apt, checked by the distribution's signatures" "${missing[*]}"; fi
+    third_party/vma.sh --present ||
+        would "by apt, checked by its signatures and by SHA-256" "the header of Vulkan Memory Allocator"
+    has_npm_packages || would "by npm into src/page/node_modules, checked by the hashes of $lock" \
+        "$(sed -nE 's,^        "node_modules/([^@"]+)": [{]$,\1,p' "$lock" | paste --serial --delimiters=' ')"
+    third_party/orbit_data.sh --present ||
+        would "by npm into .cache/orbit-data, checked by SHA-256" "two pictures of the Earth"
+    echo "nothing was changed"
+    exit
+fi
 
 if ((${#missing[@]})) || ! third_party/vma.sh --present; then
     ((EUID == 0)) || command -v sudo >/dev/null || fail "needs root or sudo to install: ${missing[*]}"
@@ -69,11 +103,13 @@ if ((${#missing[@]})) || ! third_party/vma.sh --present; then
     third_party/vma.sh
 fi
 
-# The page of `cdr report`: exactly what package-lock.json names. The copy beside them says which lock they came from.
-lock=src/page/package-lock.json
-if ! cmp --silent "$lock" src/page/node_modules/.cdr-lock.json; then
+# The page of `cdr report`: exactly what package-lock.json names. The files beside them say which lock they came from, and
+# what each file was then.
+if ! has_npm_packages; then
     echo "tools/setup.sh: installing the report page's npm packages into src/page/node_modules"
     npm --prefix src/page ci --ignore-scripts --no-audit --no-fund --loglevel=error </dev/null
+    (cd src/page/node_modules && find . -type f ! -name '.cdr-*' -print0 | sort --zero-terminated |
+        xargs --null sha256sum >.cdr-sums)
     cp "$lock" src/page/node_modules/.cdr-lock.json
 fi
 
