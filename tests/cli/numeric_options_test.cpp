@@ -167,7 +167,7 @@ std::string replaced(std::string text, const std::string& number) {
 }
 
 /// Every file is whole: no hidden ones, no empty ones.
-bool isWhole(const TemporaryFolder& folder) {
+bool holdsWholeFiles(const TemporaryFolder& folder) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
         if (entry.path().filename().string().front() == '.' ||
             (entry.is_regular_file() && entry.file_size() == 0)) {
@@ -206,7 +206,7 @@ TEST_P(NumericOptions, EveryNumberIsTakenOrRefused) {
             const TemporaryFolder folder;
             const ProgramResult result = runProgram(arguments, folder.path(), "timeout 100");
             EXPECT_TRUE(result.status == 0 || result.status == 2) << result.status << " " << result.err;
-            EXPECT_TRUE(isWhole(folder));
+            EXPECT_TRUE(holdsWholeFiles(folder));
             if (result.status == 2) {
                 EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
                 EXPECT_TRUE(folder.isEmpty());
