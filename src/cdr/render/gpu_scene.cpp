@@ -4,6 +4,7 @@
 #include <cdr/gpu/upload.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/render/material_words.h>
+#include <cdr/render/octahedral.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/blended.h>
 
@@ -29,20 +30,6 @@ struct PackedVertex {
     glm::u8vec4 color;
 };
 static_assert(sizeof(PackedVertex) == 28);
-
-/// shaders/octahedral.glsl says where this comes from.
-glm::vec2 encodeOctahedral(const glm::vec3& n) {
-    const float sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-    if (!(sum > 0.0f)) {
-        return glm::vec2(0.0f);
-    }
-    const glm::vec2 p(n.x / sum, n.y / sum);
-    if (n.z >= 0.0f) {
-        return p;
-    }
-    return {(1.0f - std::abs(p.y)) * (p.x >= 0.0f ? 1.0f : -1.0f),
-            (1.0f - std::abs(p.x)) * (p.y >= 0.0f ? 1.0f : -1.0f)};
-}
 
 vk::UniqueSampler makeSampler(const gpu::Device& device, bool repeatU, bool repeatV) {
     const auto mode = [](bool repeat) {

@@ -1,4 +1,5 @@
 #include <cdr/render/geometry/facet_writer.h>
+#include <cdr/render/octahedral.h>
 
 #include <glm/gtc/packing.hpp>
 
@@ -11,16 +12,6 @@ namespace {
 /// A facet that the camera sees from behind by more than this share of its distance is left out. float32
 /// turns no facet by as much, so the device would cull what is left out too.
 constexpr double kFacingMargin = 1e-6;
-
-/// As shaders/targets/octahedral.glsl has it.
-glm::vec2 encodeOctahedral(const glm::dvec3& n) {
-    const glm::dvec2 p = glm::dvec2(n) / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
-    if (n.z >= 0.0) {
-        return glm::vec2(p);
-    }
-    return glm::vec2((1.0 - std::abs(p.y)) * (p.x >= 0.0 ? 1.0 : -1.0),
-                     (1.0 - std::abs(p.x)) * (p.y >= 0.0 ? 1.0 : -1.0));
-}
 
 /// As encodeAlbedo() of shaders/targets/gbuffer.glsl.
 std::uint32_t encodeAlbedo(const glm::vec4& baseColor) {
@@ -36,6 +27,7 @@ float along(const glm::vec4& row, const glm::vec3& corner) {
 
 FacetWriter::FacetWriter(const FrameView& view, std::size_t cascade, bool shiny, const FacetStreams& into)
     : m_cameraPosition(view.camera.position),
+      m_toView(glm::transpose(glm::dmat3(view.camera.right, view.camera.up, view.camera.back))),
       m_records(view.camera, view.cascades[cascade].terms.anchorView),
       m_cascadeBits(static_cast<std::uint32_t>(cascade) << shaders::kIdBits),
       m_shiny(shiny),
@@ -52,32 +44,26 @@ void FacetWriter::turn(const FacetSolid& solid, const DrawSource& source, const 
                                along(record.ahead, corner)};
     }
     for (std::size_t i = 0; i < solid.facets().size(); ++i) {
-        turnFacet(i, source, record);
+        turnFacet(i, glm::dmat3(source.basis), record);
     }
 }
 
-void FacetWriter::turnFacet(std::size_t index, const DrawSource& source, const shaders::DrawRecord& record) {
+void FacetWriter::turnFacet(std::size_t index, const glm::dmat3& basis, const shaders::DrawRecord& record) {
     const Facet& facet = m_turned.solid->facets()[index];
-    const glm::dmat3 basis(source.basis);
     // Normals turn by the cofactor matrix, and a mirror turns them round once more.
     const glm::dmat3 cofactor(glm::cross(basis[1], basis[2]), glm::cross(basis[2], basis[0]),
                               glm::cross(basis[0], basis[1]));
-    const glm::dvec3 outward = cofactor * glm::dvec3(facet.normal) * (m_turned.isMirrored ? -1.0 : 1.0);
-    const glm::dvec3 normal = glm::normalize(outward);
+    const glm::dvec3 normal =
+        glm::normalize(cofactor * glm::dvec3(facet.normal) * (m_turned.isMirrored ? -1.0 : 1.0));
     m_turned.normals[index] = normal;
     m_turned.heights[index] = glm::dot(normal, basis * glm::dvec3(m_turned.solid->corners()[facet.corner]));
 
-    const glm::dmat3 rows{glm::dvec3(record.right), glm::dvec3(record.up), -glm::dvec3(record.ahead)};
-    const glm::dmat3 viewCofactor(glm::cross(rows[1], rows[2]), glm::cross(rows[2], rows[0]),
-                                  glm::cross(rows[0], rows[1]));
-    const glm::dvec3 normalView =
-        glm::dvec3(facet.normal) * viewCofactor * (m_turned.isMirrored ? -1.0 : 1.0);
     const glm::vec4 baseColor =
         glm::vec4(facet.color) / 255.0f *
         glm::vec4(glm::unpackHalf2x16(record.baseColorRg), glm::unpackHalf2x16(record.baseColorBa));
     const double scale =
         std::sqrt(glm::dot(basis[0], basis[0]) + glm::dot(basis[1], basis[1]) + glm::dot(basis[2], basis[2]));
-    m_turned.records[index] = {.normal = encodeOctahedral(normalView),
+    m_turned.records[index] = {.normal = glm::vec2(encodeOctahedral(m_toView * normal)),
                                .extent = static_cast<float>(scale * static_cast<double>(facet.extent)),
                                .albedo =
                                    encodeAlbedo(baseColor) | (m_shiny ? record.cutoffAndShine << 24 : 0u),

@@ -51,10 +51,11 @@ class FacetWriter {
         std::array<shaders::FacetRecord, kMaxSolidParts> records{}; ///< but for place and id
     };
     void turn(const FacetSolid& solid, const DrawSource& source, const shaders::DrawRecord& record);
-    void turnFacet(std::size_t facet, const DrawSource& source, const shaders::DrawRecord& record);
+    void turnFacet(std::size_t facet, const glm::dmat3& basis, const shaders::DrawRecord& record);
     std::uint32_t facing(const DrawSource& source) const;
 
     glm::dvec3 m_cameraPosition;
+    glm::dmat3 m_toView; ///< turns world space
     DrawRecordMaker m_records;
     std::uint32_t m_cascadeBits;
     bool m_shiny;

@@ -1,8 +1,7 @@
+#include <cdr/render/octahedral.h>
 #include <cdr/render/targets/gbuffer.h>
 
 #include <glm/gtc/packing.hpp>
-
-#include <cmath>
 
 namespace cdr::render {
 
@@ -10,14 +9,7 @@ glm::vec3 GBufferPixel::normalView() const {
     if (id() == 0) {
         return glm::vec3(0.0f);
     }
-    const glm::vec2 p = glm::unpackSnorm2x16(normal);
-    glm::vec3 n(p, 1.0f - std::abs(p.x) - std::abs(p.y));
-    if (n.z < 0.0f) {
-        const float nx = n.x;
-        n.x = (1.0f - std::abs(n.y)) * (n.x >= 0.0f ? 1.0f : -1.0f);
-        n.y = (1.0f - std::abs(nx)) * (n.y >= 0.0f ? 1.0f : -1.0f);
-    }
-    return glm::normalize(n);
+    return glm::normalize(decodeOctahedral(glm::unpackSnorm2x16(normal)));
 }
 
 gpu::ImageOptions gbufferOptions(vk::Extent2D extent, vk::Format format) {
