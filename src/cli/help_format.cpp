@@ -51,7 +51,7 @@ std::string optionTitle(const CLI::Option& option) {
     if (option.get_positional()) {
         return option.get_name(true, false);
     }
-    const std::string name = option.get_name(false, true);
+    std::string name = option.get_name(false, true);
     if (!takesValue(option)) {
         return name;
     }

@@ -86,10 +86,14 @@ std::uint64_t predictBytes(const scene::Scene& scene) {
 
 } // namespace
 
-struct GpuScene::State {
+class GpuScene::State {
+  public:
     State(const gpu::Device& device, const scene::Scene& scene);
     bool isCurrent() const;
     void update();
+
+  private:
+    friend class GpuScene; // it only hands out what is here
 
     /// The scene's texture, or one white pixel for materials without.
     struct UploadedTexture {

@@ -75,7 +75,7 @@ class GpuScene {
     LevelRange indicesOf(const MeshRange& mesh, std::uint32_t level) const;
 
   private:
-    struct State;
+    class State;
     std::unique_ptr<State> m_state;
 };
 

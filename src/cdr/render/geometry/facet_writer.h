@@ -51,7 +51,7 @@ class FacetWriter {
         std::array<shaders::FacetRecord, kMaxSolidParts> records{}; ///< but for place and id
     };
     void turn(const FacetSolid& solid, const DrawSource& source, const shaders::DrawRecord& record);
-    void turnFacet(std::size_t facet, const glm::dmat3& basis, const shaders::DrawRecord& record);
+    void turnFacet(std::size_t index, const glm::dmat3& basis, const shaders::DrawRecord& record);
     std::uint32_t facing(const DrawSource& source) const;
 
     glm::dvec3 m_cameraPosition;
