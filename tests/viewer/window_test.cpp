@@ -1,6 +1,7 @@
 #include "viewer_run.h"
 
 #include <cdr/image/codec.h>
+#include <cdr/image/compare.h>
 #include <cdr/image/compose.h>
 
 #include <gtest/gtest.h>
@@ -174,11 +175,15 @@ TEST_F(ViewerTest, RecordsBothSidesAsAVideo) {
     }
     // 122 frames of the interface, each a sixtieth of a second.
     EXPECT_NE(notice.find("cdr-video-0001.mp4 holds 6"), std::string::npos) << notice;
-    const RunResult frame = runShell("ffmpeg -loglevel error -i cdr-video-0001.mp4 -frames:v 1 first.png",
+    const RunResult frame = runShell("ffmpeg -loglevel error -i cdr-video-0001.mp4 -frames:v 1 first.png && "
+                                     "ffmpeg -loglevel error -i first.png -vf crop=452:480:0:0 left.png && "
+                                     "ffmpeg -loglevel error -i first.png -vf crop=452:480:452:0 right.png",
                                      folder(), environment());
     ASSERT_EQ(frame.status, 0) << frame.err;
     EXPECT_EQ(picture("first.png").width, 2 * 452u) << "two pictures of 453, the odd column left out";
     EXPECT_EQ(picture("first.png").height, 480u);
+    // One picture twice would differ by what the codec does to it alone.
+    EXPECT_GT(brightness(image::differencePicture(picture("left.png"), picture("right.png"), 1)), 6.0);
 }
 
 TEST_F(ViewerTest, EveryTabDraws) {
