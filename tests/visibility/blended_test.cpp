@@ -1,7 +1,10 @@
 #include <cdr/depth/make_cascades.h>
 #include <cdr/visibility/blended.h>
 #include <cdr/visibility/cull.h>
+#include <cdr/visibility/cull_cells.h>
 #include <scenes/sheets.h>
+
+#include "flat_cull.h"
 
 #include <gtest/gtest.h>
 
@@ -31,37 +34,27 @@ TEST(Blended, AndOpaqueInstancesAreAllThatIsVisible) {
     const Camera camera = setup.path.at(0);
     const Frustum frustum = frustumOf(camera, 16.0, 9.0);
     const std::vector<std::uint32_t> blended = blendedInstances(setup.scene);
-    host::WorkerPool workers(1);
-    VisibleList all;
-    cullSpheres(setup.scene.instances, camera, frustum, workers, all);
-    VisibleList opaque = all;
-    removeInstances(blended, opaque);
+    const VisibleList all = flatCull(setup.scene.instances, camera, frustum);
     VisibleList translucent;
     cullSpheres(setup.scene.instances, blended, camera, frustum, translucent);
-    EXPECT_GT(opaque.count, 10u);
+    host::WorkerPool workers(1);
+    InstanceCells cells;
+    cells.build(setup.scene, workers);
+    VisibleCells opaque;
+    cullCells(cells, camera, frustum, workers, opaque);
+    EXPECT_GT(opaque.count(), 10u);
     EXPECT_GT(translucent.count, 10u);
-    ASSERT_EQ(opaque.count + translucent.count, all.count);
-    std::size_t nextOpaque = 0;
-    std::size_t nextTranslucent = 0;
+    ASSERT_EQ(opaque.count() + translucent.count, all.count);
+    std::size_t next = 0;
     for (std::size_t i = 0; i < all.count; ++i) {
-        const bool blends = std::binary_search(blended.begin(), blended.end(), all.instance[i]);
-        const VisibleList& half = blends ? translucent : opaque;
-        const std::size_t at = blends ? nextTranslucent++ : nextOpaque++;
-        ASSERT_EQ(half.instance[at], all.instance[i]);
-        EXPECT_EQ(half.distanceView[at], all.distanceView[i]);
-        EXPECT_EQ(half.radius[at], all.radius[i]);
+        if (std::binary_search(blended.begin(), blended.end(), all.instance[i])) {
+            ASSERT_EQ(translucent.instance[next], all.instance[i]);
+            EXPECT_EQ(translucent.distanceView[next], all.distanceView[i]);
+            EXPECT_EQ(translucent.radius[next], all.radius[i]);
+            ++next;
+        }
     }
-}
-
-TEST(Blended, RemovingNothingChangesNothing) {
-    VisibleList visible{
-        .instance = {2, 5, 9}, .distanceView = {1.0, 2.0, 3.0}, .radius = {1, 1, 1}, .count = 3};
-    removeInstances({}, visible);
-    EXPECT_EQ(visible.count, 3u);
-    const std::vector<std::uint32_t> others{0, 3, 11};
-    removeInstances(others, visible);
-    EXPECT_EQ(visible.count, 3u);
-    EXPECT_EQ(visible.instance, (std::vector<std::uint32_t>{2, 5, 9}));
+    EXPECT_EQ(next, translucent.count);
 }
 
 TEST(Blended, MasksAndOpaqueMaterialsAreNot) {

@@ -3,6 +3,8 @@
 #include <cdr/visibility/cull.h>
 #include <scenes/cubes.h>
 
+#include "flat_cull.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,15 +43,14 @@ bool isVisible(const Camera& camera, const glm::dvec3& centre, double radius) {
     return true;
 }
 
-class CullTest : public testing::TestWithParam<std::size_t> {};
+class BinTest : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(CullTest, KeepsWhatThePlanesKeep) {
+TEST(Cull, KeepsWhatThePlanesKeep) {
     const SceneSetup setup = makeRotation(3, 40'000);
-    WorkerPool workers(GetParam());
-    VisibleList visible;
     for (const std::uint32_t frame : {0u, 45u, 100u, 300u}) {
         const Camera camera = setup.path.at(frame);
-        cullSpheres(setup.scene.instances, camera, frustumOf(camera, kAspect, 1.0), workers, visible);
+        const VisibleList visible =
+            flatCull(setup.scene.instances, camera, frustumOf(camera, kAspect, 1.0));
         std::size_t next = 0;
         for (std::size_t i = 0; i < setup.scene.instances.size(); ++i) {
             const glm::dvec3 centre = setup.scene.instances.position(i);
@@ -67,12 +68,11 @@ TEST_P(CullTest, KeepsWhatThePlanesKeep) {
     }
 }
 
-TEST_P(CullTest, BinsEachInstanceIntoEveryCascadeItMeets) {
+TEST_P(BinTest, BinsEachInstanceIntoEveryCascadeItMeets) {
     const SceneSetup setup = makeRotation(4, 30'000);
     WorkerPool workers(GetParam());
-    VisibleList visible;
     const Camera camera = setup.path.at(10);
-    cullSpheres(setup.scene.instances, camera, frustumOf(camera, kAspect, 1.0), workers, visible);
+    const VisibleList visible = flatCull(setup.scene.instances, camera, frustumOf(camera, kAspect, 1.0));
     const Cascades ranges{{0.1, 50.0}, {49.0, 120.0}, {120.0, 150.0}, {200.0, 1e5}};
     DrawLists lists;
     binByDistance(visible, ranges, kNoWide, workers, lists);
@@ -102,7 +102,7 @@ TEST_P(CullTest, BinsEachInstanceIntoEveryCascadeItMeets) {
     EXPECT_GT(lists.duplication(), 1.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Threads, CullTest, testing::Values(1, 2, 3, 8));
+INSTANTIATE_TEST_SUITE_P(Threads, BinTest, testing::Values(1, 2, 3, 8));
 
 TEST(Bin, ListsWideInstancesLast) {
     VisibleList visible{.instance = {10, 11, 12, 13},
@@ -119,9 +119,8 @@ TEST(Bin, ListsWideInstancesLast) {
 
 TEST(Bin, AnEmptySceneGivesEmptyCascades) {
     WorkerPool workers(2);
-    VisibleList visible;
     DrawLists lists;
-    cullSpheres(Instances{}, Camera{}, frustumOf(Camera{}, kAspect, 1.0), workers, visible);
+    const VisibleList visible = flatCull(Instances{}, Camera{}, frustumOf(Camera{}, kAspect, 1.0));
     binByDistance(visible, {{0.1, 1.0}, {1.0, 2.0}}, kNoWide, workers, lists);
     EXPECT_EQ(lists.cascades(), 2u);
     EXPECT_EQ(lists.draws(), 0u);

@@ -3,6 +3,8 @@
 #include <cdr/visibility/level_choice.h>
 #include <scenes/boulders.h>
 
+#include "flat_cull.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +32,7 @@ Listed listed(const Scene& scene, const Camera& camera, const Cascades& ranges, 
     Listed result;
     cdr::host::WorkerPool workers(threads);
     const Frustum frustum = frustumOf(camera, 16.0, 9.0);
-    cullSpheres(scene.instances, camera, frustum, workers, result.visible);
+    result.visible = flatCull(scene.instances, camera, frustum);
     binByDistance(result.visible, ranges, kNoneWide, workers, result.lists);
     chooseLevels(scene, camera, ranges, levelRule(detail, frustum, kHeight), workers, result.lists);
     return result;

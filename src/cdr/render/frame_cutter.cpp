@@ -29,7 +29,7 @@ FrameView FrameCutter::look(const scene::Camera& camera) const {
             .cascades = {}};
 }
 
-void FrameCutter::cut(FrameView& view, const visibility::VisibleList& visible,
+void FrameCutter::cut(FrameView& view, const visibility::VisibleCells& visible,
                       std::span<const depth::Interval> occupied) {
     const depth::Cascades ranges = m_split.cut(view.camera, view.frustum, visible, occupied);
     std::optional<FocusLens> lens;

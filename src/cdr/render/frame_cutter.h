@@ -22,7 +22,7 @@ class FrameCutter {
     /// Fills FrameView::cascades. base::InputError for an unusable split or range.
     /// @param visible opaque instances; read only where needsVisible().
     /// @param occupied view distances of what else is drawn.
-    void cut(FrameView& view, const visibility::VisibleList& visible,
+    void cut(FrameView& view, const visibility::VisibleCells& visible,
              std::span<const depth::Interval> occupied = {});
 
     bool needsVisible() const { return m_split.needsVisible(); }

@@ -3,12 +3,11 @@
 namespace cdr::render {
 
 depth::Cascades FrameSplit::cut(const scene::Camera& camera, const scene::Frustum& frustum,
-                                const visibility::VisibleList& visible,
+                                const visibility::VisibleCells& visible,
                                 std::span<const depth::Interval> occupied) {
-    m_intervals.resize(needsVisible() ? visible.count : 0);
-    for (std::size_t i = 0; i < m_intervals.size(); ++i) {
-        const auto radius = static_cast<double>(visible.radius[i]);
-        m_intervals[i] = {visible.distanceView[i] - radius, visible.distanceView[i] + radius};
+    m_intervals.clear();
+    if (needsVisible()) {
+        visibility::appendIntervals(visible, m_intervals);
     }
     m_intervals.insert(m_intervals.end(), occupied.begin(), occupied.end());
     m_previous = depth::makeCascades(m_technique.split, {.nearView = camera.nearView,

@@ -3,7 +3,7 @@
 #include <cdr/depth/make_cascades.h>
 #include <cdr/depth/technique.h>
 #include <cdr/scene/frustum.h>
-#include <cdr/visibility/cull.h>
+#include <cdr/visibility/cull_cells.h>
 
 #include <span>
 #include <vector>
@@ -17,9 +17,9 @@ class FrameSplit {
     explicit FrameSplit(const depth::Technique& technique) : m_technique(technique) {}
 
     /// base::InputError for an unusable split or range.
-    /// @param frustum of the camera and the picture. @param occupied view distances of what is not in the visible list.
+    /// @param frustum of the camera and the picture. @param occupied view distances of what is not visible cells.
     depth::Cascades cut(const scene::Camera& camera, const scene::Frustum& frustum,
-                        const visibility::VisibleList& visible, std::span<const depth::Interval> occupied);
+                        const visibility::VisibleCells& visible, std::span<const depth::Interval> occupied);
 
     /// The next frame is cut as a first one is.
     void forget() { m_previous.clear(); }

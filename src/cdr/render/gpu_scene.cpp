@@ -7,12 +7,15 @@
 #include <cdr/render/octahedral.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/blended.h>
+#include <cdr/visibility/instance_cells.h>
 
 #include <glm/gtc/packing.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <mutex>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -91,9 +94,19 @@ class GpuScene::State {
     State(const gpu::Device& device, const scene::Scene& scene);
     bool isCurrent() const;
     void update();
+    const visibility::InstanceCells& cells(host::WorkerPool& workers);
 
   private:
     friend class GpuScene; // it only hands out what is here
+
+    /// What cells() made, and how far it has followed.
+    struct Culled {
+        std::mutex mutex;
+        visibility::InstanceCells cells;
+        bool isMade = false;
+        std::uint64_t instances = 0; ///< of the world's changes
+        std::uint64_t tables = 0;    ///< m_tablesRevision
+    };
 
     /// The scene's texture, or one white pixel for materials without.
     struct UploadedTexture {
@@ -144,6 +157,7 @@ class GpuScene::State {
     std::map<KindKey, std::uint32_t> m_kindIndices;
     std::vector<DrawSource> m_sources;
     std::vector<std::uint32_t> m_blended;
+    Culled m_culled;
 };
 
 GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene)
@@ -230,6 +244,9 @@ bool GpuScene::hasBlended() const {
 }
 std::span<const std::uint32_t> GpuScene::blended() const {
     return m_state->m_blended;
+}
+const visibility::InstanceCells& GpuScene::cells(host::WorkerPool& workers) const {
+    return m_state->cells(workers);
 }
 const std::vector<DrawSource>& GpuScene::sources() const {
     return m_state->m_sources;
@@ -411,6 +428,26 @@ void GpuScene::State::updateInstances() {
     if (isBlendedStale) {
         m_blended = visibility::blendedInstances(*m_scene);
     }
+}
+
+const visibility::InstanceCells& GpuScene::State::cells(host::WorkerPool& workers) {
+    const std::scoped_lock lock(m_culled.mutex);
+    if (!m_culled.isMade) {
+        m_culled.cells.build(*m_scene, workers);
+        m_culled.isMade = true;
+    } else if (m_culled.tables != m_tablesRevision || m_culled.instances != m_followed.instances) {
+        const auto changed = m_world->changes().instances.since(m_culled.instances);
+        if (changed && m_culled.tables == m_tablesRevision) {
+            m_culled.cells.update(*m_scene, *changed, workers);
+        } else {
+            std::vector<std::uint32_t> all(m_scene->instances.size());
+            std::iota(all.begin(), all.end(), 0u);
+            m_culled.cells.update(*m_scene, all, workers);
+        }
+    }
+    m_culled.instances = m_followed.instances;
+    m_culled.tables = m_tablesRevision;
+    return m_culled.cells;
 }
 
 vk::VertexInputBindingDescription vertexBinding() {

@@ -13,6 +13,13 @@ class Buffer;
 class DescriptorSetLayout;
 } // namespace vk
 
+namespace cdr::host {
+class WorkerPool;
+}
+namespace cdr::visibility {
+class InstanceCells;
+}
+
 namespace cdr::render {
 
 struct DrawKind;
@@ -66,6 +73,9 @@ class GpuScene {
     bool hasBlended() const;
     /// The instances whose material blends, ascending. They are drawn after all others.
     std::span<const std::uint32_t> blended() const;
+    /// The instances that do not blend, as culling reads them: made at the first call, and as they are since the last
+    /// update(). Of a scene that stays as it is, threads may call it at once.
+    const visibility::InstanceCells& cells(host::WorkerPool& workers) const;
     /// By instance.
     const std::vector<DrawSource>& sources() const;
     const std::vector<DrawKind>& kinds() const;

@@ -212,8 +212,7 @@ void Renderer::forgetFrames() {
 }
 
 void Renderer::cull(const FrameView& view) {
-    visibility::cullSpheres(m_drawn.scene.instances, view.camera, view.frustum, m_workers, m_visible);
-    visibility::removeInstances(m_drawn.uploaded.blended(), m_visible);
+    visibility::cullCells(m_drawn.uploaded.cells(m_workers), view.camera, view.frustum, m_workers, m_visible);
 }
 
 Renderer::Slot& Renderer::slotOf(std::size_t frame) const {

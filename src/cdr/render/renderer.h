@@ -6,7 +6,7 @@
 #include <cdr/render/host_frame.h>
 #include <cdr/render/render_options.h>
 #include <cdr/render/surfaces.h>
-#include <cdr/visibility/cull.h>
+#include <cdr/visibility/cull_cells.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -124,7 +124,7 @@ class Renderer {
     std::uint64_t m_revision = 0; ///< of the scene, as the passes know it
     std::unique_ptr<DrawPathFactory> m_paths;
     std::unique_ptr<Passes> m_passes;
-    visibility::VisibleList m_visible; ///< kept from frame to frame so that a warm one allocates nothing
+    visibility::VisibleCells m_visible; ///< kept from frame to frame so that a warm one allocates nothing
     std::size_t m_frames = 0;          ///< begun so far with these passes
 };
 

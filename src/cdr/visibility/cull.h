@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cdr/host/worker_pool.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 
@@ -20,20 +19,12 @@ struct VisibleList {
     std::size_t count = 0;
 };
 
-/// Sphere against frustum (thesis Listing A.1): keeps every instance whose bounding sphere is not wholly
-/// outside one of the six planes. The same list, in the same order, for any number of workers.
+/// Keeps those of some instances whose bounding sphere is not wholly outside one of the six planes (testSpheres()), on
+/// the calling thread.
+/// @param some indices into `instances`, ascending. VisibleList::instance holds the same indices.
 /// @param frustum of the camera and the picture.
 /// @param visible overwritten.
-void cullSpheres(const scene::Instances& instances, const scene::Camera& camera,
-                 const scene::Frustum& frustum, host::WorkerPool& workers, VisibleList& visible);
-
-/// The same for some of the instances, on the calling thread.
-/// @param some indices into `instances`, ascending. VisibleList::instance holds the same indices.
 void cullSpheres(const scene::Instances& instances, std::span<const std::uint32_t> some,
                  const scene::Camera& camera, const scene::Frustum& frustum, VisibleList& visible);
-
-/// Takes instances out of a list.
-/// @param instances ascending; those that are not in the list are passed over.
-void removeInstances(std::span<const std::uint32_t> instances, VisibleList& visible);
 
 } // namespace cdr::visibility

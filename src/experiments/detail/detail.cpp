@@ -5,6 +5,7 @@
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/lod/levels.h>
+#include <cdr/visibility/bin_cells.h>
 #include <experiments/interleaved_frames.h>
 
 #include <algorithm>
@@ -139,13 +140,13 @@ class Comparison {
     /// Counted by the very functions that the frame was drawn with.
     std::uint64_t trianglesOf(const render::Frame& frame, visibility::DetailMode mode) {
         const scene::Frustum frustum = scene::frustumOf(frame.camera, m_options.width, m_options.height);
-        visibility::cullSpheres(m_setup.scene.instances, frame.camera, frustum, m_workers, m_visible);
+        visibility::cullCells(m_gpuScene.cells(m_workers), frame.camera, frustum, m_workers, m_visible);
         depth::Cascades ranges;
         for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
             ranges.push_back(depth::clipRange(m_options.technique.mapping, frame.cascades, i));
         }
         constexpr double kNoneWide = std::numeric_limits<double>::infinity();
-        visibility::binByDistance(m_visible, ranges, kNoneWide, m_workers, m_lists);
+        m_binner.bin(m_visible, ranges, kNoneWide, m_workers, m_lists);
         const visibility::Detail detail{.mode = mode, .pixels = m_options.pixels};
         visibility::chooseLevels(m_setup.scene, frame.camera, ranges,
                                  visibility::levelRule(detail, frustum, m_options.height), m_workers,
@@ -172,7 +173,8 @@ class Comparison {
     InterleavedFrames m_frames;
     std::vector<DetailResult> m_results;
     measure::FlipDifference m_flip;
-    visibility::VisibleList m_visible;
+    visibility::VisibleCells m_visible;
+    visibility::CellBinner m_binner;
     visibility::DrawLists m_lists;
 };
 

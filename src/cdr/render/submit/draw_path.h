@@ -5,7 +5,7 @@
 #include <cdr/render/geometry/geometry_pass.h>
 #include <cdr/render/submit/cascade_commands.h>
 #include <cdr/render/submit/submission.h>
-#include <cdr/visibility/cull.h>
+#include <cdr/visibility/cull_cells.h>
 
 #include <vulkan/vulkan.hpp>
 
@@ -37,7 +37,7 @@ class DrawPath : public CascadeCommands {
     virtual bool needsVisible() const = 0;
     /// Decides what each cascade draws; base::RunError, with both figures, when that needs too much memory.
     /// @param visible what the camera sees; empty where needsVisible() is false and nobody else needs it.
-    virtual void bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats) = 0;
+    virtual void bin(const FrameView& view, const visibility::VisibleCells& visible, FrameStats& stats) = 0;
     /// Takes back the slot's command buffers and starts the frame's. Reads what bin() decided.
     /// @param host must live until end(); empty for the path of Submission::primaries, which has no one command buffer.
     virtual void begin(const FrameView& view, const HostCommands& host) = 0;

@@ -110,7 +110,7 @@ void GpuDrivenPath::growLists(std::size_t cascades) {
     m_draws.counts = m_lists[counts].handle();
 }
 
-void GpuDrivenPath::bin(const FrameView& view, const visibility::VisibleList&, FrameStats&) {
+void GpuDrivenPath::bin(const FrameView& view, const visibility::VisibleCells&, FrameStats&) {
     if (m_binning.follow(m_copies)) {
         m_binning.bindScene(m_binningSet, *m_copies.buffers);
     }

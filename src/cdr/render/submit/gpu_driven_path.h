@@ -17,7 +17,7 @@ class GpuDrivenPath final : public DrawPath {
                   const std::string& name);
 
     bool needsVisible() const override { return false; }
-    void bin(const FrameView& view, const visibility::VisibleList&, FrameStats& stats) override;
+    void bin(const FrameView& view, const visibility::VisibleCells&, FrameStats& stats) override;
     void begin(const FrameView& view, const HostCommands& host) override;
     bool isEmpty(std::size_t) const override { return false; } ///< only the device knows
     vk::CommandBuffer primary() override { return m_primary; }

@@ -4,10 +4,9 @@
 
 namespace cdr::render {
 
-void HostDraws::bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats) {
+void HostDraws::bin(const FrameView& view, const visibility::VisibleCells& visible, FrameStats& stats) {
     const depth::Cascades clipRanges = view.clipRanges();
-    visibility::binByDistance(visible, clipRanges, wideSpan(mapping(), clipRanges.size()), workers(),
-                              m_lists);
+    m_binner.bin(visible, clipRanges, wideSpan(mapping(), clipRanges.size()), workers(), m_lists);
     visibility::chooseLevels(m_context.scene, view.camera, clipRanges, view.levels, workers(), m_lists);
     makeRoom(m_lists.draws());
     stats.visible = m_lists.visible;

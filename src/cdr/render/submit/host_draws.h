@@ -2,7 +2,7 @@
 
 #include <cdr/render/geometry/draw_job.h>
 #include <cdr/render/submit/draw_path.h>
-#include <cdr/visibility/bin.h>
+#include <cdr/visibility/bin_cells.h>
 
 #include <vulkan/vulkan.hpp>
 
@@ -26,7 +26,7 @@ class HostDraws {
     HostDraws& operator=(const HostDraws&) = delete;
 
     /// Bins, chooses levels of detail and makes room. base::RunError when the device has no buffers as large.
-    void bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats);
+    void bin(const FrameView& view, const visibility::VisibleCells& visible, FrameStats& stats);
     /// Writes what the draws of a job read, and their commands. `commands` is recording, inside a rendering scope.
     virtual void record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const = 0;
     /// Shows what was written to the device. Once all jobs are, before the frame is submitted.
@@ -49,6 +49,7 @@ class HostDraws {
 
   private:
     HostDrawsContext m_context;
+    visibility::CellBinner m_binner;
     visibility::DrawLists m_lists; ///< kept from frame to frame so that a warm one allocates nothing
 };
 

@@ -18,7 +18,7 @@ class PrimaryPath final : public DrawPath {
     PrimaryPath(const gpu::Device& device, std::unique_ptr<HostDraws> draws, const std::string& name);
 
     bool needsVisible() const override { return true; }
-    void bin(const FrameView& view, const visibility::VisibleList& visible, FrameStats& stats) override {
+    void bin(const FrameView& view, const visibility::VisibleCells& visible, FrameStats& stats) override {
         m_draws->bin(view, visible, stats);
     }
     void begin(const FrameView& view, const HostCommands&) override;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cdr/visibility/bin.h>
+#include <cdr/visibility/cull_cells.h>
+#include <cdr/visibility/instance_bags.h>
+#include <cdr/visibility/instance_sets.h>
+#include <cdr/visibility/landings.h>
+
+#include <vector>
+
+namespace cdr::visibility {
+
+/// Puts visible instances into cascades. It keeps its memory, so that binning allocates nothing once warm.
+class CellBinner {
+  public:
+    /// The lists that binByDistance() makes of what cullSpheres() keeps, for any number of workers. Cells whose
+    /// instances all land alike are not looked into.
+    void bin(const VisibleCells& visible, const depth::Cascades& clipRanges, double wideSpan,
+             host::WorkerPool& workers, DrawLists& lists);
+
+    std::uint64_t bytes() const; ///< of host memory
+
+  private:
+    void binMany(const VisibleCells& visible, const LandingRanges& ranges, host::WorkerPool& workers,
+                 DrawLists& lists);
+    void drain(host::WorkerPool& workers, DrawLists& lists);
+    void binFew(const VisibleCells& visible, const LandingRanges& ranges, host::WorkerPool& workers,
+                DrawLists& lists);
+
+    std::vector<InstanceSets> m_sets;       ///< by worker
+    std::vector<InstanceBags> m_bags; ///< by worker
+};
+
+} // namespace cdr::visibility

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cdr/depth/occupancy.h>
+#include <cdr/visibility/instance_cells.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::visibility {
+
+/// The instances a camera may see, by cell. Valid until the cells change.
+struct VisibleCells {
+    /// Some slots of a cell.
+    struct Part {
+        std::uint32_t cell = 0;
+        std::uint64_t slots = 0; ///< a bit each; may be 0
+    };
+
+    const InstanceCells* cells = nullptr;
+    SphereTest test; ///< that they passed
+    std::vector<Part> parts;
+
+    std::size_t count() const; ///< of instances
+};
+
+/// Keeps every instance that cullSpheres() keeps. Cells wholly inside or outside the frustum are not looked into.
+/// The same for any number of workers.
+/// @param visible overwritten, and kept from frame to frame so that a warm one allocates nothing.
+void cullCells(const InstanceCells& cells, const scene::Camera& camera, const scene::Frustum& frustum,
+               host::WorkerPool& workers, VisibleCells& visible);
+
+/// Appends the view distances [w - r, w + r] of every visible instance, in no particular order.
+void appendIntervals(const VisibleCells& visible, std::vector<depth::Interval>& intervals);
+
+} // namespace cdr::visibility

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cdr/host/worker_pool.h>
+#include <cdr/scene/scene.h>
+#include <cdr/visibility/sphere_test.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cdr::visibility {
+
+/// The opaque instances of a scene in cells of neighbours, and a tree of boxes over the cells: what culling and
+/// binning need not look at one by one. It holds the bounding spheres a second time, cell by cell.
+///
+/// A cell has kCellSlots places, some of which may hold nothing. Node n of a level of the tree has the nodes
+/// [n * kFan, (n + 1) * kFan) of the level below; the lowest level is that of the cells.
+class InstanceCells {
+  public:
+    static constexpr std::size_t kCellSlots = 64;
+    static constexpr std::size_t kFan = 16;
+
+    /// Encloses the centres of spheres. Without any, low is above high.
+    struct Box {
+        glm::dvec3 low{0.0};
+        glm::dvec3 high{0.0};
+        double radius = 0.0; ///< of the largest
+    };
+
+    /// Forgets what it held. Blended instances, and places without one, are left out.
+    void build(const scene::Scene& scene, host::WorkerPool& workers);
+    /// Follows instances that changed, appeared or went; any may be named twice. Takes time by their number, but is
+    /// built anew once so many have left their cells for so long that this pays.
+    void update(const scene::Scene& scene, std::span<const std::uint32_t> changed, host::WorkerPool& workers);
+
+    std::size_t cells() const { return m_held.size(); }
+    /// How many instances the scene has, those that are left out included.
+    std::size_t instances() const { return m_slotOf.size(); }
+    /// Which slots of a cell hold an instance.
+    std::uint64_t held(std::size_t cell) const { return m_held[cell]; }
+    Spheres spheres(std::size_t cell) const {
+        const std::size_t slot = cell * kCellSlots;
+        return {&m_x[slot], &m_y[slot], &m_z[slot], &m_radius[slot]};
+    }
+    /// The instances in a cell's slots.
+    const std::uint32_t* instancesOf(std::size_t cell) const { return &m_instance[cell * kCellSlots]; }
+    /// Lowest level first; the last has kFan nodes at most. None where nothing is held.
+    const std::vector<std::vector<Box>>& levels() const { return m_levels; }
+    std::uint64_t bytes() const; ///< of host memory
+
+  private:
+    /// Where the instances of a cell may go without leaving it.
+    struct Home {
+        glm::dvec3 centre{0.0};
+        double reach = 0.0;
+
+        bool holds(const glm::dvec3& position) const;
+    };
+    void resize(std::size_t cells);
+    void put(const scene::Instances& instances, std::uint32_t instance, std::size_t slot);
+    void follow(const scene::Scene& scene, std::uint32_t instance);
+    void markStale(std::size_t cell);
+    std::size_t looseSlot();
+    Box boxOf(std::size_t cell) const;
+    Box boxOver(std::size_t level, std::size_t node) const;
+    void makeLevels();
+    void refreshBoxes();
+
+    std::vector<double> m_x, m_y, m_z; ///< by slot
+    std::vector<float> m_radius;
+    std::vector<std::uint32_t> m_instance;
+    std::vector<std::uint32_t> m_slotOf; ///< by instance
+    std::vector<std::uint64_t> m_held;   ///< by cell
+    std::vector<Home> m_homes;
+    std::vector<std::vector<Box>> m_levels;
+    std::vector<std::uint32_t> m_stale; ///< cells whose box is to be made anew
+    std::vector<bool> m_isStale;
+    std::size_t m_loose = 0;     ///< slots taken so far by what left its cell; they are in the last cells
+    std::size_t m_builtCells = 0;
+    std::uint64_t m_debt = 0; ///< loose slots that were followed, summed over updates
+};
+
+} // namespace cdr::visibility
