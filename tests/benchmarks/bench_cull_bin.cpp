@@ -38,7 +38,8 @@ struct Fixture {
     host::WorkerPool workers;
 
     Fixture(Field field, std::uint32_t objects, std::size_t threads)
-        : setup(field == Field::crowd ? scenes::makeCrowd(kSeed, objects) : scenes::makeRotation(kSeed, objects)),
+        : setup(field == Field::crowd ? scenes::makeCrowd(kSeed, objects)
+                                      : scenes::makeRotation(kSeed, objects)),
           camera(setup.path.at(30)),
           workers(threads) {
         if (field == Field::narrow) {
@@ -55,7 +56,9 @@ struct Fixture {
 
 class ByCells {
   public:
-    explicit ByCells(Fixture& fixture) : m_fixture(fixture) { m_cells.build(fixture.setup.scene, fixture.workers); }
+    explicit ByCells(Fixture& fixture) : m_fixture(fixture) {
+        m_cells.build(fixture.setup.scene, fixture.workers);
+    }
     void run() {
         visibility::cullCells(m_cells, m_fixture.camera, m_fixture.frustum, m_fixture.workers, m_visible);
         m_binner.bin(m_visible, m_fixture.cascades, kNoWide, m_fixture.workers, m_lists);
@@ -76,7 +79,8 @@ class ByInstances {
         std::iota(m_all.begin(), m_all.end(), 0u);
     }
     void run() {
-        visibility::cullSpheres(m_fixture.setup.scene.instances, m_all, m_fixture.camera, m_fixture.frustum, m_visible);
+        visibility::cullSpheres(m_fixture.setup.scene.instances, m_all, m_fixture.camera, m_fixture.frustum,
+                                m_visible);
         visibility::binByDistance(m_visible, m_fixture.cascades, kNoWide, m_fixture.workers, m_lists);
     }
     const visibility::VisibleList& visible() const { return m_visible; }
@@ -210,7 +214,12 @@ BENCHMARK_TEMPLATE(overVisibleAlone, ByCells)
     ->Args({10'000'000, 1, 1})
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime();
-BENCHMARK(follow)->ArgName("objects")->Arg(64'000)->Arg(1'000'000)->Arg(10'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(follow)
+    ->ArgName("objects")
+    ->Arg(64'000)
+    ->Arg(1'000'000)
+    ->Arg(10'000'000)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(build)
     ->ArgNames({"objects", "threads"})
     ->ArgsProduct({{64'000, 1'000'000, 10'000'000}, {1, 2}})

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <vector>
 
 namespace cdr::cli_test {
 
@@ -73,6 +74,83 @@ TEST(TimingCommand, ReportsEveryModeOverStandard) {
     const auto tracks = tracksOf(readJson(folder.path() / "trace.json"));
     EXPECT_EQ(tracks.at("frames"), 4 * 5); // every mode's dropped frames, and no other
     EXPECT_EQ(tracks.at("device"), 4 * 5);
+}
+
+/// The program over itself: whatever the machine does meanwhile, the fields say so.
+TEST(TimingCommand, RunsTwoBuildsInTurns) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "timing --against " CDR_PROGRAM " --rounds 2 --frames 2 --size 64x36 --modes log,cdr-2 --json t.json",
+        folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = readJson(folder.path() / "t.json");
+    EXPECT_EQ(document.at("options").at("rounds"), 2);
+    EXPECT_EQ(document.at("options").at("against_commit"), document.at("commit"));
+    EXPECT_NE(document.at("device").at("driver"), "");
+    EXPECT_TRUE(document.at("machine").contains("governor"));
+    EXPECT_TRUE(document.at("machine").contains("load"));
+    std::vector<std::string> names;
+    for (const json& row : document.at("results")) {
+        names.push_back(row.at("name"));
+        EXPECT_GT(row.at("here_us").get<double>(), 0.0);
+        EXPECT_GT(row.at("against_us").get<double>(), 0.0);
+        EXPECT_GE(row.at("noise_pct").get<double>(), 0.0);
+        const double ratio = row.at("ratio");
+        EXPECT_LE(row.at("ci95").at(0).get<double>(), ratio);
+        EXPECT_GE(row.at("ci95").at(1).get<double>(), ratio);
+        EXPECT_TRUE(row.at("seen").is_boolean());
+    }
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"standard", "standard-again", "log", "cdr-2", "run, CPU time"}));
+}
+
+TEST(TimingCommand, RefusesWhatIsNoBuild) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("timing --against true --rounds 1 --frames 1 --size 16x16", folder.path());
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("true wrote no timing results"), std::string::npos) << result.err;
+}
+
+/// Never the times themselves: the stages are there, for each mode, and the frame is the last.
+TEST(TimingCommand, TellsTheStagesOfAFrame) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "--validate timing --stages --frames 3 --size 64x36 --modes cdr-2 --json t.json", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = readJson(folder.path() / "t.json");
+    std::map<std::string, std::vector<std::string>> stages;
+    for (const json& row : document.at("results")) {
+        stages[row.at("mode")].push_back(row.at("stage"));
+        EXPECT_LE(row.at("ci95").at(0).get<double>(), row.at("ci95").at(1).get<double>());
+    }
+    const std::vector<std::string> expected{"cull and bin",
+                                            "record",
+                                            "split and other CPU",
+                                            "submit and wait",
+                                            "vertices and set-up",
+                                            "clear and background",
+                                            "covered pixels",
+                                            "lights",
+                                            "frame"};
+    EXPECT_EQ(stages,
+              (std::map<std::string, std::vector<std::string>>{{"standard", expected}, {"cdr-2", expected}}));
+    EXPECT_EQ(document.at("results").back().at("frame_pct"), 100.0);
+}
+
+/// What is foretold is what is taken, but for alignment and for what allocators round.
+TEST(TimingCommand, ForetellsMemory) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("timing --memory --size 512x256 --json t.json", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    std::map<std::string, double> measured;
+    for (const json& row : readJson(folder.path() / "t.json").at("results")) {
+        const double predicted = row.at("predicted_bytes");
+        measured[row.at("what")] = row.at("measured_bytes");
+        EXPECT_NEAR(measured[row.at("what")] / predicted, 1.0, 0.05) << row;
+    }
+    EXPECT_EQ(measured.size(), 9u);
+    EXPECT_GT(measured.at("targets layers"), measured.at("targets single"));
 }
 
 TEST(TimingCommand, PlotsTheFigure) {

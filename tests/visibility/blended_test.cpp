@@ -1,10 +1,10 @@
+#include "flat_cull.h"
+
 #include <cdr/depth/make_cascades.h>
 #include <cdr/visibility/blended.h>
 #include <cdr/visibility/cull.h>
 #include <cdr/visibility/cull_cells.h>
 #include <scenes/sheets.h>
-
-#include "flat_cull.h"
 
 #include <gtest/gtest.h>
 

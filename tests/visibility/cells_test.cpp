@@ -22,6 +22,13 @@ using namespace cdr::visibility;
 
 constexpr double kNoneWide = std::numeric_limits<double>::infinity();
 
+/// What a frame culls and bins with.
+struct View {
+    scene::Camera camera;
+    depth::Cascades ranges;
+    double wideSpan = kNoneWide;
+};
+
 /// Random scenes, cameras and edits, for one seed.
 class RandomWorld {
   public:
@@ -66,6 +73,11 @@ class RandomWorld {
     /// Infinity in one case of two.
     double wideSpan() { return below(2) == 0 ? kNoneWide : std::pow(10.0, uniform(-2.0, 2.0)); }
 
+    View view() {
+        const scene::Camera looking = camera();
+        return {.camera = looking, .ranges = cascades(looking), .wideSpan = wideSpan()};
+    }
+
     /// Moves a little or far, removes and adds, and changes materials. Returns what changed.
     std::vector<std::uint32_t> edit(scene::World& world, std::vector<scene::InstanceHandle>& handles,
                                     std::size_t edits) {
@@ -83,17 +95,17 @@ class RandomWorld {
                 handles.pop_back();
                 break;
             case 2:
-                handles.push_back(world.addInstance({.mesh = world.mesh(0),
-                                                     .material = world.material(below(2)),
-                                                     .transform = {.position = position(), .basis = basis()}}));
+                handles.push_back(
+                    world.addInstance({.mesh = world.mesh(0),
+                                       .material = world.material(below(2)),
+                                       .transform = {.position = position(), .basis = basis()}}));
                 break;
             case 3:
                 world.setMaterial(handle, world.material(below(2)));
                 break;
             default:
-                world.setTransform(handle,
-                                   {.position = world.scene().instances.position(handle.index) + 0.01,
-                                    .basis = world.scene().instances.basis[handle.index]});
+                world.setTransform(handle, {.position = world.scene().instances.position(handle.index) + 0.01,
+                                            .basis = world.scene().instances.basis[handle.index]});
             }
         }
         const auto changed = world.changes().instances.since(before);
@@ -106,7 +118,8 @@ class RandomWorld {
 };
 
 /// What the flat pass keeps, without what blends.
-VisibleList flatOpaque(const scene::Scene& scene, const scene::Camera& camera, const scene::Frustum& frustum) {
+VisibleList flatOpaque(const scene::Scene& scene, const scene::Camera& camera,
+                       const scene::Frustum& frustum) {
     std::vector<std::uint32_t> opaque;
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         if (!isBlended(scene, i)) {
@@ -135,12 +148,10 @@ struct Compared {
 };
 
 /// Lists, their order and all view distances, to the bit.
-void expectSame(RandomWorld& random, const scene::Scene& scene, const InstanceCells& cells,
+void expectSame(const View& view, const scene::Scene& scene, const InstanceCells& cells,
                 host::WorkerPool& workers, CellBinner& binner, Compared& compared) {
-    const scene::Camera camera = random.camera();
+    const auto& [camera, ranges, wideSpan] = view;
     const scene::Frustum frustum = scene::frustumOf(camera, 16.0, 9.0);
-    const depth::Cascades ranges = random.cascades(camera);
-    const double wideSpan = random.wideSpan();
     const VisibleList flat = flatOpaque(scene, camera, frustum);
     DrawLists expected;
     binByDistance(flat, ranges, wideSpan, workers, expected);
@@ -184,7 +195,7 @@ TEST_P(CellsTest, GiveTheListsOfTheFlatPass) {
         cells.build(scene, workers);
         for (int camera = 0; camera < 12; ++camera) {
             SCOPED_TRACE(testing::Message() << "seed " << seed << ", camera " << camera);
-            expectSame(random, scene, cells, workers, binner, compared);
+            expectSame(random.view(), scene, cells, workers, binner, compared);
             if (HasFatalFailure()) {
                 return;
             }
@@ -212,13 +223,42 @@ TEST_P(CellsTest, FollowEdits) {
             SCOPED_TRACE(testing::Message() << "seed " << seed << ", step " << step);
             const std::vector<std::uint32_t> changed = random.edit(world, handles, 1 + random.below(400));
             cells.update(world.scene(), changed, workers);
-            expectSame(random, world.scene(), cells, workers, binner, compared);
+            expectSame(random.view(), world.scene(), cells, workers, binner, compared);
+            if (step % 10 == 9) { // from a scene with free places
+                InstanceCells anew;
+                anew.build(world.scene(), workers);
+                expectSame(random.view(), world.scene(), anew, workers, binner, compared);
+            }
             if (HasFatalFailure()) {
                 return;
             }
         }
     }
     EXPECT_GT(compared.visible, 10'000u);
+}
+
+/// Enough for many jobs, for boxes whose cells all land alike, and for lists sorted by every digit.
+TEST_P(CellsTest, GiveTheListsOfALargeField) {
+    const scene::SceneSetup setup = scenes::makeRotation(9, 150'000);
+    host::WorkerPool workers(GetParam());
+    InstanceCells cells;
+    cells.build(setup.scene, workers);
+    CellBinner binner;
+    Compared compared;
+    for (const double fovY : {0.3, 0.6, 1.0, 2.8}) {
+        for (const std::uint32_t frame : {0u, 40u, 200u}) {
+            View view{.camera = setup.path.at(frame), .ranges = {}};
+            view.camera.fovY = fovY;
+            view.ranges = frame == 0 ? depth::Cascades{{0.1, 60.0}, {60.0, 61.0}, {61.0, 150.0}, {150.0, 1e5}}
+                                     : depth::Cascades{{0.1, 100.0}, {100.0, 1e5}};
+            SCOPED_TRACE(testing::Message() << "field of view " << fovY << ", frame " << frame);
+            expectSame(view, setup.scene, cells, workers, binner, compared);
+            if (HasFatalFailure()) {
+                return;
+            }
+        }
+    }
+    EXPECT_GT(compared.visible, 100'000u);
 }
 
 TEST_P(CellsTest, GrowFromNothing) {
@@ -232,15 +272,15 @@ TEST_P(CellsTest, GrowFromNothing) {
     for (int step = 0; step < 60; ++step) {
         std::vector<std::uint32_t> changed;
         for (std::size_t i = 0; i < 100; ++i) {
-            changed.push_back(world
-                                  .addInstance({.mesh = world.mesh(0),
-                                                .material = world.material(0),
-                                                .transform = {.position = random.position(),
-                                                              .basis = random.basis()}})
-                                  .index);
+            changed.push_back(
+                world
+                    .addInstance({.mesh = world.mesh(0),
+                                  .material = world.material(0),
+                                  .transform = {.position = random.position(), .basis = random.basis()}})
+                    .index);
         }
         cells.update(world.scene(), changed, workers);
-        expectSame(random, world.scene(), cells, workers, binner, compared);
+        expectSame(random.view(), world.scene(), cells, workers, binner, compared);
         if (HasFatalFailure()) {
             return;
         }

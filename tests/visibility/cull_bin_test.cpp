@@ -1,9 +1,9 @@
+#include "flat_cull.h"
+
 #include <cdr/depth/split.h>
 #include <cdr/visibility/bin.h>
 #include <cdr/visibility/cull.h>
 #include <scenes/cubes.h>
-
-#include "flat_cull.h"
 
 #include <gtest/gtest.h>
 
@@ -49,8 +49,7 @@ TEST(Cull, KeepsWhatThePlanesKeep) {
     const SceneSetup setup = makeRotation(3, 40'000);
     for (const std::uint32_t frame : {0u, 45u, 100u, 300u}) {
         const Camera camera = setup.path.at(frame);
-        const VisibleList visible =
-            flatCull(setup.scene.instances, camera, frustumOf(camera, kAspect, 1.0));
+        const VisibleList visible = flatCull(setup.scene.instances, camera, frustumOf(camera, kAspect, 1.0));
         std::size_t next = 0;
         for (std::size_t i = 0; i < setup.scene.instances.size(); ++i) {
             const glm::dvec3 centre = setup.scene.instances.position(i);
@@ -115,6 +114,16 @@ TEST(Bin, ListsWideInstancesLast) {
     EXPECT_EQ(lists.wideBegin(0), 2u);
     lists.instance.resize(lists.draws());
     EXPECT_EQ(lists.instance, (std::vector<std::uint32_t>{11, 13, 10, 12}));
+}
+
+/// Ranges are closed: what ends where the next begins is drawn in both.
+TEST(Bin, PutsWhatTouchesABoundaryIntoBoth) {
+    const VisibleList visible{.instance = {0, 1}, .distanceView = {10.0, 8.0}, .radius = {1, 1}, .count = 2};
+    WorkerPool workers(1);
+    DrawLists lists;
+    binByDistance(visible, {{1.0, 9.0}, {9.0, 20.0}}, kNoWide, workers, lists);
+    EXPECT_EQ(lists.range(0).size(), 2u);
+    EXPECT_EQ(lists.range(1).size(), 2u);
 }
 
 TEST(Bin, AnEmptySceneGivesEmptyCascades) {

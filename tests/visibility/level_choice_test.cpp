@@ -1,9 +1,9 @@
+#include "flat_cull.h"
+
 #include <cdr/base/error.h>
 #include <cdr/scene/lod/levels.h>
 #include <cdr/visibility/level_choice.h>
 #include <scenes/boulders.h>
-
-#include "flat_cull.h"
 
 #include <gtest/gtest.h>
 

@@ -125,7 +125,7 @@ class Renderer {
     std::unique_ptr<DrawPathFactory> m_paths;
     std::unique_ptr<Passes> m_passes;
     visibility::VisibleCells m_visible; ///< kept from frame to frame so that a warm one allocates nothing
-    std::size_t m_frames = 0;          ///< begun so far with these passes
+    std::size_t m_frames = 0;           ///< begun so far with these passes
 };
 
 } // namespace cdr::render

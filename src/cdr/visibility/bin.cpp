@@ -23,7 +23,8 @@ std::size_t countRange(const LandingRanges& ranges, const VisibleList& visible, 
     std::size_t landed = 0;
     for (std::size_t begin = range.begin; begin < range.end; begin += kLandingBlock) {
         const std::size_t count = std::min(kLandingBlock, range.end - begin);
-        findLandings(ranges, visible.distanceView.data() + begin, visible.radius.data() + begin, count, landings);
+        findLandings(ranges, visible.distanceView.data() + begin, visible.radius.data() + begin, count,
+                     landings);
         for (std::size_t i = 0; i < count; ++i) {
             const std::int64_t cascades = std::max<std::int64_t>(landings.end[i] - landings.first[i], 0);
             const auto bucket = static_cast<std::size_t>(2 * landings.first[i] + landings.wide[i]);

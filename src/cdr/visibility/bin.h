@@ -2,7 +2,6 @@
 
 #include <cdr/depth/cascade.h>
 #include <cdr/host/worker_pool.h>
-#include <cdr/host/worker_pool.h>
 #include <cdr/visibility/cull.h>
 
 #include <cstdint>

@@ -13,7 +13,7 @@ namespace cdr::visibility {
 
 namespace {
 
-constexpr std::size_t kJobParts = 512;
+constexpr std::size_t kJobParts = 128;
 constexpr std::size_t kJobWords = 1024;
 
 /// With fewer visible than one in so many, sorting them is faster than looking through a bit for every instance.

@@ -27,7 +27,7 @@ class CellBinner {
     void binFew(const VisibleCells& visible, const LandingRanges& ranges, host::WorkerPool& workers,
                 DrawLists& lists);
 
-    std::vector<InstanceSets> m_sets;       ///< by worker
+    std::vector<InstanceSets> m_sets; ///< by worker
     std::vector<InstanceBags> m_bags; ///< by worker
 };
 

@@ -75,7 +75,7 @@ class InstanceCells {
     std::vector<std::vector<Box>> m_levels;
     std::vector<std::uint32_t> m_stale; ///< cells whose box is to be made anew
     std::vector<bool> m_isStale;
-    std::size_t m_loose = 0;     ///< slots taken so far by what left its cell; they are in the last cells
+    std::size_t m_loose = 0; ///< slots taken so far by what left its cell; they are in the last cells
     std::size_t m_builtCells = 0;
     std::uint64_t m_debt = 0; ///< loose slots that were followed, summed over updates
 };

@@ -1,3 +1,4 @@
+#include <cdr/base/error.h>
 #include <cdr/host/file.h>
 #include <cdr/host/trace.h>
 #include <cdr/host/worker_pool.h>
@@ -6,9 +7,11 @@
 #include <cli/commands.h>
 #include <experiments/columns.h>
 #include <experiments/gnuplot.h>
+#include <experiments/timing/tables.h>
 #include <experiments/timing/timing.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -24,7 +27,16 @@ struct TimingArguments {
     std::filesystem::path csv;
     std::filesystem::path plot;
     std::filesystem::path trace;
+    std::filesystem::path against;
+    std::uint32_t rounds = experiments::AgainstOptions{}.rounds;
+    bool stages = false;
+    bool memory = false;
+    std::optional<std::uint32_t> frames; ///< none: what suits what is timed
 };
+
+/// Frames of each run of a build, and of each mode whose stages are told apart.
+constexpr std::uint32_t kRunFrames = 40;
+constexpr std::uint32_t kStageFrames = 100;
 
 using Results = std::vector<experiments::TimingResult>;
 
@@ -95,6 +107,13 @@ void writeCsv(const std::filesystem::path& path, const experiments::Json& rows) 
 
 /// What can be wrong with the arguments, before anything is made.
 void checkArguments(TimingArguments& arguments, CommandFiles& files) {
+    const bool isPlain = arguments.against.empty() && !arguments.stages && !arguments.memory;
+    if (!isPlain && (!arguments.csv.empty() || !arguments.plot.empty() || !arguments.trace.empty())) {
+        throw base::InputError("--csv, --plot and --trace go with none of --against, --stages and --memory");
+    }
+    if (!isPlain && arguments.options.framesInFlight > 1) {
+        throw base::InputError("--in-flight goes with none of --against, --stages and --memory");
+    }
     if (!arguments.modes.empty()) {
         arguments.options.modes = experiments::timingModesNamed(arguments.modes);
     }
@@ -124,15 +143,107 @@ nlohmann::ordered_json makeDocument(const Command& command, const TimingArgument
                                         "100,000, one turn about y"},
                               {"frames_in_flight", options.framesInFlight},
                               {"mode", options.framesInFlight > 1 ? "throughput" : "latency"}});
+    document["machine"] = experiments::machineJson();
     document["results"] = experiments::jsonOf(timingColumns(), results);
     document["noise_floor_pct"] = results.at(1).overheadPercent;
     document["noise_floor_ci95"] = experiments::jsonOf(results.at(1).overheadPercent95);
     return document;
 }
 
-void run(Command& command, TimingArguments& arguments) {
-    checkArguments(arguments, command.files());
+/// What the other build and this one are run with.
+std::vector<std::string> runArguments(const Command& command, const TimingArguments& arguments) {
+    const experiments::TimingOptions& options = arguments.options;
+    std::vector<std::string> all{"--quiet"};
+    if (!command.global().device.empty()) {
+        all.insert(all.end(), {"--device", command.global().device});
+    }
+    all.insert(all.end(),
+               {"timing", "--frames", std::to_string(arguments.frames.value_or(kRunFrames)), "--size",
+                fmt::format("{}x{}", options.width, options.height), "--threads",
+                std::to_string(options.threads), "--seed", std::to_string(options.seed), "--modes",
+                arguments.modes.empty() ? "standard" : fmt::format("{}", fmt::join(arguments.modes, ","))});
+    return all;
+}
+
+void runAgainst(const Command& command, const TimingArguments& arguments) {
+    const experiments::AgainstOptions options{.here = std::filesystem::read_symlink("/proc/self/exe"),
+                                              .against = arguments.against,
+                                              .arguments = runArguments(command, arguments),
+                                              .rounds = arguments.rounds,
+                                              .seed = arguments.options.seed};
+    const experiments::AgainstReport report =
+        experiments::runAgainst(options, command.progressOf("runs of both builds"));
+    command.endProgress();
+    command.console().table(experiments::tableOf(experiments::againstColumns(), report.comparisons));
+    command.console().line(
+        fmt::format("\n{} (driver {}); {} rounds of {} frames a mode, in turns; commit {} over {}; {}",
+                    report.device, report.driver, options.rounds, arguments.frames.value_or(kRunFrames),
+                    host::buildInfo().commit, report.againstCommit, experiments::machineText()));
+    auto document = command.makeDocument({{"against", options.against.string()},
+                                          {"against_commit", report.againstCommit},
+                                          {"rounds", options.rounds},
+                                          {"frames", arguments.frames.value_or(kRunFrames)},
+                                          {"arguments", options.arguments}});
+    document["device"]["name"] = report.device;
+    document["device"]["driver"] = report.driver;
+    document["machine"] = experiments::machineJson();
+    document["results"] = experiments::jsonOf(experiments::againstColumns(), report.comparisons);
+    command.writeDocument(document);
+}
+
+void runStages(Command& command, const TimingArguments& arguments) {
+    experiments::TimingOptions options = arguments.options;
+    options.frames = arguments.frames.value_or(kStageFrames);
+    // Standard is not again beside itself.
+    std::vector<experiments::TimingMode> modes{options.modes.front()};
+    if (!arguments.modes.empty()) {
+        modes.insert(modes.end(), options.modes.begin() + 2, options.modes.end());
+    }
+    auto rows = experiments::Json::array();
+    for (const experiments::TimingMode& mode : modes) {
+        options.modes = {mode};
+        const std::vector<experiments::StageCost> stages =
+            experiments::runStages(command.device(), options, command.progressOf("frames of " + mode.name));
+        command.endProgress();
+        const auto columns = experiments::stageColumns(mode.name);
+        command.console().table(experiments::tableOf(columns, stages));
+        for (const experiments::Json& row : experiments::jsonOf(columns, stages)) {
+            rows.push_back(row);
+        }
+    }
+    command.console().line(fmt::format("\n{}; {} frames of each variant in turns; {}",
+                                       command.opened().text(), options.frames, experiments::machineText()));
+    auto document = command.makeDocument({{"width", options.width},
+                                          {"height", options.height},
+                                          {"frames", options.frames},
+                                          {"threads", options.threads},
+                                          {"seed", options.seed}});
+    document["machine"] = experiments::machineJson();
+    document["results"] = rows;
+    command.writeDocument(document);
+}
+
+void measureMemory(Command& command, const TimingArguments& arguments) {
+    const experiments::MemoryOptions options{
+        .width = arguments.options.width, .height = arguments.options.height, .seed = arguments.options.seed};
+    const std::vector<experiments::MemoryCost> costs = experiments::measureMemory(command.device(), options);
+    command.endProgress();
+    command.console().table(experiments::tableOf(experiments::memoryColumns(), costs));
+    command.console().line(fmt::format(
+        "\n{}; {} instances over half as many, {}x{} over half the width; {} cascades",
+        command.opened().text(), 2 * options.instances, 2 * options.width, options.height, options.cascades));
+    auto document = command.makeDocument({{"width", options.width},
+                                          {"height", options.height},
+                                          {"instances", options.instances},
+                                          {"cascades", options.cascades},
+                                          {"seed", options.seed}});
+    document["results"] = experiments::jsonOf(experiments::memoryColumns(), costs);
+    command.writeDocument(document);
+}
+
+void timeModes(Command& command, TimingArguments& arguments) {
     experiments::TimingOptions& options = arguments.options;
+    options.frames = arguments.frames.value_or(options.frames);
     std::optional<host::Trace> trace;
     if (!arguments.trace.empty()) {
         options.trace = &trace.emplace(options.threads);
@@ -162,9 +273,28 @@ void run(Command& command, TimingArguments& arguments) {
     command.writeDocument(makeDocument(command, arguments, results));
 }
 
+void run(Command& command, TimingArguments& arguments) {
+    checkArguments(arguments, command.files());
+    if (!arguments.against.empty()) {
+        runAgainst(command, arguments);
+    } else if (arguments.stages) {
+        runStages(command, arguments);
+    } else if (arguments.memory) {
+        measureMemory(command, arguments);
+    } else {
+        timeModes(command, arguments);
+    }
+}
+
 void addOptions(CLI::App& command, TimingArguments& arguments) {
     experiments::TimingOptions& options = arguments.options;
-    addFrames(command, options.frames, "Measured frames of every mode");
+    command
+        .add_option(
+            "--frames", arguments.frames,
+            fmt::format("Measured frames of every mode: {} unless given, {} a run with --against, {} with "
+                        "--stages",
+                        options.frames, kRunFrames, kStageFrames))
+        ->check(CLI::Range(1u, kMaxFrames));
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that cull, bin and record");
     command
@@ -178,6 +308,22 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
                     "Only these beside standard, such as cdr-2,log,logcdr-5; also naive and standard/NAME "
                     "with a batching, submission or surface")
         ->delimiter(',');
+    CLI::Option* against = command.add_option(
+        "--against", arguments.against,
+        "Run this build and PROGRAM, another build, in turns, and say how their times differ, if they do");
+    command
+        .add_option("--rounds", arguments.rounds, "Rounds of runs, two of this build and one of the other")
+        ->check(CLI::Range(1u, 1000u))
+        ->needs(against)
+        ->capture_default_str();
+    CLI::Option* stages = command.add_flag("--stages", arguments.stages,
+                                           "What each stage of a frame costs, of standard and --modes");
+    stages->excludes(against);
+    command
+        .add_flag("--memory", arguments.memory,
+                  "Bytes of an instance, a draw and a pixel, foretold and measured")
+        ->excludes(against)
+        ->excludes(stages);
     command.add_option("--csv", arguments.csv, "Write the results as CSV to FILE");
     command.add_option("--plot", arguments.plot, "Draw the figure into a .png or .svg file, by gnuplot");
     command.add_option("--trace", arguments.trace,

@@ -1,0 +1,172 @@
+#include "against.h"
+
+#include <cdr/base/error.h>
+#include <cdr/host/child_process.h>
+#include <experiments/shuffled_order.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <stdlib.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+namespace cdr::experiments {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own, removed with all that is in it.
+class RunFolder {
+  public:
+    RunFolder() : m_path((fs::temp_directory_path() / "cdr-timing-XXXXXX").string()) {
+        if (mkdtemp(m_path.data()) == nullptr) {
+            throw base::RunError(m_path + ": cannot be made: " + std::strerror(errno));
+        }
+    }
+    ~RunFolder() {
+        std::error_code ignored;
+        fs::remove_all(m_path, ignored);
+    }
+    RunFolder(const RunFolder&) = delete;
+    RunFolder& operator=(const RunFolder&) = delete;
+
+    fs::path file() const { return fs::path(m_path) / "timing.json"; }
+
+  private:
+    std::string m_path;
+};
+
+double childCpuUs() {
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    const auto microseconds = [](const timeval& time) {
+        return 1e6 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec);
+    };
+    return microseconds(usage.ru_utime) + microseconds(usage.ru_stime);
+}
+
+/// A run's JSON, and its CPU time.
+struct Run {
+    nlohmann::json document;
+    double cpuUs = 0.0;
+};
+
+Run runOnce(const fs::path& program, const AgainstOptions& options, const fs::path& json) {
+    std::vector<std::string> arguments{program.string()};
+    arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
+    arguments.insert(arguments.end(), {"--json", json.string()});
+    const double before = childCpuUs();
+    host::ChildProcess(arguments, {}).finish();
+    Run run{.document = {}, .cpuUs = childCpuUs() - before};
+    std::ifstream file(json);
+    run.document = nlohmann::json::parse(file, nullptr, false);
+    if (!run.document.contains("results") || !run.document.contains("device")) {
+        throw base::InputError(program.string() + " wrote no timing results");
+    }
+    return run;
+}
+
+/// Modes by name in the order of the results, then the whole run.
+std::vector<std::pair<std::string, double>> timesOf(const Run& run) {
+    std::vector<std::pair<std::string, double>> times;
+    for (const nlohmann::json& result : run.document["results"]) {
+        times.emplace_back(result.value("name", result.value("mode", std::string())),
+                           result.value("median_us", 0.0));
+    }
+    times.emplace_back(kWholeRun, run.cpuUs);
+    return times;
+}
+
+double timeOf(const Run& run, const std::string& name, const fs::path& program) {
+    for (const auto& [mode, us] : timesOf(run)) {
+        if (mode == name) {
+            return us;
+        }
+    }
+    throw base::InputError(program.string() + " times no mode " + name);
+}
+
+void requireSameDevice(const Run& here, const Run& against, const fs::path& program) {
+    for (const char* part : {"name", "driver"}) {
+        const std::string ours = here.document["device"].value(part, std::string());
+        const std::string theirs = against.document["device"].value(part, std::string());
+        if (ours != theirs) {
+            throw base::InputError(fmt::format("{} draws with another device: {} instead of {}",
+                                               program.string(), theirs, ours));
+        }
+    }
+}
+
+} // namespace
+
+Comparison compare(const BuildTimes& times, std::uint64_t seed) {
+    const std::size_t rounds = times.hereUs.size();
+    if (rounds == 0 || times.againUs.size() != rounds || times.againstUs.size() != rounds) {
+        throw base::InputError("a comparison needs a time of each build from every round");
+    }
+    std::vector<double> ratios;
+    std::vector<double> noise;
+    for (std::size_t round = 0; round < rounds; ++round) {
+        ratios.push_back(times.hereUs[round] / times.againstUs[round]);
+        noise.push_back(times.againUs[round] / times.hereUs[round]);
+    }
+    const measure::Interval noise95 = measure::bootstrapMedian(noise, seed);
+    Comparison comparison{.name = times.name,
+                          .hereUs = measure::median(times.hereUs),
+                          .againstUs = measure::median(times.againstUs),
+                          .ratio = measure::median(ratios),
+                          .ratio95 = measure::bootstrapMedian(ratios, seed)};
+    comparison.noisePercent = 100.0 * std::max(std::abs(noise95.low - 1.0), std::abs(noise95.high - 1.0));
+    comparison.isSeen = !comparison.ratio95.contains(1.0) &&
+                        100.0 * std::abs(comparison.ratio - 1.0) > comparison.noisePercent;
+    return comparison;
+}
+
+std::string verdictOf(const Comparison& comparison) {
+    return comparison.isSeen ? fmt::format("{:.3f} times", comparison.ratio)
+                             : fmt::format("no difference seen, noise ±{:.1f} %", comparison.noisePercent);
+}
+
+AgainstReport runAgainst(const AgainstOptions& options,
+                         const std::function<void(std::size_t, std::size_t)>& progress) {
+    constexpr std::size_t kRuns = 3; // this build, the other, this build again
+    const RunFolder folder;
+    ShuffledOrder order(kRuns, options.seed);
+    AgainstReport report;
+    std::vector<BuildTimes> times;
+    for (std::uint32_t round = 0; round < options.rounds; ++round) {
+        std::array<Run, kRuns> runs;
+        std::size_t done = round * kRuns;
+        for (const std::size_t run : order.next()) {
+            progress(done++, options.rounds * kRuns);
+            runs[run] = runOnce(run == 1 ? options.against : options.here, options, folder.file());
+        }
+        requireSameDevice(runs[0], runs[1], options.against);
+        if (round == 0) {
+            for (const auto& [name, us] : timesOf(runs[0])) {
+                times.push_back({.name = name, .hereUs = {}, .againUs = {}, .againstUs = {}});
+            }
+            report.againstCommit = runs[1].document.value("commit", std::string("unknown"));
+            report.device = runs[0].document["device"].value("name", std::string());
+            report.driver = runs[0].document["device"].value("driver", std::string());
+        }
+        for (BuildTimes& row : times) {
+            row.hereUs.push_back(timeOf(runs[0], row.name, options.here));
+            row.againstUs.push_back(timeOf(runs[1], row.name, options.against));
+            row.againUs.push_back(timeOf(runs[2], row.name, options.here));
+        }
+    }
+    for (const BuildTimes& row : times) {
+        report.comparisons.push_back(compare(row, options.seed));
+    }
+    return report;
+}
+
+} // namespace cdr::experiments

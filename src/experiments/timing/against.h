@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cdr/measure/statistics/statistics.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// Two builds of this program that time the same frames in turns.
+struct AgainstOptions {
+    std::filesystem::path here;         ///< this program
+    std::filesystem::path against;      ///< the other build
+    std::vector<std::string> arguments; ///< both get them
+    std::uint32_t rounds = 9;           ///< in each, the other build runs once and this one twice
+    std::uint64_t seed = 2013;          ///< of the orders and the bootstrap
+};
+
+/// What one figure was, round by round.
+struct BuildTimes {
+    std::string name; ///< a mode, or kWholeRun
+    std::vector<double> hereUs;
+    std::vector<double> againUs; ///< of this build's second run
+    std::vector<double> againstUs;
+};
+
+/// The CPU time of a whole run, start and warm-up included, in place of a mode's frame time. It counts no waiting.
+inline constexpr const char* kWholeRun = "run, CPU time";
+
+/// This build over the other.
+struct Comparison {
+    std::string name;
+    double hereUs = 0.0; ///< median
+    double againstUs = 0.0;
+    double ratio = 1.0;        ///< median of the rounds' ratios
+    measure::Interval ratio95; ///< bootstrapped
+    double noisePercent = 0.0; ///< this build over itself: how far from none the same interval reaches
+    bool isSeen = false; ///< the interval leaves out 1, and the ratio differs from it by more than the noise
+};
+
+/// base::InputError unless each has a value per round, and at least one.
+Comparison compare(const BuildTimes& times, std::uint64_t seed);
+/// "0.84 times", or "no difference seen, noise ±3.1 %".
+std::string verdictOf(const Comparison& comparison);
+
+struct AgainstReport {
+    std::vector<Comparison> comparisons;
+    std::string againstCommit;
+    std::string device; ///< that both drew with
+    std::string driver;
+};
+
+/// base::InputError where the other build times no mode of that name, or on another device; base::RunError where a run
+/// fails.
+AgainstReport runAgainst(const AgainstOptions& options,
+                         const std::function<void(std::size_t done, std::size_t all)>& progress);
+
+} // namespace cdr::experiments

@@ -1,0 +1,168 @@
+#include "memory_costs.h"
+
+#include <cdr/gpu/allocated_bytes.h>
+#include <cdr/render/draw_source.h>
+#include <cdr/render/renderer.h>
+#include <cdr/render/renderer_setup.h>
+#include <cdr/render/targets/gbuffer_pixel.h>
+#include <cdr/visibility/instance_cells.h>
+#include <scenes/cubes.h>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
+#include <functional>
+#include <memory>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// Bytes that the C library has given out; 0 where it does not tell.
+std::uint64_t heapBytes() {
+#if defined(__GLIBC__)
+    const struct mallinfo2 info = mallinfo2();
+    return info.uordblks + info.hblkhd;
+#else
+    return 0;
+#endif
+}
+
+/// What `make` leaves on the heap, for as long as what it returns lives.
+template <typename Make>
+double heapTaken(const Make& make) {
+    const std::uint64_t before = heapBytes();
+    const auto made = make();
+    return static_cast<double>(heapBytes()) - static_cast<double>(before);
+}
+
+/// Bytes of what grows with instances, by one of them: twice as many over as many.
+double bytesPerInstance(const MemoryOptions& options,
+                        const std::function<double(const scene::Scene&)>& taken) {
+    const scene::SceneSetup few = scenes::makeRotation(options.seed, options.instances);
+    const scene::SceneSetup many = scenes::makeRotation(options.seed, 2 * options.instances);
+    taken(few.scene); // what the first use makes, stays
+    return (taken(many.scene) - taken(few.scene)) / options.instances;
+}
+
+/// A copy has no room to spare, as what is made step by step has.
+double heapOfCopy(const scene::Scene& scene) {
+    return heapTaken([&] { return std::make_unique<scene::Instances>(scene.instances); });
+}
+
+double heapOfUpload(const gpu::Device& device, const scene::Scene& scene) {
+    return heapTaken([&] { return std::make_unique<render::GpuScene>(device, scene); });
+}
+
+double heapOfCells(const scene::Scene& scene) {
+    host::WorkerPool workers(1);
+    return heapTaken([&] {
+        auto cells = std::make_unique<visibility::InstanceCells>();
+        cells->build(scene, workers);
+        return cells;
+    });
+}
+
+/// Per instance, of full cells.
+double predictedCells() {
+    using Cells = visibility::InstanceCells;
+    constexpr double kSpheres = 3 * sizeof(double) + sizeof(float);
+    constexpr double kIndices = 2 * sizeof(std::uint32_t); // which instance, and where it is
+    constexpr double kHome = 4 * sizeof(double);
+    constexpr double kBoxes = sizeof(Cells::Box) * Cells::kFan / (Cells::kFan - 1.0); // of all levels
+    return kSpheres + kIndices + (kHome + kBoxes + sizeof(std::uint64_t)) / Cells::kCellSlots;
+}
+
+double predictedInstance() {
+    return 3 * sizeof(double) + sizeof(float) + sizeof(glm::mat3) + 3 * sizeof(std::uint32_t);
+}
+
+render::RenderOptions optionsOf(const MemoryOptions& options, std::uint32_t width,
+                                const render::TargetsChoice& targets) {
+    render::RenderOptions render{
+        .width = width, .height = options.height, .technique = depth::parseTechnique("cdr")};
+    render.technique.split = depth::SplitCount{options.cascades};
+    render.targets = targets;
+    return render;
+}
+
+/// What a renderer takes of the device once it has drawn a frame.
+struct Taken {
+    double bytes = 0.0;
+    double draws = 0.0; ///< of that frame
+};
+
+Taken deviceTaken(const gpu::Device& device, const scene::SceneSetup& setup, const render::GpuScene& uploaded,
+                  const render::RenderOptions& options) {
+    const std::uint64_t before = gpu::allocatedBytes(device);
+    render::Renderer renderer(device, setup.scene, uploaded, options);
+    const auto draws = static_cast<double>(renderer.draw(setup.path.at(0)).draws);
+    return {.bytes = static_cast<double>(gpu::allocatedBytes(device)) - static_cast<double>(before),
+            .draws = draws};
+}
+
+double bytesPerDraw(const gpu::Device& device, const MemoryOptions& options) {
+    constexpr std::uint32_t kDraws = 40'000;
+    const auto taken = [&](std::uint32_t draws) {
+        const scene::SceneSetup setup = scenes::makeCrowd(options.seed, draws);
+        const render::GpuScene uploaded(device, setup.scene);
+        return deviceTaken(device, setup, uploaded,
+                           optionsOf(options, options.width, render::TargetsKind::single));
+    };
+    const Taken few = taken(kDraws);
+    const Taken many = taken(2 * kDraws);
+    return (many.bytes - few.bytes) / (many.draws - few.draws);
+}
+
+/// Geometry buffers beside the final one; depth is shared.
+std::size_t layersOf(const render::TargetsChoice& targets, unsigned cascades) {
+    switch (targets.kind) {
+    case render::TargetsKind::accumulate:
+        return 1;
+    case render::TargetsKind::pool:
+        return targets.layers;
+    case render::TargetsKind::layers:
+        return cascades;
+    default:
+        return 0;
+    }
+}
+
+MemoryCost pixelCost(const gpu::Device& device, const MemoryOptions& options,
+                     const render::TargetsChoice& targets) {
+    const scene::SceneSetup setup = scenes::makeCrowd(options.seed, 100);
+    const render::GpuScene uploaded(device, setup.scene);
+    const render::RenderOptions once = optionsOf(options, options.width, targets);
+    const render::RenderOptions twice = optionsOf(options, 2 * options.width, targets);
+    const double pixels = static_cast<double>(options.width) * options.height;
+    constexpr double kReadback = sizeof(image::Rgba8) + sizeof(render::GBufferPixel);
+    const auto layers = static_cast<double>(layersOf(targets, options.cascades));
+    return {.what = "targets " + nameOf(targets),
+            .per = "pixel",
+            .on = "device",
+            .predictedBytes = static_cast<double>(render::predictPictureBytes(device, once, false)) / pixels +
+                              kReadback + layers * sizeof(render::GBufferPixel),
+            .measuredBytes = (deviceTaken(device, setup, uploaded, twice).bytes -
+                              deviceTaken(device, setup, uploaded, once).bytes) /
+                             pixels};
+}
+
+} // namespace
+
+std::vector<MemoryCost> measureMemory(const gpu::Device& device, const MemoryOptions& options) {
+    constexpr double kDrawRoom = 1.5; // HostDraws::roomFor()
+    std::vector<MemoryCost> costs{
+        {"scene", "instance", "host", predictedInstance(), bytesPerInstance(options, heapOfCopy)},
+        {"draw source", "instance", "host", sizeof(render::DrawSource),
+         bytesPerInstance(options, [&](const scene::Scene& scene) { return heapOfUpload(device, scene); })},
+        {"cells", "instance", "host", predictedCells(), bytesPerInstance(options, heapOfCells)},
+        {"draw record", "draw", "device", kDrawRoom * sizeof(shaders::DrawRecord),
+         bytesPerDraw(device, options)}};
+    for (const render::TargetsKind kind : render::kTargetsKinds) {
+        costs.push_back(pixelCost(device, options, kind));
+    }
+    return costs;
+}
+
+} // namespace cdr::experiments

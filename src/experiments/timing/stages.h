@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cdr/gpu/device.h>
+#include <cdr/measure/statistics/statistics.h>
+#include <experiments/timing/timing.h>
+
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// What one stage of a frame costs.
+struct StageCost {
+    std::string name;
+    std::string how; ///< "measured", or what was left out to find it
+    double medianUs = 0.0;
+    measure::Interval us95;    ///< bootstrapped
+    double framePercent = 0.0; ///< of the whole frame's median
+};
+
+/// The stages of a frame of the timing scene, in their order, and last the whole frame. Stages of the CPU are
+/// measured. Execute is attributed by drawing the same frames without lights, without pixels (16x9 of them), without
+/// cubes, and without both, and taking differences frame by frame.
+///
+/// A driver that passes over triangles which cover no pixel spares part of their set-up where there are few pixels; that
+/// part counts as pixels here.
+/// @param options mode 0 is drawn; one frame in flight. base::InputError for no frames.
+std::vector<StageCost> runStages(const gpu::Device& device, const TimingOptions& options,
+                                 const TimingProgress& progress);
+
+} // namespace cdr::experiments

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <experiments/columns.h>
+#include <experiments/timing/against.h>
+#include <experiments/timing/memory_costs.h>
+#include <experiments/timing/stages.h>
+
+namespace cdr::experiments {
+
+/// One build over another.
+Columns<Comparison> againstColumns();
+/// The stages of one mode's frame. @param mode its name
+Columns<StageCost> stageColumns(const std::string& mode);
+
+Columns<MemoryCost> memoryColumns();
+
+/// Governor and load, for JSON: what else decides how long things take.
+Json machineJson();
+/// The same in words: "governor performance, load 0.4".
+std::string machineText();
+
+} // namespace cdr::experiments
