@@ -144,7 +144,8 @@ TEST(TimingCommand, ForetellsMemory) {
     const ProgramResult result = runProgram("timing --memory --size 512x256 --json t.json", folder.path());
     ASSERT_EQ(result.status, 0) << result.err;
     std::map<std::string, double> measured;
-    for (const json& row : readJson(folder.path() / "t.json").at("results")) {
+    const json document = readJson(folder.path() / "t.json");
+    for (const json& row : document.at("results")) {
         const double predicted = row.at("predicted_bytes");
         measured[row.at("what")] = row.at("measured_bytes");
         EXPECT_NEAR(measured[row.at("what")] / predicted, 1.0, 0.05) << row;

@@ -20,13 +20,13 @@ namespace {
 using namespace cdr;
 using namespace cdr::visibility;
 
-constexpr double kNoneWide = std::numeric_limits<double>::infinity();
+constexpr double kNoWideSpan = std::numeric_limits<double>::infinity();
 
 /// What a frame culls and bins with.
 struct View {
     scene::Camera camera;
     depth::Cascades ranges;
-    double wideSpan = kNoneWide;
+    double wideSpan = kNoWideSpan;
 };
 
 /// Random scenes, cameras and edits, for one seed.
@@ -71,7 +71,7 @@ class RandomWorld {
                                    {.nearView = camera.nearView, .farView = camera.farView});
     }
     /// Infinity in one case of two.
-    double wideSpan() { return below(2) == 0 ? kNoneWide : std::pow(10.0, uniform(-2.0, 2.0)); }
+    double wideSpan() { return below(2) == 0 ? kNoWideSpan : std::pow(10.0, uniform(-2.0, 2.0)); }
 
     View view() {
         const scene::Camera looking = camera();

@@ -62,6 +62,7 @@ Run runOnce(const fs::path& program, const AgainstOptions& options, const fs::pa
     std::vector<std::string> arguments{program.string()};
     arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
     arguments.insert(arguments.end(), {"--json", json.string()});
+    fs::remove(json); // of the run before
     const double before = childCpuUs();
     host::ChildProcess(arguments, {}).finish();
     Run run{.document = {}, .cpuUs = childCpuUs() - before};

@@ -4,6 +4,7 @@
 #include <cdr/render/draw_source.h>
 #include <cdr/render/renderer.h>
 #include <cdr/render/renderer_setup.h>
+#include <cdr/render/targets/gbuffer.h>
 #include <cdr/render/targets/gbuffer_pixel.h>
 #include <cdr/visibility/instance_cells.h>
 #include <scenes/cubes.h>
@@ -115,7 +116,7 @@ double bytesPerDraw(const gpu::Device& device, const MemoryOptions& options) {
     return (many.bytes - few.bytes) / (many.draws - few.draws);
 }
 
-/// Geometry buffers beside the final one; depth is shared.
+/// Geometry buffers beside the final one.
 std::size_t layersOf(const render::TargetsChoice& targets, unsigned cascades) {
     switch (targets.kind) {
     case render::TargetsKind::accumulate:
@@ -138,11 +139,17 @@ MemoryCost pixelCost(const gpu::Device& device, const MemoryOptions& options,
     const double pixels = static_cast<double>(options.width) * options.height;
     constexpr double kReadback = sizeof(image::Rgba8) + sizeof(render::GBufferPixel);
     const auto layers = static_cast<double>(layersOf(targets, options.cascades));
+    constexpr double kColor = sizeof(render::GBufferPixel);
+    const double layer = static_cast<double>(render::predictLayerBytes(
+                             device, {options.width, options.height}, once.technique.format)) /
+                         pixels;
+    const double picture = static_cast<double>(render::predictPictureBytes(device, once, false)) / pixels;
+    // The first layer has the final depth buffer for its own.
+    const double sharedDepth = layers > 0.0 ? layer - kColor : 0.0;
     return {.what = "targets " + nameOf(targets),
             .per = "pixel",
             .on = "device",
-            .predictedBytes = static_cast<double>(render::predictPictureBytes(device, once, false)) / pixels +
-                              kReadback + layers * sizeof(render::GBufferPixel),
+            .predictedBytes = picture + kReadback + layers * layer - sharedDepth,
             .measuredBytes = (deviceTaken(device, setup, uploaded, twice).bytes -
                               deviceTaken(device, setup, uploaded, once).bytes) /
                              pixels};
