@@ -32,6 +32,9 @@ std::string viewerProgram() {
     if (global.validate) {
         arguments.insert(arguments.begin(), "--validate");
     }
+    if (global.unit != base::LengthUnit::none) {
+        arguments.insert(arguments.begin(), fmt::format("--unit={}", nameOf(global.unit)));
+    }
     arguments.insert(arguments.begin(), viewerProgram());
     std::vector<char*> pointers;
     for (std::string& argument : arguments) {

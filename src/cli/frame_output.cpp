@@ -68,7 +68,7 @@ experiments::Columns<RenderRow> renderColumns(bool showsHash) {
          .value = ofTimes(&render::FrameTimes::executeMs),
          .heading = "execute ms",
          .format = {"{:.2f}"}}};
-    for (const auto& wrong : experiments::wrongPixelsColumns({.share = "wrong", .shareFormat = "{:.4f} %"})) {
+    for (const auto& wrong : experiments::wrongPixelsColumns({.share = "wrong"})) {
         columns.push_back({.key = wrong.key,
                            .value =
                                [value = wrong.value](const RenderRow& row) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cdr/base/quantity_text.h>
 #include <cdr/depth/technique.h>
 #include <experiments/camera_options.h>
 #include <experiments/effect_options.h>
@@ -19,6 +20,7 @@ struct GlobalOptions {
     std::string device; ///< index or part of a name; empty for the best
     bool validate = false;
     bool quiet = false;
+    base::LengthUnit unit = base::LengthUnit::none; ///< of lengths in tables and sentences
     std::string section; ///< of a report that the command runs for: only its progress shows, under this name
 };
 

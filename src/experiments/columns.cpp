@@ -33,7 +33,11 @@ std::string cellOf(const Json& value, const CellFormat& format) {
                            format.scale * value.at(1).get<double>());
     }
     if (value.is_number_float()) {
-        return fmt::format(pattern, format.scale * value.get<double>());
+        const double number = format.scale * value.get<double>();
+        const bool hasDecimals = format.pattern.find("{:") != std::string::npos;
+        return hasDecimals
+                   ? fmt::format(pattern, number)
+                   : fmt::format(pattern, base::quantityText(number, format.unit, base::NumberStyle::plain));
     }
     return fmt::format(pattern, plainText(value));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/quantity_text.h>
 #include <cdr/measure/statistics/statistics.h>
 
 #include <nlohmann/json.hpp>
@@ -20,9 +21,11 @@ using Json = nlohmann::ordered_json;
 
 /// How a table writes a value.
 struct CellFormat {
-    std::string pattern = "{}"; ///< of fmt; for an array of two numbers it takes both
-    double scale = 1.0;         ///< numbers are multiplied by it, such as 100 for percent
-    std::string missing{};      ///< what stands for null and for what is absent
+    std::string pattern =
+        "{}";           ///< of fmt, "{}" for base::quantityText(); for an array of two numbers it takes both
+    double scale = 1.0; ///< numbers are multiplied by it, such as 100 for percent
+    std::string missing{};                          ///< what stands for null and for what is absent
+    base::LengthUnit unit = base::LengthUnit::none; ///< of a length
 };
 
 /// A field of a result: its name in JSON, its heading in the table, its value.

@@ -4,7 +4,7 @@ namespace cdr::experiments {
 
 Columns<measure::WrongPixels> wrongPixelsColumns(const WrongPixelsHeadings& headings) {
     using Wrong = measure::WrongPixels;
-    const CellFormat share{.pattern = headings.shareFormat, .scale = 100.0};
+    const CellFormat share{.pattern = "{} %", .scale = 100.0};
     return {{.key = "pixels", .value = &Wrong::pixels, .heading = headings.pixels},
             {.key = "wrong", .value = &Wrong::wrong, .heading = headings.wrong},
             {.key = "wrong_fraction", .value = &Wrong::fraction, .heading = headings.share, .format = share},

@@ -13,7 +13,6 @@ struct WrongPixelsHeadings {
     std::string wrong{};
     std::string share{};
     std::string overlapShare{};
-    std::string shareFormat = "{:.4f} %";
 };
 
 /// The fields that say how a picture compares with the truth, named alike wherever one is counted:

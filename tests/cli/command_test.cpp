@@ -1,5 +1,6 @@
 #include "program.h"
 
+#include <cdr/base/quantity_text.h>
 #include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 
@@ -293,7 +294,8 @@ TEST(Commands, RenderCountsWrongPixelsAsPicturesDoes) {
     EXPECT_EQ(row["wrong_fraction"], row["wrong"].get<double>() / row["pixels"].get<double>());
     EXPECT_EQ(row["overlap_wrong_fraction"],
               row["overlap_wrong"].get<double>() / row["overlap_pixels"].get<double>());
-    const std::string share = fmt::format("{:.4f} %", 100.0 * expected["wrong_fraction"].get<double>());
+    const std::string share =
+        base::quantityText(100.0 * expected["wrong_fraction"].get<double>(), base::NumberStyle::plain) + " %";
     EXPECT_NE(rendered.out.find(share), std::string::npos) << rendered.out;
 }
 

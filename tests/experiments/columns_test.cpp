@@ -59,7 +59,7 @@ TEST(Columns, OfAPartStandAmongTheRowsOwn) {
     EXPECT_EQ(jsonOf(all, rows.front()).dump(),
               R"({"name":"a","pixels":8,"wrong":1,"wrong_fraction":0.125,"overlap_pixels":0,)"
               R"("overlap_wrong":0,"overlap_wrong_fraction":0.0,"edge_wrong":0})");
-    EXPECT_EQ(tableOf(all, rows).rows.front(), (std::vector<std::string>{"a", "1", "12.5000 %"}));
+    EXPECT_EQ(tableOf(all, rows).rows.front(), (std::vector<std::string>{"a", "1", "12.5 %"}));
 }
 
 TEST(Columns, CsvReadsTheJson) {

@@ -3,7 +3,9 @@
 #include <cdr/image/codec.h>
 #include <cdr/image/compare.h>
 #include <cdr/image/compose.h>
+#include <scenes/cubes.h>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -193,9 +195,11 @@ TEST_F(ViewerTest, EveryTabDraws) {
         names.push_back(tab + ".png");
         script += "click " + tab + "\nwait-ui 3\nwindow " + names.back() + "\n";
     }
-    script += "key F1\nwait-ui 3\nwindow help.png\nkey F1\nkey tab\nwait-frame\nwait-ui 3\nwindow "
+    script += "key F1\nwait-ui 3\nwindow help.png\nstate\nkey F1\nkey tab\nwait-frame\nwait-ui 3\nwindow "
               "plain.png\nquit\n";
-    play("--size 1280x720 --compare standard,anchored --threads 2 cubes", script);
+    const RunResult run = play("--size 1280x720 --compare standard,anchored --threads 2 cubes", script);
+    ASSERT_EQ(run.lines("scene=").size(), 1u);
+    EXPECT_EQ(valueOf(run.lines("scene=")[0], "hidden-help"), "0") << "the help needs scrolling";
     names.insert(names.end(), {"help.png", "plain.png"});
     std::vector<image::ImageRgba8> windows;
     for (const std::string& name : names) {
@@ -205,6 +209,20 @@ TEST_F(ViewerTest, EveryTabDraws) {
         }
     }
     keepContactSheet("contact_sheet.png", windows);
+}
+
+/// Beside a cube that lies outside the picture.
+TEST_F(ViewerTest, FlightsStopAtSurfacesThatNoPictureShowed) {
+    const glm::dvec3 cube = scenes::makeCubes(2013).scene.instances.position(0);
+    const RunResult run = play(fmt::format("--size 640x360 --eye {},{},{} --direction 0,0,-1 --fov 30 cubes",
+                                           cube.x - 8.0, cube.y, cube.z),
+                               "wait-frame\nhold D\nwait-ui 40\nlet D\nwait-frame\nwait-ui 3\nstate\nquit\n");
+    const std::vector<std::string> states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 1u);
+    constexpr double kHalfSide = 5.0;
+    const double left = cube.x - kHalfSide - std::stod(valueOf(states[0], "eye"));
+    EXPECT_GT(left, 0.0) << "it flew into the cube";
+    EXPECT_LT(left, 0.1) << "it stopped far from the cube";
 }
 
 TEST_F(ViewerTest, QuitsAfterSoManyFramesThoughNothingMoves) {

@@ -1,4 +1,5 @@
 #include <cdr/base/number_text.h>
+#include <cdr/base/quantity_text.h>
 #include <cdr/depth/advice.h>
 
 #include <algorithm>
@@ -88,7 +89,7 @@ std::string limitOf(const AdviceRow& row) {
 }
 
 /// What snapping does to the question's surfaces; empty where it is far below the separation.
-std::string snappingLine(const AdviceQuestion& question) {
+std::string snappingLine(const AdviceQuestion& question, const LengthText& lengthText) {
     const ForecastScene& scene = question.scene;
     const unsigned bits = scene.subPixelBits.value_or(question.subPixelBits);
     DepthRounding snapped;
@@ -100,7 +101,7 @@ std::string snappingLine(const AdviceQuestion& question) {
     return base::concat(
         scene.subPixelBits ? "Vertices snap to " : "Where vertices snap to ", bits,
         scene.subPixelBits ? " sub-pixel bits: faces of slope " : " sub-pixel bits, faces of slope ",
-        base::general(scene.slope, 3), " and unlike outlines may swap below ", base::general(reach, 3), ".");
+        base::general(scene.slope, 3), " and unlike outlines may swap below ", lengthText(reach), ".");
 }
 
 std::string describe(const AdviceRow& row) {
@@ -212,14 +213,19 @@ std::string costOf(const AdviceRow& row) {
     return cost.empty() ? "nothing" : cost;
 }
 
-std::vector<std::string> explain(const AdviceQuestion& question, const Advice& advice) {
+std::string plainLength(double view) {
+    return base::quantityText(view, base::NumberStyle::plain);
+}
+
+std::vector<std::string> explain(const AdviceQuestion& question, const Advice& advice,
+                                 const LengthText& lengthText) {
     std::vector<std::string> lines;
     const double at = question.scene.atView;
     if (advice.simplest) {
         const AdviceRow& row = advice.rows[*advice.simplest];
         lines.push_back(base::concat(describe(row), " is enough: it ", saysOf(row), " ",
-                                     base::general(row.resolvedView(), 3), " at ", base::general(at),
-                                     ", and ", base::general(question.separationView), " is asked for."));
+                                     lengthText(row.resolvedView()), " at ", lengthText(at), ", and ",
+                                     lengthText(question.separationView), " is asked for."));
         lines.push_back(costLine(row));
         if (row.forecast.cascades > 1) {
             lines.emplace_back("What straddles a boundary between cascades is drawn once more.");
@@ -230,23 +236,22 @@ std::vector<std::string> explain(const AdviceQuestion& question, const Advice& a
         }
     } else {
         const AdviceRow& best = advice.rows.back();
-        lines.push_back(base::concat("Nothing here resolves ", base::general(question.separationView), " at ",
-                                     base::general(at), ": ", describe(best), " comes to ",
-                                     base::general(best.resolvedView(), 3), ", limited by ", limitOf(best),
-                                     "."));
+        lines.push_back(base::concat("Nothing here resolves ", lengthText(question.separationView), " at ",
+                                     lengthText(at), ": ", describe(best), " comes to ",
+                                     lengthText(best.resolvedView()), ", limited by ", limitOf(best), "."));
     }
     const bool needsAnchored =
         !advice.simplest || isAnchored(advice.rows[*advice.simplest].technique.mapping);
     if (needsAnchored && advice.widestSpanView > 0.0) {
         lines.push_back(base::concat("anchored resolves it while what is visible there is at most ",
-                                     base::general(advice.widestSpanView, 3), " deep."));
+                                     lengthText(advice.widestSpanView), " deep."));
     }
-    if (const std::string line = snappingLine(question); !line.empty()) {
+    if (const std::string line = snappingLine(question, lengthText); !line.empty()) {
         lines.push_back(line);
     }
     if (at * 0x1p-52 > 0.1 * question.separationView) {
-        lines.push_back(base::concat("float64 positions themselves are ", base::general(at * 0x1p-52, 3),
-                                     " apart at ", base::general(at), "."));
+        lines.push_back(base::concat("float64 positions themselves are ", lengthText(at * 0x1p-52),
+                                     " apart at ", lengthText(at), "."));
     }
     return lines;
 }

@@ -2,6 +2,7 @@
 
 #include <cdr/depth/forecast.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,7 +66,13 @@ base::Result<Advice> tryAdvise(const AdviceQuestion& question,
 /// What a technique needs from an engine and a device, in words.
 std::string costOf(const AdviceRow& row);
 
+/// Writes a length, in scene units.
+using LengthText = std::function<std::string(double)>;
+/// base::quantityText() without a unit.
+std::string plainLength(double view);
+
 /// The advice in words, one sentence per line.
-std::vector<std::string> explain(const AdviceQuestion& question, const Advice& advice);
+std::vector<std::string> explain(const AdviceQuestion& question, const Advice& advice,
+                                 const LengthText& lengthText = plainLength);
 
 } // namespace cdr::depth

@@ -53,6 +53,30 @@ base::Result<Cascades> tryForecastCascades(const Technique& technique, const For
                                              .visible = content});
 }
 
+std::optional<Forecast> forecastIn(const Technique& technique, const Cascades& cascades,
+                                   double distanceView) {
+    const auto holds = [&](double overlap) {
+        return std::find_if(cascades.begin(), cascades.end(), [&](const Cascade& cascade) {
+            return distanceView >= cascade.nearView * (1.0 - overlap) &&
+                   distanceView <= cascade.farView * (1.0 + overlap);
+        });
+    };
+    constexpr double kOverlap = 1e-4;
+    const auto exact = holds(0.0);
+    const auto holder = exact != cascades.end() ? exact : holds(kOverlap);
+    if (holder == cascades.end()) {
+        return std::nullopt;
+    }
+    const bool isClosed = std::holds_alternative<SplitFitted>(technique.split);
+    const DepthRange range =
+        depthRange(technique.mapping, cascades, static_cast<std::size_t>(holder - cascades.begin()),
+                   isClosed ? FarEnd::closed : FarEnd::open);
+    const double w = std::clamp(distanceView, holder->nearView, holder->farView);
+    return Forecast{.cascades = cascades.size(),
+                    .bufferStepView = separationView(range, technique.format, w),
+                    .rounding = depthRounding(range, w)};
+}
+
 double Forecast::resolvedView() const {
     // Two surfaces: the square root of 2. Two deviations lie closest to what `cdr probe` measures on lavapipe
     // over all techniques, formats and decades.

@@ -44,6 +44,10 @@ Forecast forecast(const Technique& technique, const ForecastScene& scene);
 /// The same, refused instead of thrown.
 base::Result<Forecast> tryForecast(const Technique& technique, const ForecastScene& scene);
 
+/// The same in cascades that were cut, such as a frame's. Nothing where none of them holds the distance, with a little
+/// room about each, since what is drawn overlaps.
+std::optional<Forecast> forecastIn(const Technique& technique, const Cascades& cascades, double distanceView);
+
 /// The cascades the technique would cut.
 Cascades forecastCascades(const Technique& technique, const ForecastScene& scene);
 /// The same, refused instead of thrown.

@@ -11,10 +11,13 @@
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 namespace cdr::cli {
 
 namespace {
+
+using experiments::Json;
 
 struct AdviseArguments {
     scene::Camera camera{.fovY = 0.0, .nearView = 0.1, .farView = 1e5};
@@ -52,9 +55,33 @@ depth::AdviceQuestion questionOf(const AdviseArguments& arguments) {
     return question;
 }
 
-std::string measuredText(const depth::Measurement& measured) {
-    return measured.resolvedView ? fmt::format("{:.3g}", *measured.resolvedView)
-                                 : fmt::format("none, > {:.3g}", measured.largestView);
+depth::LengthText lengthTextIn(base::LengthUnit unit) {
+    return [unit](double view) { return base::quantityText(view, unit, base::NumberStyle::plain); };
+}
+
+constexpr char kLengthMark = '\x1f';
+
+/// Sentences in parts: texts, and numbers where a length stands, for whoever writes lengths another way.
+Json partsOf(const depth::AdviceQuestion& question, const depth::Advice& advice) {
+    const auto marked = [](double view) {
+        return std::isfinite(view) ? fmt::format("{0}{1}{0}", kLengthMark, view) : depth::plainLength(view);
+    };
+    Json lines = Json::array();
+    for (const std::string& line : depth::explain(question, advice, marked)) {
+        Json parts = Json::array();
+        std::istringstream text(line);
+        bool isLength = false;
+        for (std::string part; std::getline(text, part, kLengthMark); isLength = !isLength) {
+            parts.push_back(isLength ? Json::parse(part) : Json(part));
+        }
+        lines.push_back(std::move(parts));
+    }
+    return lines;
+}
+
+std::string measuredText(const depth::Measurement& measured, base::LengthUnit unit) {
+    const depth::LengthText text = lengthTextIn(unit);
+    return measured.resolvedView ? text(*measured.resolvedView) : "none, > " + text(measured.largestView);
 }
 
 std::string timeText(const depth::Measurement& measured) {
@@ -66,7 +93,8 @@ std::string timeText(const depth::Measurement& measured) {
 using Row = depth::AdviceRow;
 
 /// A text of what was measured; none where nothing was.
-auto textOf(std::string (*text)(const depth::Measurement&)) {
+template <typename Text>
+auto textOf(Text text) {
     return [text](const Row& row) { return row.measured ? text(*row.measured) : std::string(); };
 }
 
@@ -78,13 +106,13 @@ auto measuredValue(Value value) {
     };
 }
 
-experiments::Columns<Row> measuredColumns() {
+experiments::Columns<Row> measuredColumns(base::LengthUnit unit) {
     using Measured = depth::Measurement;
     return {
         {.key = "resolved",
          .value = measuredValue([](const Measured& m) { return experiments::finiteOrNull(m.resolvedView); }),
          .heading = "measured",
-         .text = textOf(measuredText),
+         .text = textOf([unit](const Measured& m) { return measuredText(m, unit); }),
          .before = "enough"},
         {.key = "largest", .value = measuredValue([](const Measured& m) { return m.largestView; })},
         {.key = "time_ratio",
@@ -99,12 +127,12 @@ experiments::Columns<Row> measuredColumns() {
 }
 
 /// @param measured whether the table shows measurements, else costs in words.
-experiments::Columns<Row> adviceColumns(bool measured) {
+experiments::Columns<Row> adviceColumns(bool measured, base::LengthUnit unit) {
     const auto step = [](auto value) {
         return [value](const Row& row) { return experiments::finiteOrNull(value(row.forecast)); };
     };
     using Forecast = depth::Forecast;
-    const experiments::CellFormat stepFormat{.pattern = "{:.3g}", .missing = "none"};
+    const experiments::CellFormat stepFormat{.missing = "none", .unit = unit};
     const experiments::Columns<Row> predicted{
         {.key = "technique",
          .value = [](const Row& row) { return nameOf(row.technique); },
@@ -141,7 +169,7 @@ experiments::Columns<Row> adviceColumns(bool measured) {
          .value = [](const Row& row) { return costOf(row); },
          .heading = measured ? "" : "cost over standard",
          .before = "enough"}};
-    return measured ? experiments::joined<Row>({predicted, measuredColumns()}) : predicted;
+    return measured ? experiments::joined<Row>({predicted, measuredColumns(unit)}) : predicted;
 }
 
 /// The answer, and what it was measured on.
@@ -175,8 +203,8 @@ void run(Command& command, AdviseArguments& arguments) {
     const depth::AdviceQuestion asked = questionOf(arguments);
     const auto [question, advice, measuredOn] =
         arguments.measured ? measure(command, arguments, asked) : predict(asked);
-    const std::vector<std::string> lines = depth::explain(question, advice);
-    const auto columns = adviceColumns(arguments.measured);
+    const auto lines = depth::explain(question, advice, lengthTextIn(command.global().unit));
+    const auto columns = adviceColumns(arguments.measured, command.global().unit);
     console.table(experiments::tableOf(columns, advice.rows));
     console.line("");
     for (const std::string& line : lines) {
@@ -206,7 +234,8 @@ void run(Command& command, AdviseArguments& arguments) {
     document["simplest"] = advice.simplest ? experiments::jsonOf(columns, advice.rows[*advice.simplest])
                                            : nlohmann::ordered_json(nullptr);
     document["widest_span"] = advice.widestSpanView;
-    document["advice"] = lines;
+    document["advice"] = depth::explain(question, advice);
+    document["advice_parts"] = partsOf(question, advice);
     command.writeDocument(document);
 }
 

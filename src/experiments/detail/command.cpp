@@ -20,7 +20,7 @@ experiments::Columns<experiments::DetailResult> detailColumns() {
     using Result = experiments::DetailResult;
     const auto othersShare = [](const Result& result) {
         const double share = static_cast<double>(result.otherIds) / static_cast<double>(result.pixels);
-        return fmt::format("{:.4f} %", 100.0 * share);
+        return base::quantityText(100.0 * share, base::NumberStyle::plain) + " %";
     };
     return {
         {.key = "mode", .value = &Result::mode, .heading = "detail"},

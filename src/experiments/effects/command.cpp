@@ -28,7 +28,7 @@ experiments::Columns<experiments::EffectsResult> effectsColumns() {
             {.key = "differing",
              .value = &Result::differing,
              .heading = "differing",
-             .format = {"{:.4f} %", 100.0},
+             .format = {"{} %", 100.0},
              .before = "under"}};
 }
 

@@ -33,10 +33,9 @@ experiments::Columns<experiments::FlickerResult> flickerColumns() {
           {.key = "technique", .value = &Result::technique, .heading = "technique"},
           {.key = "format", .value = &Result::format, .heading = "format"},
           {.key = "frames", .value = &Result::frames}},
-         experiments::columnsOf(&Result::wrong, experiments::wrongPixelsColumns({.pixels = "inner pixels",
-                                                                                 .wrong = "wrong",
-                                                                                 .share = "wrong share",
-                                                                                 .shareFormat = "{:.5f} %"})),
+         experiments::columnsOf(&Result::wrong,
+                                experiments::wrongPixelsColumns(
+                                    {.pixels = "inner pixels", .wrong = "wrong", .share = "wrong share"})),
          {{.key = "flips",
            .value = [](const Result& result) { return result.flips.flips; },
            .heading = "flips"},

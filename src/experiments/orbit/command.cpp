@@ -80,7 +80,8 @@ void printTable(const Console& console, const std::vector<experiments::OrbitResu
         if (rows.empty() || rows.back().front() != std::to_string(result.frame)) {
             rows.push_back({std::to_string(result.frame), fmt::format("{:.4f}", result.fovYDegrees)});
         }
-        rows.back().push_back(fmt::format("{:.4f} %", 100.0 * result.wrong.fraction()));
+        rows.back().push_back(base::quantityText(100.0 * result.wrong.fraction(), base::NumberStyle::plain) +
+                              " %");
     }
     console.table({header, rows});
 }

@@ -17,33 +17,34 @@ struct PrecisionArguments {
     std::string curveFile;
 };
 
-experiments::Columns<experiments::PrecisionCell> precisionColumns() {
+experiments::Columns<experiments::PrecisionCell> precisionColumns(base::LengthUnit unit) {
     using Cell = experiments::PrecisionCell;
     const auto ofThesis = [](auto value) {
         return [value](const Cell& cell) { return cell.thesisView ? value(cell) : experiments::absent(); };
     };
-    const experiments::CellFormat distance{.pattern = "{:.3f}", .missing = "never"};
-    return {{.key = "technique", .value = &Cell::technique, .heading = "technique"},
-            {.key = "format", .value = &Cell::format, .heading = "format"},
-            {.key = "separation", .value = &Cell::separation, .heading = "separation"},
-            {.key = "depth",
-             .value = [](const Cell& cell) { return experiments::finiteOrNull(cell.reachedFirstView); },
-             .heading = "first reached at",
-             .format = distance},
-            {.key = "held_last",
-             .value = [](const Cell& cell) { return experiments::finiteOrNull(cell.heldLastView); },
-             .heading = "held last at",
-             .format = distance},
-            {.key = "thesis",
-             .value = ofThesis([](const Cell& cell) { return experiments::Json(*cell.thesisView); }),
-             .heading = "thesis",
-             .format = {"{:.3f}"}},
-            {.key = "difference_pct",
-             .value = ofThesis([](const Cell& cell) {
-                 return experiments::Json(100.0 * (cell.reachedFirstView / *cell.thesisView - 1.0));
-             }),
-             .heading = "difference",
-             .format = {"{:+.4f} %"}}};
+    const experiments::CellFormat distance{.missing = "never", .unit = unit};
+    return {
+        {.key = "technique", .value = &Cell::technique, .heading = "technique"},
+        {.key = "format", .value = &Cell::format, .heading = "format"},
+        {.key = "separation", .value = &Cell::separation, .heading = "separation", .format = {.unit = unit}},
+        {.key = "depth",
+         .value = [](const Cell& cell) { return experiments::finiteOrNull(cell.reachedFirstView); },
+         .heading = "first reached at",
+         .format = distance},
+        {.key = "held_last",
+         .value = [](const Cell& cell) { return experiments::finiteOrNull(cell.heldLastView); },
+         .heading = "held last at",
+         .format = distance},
+        {.key = "thesis",
+         .value = ofThesis([](const Cell& cell) { return experiments::Json(*cell.thesisView); }),
+         .heading = "thesis",
+         .format = {.unit = unit}},
+        {.key = "difference_pct",
+         .value = ofThesis([](const Cell& cell) {
+             return experiments::Json(100.0 * (cell.reachedFirstView / *cell.thesisView - 1.0));
+         }),
+         .heading = "difference",
+         .format = {"{:+.4f} %"}}};
 }
 
 void writeCurve(const std::string& file, const experiments::PrecisionResult& result) {
@@ -60,7 +61,7 @@ void run(Command& command, PrecisionArguments& arguments) {
     }
     const experiments::PrecisionResult result = experiments::runPrecision(arguments.options);
     const Console& console = command.console();
-    const auto columns = precisionColumns();
+    const auto columns = precisionColumns(command.global().unit);
     console.line("Table 4.1 of the thesis, by its own formulas, 24 bits:");
     console.table(experiments::tableOf(columns, result.table));
     console.line("\nEvery technique and depth format, by the exact step of the buffer alone:");

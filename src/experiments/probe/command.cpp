@@ -25,36 +25,39 @@ std::optional<double> ratioOf(const experiments::ProbeResult& result) {
     return result.resolvedView ? std::optional(*result.resolvedView / result.predictedView) : std::nullopt;
 }
 
-experiments::Columns<experiments::ProbeResult> probeColumns() {
+experiments::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit unit) {
     using Result = experiments::ProbeResult;
-    const auto resolvedText = [](const Result& result) {
-        return result.resolvedView ? fmt::format("{:.3g}", *result.resolvedView)
-                                   : fmt::format("none, > {:.3g}", result.largestView);
+    const auto text = [unit](double view) {
+        return base::quantityText(view, unit, base::NumberStyle::plain);
+    };
+    const auto resolvedText = [text](const Result& result) {
+        return result.resolvedView ? text(*result.resolvedView) : "none, > " + text(result.largestView);
     };
     const auto ratioText = [](const Result& result) {
         const std::optional<double> ratio = ratioOf(result);
         return ratio && *ratio > 0.0 ? fmt::format("{:.2f}", *ratio) : "";
     };
-    return {{.key = "technique", .value = &Result::technique, .heading = "technique"},
-            {.key = "format", .value = &Result::format, .heading = "format"},
-            {.key = "distance", .value = &Result::distanceView, .heading = "distance"},
-            {.key = "resolved",
-             .value = [](const Result& result) { return experiments::finiteOrNull(result.resolvedView); },
-             .heading = "resolved",
-             .text = resolvedText},
-            {.key = "predicted",
-             .value = [](const Result& result) { return experiments::finiteOrNull(result.predictedView); },
-             .heading = "predicted",
-             .format = {.pattern = "{:.3g}", .missing = "none"}},
-            {.key = "ratio",
-             .value = [](const Result& result) { return experiments::finiteOrNull(ratioOf(result)); },
-             .heading = "measured / predicted",
-             .text = ratioText},
-            {.key = "guaranteed",
-             .value = [](const Result& result) { return experiments::finiteOrNull(result.guaranteedView); }},
-            {.key = "smallest", .value = &Result::smallestView},
-            {.key = "largest", .value = &Result::largestView},
-            {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}};
+    return {
+        {.key = "technique", .value = &Result::technique, .heading = "technique"},
+        {.key = "format", .value = &Result::format, .heading = "format"},
+        {.key = "distance", .value = &Result::distanceView, .heading = "distance", .format = {.unit = unit}},
+        {.key = "resolved",
+         .value = [](const Result& result) { return experiments::finiteOrNull(result.resolvedView); },
+         .heading = "resolved",
+         .text = resolvedText},
+        {.key = "predicted",
+         .value = [](const Result& result) { return experiments::finiteOrNull(result.predictedView); },
+         .heading = "predicted",
+         .format = {.missing = "none", .unit = unit}},
+        {.key = "ratio",
+         .value = [](const Result& result) { return experiments::finiteOrNull(ratioOf(result)); },
+         .heading = "measured / predicted",
+         .text = ratioText},
+        {.key = "guaranteed",
+         .value = [](const Result& result) { return experiments::finiteOrNull(result.guaranteedView); }},
+        {.key = "smallest", .value = &Result::smallestView},
+        {.key = "largest", .value = &Result::largestView},
+        {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}};
 }
 
 /// The formats that are left out because the device lacks them; none where formats were asked for.
@@ -78,7 +81,7 @@ void run(Command& command, ProbeArguments& arguments) {
     const std::vector<std::string_view> missing = missingFormats(command.device(), options);
     const auto results = experiments::runProbe(command.device(), options, command.progress());
     command.endProgress();
-    const auto columns = probeColumns();
+    const auto columns = probeColumns(command.global().unit);
     command.console().table(experiments::tableOf(columns, results));
     if (!missing.empty()) {
         command.console().line(

@@ -38,7 +38,7 @@ experiments::Columns<experiments::TranslucencyResult> translucencyColumns() {
         {.key = "within_one_step",
          .value = &Difference::withinFraction,
          .heading = "within 1/255",
-         .format = {"{:.3f} %", 100.0}},
+         .format = {"{} %", 100.0}},
         {.key = "counted_pixels", .value = &Difference::pixels},
         {.key = "miscounted", .value = &Difference::miscounted, .heading = "miscounted"}};
     const experiments::Columns<Stats> stats{{.key = "draws", .value = &Stats::draws, .heading = "draws"},

@@ -1,24 +1,54 @@
-// Numbers as people read them. Commas group thousands, a narrow no-break space joins a unit; a true minus sign leads.
+// Numbers as people read them, by the rules of src/cdr/base/quantity_text.h: the cases in tests/base/quantities.json hold
+// for both. Commas group thousands, a no-break space joins a unit, a true minus sign leads.
 
-const kThin = "\u202f"; // narrow no-break space
+const kSpace = "\u00a0";
 const kMinus = "\u2212";
+const kLargestExponent = 7; // from here on, and below the other, a power of ten is written
+const kSmallestExponent = -4;
 
-/** Significant digits, thousands grouped; powers of ten outside 1e-4 .. 1e7. "none" for null, NaN and infinity. */
-export function number(value, digits = 3) {
-    if (value === null || value === undefined || !Number.isFinite(value)) {
+/** So many significant digits, but all whole ones, and no zeros at the end. "none" for null and NaN. */
+export function number(value, digits = 4) {
+    if (value === null || value === undefined || Number.isNaN(value)) {
         return "none";
+    }
+    const sign = value < 0 ? kMinus : "";
+    if (!Number.isFinite(value)) {
+        return `${sign}infinite`;
     }
     if (value === 0) {
         return "0";
     }
-    const sign = value < 0 ? kMinus : "";
-    const size = Math.abs(value);
-    if (size < 0.999e-4 || size >= 1e7) {
-        const [mantissa, exponent] = size.toExponential(digits - 1).split("e");
-        return `${sign}${trimZeros(mantissa)}\u00b710${superscript(Number(exponent))}`;
+    const { kept, exponent } = readable(Math.abs(value), digits);
+    if (exponent < kSmallestExponent || exponent >= kLargestExponent) {
+        const [mantissa] = Math.abs(value).toExponential(kept - 1).split("e");
+        return `${sign}${trimZeros(mantissa)}\u00b710${superscript(exponent)}`;
     }
-    const decimals = Math.min(12, Math.max(0, digits - 1 - Math.floor(Math.log10(size))));
-    return sign + trimZeros(fixed(size, decimals));
+    return sign + trimZeros(fixed(Math.abs(value), Math.max(0, kept - 1 - exponent)));
+}
+
+/** How many digits are shown, and the power of ten of the first of them once rounded. */
+function readable(size, digits) {
+    const exponentOf = (kept) => Number(size.toExponential(kept - 1).split("e")[1]);
+    const whole = exponentOf(kExactDigits);
+    const kept = Math.max(1, digits, whole < kLargestExponent ? whole + 1 : 0);
+    return { kept, exponent: exponentOf(kept) };
+}
+
+const kExactDigits = 41;
+const kUnits = [[1e-6, "\u00b5m", "um"], [1e-3, "mm", "mm"], [1, "m", "m"], [1e3, "km", "km"], [1e9, `million${kSpace}km`]];
+
+/** What a length may be written in, in the order of a choice. */
+export const lengthUnits = ["none", "auto", ...kUnits.map(([, , name]) => name).filter(Boolean)];
+
+/** A length in a unit of `lengthUnits`; one is a metre by convention. "auto" is the largest unit that it fills. */
+export function lengthIn(metres, unit, digits = 4) {
+    if (unit === "none" || metres === null || !Number.isFinite(metres)) {
+        return number(metres, digits);
+    }
+    const fills = ([size]) => readable(Math.abs(metres) / size, digits).exponent >= 0;
+    const [size, name] = unit !== "auto" ? kUnits.find((each) => each[2] === unit)
+        : metres === 0 ? kUnits[2] : (kUnits.filter(fills).pop() ?? kUnits[0]);
+    return `${number(metres / size, digits)}${kSpace}${name}`;
 }
 
 /** A fixed number of decimals, thousands grouped. */
@@ -33,13 +63,8 @@ export function fixed(value, decimals) {
 }
 
 /** A share of 1 as percent. */
-export function percent(share, digits = 3) {
-    return Number.isFinite(share) ? `${number(100 * share, digits)}${kThin}%` : "none";
-}
-
-/** A sentence of the program whose lengths, its only numbers with a point or an exponent, become numbers with units. */
-export function withUnits(sentence) {
-    return sentence.replace(/\d+\.\d+(e[+-]\d+)?|\d+e[+-]\d+/g, (text) => `${number(Number(text), 4)} units`);
+export function percent(share, digits = 4) {
+    return Number.isFinite(share) ? `${number(100 * share, digits)}${kSpace}%` : "none";
 }
 
 /** A difference already in percent, its sign always there. */
@@ -48,26 +73,21 @@ export function signedPercent(value, decimals = 1) {
         return "none";
     }
     const text = fixed(value, decimals);
-    return `${text.startsWith(kMinus) ? "" : "+"}${text}${kThin}%`;
-}
-
-/** A probability. */
-export function probability(p) {
-    return Number.isFinite(p) ? number(p, 3) : "none";
+    return `${text.startsWith(kMinus) ? "" : "+"}${text}${kSpace}%`;
 }
 
 /** Seconds as people say them. */
 export function duration(seconds) {
     if (seconds < 0.1) {
-        return `under 0.1${kThin}s`;
+        return `under 0.1${kSpace}s`;
     }
     if (seconds < 60) {
-        return `${number(seconds, 2)}${kThin}s`;
+        return `${number(seconds, 2)}${kSpace}s`;
     }
     const minutes = Math.floor(Math.round(seconds) / 60);
     return minutes < 60
-        ? `${minutes}${kThin}min ${Math.round(seconds) % 60}${kThin}s`
-        : `${Math.floor(minutes / 60)}${kThin}h ${minutes % 60}${kThin}min`;
+        ? `${minutes}${kSpace}min ${Math.round(seconds) % 60}${kSpace}s`
+        : `${Math.floor(minutes / 60)}${kSpace}h ${minutes % 60}${kSpace}min`;
 }
 
 /** "a, b and c". */

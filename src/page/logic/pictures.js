@@ -6,10 +6,16 @@ export function scenes(document) {
     return names.map((name) => ({ name, results: document.results.filter((result) => result.scene === name) }));
 }
 
-/** Places of the rows with the most and the fewest wrong pixels; of equals the first and the last. */
-export function worstAndBest(rows) {
-    const shares = rows.map((row) => row.wrong_fraction);
-    return [shares.indexOf(Math.max(...shares)), shares.lastIndexOf(Math.min(...shares))];
+/** Places of the rows with the most and the least of an error, wrong pixels if nothing else is said; of equals the first and the last. */
+export function worstAndBest(rows, errorOf = (row) => row.wrong_fraction) {
+    const errors = rows.map(errorOf);
+    return [errors.indexOf(Math.max(...errors)), errors.lastIndexOf(Math.min(...errors))];
+}
+
+/** Places of the rows of two modes that a section is about; worstAndBest() where one of them is missing. */
+export function modesOrWorst(rows, modes, errorOf) {
+    const places = modes.map((mode) => rows.findIndex((row) => row.mode === mode));
+    return places.includes(-1) ? worstAndBest(rows, errorOf) : places;
 }
 
 /** One result, or nothing. */

@@ -24,12 +24,13 @@ function fill(element, properties, children) {
 
 /**
  * A table in a region of its own that scrolls where a phone is narrower, reachable by keyboard.
+ * @param {string|(string|Node)[]} caption
  * @param {(string|Node|object)[]|null} header none where the rows' own names say it all.
  */
 export function table(caption, header, rows) {
     const cell = (tag, content, properties = {}) =>
         content?.properties ? h(tag, { ...properties, ...content.properties }, content.content) : h(tag, properties, content ?? "");
-    return h("div", { class: "scroll", role: "region", "aria-label": caption, tabindex: 0 },
+    return h("div", { class: "scroll", role: "region", "aria-label": h("p", {}, caption).textContent, tabindex: 0 },
         h("table", {},
             h("caption", {}, caption),
             header && h("thead", {}, h("tr", {}, header.map((content) => (content === "" ? h("td") : cell("th", content, { scope: "col" }))))),

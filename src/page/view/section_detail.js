@@ -1,5 +1,7 @@
-import { fixed, number, percent } from "../logic/format.js";
+import { fixed, number } from "../logic/format.js";
+import { worstAndBest } from "../logic/pictures.js";
 import { h, slot, table } from "./elements.js";
+import { decimals, figure, share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
 const titles = { none: "In full", object: "By object", cascade: "By cascade", "none-again": "In full, again" };
@@ -9,7 +11,7 @@ export function fillDetail(document, folder) {
     if (shown.every((row) => row.picture)) {
         slot("detail", "wipe").append(makeWipe({
             scene: document.options.scene, width: document.options.width, height: document.options.height,
-            items: shown.map((row) => itemOf(row, folder)), alt: altOf }));
+            items: shown.map((row) => itemOf(row, folder)), start: worstAndBest(shown, (row) => row.cracks), alt: altOf }));
     }
     slot("detail", "table").append(makeTable(document));
 }
@@ -32,6 +34,6 @@ function makeTable(document) {
     return table("Execute over drawing in full, the median of the ratios frame by frame; FLIP and the rest compare with the same frames in full.",
         ["Detail", "triangles", "execute, ms", "times faster", "95 % interval", "FLIP", "other object shown", "cracks"],
         document.results.map((row) => [
-            h("span", {}, titles[row.mode] ?? row.mode), number(row.triangles, 4), number(row.execute_ms), fixed(row.execute_speedup, 2),
-            row.ci95.map((end) => fixed(end, 2)).join(" to "), number(row.flip), percent(row.other_ids / row.pixels), number(row.cracks, 7)]));
+            h("span", {}, titles[row.mode] ?? row.mode), figure(row.triangles), figure(row.execute_ms), decimals(row.execute_speedup, 2),
+            row.ci95.map((end) => fixed(end, 2)).join(" to "), figure(row.flip), share(row.other_ids / row.pixels), figure(row.cracks)]));
 }

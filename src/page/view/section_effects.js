@@ -1,6 +1,8 @@
-import { fixed, number, percent } from "../logic/format.js";
+import { fixed, percent } from "../logic/format.js";
+import { modesOrWorst } from "../logic/pictures.js";
 import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table } from "./elements.js";
+import { decimals, figure, share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
 const titles = { plain: "Plain", edges: "Smooth edges", occlusion: "Ambient occlusion", "occlusion-layers": "Occlusion per layer", fog: "Fog" };
@@ -10,16 +12,11 @@ export function fillEffects(document, folder) {
     if (document.results.every((row) => row.picture)) {
         slot("effects", "wipe").append(makeWipe({
             scene: document.options.scene, width: document.options.width, height: document.options.height,
-            items: document.results.map((row) => itemOf(row, folder)), start: startOf(document.results), alt: altOf }));
+            items: document.results.map((row) => itemOf(row, folder)),
+            start: modesOrWorst(document.results, ["occlusion", "occlusion-layers"], (row) => row.execute_ratio), alt: altOf }));
     }
     slot("effects", "table").append(makeTable(document),
         h("p", {}, `Worked out on each layer alone, occlusion leaves ${percent(document.lost_per_layer)} of the pixels too bright.`));
-}
-
-/** Occlusion of the finished picture beside that of each layer: what method 2 loses. */
-function startOf(rows) {
-    const places = ["occlusion", "occlusion-layers"].map((mode) => rows.findIndex((row) => row.mode === mode));
-    return places.includes(-1) ? [0, rows.length - 1] : places;
 }
 
 function itemOf(row, folder) {
@@ -34,6 +31,6 @@ function makeTable(document) {
     return table("Execute over a plain frame, the median of the ratios frame by frame; pixels that differ from anchored\u2019s, under the preset where most do.",
         ["Effect", "execute, ms", "over plain", "95 % interval", "differing", "under"],
         document.results.map((row) => [
-            h("span", {}, titleOf(row)), number(row.execute_ms), fixed(row.execute_ratio, 2), row.ci95.map((end) => fixed(end, 2)).join(" to "),
-            percent(row.differing), techniqueTitles[row.least_alike] ?? row.least_alike]));
+            h("span", {}, titleOf(row)), figure(row.execute_ms), decimals(row.execute_ratio, 2), row.ci95.map((end) => fixed(end, 2)).join(" to "),
+            share(row.differing), techniqueTitles[row.least_alike] ?? row.least_alike]));
 }

@@ -1,7 +1,8 @@
 import { flipsPerThousand, movedBoundaries, observerWins, pairRows, techniques } from "../logic/flicker.js";
-import { fixed, list, number, percent, probability } from "../logic/format.js";
+import { list, number, percent } from "../logic/format.js";
 import { table62, techniqueTitles, thesisTechniques } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel, wideOnly } from "./elements.js";
+import { decimals, figure, share } from "./figures.js";
 
 const title = (name) => techniqueTitles[name] ?? name;
 
@@ -31,8 +32,8 @@ function measures(caption, rows) {
     return table(caption,
         ["Technique", "wrong", wideOnly("wrong pixels"), "flips per 1,000", "mean FLIP", wideOnly("cascades")],
         rows.map((row) => [
-            techniqueLabel(row.technique, title(row.technique)), percent(row.wrong_fraction), wideOnly(number(row.wrong, 9)),
-            number(flipsPerThousand(row)), number(row.mean_flip), wideOnly(row.cascades)]));
+            techniqueLabel(row.technique, title(row.technique)), share(row.wrong_fraction), wideOnly(figure(row.wrong)),
+            figure(flipsPerThousand(row)), figure(row.mean_flip), wideOnly(row.cascades)]));
 }
 
 function boundary(document) {
@@ -59,7 +60,7 @@ function people(document) {
             rows.map((row) => [
                 `${title(row.left)} : ${title(row.right)}`, row.chosen.join(" : "), row.observer ? title(row.observer) : "neither",
                 h("span", { class: row.agree ? "mark-good" : "mark-bad" }, row.agree ? "yes" : "no"),
-                fixed(row.chiSquared, 3), fixed(row.recomputed, 3), probability(row.chiSquaredP), probability(row.exactP)])),
+                decimals(row.chiSquared, 3), decimals(row.recomputed, 3), figure(row.chiSquaredP), figure(row.exactP)])),
         table("Table 6.2: how often each was chosen. People: of 36 times shown to twelve. Observer: of 3 pairs.",
             ["", ...thesisTechniques.map(title)],
             [["People", ...thesisTechniques.map((name) => table62[name])], ["Observer", ...thesisTechniques.map((name) => wins[name] ?? 0)]]),
@@ -83,6 +84,6 @@ function videos(document, folder) {
                 src: `${folder}/${row.left}_${row.right}.mp4`, width: 2 * width, height, controls: true, muted: true, playsinline: true,
                 loop: true, preload: "metadata", poster: `${folder}/${row.left}_${row.right}.png`, "aria-label": `${title(row.left)} on the left, ${title(row.right)} on the right`,
             }),
-            h("figcaption", {}, `${title(row.left)}, left: ${number(row.flips[0], 9)} flips. ${title(row.right)}, right: ${number(row.flips[1], 9)} flips.`)))),
+            h("figcaption", {}, `${title(row.left)}, left: ${number(row.flips[0])} flips. ${title(row.right)}, right: ${number(row.flips[1])} flips.`)))),
     ];
 }

@@ -1,5 +1,7 @@
-import { fixed, number } from "../logic/format.js";
+import { fixed } from "../logic/format.js";
+import { modesOrWorst } from "../logic/pictures.js";
 import { h, slot, table } from "./elements.js";
+import { decimals, figure } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
 const titles = { single: "Sharp, one target", layers: "Sharp, layers", focus: "By cascade", "focus-blend": "By cascade, fading", cameras: "Many cameras" };
@@ -10,7 +12,8 @@ export function fillFocus(document, folder) {
     if (shown.length > 0) {
         slot("focus", "wipe").append(makeWipe({
             scene: document.options.scene, width: document.options.width, height: document.options.height,
-            items: shown.map((row) => itemOf(row, folder)), alt: altOf }));
+            items: shown.map((row) => itemOf(row, folder)),
+            start: modesOrWorst(shown, ["focus", "focus-blend"], (row) => row.flip), alt: altOf }));
     }
     slot("focus", "table").append(makeTable(document));
 }
@@ -27,6 +30,6 @@ function makeTable(document) {
     return table("Execute over drawing the same layers sharp, the median of the ratios frame by frame; FLIP and RMSE compare with the mean of the cameras.",
         ["Lens", "megapixels", "execute, ms", "times faster", "95 % interval", "FLIP", "RMSE"],
         document.results.map((row) => [
-            h("span", {}, titleOf(row)), fixed(row.pixels / 1e6, 2), number(row.execute_ms), fixed(row.execute_speedup, 2),
-            row.ci95.map((end) => fixed(end, 2)).join(" to "), fixed(row.flip, 4), fixed(row.rmse, 4)]));
+            h("span", {}, titleOf(row)), decimals(row.pixels / 1e6, 2), figure(row.execute_ms), decimals(row.execute_speedup, 2),
+            row.ci95.map((end) => fixed(end, 2)).join(" to "), decimals(row.flip, 4), decimals(row.rmse, 4)]));
 }

@@ -1,7 +1,7 @@
 import { cleanTechniques, openingSentences, runwayRows, sceneColumns, sceneRows } from "../logic/opening.js";
-import { percent } from "../logic/format.js";
 import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
+import { share } from "./figures.js";
 import { altOf, itemOf } from "./section_orbit.js";
 import { makeWipe } from "./wipe.js";
 
@@ -29,5 +29,5 @@ function makeTable(sections, rows) {
     return table(`Wrong pixels off edges, against a float64 ray cast. ${cleanTechniques(rows, techniqueTitles)}`,
         ["Technique", ...sceneColumns(sections).map((column) => column.title)],
         rows.map((row) => [techniqueLabel(row.technique, techniqueTitles[row.technique]),
-            ...row.shares.map((share) => (share === null ? "" : percent(share)))]));
+            ...row.shares.map((value) => (value === null ? "" : share(value)))]));
 }

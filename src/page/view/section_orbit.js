@@ -3,6 +3,7 @@ import { runwayRows } from "../logic/opening.js";
 import { worstAndBest } from "../logic/pictures.js";
 import { techniqueTitles } from "../logic/thesis.js";
 import { slot, table, techniqueLabel } from "./elements.js";
+import { share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
 const titleOf = (technique) => techniqueTitles[technique] ?? technique;
@@ -39,5 +40,5 @@ function makeTable(document) {
     return table("Share of wrong pixels off edges along the zoom.",
         ["Lens", ...techniques.map((technique) => techniqueLabel(technique, titleOf(technique)))],
         frames.map((frame) => [`${number(find(frame, techniques[0]).fov_degrees, 3)}\u00b0`,
-            ...techniques.map((technique) => percent(find(frame, technique).wrong_fraction))]));
+            ...techniques.map((technique) => share(find(frame, technique).wrong_fraction))]));
 }

@@ -2,6 +2,7 @@ import { scenes, worstAndBest } from "../logic/pictures.js";
 import { number, percent } from "../logic/format.js";
 import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
+import { figure, share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
 const about = {
@@ -43,6 +44,6 @@ function makeTable(document) {
     return table("Wrong pixels, summed over the frames. Inner: the true object is shared by all eight neighbours.",
         ["Technique", "scene", "frames", "inner pixels", "wrong", "wrong share", "where objects overlap"],
         document.results.map((r) => [
-            techniqueLabel(r.technique, techniqueTitles[r.technique] ?? r.technique), r.scene, r.frames, number(r.pixels, 7), number(r.wrong, 7),
-            percent(r.wrong_fraction), percent(r.overlap_wrong_fraction)]));
+            techniqueLabel(r.technique, techniqueTitles[r.technique] ?? r.technique), r.scene, r.frames, figure(r.pixels), figure(r.wrong),
+            share(r.wrong_fraction), share(r.overlap_wrong_fraction)]));
 }

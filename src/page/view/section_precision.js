@@ -1,7 +1,8 @@
 import { checkPercentages, curvesAndThesis, formatRows, tableRows } from "../logic/precision.js";
-import { fixed, number, percent } from "../logic/format.js";
+import { fixed, percent } from "../logic/format.js";
 import { techniqueTitles, thesisTechniques } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
+import { length } from "./figures.js";
 import { makePlot } from "./plot.js";
 
 export function fillPrecision(document) {
@@ -13,12 +14,12 @@ export function fillPrecision(document) {
 
 function makeTable(document) {
     const rows = tableRows(document).flatMap((row) => [
-        [`${row.separation}, thesis`, ...row.cells.map((cell) => fixed(cell.thesis, 3))],
-        [`${row.separation}, here`, ...row.cells.map((cell) => fixed(cell.ours, 3))],
+        [h("span", {}, length(row.separation), ", thesis"), ...row.cells.map((cell) => length(cell.thesis, 7))],
+        [h("span", {}, length(row.separation), ", here"), ...row.cells.map((cell) => length(cell.ours, 7))],
         [h("span", { class: "quiet" }, "difference"), ...row.cells.map((cell) =>
             h("span", { class: "quiet" }, cell.differencePct === null ? "" : percent(cell.differencePct / 100, 2)))],
     ]);
-    return table("Table 4.1: view distance at which the smallest resolvable separation first reaches the value on the left, in units.",
+    return table("Table 4.1: view distance at which the smallest resolvable separation first reaches the value on the left.",
         ["Separation", ...thesisTechniques.map((name) => techniqueTitles[name])], rows);
 }
 
@@ -53,9 +54,9 @@ function makePercentages() {
 function makeFormats(document) {
     const rows = formatRows(document).map((row) => [
         techniqueLabel(row.technique, `${techniqueTitles[row.technique] ?? row.technique} ${row.format.toUpperCase()}`),
-        ...row.cells.map((cell) => (cell.depth === null ? quiet("everywhere finer") : number(cell.depth, 4))),
+        ...row.cells.map((cell) => (cell.depth === null ? quiet("everywhere finer") : length(cell.depth))),
     ]);
-    const separations = formatRows(document)[0].cells.map((cell) => String(cell.separation));
+    const separations = formatRows(document)[0].cells.map((cell) => length(cell.separation));
     return h("details", { class: "source" }, h("summary", {}, "Every technique and depth format"),
         h("div", {}, table("View distance at which the buffer\u2019s exact step, vertex rounding left out, first reaches a separation.",
             ["", ...separations], rows)));

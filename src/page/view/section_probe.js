@@ -1,7 +1,7 @@
-import { number } from "../logic/format.js";
 import { formats, judgedRatio, series } from "../logic/probe.js";
 import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
+import { figure, length } from "./figures.js";
 import { makePlot } from "./plot.js";
 
 export function fillProbe(document) {
@@ -35,8 +35,8 @@ function makeTable(document) {
     return table("Smallest resolved separation, measured and predicted.",
         ["Technique", "format", "distance", "measured", "predicted", "ratio", "at worst"],
         document.results.map((row) => [
-            techniqueLabel(row.technique, techniqueTitles[row.technique] ?? row.technique), row.format.toUpperCase(), number(row.distance),
-            row.resolved === null ? `over ${number(row.largest)}` : number(row.resolved), number(row.predicted),
-            row.resolved === null || row.predicted === null ? "" : number(judgedRatio(row), 2),
-            row.guaranteed === undefined ? "" : number(row.guaranteed)]));
+            techniqueLabel(row.technique, techniqueTitles[row.technique] ?? row.technique), row.format.toUpperCase(), length(row.distance),
+            row.resolved === null ? h("span", {}, "over ", length(row.largest)) : length(row.resolved), length(row.predicted),
+            row.resolved === null || row.predicted === null ? "" : figure(judgedRatio(row), 2),
+            row.guaranteed === undefined ? "" : length(row.guaranteed)]));
 }

@@ -1,6 +1,7 @@
 import { fixed, number } from "../logic/format.js";
 import { choices, nameOf, series, summary } from "../logic/scaling.js";
 import { h, slot, table } from "./elements.js";
+import { decimals, figure } from "./figures.js";
 import { makePlot } from "./plot.js";
 
 export function fillScaling(document) {
@@ -9,8 +10,8 @@ export function fillScaling(document) {
     const where = slot("scaling", "plot");
     where.append(h("p", {}, sentence(document)));
     where.append(
-        figure(document, cascades[0], most, "record_ns_per_draw", "Recording, nanoseconds per draw", "record, ns per draw"),
-        figure(document, cascades.at(-1), most, "speedup", "Recording, times as fast as one thread", "speed-up", true));
+        plotOf(document, cascades[0], most, "record_ns_per_draw", "Recording, nanoseconds per draw", "record, ns per draw"),
+        plotOf(document, cascades.at(-1), most, "speedup", "Recording, times as fast as one thread", "speed-up", true));
     slot("scaling", "table").append(h("details", { class: "source" }, h("summary", {}, "Every point as a table"), h("div", {}, makeTable(document))));
 }
 
@@ -29,7 +30,7 @@ function sentence(document) {
     return `${speed} The least a draw took to record was ${number(fastest, 3)} ns. ${images}`;
 }
 
-function figure(document, cascades, cubes, field, title, yLabel, ideal = false) {
+function plotOf(document, cascades, cubes, field, title, yLabel, ideal = false) {
     const { x, series: lines } = series(document, cascades, cubes, field);
     const drawn = lines.map((line) => ({ ...line, title: line.name, points: true, dash: line.name.includes(",") ? [2, 3] : [] }));
     if (ideal) {
@@ -45,6 +46,6 @@ function figure(document, cascades, cubes, field, title, yLabel, ideal = false) 
 function makeTable(document) {
     return table("Medians in milliseconds; record and execute stay apart.",
         ["Targets", "cascades", "threads", "draws", "record", "ns per draw", "speed-up", "efficiency", "execute", "frame"],
-        document.results.map((r) => [nameOf(r), r.cascades, r.threads, number(r.draws, 7), fixed(r.record_ms, 3), fixed(r.record_ns_per_draw, 0),
-            fixed(r.speedup, 2), fixed(r.efficiency, 2), fixed(r.execute_ms, 2), fixed(r.frame_ms, 2)]));
+        document.results.map((r) => [nameOf(r), r.cascades, r.threads, figure(r.draws), decimals(r.record_ms, 3), decimals(r.record_ns_per_draw, 0),
+            decimals(r.speedup, 2), decimals(r.efficiency, 2), decimals(r.execute_ms, 2), decimals(r.frame_ms, 2)]));
 }

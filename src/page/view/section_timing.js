@@ -7,7 +7,7 @@ export function fillTiming(document) {
     const noise = noiseFloor(document);
     const scale = scaleOf(rows);
     slot("timing", "figure").append(
-        h("p", { class: "kicker" }, h("span", { class: "key ours" }), " measured, 95\u202f% interval \u2002",
+        h("p", { class: "kicker" }, h("span", { class: "key ours" }), " measured, its line the 95\u202f% interval \u2002",
             h("span", { class: "key theirs" }), " thesis \u2002", h("span", { class: "key noise" }), " noise floor"),
         table(`Figure 6.4: overhead over standard, from ${number(scale.low, 2)} to ${number(scale.high, 2)} percent. Standard over itself is the noise floor, ${signedPercent(noise.low)} to ${signedPercent(noise.high)}; ${document.options.frames} frames a mode on ${document.device.name}.`,
             ["Mode", "", "measured", wideOnly("95\u202f% interval"), "thesis", wideOnly("frame, ms")],
@@ -25,21 +25,19 @@ function scaleOf(rows) {
     return { low: low - margin, high: high + margin };
 }
 
+/** Figure 6.4 as the thesis has it, in bars: the mode\u2019s, and the thesis\u2019 below it. */
 function strip(row, noise, { low, high }) {
     const x = (value) => `${((100 * (value - low)) / (high - low)).toFixed(2)}%`;
     const width = (a, b) => `${((100 * (b - a)) / (high - low)).toFixed(2)}%`;
+    const bar = (kind, value, y) => svg("rect", { class: kind, x: x(Math.min(value, 0)), y, width: width(Math.min(value, 0), Math.max(value, 0)), height: "38%" });
     const clamp = (value) => Math.min(high, Math.max(low, value));
     const marks = [
         svg("rect", { class: "noise", x: x(clamp(noise.low)), y: 0, width: width(clamp(noise.low), clamp(noise.high)), height: "100%" }),
+        bar("ours", row.overhead, row.thesis === null ? "31%" : "10%"),
+        row.thesis === null ? null : bar("theirs", row.thesis, "52%"),
+        svg("line", { class: "interval", x1: x(row.low), x2: x(row.high), y1: row.thesis === null ? "50%" : "29%", y2: row.thesis === null ? "50%" : "29%" }),
         svg("line", { class: "zero", x1: x(0), x2: x(0), y1: 0, y2: "100%" }),
-        svg("line", { class: "interval", x1: x(row.low), x2: x(row.high), y1: "50%", y2: "50%" }),
-        svg("circle", { class: "median", cx: x(row.overhead), cy: "50%", r: 4.5 }),
-    ];
-    if (row.thesis !== null) {
-        // A nested svg, since a transform about a percentage has no other spelling.
-        marks.push(svg("svg", { x: x(row.thesis), y: "50%", overflow: "visible" },
-            svg("rect", { class: "thesis", x: -4, y: -4, width: 8, height: 8, transform: "rotate(45)" })));
-    }
+    ].filter(Boolean);
     const thesis = row.thesis === null ? "" : `, thesis ${signedPercent(row.thesis)}`;
     return svg("svg", { class: "strip", role: "img", "aria-label": `${signedPercent(row.low)} to ${signedPercent(row.high)}${thesis}` }, marks);
 }

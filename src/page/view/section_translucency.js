@@ -1,5 +1,7 @@
-import { fixed, number, percent } from "../logic/format.js";
+import { fixed, percent } from "../logic/format.js";
+import { worstAndBest } from "../logic/pictures.js";
 import { h, slot, table } from "./elements.js";
+import { decimals, figure, share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
 const titles = { weighted: "Weighted", sorted: "Sorted" };
@@ -9,7 +11,8 @@ export function fillTranslucency(document, folder) {
     if (document.results.every((row) => row.picture)) {
         slot("translucency", "wipe").append(makeWipe({
             scene: "Sheets of glass", width: document.options.width, height: document.options.height,
-            items: document.results.map((row) => itemOf(row, folder)), alt: altOf }));
+            items: document.results.map((row) => itemOf(row, folder)),
+            start: worstAndBest(document.results, (row) => row.mean_error), alt: altOf }));
     }
     slot("translucency", "table").append(makeTable(document));
 }
@@ -32,6 +35,6 @@ function makeTable(document) {
     return table("Against the float64 sorted truth, in 8-bit steps of the worst channel, off silhouettes.",
         ["Method", "largest error", "mean error", "within one step", "miscounted", "MiB", "execute, ms"],
         document.results.map((row) => [
-            h("span", {}, titleOf(row)), number(row.max_error, 3), fixed(row.mean_error, 3), percent(row.within_one_step),
-            number(row.miscounted, 7), fixed(row.bytes / 2 ** 20, 1), number(row.execute_ms)]));
+            h("span", {}, titleOf(row)), figure(row.max_error), decimals(row.mean_error, 3), share(row.within_one_step),
+            figure(row.miscounted), decimals(row.bytes / 2 ** 20, 1), figure(row.execute_ms)]));
 }

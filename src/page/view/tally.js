@@ -1,4 +1,4 @@
-import { fixed, percent, probability } from "../logic/format.js";
+import { fixed, number, percent } from "../logic/format.js";
 import { binomialP } from "../logic/statistics.js";
 import { techniqueTitles } from "../logic/thesis.js";
 import { agreement, tally } from "../logic/trials.js";
@@ -47,10 +47,10 @@ export function makeTally(answers) {
         `${techniqueTitles[row.pair.left]} : ${techniqueTitles[row.pair.right]}`,
         row.counts.join(" : "),
         Number.isFinite(row.chiSquared) ? fixed(row.chiSquared, 3) : "",
-        Number.isFinite(row.exactP) ? probability(row.exactP) : "",
+        Number.isFinite(row.exactP) ? number(row.exactP) : "",
         row.pair.chosen.join(" : "),
         fixed(row.pair.chiSquared, 3),
-        probability(binomialP(...row.pair.chosen)),
+        number(binomialP(...row.pair.chosen)),
     ]);
     return table("How often each of a pair was said to flicker less, here and in 2013.",
         ["Pair", "here", "\u03c7\u00b2", "exact p", "2013", "\u03c7\u00b2", "exact p"], rows);

@@ -42,13 +42,17 @@ std::string stateLine(const ViewerModel& model) {
     }
     line += fmt::format(" pivot={}", exactText(model.pivot));
     if (const auto& point = model.underCursor.front()) {
-        line += fmt::format(" under=\"{}\"", describe(*point));
+        line += fmt::format(" under=\"{}\"", describe(*point, model.unit));
     }
     if (const auto& picked = model.measuring.first()) {
-        line += fmt::format(" picked=\"{}\" picked-at={}", describe(*picked), exactText(picked->position));
+        line += fmt::format(" picked=\"{}\" picked-at={}", describe(*picked, model.unit),
+                            exactText(picked->position));
     }
     if (model.measuring.second()) {
-        line += fmt::format(" measured=\"{}\"", describe(*model.measuring.span()));
+        line += fmt::format(" measured=\"{}\"", describe(*model.measuring.span(), model.unit));
+    }
+    if (model.showsHelp) {
+        line += fmt::format(" hidden-help={}", model.hiddenHelp);
     }
     return line + fmt::format(" notice=\"{}\"", model.notice.text);
 }

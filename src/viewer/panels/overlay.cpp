@@ -1,7 +1,7 @@
 #include "overlay.h"
 
 #include <cdr/scene/frustum.h>
-#include <viewer/state/length_text.h>
+#include <viewer/state/plain_words.h>
 #include <viewer/state/technique_label.h>
 #include <viewer/state/tour.h>
 
@@ -79,8 +79,8 @@ void drawLabel(const Canvas& canvas, const ViewerModel& model, std::size_t index
     const std::string title = techniqueName(side.options.technique);
     std::string text = countText(model.shown->settings.view, side);
     if (const auto& point = model.underCursor.at(index)) {
-        text +=
-            fmt::format("{}{}", text.empty() ? "" : "\n", resolvesText(point->stepView, point->distanceView));
+        text += fmt::format("{}{}", text.empty() ? "" : "\n",
+                            resolvesText(point->stepView, point->distanceView, model.unit));
     }
     const bool isSplit = model.shown->sides.size() > 1;
     const float y = canvas.low.y + gap();
@@ -171,7 +171,8 @@ void drawLines(const Canvas& canvas, const ViewerModel& model) {
     };
     if (const auto& first = model.measuring.first()) {
         const auto span = model.measuring.span();
-        add(kInk, span ? fmt::format("{}\n{}", describe(*first), describe(*span)) : describe(*first));
+        add(kInk, span ? fmt::format("{}\n{}", describe(*first, model.unit), describe(*span, model.unit))
+                       : describe(*first, model.unit));
     }
     add(model.isWrongCurrent ? kInk : kQuietInk, wrongText(model.wrong));
     add(kQuietInk, lagText(model.lagSeconds));

@@ -1,18 +1,50 @@
 #include "panels.h"
 #include "shortcuts.h"
 
+#include <cdr/base/number_text.h>
+#include <cdr/base/quantity_text.h>
 #include <viewer/state/camera/lens_zoom.h>
 #include <viewer/state/command_line.h>
-#include <viewer/state/length_text.h>
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
 
 namespace cdr::viewer {
 
 namespace {
+
+std::string_view unitTitle(base::LengthUnit unit) {
+    constexpr std::array<std::string_view, base::kLengthUnits.size()> kTitles{
+        "scene units", "the unit that fits", "µm", "mm", "m", "km"};
+    return kTitles.at(static_cast<std::size_t>(unit));
+}
+
+void sayCopied(ViewerModel& model, const std::string& full) {
+    model.say("copied " + full);
+}
+
+/// A place, of which a click copies what --eye takes.
+void showPlace(const Widgets& widgets, ViewerModel& model, const glm::dvec3& place) {
+    const auto text = [&](double value) { return base::quantityText(value, model.unit); };
+    const std::string full = exactText(place);
+    if (widgets.copied("position", fmt::format("{}, {}, {}", text(place.x), text(place.y), text(place.z)),
+                       full)) {
+        sayCopied(model, full);
+    }
+}
+
+/// A length, of which a click copies all digits, in scene units.
+void showLength(const Widgets& widgets, ViewerModel& model, std::string_view name, double metres) {
+    const std::string full = base::shortest(metres);
+    if (widgets.copied(name, base::quantityText(metres, model.unit), full)) {
+        sayCopied(model, full);
+    }
+}
 
 void chooseMotion(const Widgets& widgets, ViewerModel& model) {
     if (widgets.button("scene's path", model.motion == Motion::scenePath)) {
@@ -71,9 +103,14 @@ void drawCameraPanel(const Widgets& widgets, ViewerModel& model) {
         model.hasCamera) {
         model.camera = scene::canonical(setLens(model.camera, degrees));
     }
-    widgets.value("position", exactText(model.camera.position));
-    widgets.value("range", fmt::format("{} to {}", lengthText(model.camera.nearView),
-                                       lengthText(model.camera.farView)));
+    showPlace(widgets, model, model.camera.position);
+    widgets.value("range", fmt::format("{} to {}", base::quantityText(model.camera.nearView, model.unit),
+                                       base::quantityText(model.camera.farView, model.unit)));
+    const std::size_t unit = widgets.combo("lengths in", unitTitle(model.unit), base::kLengthUnits.size(),
+                                           [](std::size_t i) { return unitTitle(base::kLengthUnits[i]); });
+    if (unit < base::kLengthUnits.size()) {
+        model.unit = base::kLengthUnits[unit];
+    }
     chooseMotion(widgets, model);
 }
 
@@ -87,16 +124,19 @@ void drawMeasuringPanel(const Widgets& widgets, ViewerModel& model) {
     }
     const auto show = [&](const PickedPoint& point) {
         widgets.value("object", point.name);
-        widgets.value("position", exactText(point.position));
-        widgets.value("distance", lengthText(point.distanceView, point.stepView));
-        widgets.value("step", stepText(point.stepView));
+        showPlace(widgets, model, point.position);
+        showLength(widgets, model, "distance", point.distanceView);
+        showLength(widgets, model, "step", point.stepView);
     };
     show(*first);
     if (const auto& second = model.measuring.second()) {
         ImGui::Separator();
         show(*second);
         ImGui::Separator();
-        widgets.value("between", describe(*model.measuring.span()));
+        const Span span = *model.measuring.span();
+        showLength(widgets, model, "between", span.length);
+        showLength(widgets, model, "along view", span.alongView);
+        showLength(widgets, model, "to within", span.uncertainty);
     }
     if (widgets.button("forget")) {
         model.actions.push_back(Action::forgetMeasuring);

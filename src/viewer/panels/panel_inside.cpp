@@ -2,7 +2,6 @@
 
 #include <cdr/render/targets/gbuffer.h>
 #include <viewer/panels/resident_memory.h>
-#include <viewer/state/length_text.h>
 #include <viewer/state/technique_label.h>
 #include <viewer/state/view_picture.h>
 
@@ -27,7 +26,7 @@ std::vector<std::size_t> drawsOf(const SideResult& side) {
     return draws;
 }
 
-void drawCascades(const SideResult& side) {
+void drawCascades(const SideResult& side, base::LengthUnit unit) {
     constexpr int kColumns = 4;
     if (!ImGui::BeginTable("cascades", kColumns, ImGuiTableFlags_SizingStretchProp)) {
         return;
@@ -42,14 +41,15 @@ void drawCascades(const SideResult& side) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         const ImVec4 color = ImGui::ColorConvertU32ToFloat4(packed(cascadeColor(i)));
-        ImGui::TextColored(color, "%s", lengthText(cascades[i].nearView).c_str());
+        ImGui::TextColored(color, "%s", base::quantityText(cascades[i].nearView, unit).c_str());
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(lengthText(cascades[i].farView).c_str());
+        ImGui::TextUnformatted(base::quantityText(cascades[i].farView, unit).c_str());
         ImGui::TableNextColumn();
         // Just before the far plane, which is the next cascade's.
         const double last =
             cascades[i].nearView + (cascades[i].farView - cascades[i].nearView) * (1.0 - 1e-9);
-        ImGui::TextUnformatted(stepText(techniqueStepView(side.options.technique, cascades, last)).c_str());
+        const double step = techniqueStepView(side.options.technique, cascades, last);
+        ImGui::TextUnformatted(base::quantityText(step, unit).c_str());
         ImGui::TableNextColumn();
         ImGui::Text("%zu", draws[i]);
     }
@@ -74,7 +74,7 @@ void drawCascadesPanel(const Widgets& widgets, const ViewerModel& model) {
                                      nameOf(side.options.technique), stats.visible, stats.draws,
                                      stats.duplication));
         ImGui::PushID(&side);
-        drawCascades(side);
+        drawCascades(side, model.unit);
         ImGui::PopID();
     }
 }

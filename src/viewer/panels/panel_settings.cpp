@@ -2,7 +2,7 @@
 #include "thumbnails.h"
 
 #include <viewer/state/explanations.h>
-#include <viewer/state/length_text.h>
+#include <viewer/state/plain_words.h>
 
 #include <fmt/format.h>
 #include <imgui.h>

@@ -82,6 +82,9 @@ void drawHelp(ViewerModel& model) {
     ImGui::SetNextWindowPos({window.x / 2.0f, window.y / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {window.x * 0.9f, window.y * 0.9f});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0f);
+    // All lines fit a window of 720 rows.
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {ImGui::GetStyle().ItemSpacing.x, 0.05f * ImGui::GetFontSize()});
     ImGui::Begin("Help", &model.showsHelp,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings);
@@ -94,8 +97,9 @@ void drawHelp(ViewerModel& model) {
             ImGui::TextDisabled("%.*s", static_cast<int>(line.meaning.size()), line.meaning.data());
         }
     }
+    model.hiddenHelp = ImGui::GetScrollMaxY();
     ImGui::End();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
 }
 
 } // namespace cdr::viewer

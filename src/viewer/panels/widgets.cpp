@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace cdr::viewer {
 
 namespace {
@@ -44,6 +46,27 @@ void Widgets::value(std::string_view name, const std::string& words) const {
     ImGui::PushTextWrapPos(0.0f);
     text(words);
     ImGui::PopTextWrapPos();
+}
+
+bool Widgets::copied(std::string_view name, const std::string& words, const std::string& full) const {
+    value(name, words);
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 size = ImGui::GetItemRectSize();
+    const ImVec2 next = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos(low);
+    ImGui::PushID(full.c_str());
+    const bool isClicked =
+        ImGui::InvisibleButton(std::string(name).c_str(), {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
+    ImGui::PopID();
+    m_places.note(name);
+    if (ImGui::IsItemHovered() || ImGui::IsItemFocused()) {
+        ImGui::SetTooltip("copies %s", full.c_str());
+    }
+    if (isClicked) {
+        ImGui::SetClipboardText(full.c_str());
+    }
+    ImGui::SetCursorScreenPos(next);
+    return isClicked;
 }
 
 void Widgets::label(std::string_view name) const {

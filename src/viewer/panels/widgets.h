@@ -23,6 +23,8 @@ class Widgets {
     void sentence(std::string_view words) const;
     /// A name in quiet letters and its value beside it.
     void value(std::string_view name, const std::string& words) const;
+    /// The same of what a click copies with all its digits. @return whether it was clicked.
+    bool copied(std::string_view name, const std::string& words, const std::string& full) const;
 
     /// Draws the picture of a choice as an item of that width.
     using PictureOf = std::function<void(std::size_t, float)>;

@@ -5,7 +5,7 @@
 #include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 #include <viewer/state/camera/framing.h>
-#include <viewer/state/length_text.h>
+#include <viewer/state/plain_words.h>
 #include <viewer/state/shown_picture.h>
 
 #include <fmt/format.h>

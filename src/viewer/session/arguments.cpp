@@ -74,6 +74,9 @@ void addWindowOptions(CLI::App& program, Arguments& arguments) {
     program.add_flag("--validate", arguments.validate,
                      "Run under the Khronos validation layer; any message is a failure");
     program.add_flag("--vsync", arguments.waitsForDisplay, "Show frames at the display's pace");
+    program
+        .add_option("--unit", arguments.unit, "Unit of lengths: auto, um, mm, m, km, or none for scene units")
+        ->capture_default_str();
     program.add_option("--ui-scale", arguments.uiScale, "Size of text; 1 is 96 dots per inch")
         ->check(experiments::numberFrom(0.5, 4.0));
 }

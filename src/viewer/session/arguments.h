@@ -43,6 +43,7 @@ struct Arguments {
     bool validate = false;
     bool plays = false;                  ///< the scene's camera path from the start
     bool waitsForDisplay = false;        ///< FIFO instead of mailbox
+    std::string unit = "auto";           ///< of lengths
     double uiScale = 0.0;                ///< 0: the display's
     std::optional<std::uint64_t> frames; ///< UI frames after which to quit
     std::filesystem::path screenshot;    ///< of the window, when it quits

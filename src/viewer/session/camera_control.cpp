@@ -4,7 +4,7 @@
 #include <viewer/state/camera/fly_controller.h>
 #include <viewer/state/camera/gamepad.h>
 #include <viewer/state/camera/lens_zoom.h>
-#include <viewer/state/picking.h>
+#include <viewer/state/camera/obstacles.h>
 
 #include <GLFW/glfw3.h>
 #include <vulkan/vulkan.hpp>
@@ -179,19 +179,14 @@ void CameraControl::steer(const CameraInput& input, ViewerModel& model) {
     resting.keys = {};
     resting.axes = {};
     resting.scroll = 0.0;
-    scene::Camera flown = heldBack(before, fly(model.camera, flying, model.surfaceView), model.wayAhead);
-    // Whoever turns flies another way than the last picture looked.
-    if (const auto& seen = model.readable.front(); seen != nullptr &&
-                                                   isBehindSurface(*seen, flown.position) &&
-                                                   !isBehindSurface(*seen, before.position)) {
-        flown.position = before.position;
+    model.camera = fly(model.camera, flying, model.surfaceView);
+    if (model.shown != nullptr && model.shown->obstacles != nullptr) {
+        model.camera = stopped(before, model.camera, *model.shown->obstacles);
     }
-    model.camera = flown;
     const Orbit orbited = orbit({.camera = model.camera, .pivot = model.pivot}, turning);
     model.pivot = orbited.pivot;
     model.camera = scene::canonical(orbited.camera); // what the copied command line says, to the bit
     // The next picture may come late.
-    model.wayAhead = surfaceAhead(model.camera, before, model.wayAhead);
     model.surfaceView =
         std::max(surfaceAhead(model.camera, before, model.surfaceView), model.camera.nearView);
 }

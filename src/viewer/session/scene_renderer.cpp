@@ -18,11 +18,14 @@ void SceneRenderer::open(const ViewSettings& settings) {
     auto opened = std::make_shared<scene::OpenedScene>(
         scenes::openScene(settings.scene, settings.seed, settings.choice));
     scenes::paint(opened->setup.scene, settings.colours);
+    host::WorkerPool workers(settings.threads);
     if (needsLevels) {
-        host::WorkerPool workers(settings.threads);
         scene::makeLevels(opened->setup.scene, workers);
     }
-    auto next = std::make_unique<OnStage>(OnStage{opened, render::GpuScene(m_device, opened->setup.scene)});
+    auto next = std::make_unique<OnStage>(
+        OnStage{.opened = opened,
+                .obstacles = std::make_shared<const Obstacles>(opened->setup.scene, workers),
+                .onDevice = render::GpuScene(m_device, opened->setup.scene)});
     for (SideRenderer& side : m_sides) {
         side.drop();
     }
@@ -110,7 +113,8 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
     RenderResult result{.serial = request.serial,
                         .sceneName = m_sceneName,
                         .settings = request.settings,
-                        .scene = m_scene->opened};
+                        .scene = m_scene->opened,
+                        .obstacles = m_scene->obstacles};
     result.camera = request.camera ? *request.camera : m_scene->opened->setup.path.at(0);
     const std::size_t sides = request.settings.second ? 2 : 1;
     for (std::size_t side = 0; side < sides; ++side) {

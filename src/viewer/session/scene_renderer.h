@@ -32,6 +32,7 @@ class SceneRenderer {
     using Clock = std::chrono::steady_clock;
     struct OnStage {
         std::shared_ptr<const scene::OpenedScene> opened;
+        std::shared_ptr<const Obstacles> obstacles;
         render::GpuScene onDevice;
     };
     void open(const ViewSettings& settings);

@@ -183,7 +183,6 @@ void Session::adopt(RenderResult result) {
         m_model.seesNothing = !std::isfinite(seen);
         // The camera flew on while the picture was made.
         const double ahead = isEntered ? seen : surfaceAhead(m_model.camera, result.camera, seen);
-        m_model.wayAhead = std::max(ahead - 2.0 * m_model.camera.nearView, 0.0);
         m_model.surfaceView = ahead > 0.0 ? flightDistance(m_model.camera, ahead, m_model.surfaceView)
                                           : m_model.camera.nearView;
         if (isEntered) {

@@ -67,6 +67,7 @@ ViewerModel initialModel(const Arguments& arguments) {
         model.recorder.load(scene::readRecording(arguments.camera.path));
         model.motion = Motion::recording;
     }
+    model.unit = base::parseLengthUnit(arguments.unit);
     model.firstCamera = arguments.camera;
     if (arguments.isFirstUse) {
         model.firstSteps.begin();

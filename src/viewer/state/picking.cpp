@@ -1,7 +1,6 @@
 #include "picking.h"
 
 #include "camera/heading.h"
-#include "length_text.h"
 #include "technique_label.h"
 
 #include <cdr/scene/frustum.h>
@@ -40,23 +39,6 @@ double surfaceView(const render::Frame& frame, const glm::dvec2& pixel) {
         inside ? frame.distanceView(static_cast<std::uint32_t>(pixel.x), static_cast<std::uint32_t>(pixel.y))
                : std::numeric_limits<double>::infinity();
     return std::isfinite(under) ? under : nearestSurface(frame);
-}
-
-bool isBehindSurface(const render::Frame& frame, const glm::dvec3& position) {
-    const scene::Camera& camera = frame.camera;
-    const glm::dvec3 view = camera.toView(position);
-    if (-view.z <= camera.nearView || frame.gbuffer.pixels.empty()) {
-        return false;
-    }
-    const scene::Frustum frustum =
-        scene::frustumOf(camera, static_cast<double>(frame.width()) / frame.height(), 1.0);
-    const glm::dvec2 share = 0.5 + 0.5 * glm::dvec2(view.x / frustum.tanX, -view.y / frustum.tanY) / -view.z;
-    if (share.x < 0.0 || share.y < 0.0 || share.x >= 1.0 || share.y >= 1.0) {
-        return false;
-    }
-    const double surface = frame.distanceView(static_cast<std::uint32_t>(share.x * frame.width()),
-                                              static_cast<std::uint32_t>(share.y * frame.height()));
-    return -view.z > surface - 2.0 * camera.nearView;
 }
 
 std::string objectName(const scene::Scene& scene, std::uint32_t object) {
@@ -106,14 +88,16 @@ std::optional<Span> Measuring::span() const {
     return m_first && m_second ? std::optional(spanBetween(*m_first, *m_second)) : std::nullopt;
 }
 
-std::string describe(const PickedPoint& point) {
-    return fmt::format("{}, {} away, a step of {}", point.name,
-                       lengthText(point.distanceView, point.stepView), stepText(point.stepView));
+std::string describe(const PickedPoint& point, base::LengthUnit unit) {
+    const std::string step = std::isfinite(point.stepView)
+                                 ? "a step of " + base::quantityText(point.stepView, unit)
+                                 : "where nothing is told apart";
+    return fmt::format("{}, {} away, {}", point.name, base::quantityText(point.distanceView, unit), step);
 }
 
-std::string describe(const Span& span) {
-    return fmt::format("{}, {} of it along the view, to within {}", lengthText(span.length, span.uncertainty),
-                       lengthText(span.alongView, span.uncertainty), stepText(span.uncertainty));
+std::string describe(const Span& span, base::LengthUnit unit) {
+    return fmt::format("{}, {} of it along the view, to within {}", base::quantityText(span.length, unit),
+                       base::quantityText(span.alongView, unit), base::quantityText(span.uncertainty, unit));
 }
 
 } // namespace cdr::viewer

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/quantity_text.h>
 #include <cdr/depth/technique.h>
 #include <cdr/render/frame.h>
 #include <cdr/scene/scene.h>
@@ -29,10 +30,6 @@ std::optional<PickedPoint> pickAt(const render::Frame& frame, const scene::Scene
 /// where that is background or outside; infinity where all is background. What a flight's speed follows from.
 double surfaceView(const render::Frame& frame, const glm::dvec2& pixel);
 
-/// Whether a place lies behind what the frame's camera sees there, or nearer before it than two near planes. A place that
-/// the frame does not show is behind nothing.
-bool isBehindSurface(const render::Frame& frame, const glm::dvec3& position);
-
 /// Object index's name in the scene, or "object INDEX".
 std::string objectName(const scene::Scene& scene, std::uint32_t object);
 
@@ -60,9 +57,9 @@ class Measuring {
     std::optional<PickedPoint> m_second;
 };
 
-/// "cube 12, 420.0013 km away, a step of 2.4 µm", one line.
-std::string describe(const PickedPoint& point);
-/// "5.00 mm, 4.98 mm of it along the view, to within 0.020 mm", one line.
-std::string describe(const Span& span);
+/// "cube 12, 420 km away, a step of 2.439 µm", one line.
+std::string describe(const PickedPoint& point, base::LengthUnit unit);
+/// "5 mm, 4.98 mm of it along the view, to within 0.02 mm", one line.
+std::string describe(const Span& span, base::LengthUnit unit);
 
 } // namespace cdr::viewer

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "camera/obstacles.h"
 #include "view_settings.h"
 #include "worker_timeline.h"
 #include "wrong_view.h"
@@ -54,6 +55,7 @@ struct RenderResult {
     std::string sceneName{};  ///< the open scene's, as requested
     ViewSettings settings{};  ///< the request's
     std::shared_ptr<const scene::OpenedScene> scene{};
+    std::shared_ptr<const Obstacles> obstacles{}; ///< of that scene; lives no longer than it
     scene::Camera camera{};
     std::vector<SideResult> sides{};   ///< empty when it failed
     double compositeMs = 0.0;          ///< frames turned into what the view shows

@@ -70,8 +70,6 @@ struct ViewerModel {
     bool orbits = false;
     glm::dvec3 pivot{0.0};
     double surfaceView = 0.0; ///< view distance of what is looked at: speeds follow from it
-    /// What a flight may go ahead before it enters a surface: the way to where pictures showed one.
-    double wayAhead = std::numeric_limits<double>::infinity();
     Motion motion = Motion::free;
     std::uint32_t pathFrame = 0;
     PathRecorder recorder;
@@ -97,9 +95,11 @@ struct ViewerModel {
     bool rendersAlways = false; ///< though nothing changes: to see times settle
 
     // Interface
+    base::LengthUnit unit = base::LengthUnit::automatic; ///< of lengths
     bool showsPanel = true;
     std::optional<PanelKeys> panelKeys;
     bool showsHelp = false;
+    float hiddenHelp = 0.0f; ///< rows of the help that need scrolling, in the window's units
     FirstSteps firstSteps;
     Notice notice;
     std::vector<Action> actions; ///< to be done before the next frame

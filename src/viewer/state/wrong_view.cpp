@@ -3,6 +3,7 @@
 #include "picture_parts.h"
 
 #include <cdr/base/error.h>
+#include <cdr/base/quantity_text.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -90,12 +91,7 @@ std::string wrongText(const std::vector<WrongCount>& sides) {
 }
 
 std::string shareText(double share) {
-    const double percent = 100.0 * share;
-    if (percent == 0.0) {
-        return "0\u00a0%";
-    }
-    const int place = static_cast<int>(std::floor(std::log10(percent)));
-    return fmt::format("{:.{}f}\u00a0%", percent, std::clamp(2 - place, 0, 6));
+    return base::quantityText(100.0 * share) + "\u00a0%";
 }
 
 } // namespace cdr::viewer

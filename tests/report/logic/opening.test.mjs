@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { cleanTechniques, openingSentences, sceneColumns, sceneRows } from "../../../src/page/logic/opening.js";
-import { worstAndBest } from "../../../src/page/logic/pictures.js";
+import { modesOrWorst, worstAndBest } from "../../../src/page/logic/pictures.js";
 import { choices, nameOf, series } from "../../../src/page/logic/scaling.js";
 
 const row = (technique, share, extra) => ({ technique, wrong_fraction: share, ...extra });
@@ -14,7 +14,7 @@ test("the page opens with what the last frame of the zoom counted", () => {
     const [scene, standard, anchored] = openingSentences(orbit);
     assert.match(scene, /0\.002 degrees/);
     assert.match(standard, /76\.6/);
-    assert.match(anchored, /wrong in 0\u202f%\.$/);
+    assert.match(anchored, /wrong in 0\u00a0%\.$/);
     assert.deepEqual(openingSentences(undefined), []);
     assert.deepEqual(openingSentences({ results: orbit.results.slice(0, 3) }), []);
 });
@@ -44,4 +44,11 @@ test("a sweep of another submission is a series of its own", () => {
     assert.deepEqual(lines, [{ name: "single", values: [1.31] }, { name: "single, primaries", values: [2.09] }]);
     assert.deepEqual(choices(document), { cascades: [1], cubes: [10] });
     assert.equal(nameOf({ targets: "pool:2" }), "pool:2");
+});
+
+test("a wipe starts at the pair that tells most", () => {
+    const rows = [{ mode: "plain", error: 3 }, { mode: "a", error: 9 }, { mode: "b", error: 1 }, { mode: "c", error: 1 }];
+    assert.deepEqual(worstAndBest(rows, (row) => row.error), [1, 3]);
+    assert.deepEqual(modesOrWorst(rows, ["plain", "b"], (row) => row.error), [0, 2]);
+    assert.deepEqual(modesOrWorst(rows, ["plain", "gone"], (row) => row.error), [1, 3]);
 });

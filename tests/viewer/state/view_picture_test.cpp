@@ -144,9 +144,9 @@ TEST(WrongText, SaysWhyNothingCanBeWrong) {
     EXPECT_EQ(wrongText({{.objects = 0}}), "");
     EXPECT_EQ(wrongText({{.inner = 9, .objects = 1}}), "one object in view: none can be taken for another");
     EXPECT_EQ(wrongText({{.inner = 1000, .wrong = 230, .objects = 2}, {.inner = 1000, .objects = 2}}),
-              "wrong\u00a023.0\u00a0%\u00a0|\u00a00\u00a0%");
+              "wrong\u00a023\u00a0%\u00a0|\u00a00\u00a0%");
     EXPECT_EQ(shareText(1.0), "100\u00a0%");
-    EXPECT_EQ(shareText(1e-6), "0.000100\u00a0%");
+    EXPECT_EQ(shareText(1e-6), "0.0001\u00a0%");
 }
 
 TEST(PaintWrong, FindsNothingInTheAnswerItself) {

@@ -69,14 +69,6 @@ double surfaceAhead(const scene::Camera& now, const scene::Camera& then, double 
     return std::max(surfaceView - travelled, 0.0);
 }
 
-scene::Camera heldBack(const scene::Camera& before, scene::Camera after, double most) {
-    const double travelled = glm::dot(before.position - after.position, before.back);
-    if (travelled > most) {
-        after.position += (travelled - most) * before.back;
-    }
-    return after;
-}
-
 double flightDistance(const scene::Camera& camera, double surfaceView, double lastView) {
     const auto isOne = [](double view) { return std::isfinite(view) && view > 0.0; };
     // Short of the surface by two near planes, so that it is not cut open.

@@ -29,9 +29,6 @@ scene::Camera fly(const scene::Camera& camera, const CameraInput& input, double 
 /// that flies on would pass what they show. 0 where it was passed.
 double surfaceAhead(const scene::Camera& now, const scene::Camera& then, double surfaceView);
 
-/// A camera that moved no farther ahead than `most`, seen from where it was.
-scene::Camera heldBack(const scene::Camera& before, scene::Camera after, double most);
-
 /// The distance that a flight's speed follows from: a little short of `surfaceView`, so that approaching
 /// stops before near cuts the surface open; where that is infinite, or 0, the last such distance; between
 /// near and far.

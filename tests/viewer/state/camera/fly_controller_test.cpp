@@ -38,31 +38,6 @@ TEST(Fly, ApproachesASurfaceAndNeverPassesIt) {
     EXPECT_LT(camera.position.z, 0.01);
 }
 
-/// Pictures come a second late, and the camera flies on meanwhile.
-TEST(Fly, NeverPassesASurfaceThoughPicturesAreLate) {
-    scene::Camera camera = cameraWith(60.0, {0.0, 0.0, 1000.0}, kTarget);
-    scene::Camera pictured = camera;
-    double surface = 1000.0;
-    double wayAhead = surface;
-    for (int frame = 1; frame < 2000; ++frame) {
-        const scene::Camera before = camera;
-        const CameraInput input{
-            .keys = {CameraKey::forward, CameraKey::faster}, .scroll = 3.0, .seconds = 0.1};
-        camera = heldBack(before, fly(before, input, surface), wayAhead);
-        wayAhead = surfaceAhead(camera, before, wayAhead);
-        ASSERT_GE(camera.position.z, -1e-9) << frame;
-        if (frame % 10 == 0) {
-            wayAhead = surfaceAhead(camera, pictured, pictured.position.z);
-            surface = flightDistance(camera, wayAhead, surface);
-            pictured = camera;
-        }
-    }
-    EXPECT_LT(camera.position.z, 1.0);
-    // Back is always free.
-    const scene::Camera back = fly(camera, {.keys = {CameraKey::backward}, .seconds = 0.1}, surface);
-    EXPECT_EQ(heldBack(camera, back, 0.0), back);
-}
-
 TEST(Fly, TheWheelGoesNearer) {
     const scene::Camera camera = cameraWith(60.0, {0.0, 0.0, 100.0}, kTarget);
     EXPECT_NEAR(fly(camera, {.scroll = 2.0}, 100.0).position.z, 100.0 * std::exp(-0.3), 1e-9);

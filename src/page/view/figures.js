@@ -1,0 +1,102 @@
+// Numbers in elements that know all their digits: what is selected is copied with these, and lengths follow the unit chosen.
+
+import { fixed, lengthIn, lengthUnits, number, percent } from "../logic/format.js";
+import { h } from "./elements.js";
+
+const kKept = "cdr-length-unit"; // in the browser's storage
+const kTitles = { none: "scene units", auto: "the unit that fits", um: "\u00b5m" };
+
+/** A number of four significant digits. */
+export function figure(value, digits) {
+    return exactly(number(value, digits), value);
+}
+
+/** A number with as many decimals as its neighbours. */
+export function decimals(value, count) {
+    return exactly(fixed(value, count), value);
+}
+
+/** A share of 1 as percent. */
+export function share(value, digits) {
+    return exactly(percent(value, digits), Number.isFinite(value) ? `${100 * value}\u00a0%` : value);
+}
+
+/** A length in scene units, written in the unit chosen. */
+export function length(value, digits = 4) {
+    const element = exactly("", value);
+    if (Number.isFinite(value)) {
+        element.classList.add("length");
+        element.dataset.digits = digits;
+    }
+    write(element, chosenUnit());
+    return element;
+}
+
+/** A sentence of the program in parts: texts, and numbers where a length stands. */
+export function sentence(parts) {
+    return parts.map((part) => (typeof part === "string" ? part : length(part)));
+}
+
+function exactly(text, full) {
+    return h("data", { value: Number.isFinite(full) || typeof full === "string" ? full : text }, text);
+}
+
+function write(element, unit) {
+    const value = Number(element.value === "none" ? NaN : element.value);
+    element.textContent = lengthIn(value, unit, Number(element.dataset.digits));
+}
+
+function chosenUnit() {
+    try {
+        const kept = localStorage.getItem(kKept);
+        return lengthUnits.includes(kept) ? kept : "none";
+    } catch { // storage is switched off
+        return "none";
+    }
+}
+
+/** The choice of the unit of all lengths of the page, and of those to come. */
+export function unitChoice() {
+    const unit = chosenUnit();
+    const select = h("select", {}, lengthUnits.map((name) => h("option", { value: name, selected: name === unit }, kTitles[name] ?? name)));
+    select.addEventListener("change", () => {
+        try {
+            localStorage.setItem(kKept, select.value);
+        } catch { /* then it holds until the page is closed */ }
+        document.querySelectorAll("data.length").forEach((element) => write(element, select.value));
+    });
+    return h("label", {}, "Lengths in", select);
+}
+
+/** Whatever is copied from now on has all its digits. */
+export function copyInFull() {
+    document.addEventListener("copy", (event) => {
+        const selection = getSelection();
+        if (selection.rangeCount === 0 || selection.isCollapsed) {
+            return;
+        }
+        const range = selection.getRangeAt(0);
+        const around = range.commonAncestorContainer;
+        const inside = (around.nodeType === Node.ELEMENT_NODE ? around : around.parentElement).closest("data");
+        if (inside) {
+            event.clipboardData.setData("text/plain", inside.value);
+            event.preventDefault();
+        } else {
+            copyStandIn(selection, range);
+        }
+    });
+}
+
+/** The browser knows how tables become text, so it copies a copy of what is selected. */
+function copyStandIn(selection, range) {
+    const standIn = h("div", { class: "visually-hidden", "aria-hidden": "true" });
+    standIn.append(range.cloneContents());
+    standIn.querySelectorAll("data").forEach((element) => { element.textContent = element.value; });
+    document.body.append(standIn);
+    selection.selectAllChildren(standIn);
+    setTimeout(() => {
+        standIn.remove();
+        selection.removeAllRanges();
+        selection.addRange(range);
+    });
+}

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cdr/host/worker_pool.h>
+#include <cdr/measure/truth/shape.h>
+#include <cdr/scene/camera.h>
+#include <cdr/scene/scene.h>
+
+#include <vector>
+
+namespace cdr::viewer {
+
+/// The surfaces that a flight stops at: the scene's own, whatever pictures have shown. Blended ones are flown through.
+class Obstacles {
+  public:
+    /// @param scene must outlive the obstacles, its meshes unchanged.
+    Obstacles(const scene::Scene& scene, host::WorkerPool& workers);
+
+    /// How far a straight way leads before a surface, at most its own length. From the back of a single-sided one it
+    /// leads out.
+    double clearWay(const glm::dvec3& from, const glm::dvec3& to) const;
+
+  private:
+    const scene::Scene& m_scene;
+    std::vector<measure::Shape> m_shapes; ///< per mesh
+};
+
+/// The camera on its way from `before`, stopped two near planes short of the first surface, so that none is cut open.
+scene::Camera stopped(const scene::Camera& before, scene::Camera after, const Obstacles& obstacles);
+
+} // namespace cdr::viewer
