@@ -1,5 +1,6 @@
 #include "command.h"
 #include "commands.h"
+#include "forecast.h"
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
@@ -34,6 +35,7 @@ void addExperiments(CLI::App& program, const GlobalOptions& global) {
     addEffects(program, global);
     addFocus(program, global);
     addOrbit(program, global);
+    addInspect(program, global);
 }
 
 namespace {
@@ -79,30 +81,6 @@ SectionOutcome runSection(const GlobalOptions& global, const report::Section& se
     return outcome;
 }
 
-/// How long a plan takes, told by what is done of it: all predictions are off by one common factor, that of
-/// the machine.
-class Forecast {
-  public:
-    explicit Forecast(const std::vector<report::Section>& plan) {
-        for (const report::Section& section : plan) {
-            m_left += section.expectedSeconds;
-        }
-    }
-
-    void done(const report::Section& section, double seconds) {
-        m_left -= section.expectedSeconds;
-        m_expected += section.expectedSeconds;
-        m_taken += seconds;
-    }
-    double secondsLeft() const { return m_left * (m_expected > kTooFew ? m_taken / m_expected : 1.0); }
-
-  private:
-    static constexpr double kTooFew = 5.0; ///< seconds that say nothing of the machine yet
-    double m_left = 0.0;
-    double m_expected = 0.0;
-    double m_taken = 0.0;
-};
-
 nlohmann::ordered_json describe(const report::Section& section, const SectionOutcome& outcome,
                                 const GlobalOptions& global) {
     nlohmann::ordered_json row{{"section", section.name},
@@ -140,12 +118,11 @@ nlohmann::ordered_json fillFolder(Command& command, const ReportArguments& argum
     nlohmann::ordered_json manifest = makeManifest(command, arguments.plan);
     nlohmann::ordered_json documents = nlohmann::ordered_json::object();
     fs::create_directory(root / "data");
-    Forecast forecast(plan);
+    Forecast forecast(plan, measuredPace(command.device(), arguments.plan.threads));
     if (!arguments.plan.videos) {
         console.line("No videos: ffmpeg is not installed (Debian, Ubuntu: ffmpeg)");
     }
-    console.line(
-        fmt::format("{} sections, about {} on two CPUs", plan.size(), timeText(forecast.secondsLeft())));
+    console.line(fmt::format("{} sections, about {}", plan.size(), timeText(forecast.secondsLeft())));
     for (std::size_t i = 0; i < plan.size(); ++i) {
         const report::Section& section = plan[i];
         GlobalOptions inside = global;

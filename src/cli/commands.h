@@ -22,6 +22,7 @@ void addOrbit(CLI::App& program, const GlobalOptions& global);
 void addTranslucency(CLI::App& program, const GlobalOptions& global);
 void addEffects(CLI::App& program, const GlobalOptions& global);
 void addFocus(CLI::App& program, const GlobalOptions& global);
+void addInspect(CLI::App& program, const GlobalOptions& global);
 void addReport(CLI::App& program, const GlobalOptions& global);
 
 /// The commands that a report is made of: all that measure.

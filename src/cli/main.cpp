@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "exit_status.h"
 #include "help_format.h"
 
 #include <cdr/base/error.h>
@@ -57,6 +58,11 @@ int run(int argc, char** argv) {
     program.add_option("--device", global.device, "Vulkan device by number or part of its name");
     program.add_flag("--validate", global.validate,
                      "Run under the Khronos validation layer; any message is a failure");
+    program
+        .add_option_function<std::string>(
+            "--unit", [&global](const std::string& name) { global.unit = cdr::base::parseLengthUnit(name); },
+            "Unit of printed lengths where scenes are in metres: none, auto, um, mm, m or km; JSON has none")
+        ->default_str("none");
     program.add_flag("--quiet", global.quiet, "Print nothing but errors and what of a file is not drawn");
     const cdr::host::BuildInfo build = cdr::host::buildInfo();
     program.set_version_flag("--version", fmt::format("cdr {} ({})", build.version, build.commit));
@@ -89,6 +95,9 @@ int main(int argc, char** argv) {
         const int status = run(argc, argv);
         cdr::host::flushStandardOutput();
         return status;
+    } catch (const cdr::cli::ExitStatus& asked) {
+        cdr::host::flushStandardOutput();
+        return asked.status();
     } catch (...) {
         const cdr::gpu::Failure failure = cdr::gpu::failureOf(std::current_exception());
         cdr::host::printError("cdr: " + failure.line);

@@ -2,10 +2,12 @@
 
 import { summary, verdicts } from "./logic/verdicts.js";
 import { h } from "./view/elements.js";
+import { copyInFull, unitChoice } from "./view/figures.js";
 import { fillAdvise } from "./view/section_advise.js";
 import { fillDetail } from "./view/section_detail.js";
 import { fillEffects } from "./view/section_effects.js";
 import { fillFocus } from "./view/section_focus.js";
+import { fillInspect } from "./view/section_inspect.js";
 import { fillOpening } from "./view/section_opening.js";
 import { fillOrbit } from "./view/section_orbit.js";
 import { fillTranslucency } from "./view/section_translucency.js";
@@ -33,6 +35,7 @@ const fillers = {
     focus: fillFocus,
     orbit: fillOrbit,
     advise: fillAdvise,
+    inspect: fillInspect,
 };
 
 function fillPage({ report, sections }) {
@@ -53,6 +56,8 @@ function fillPage({ report, sections }) {
         fillSource(row, results, report);
     }
     fillEnvironment(report);
+    document.getElementById("reading").append(unitChoice(), " Numbers show four digits; what you copy has all of them.");
+    copyInFull();
 }
 
 if (window.cdrReport) {

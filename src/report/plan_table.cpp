@@ -121,7 +121,17 @@ const std::vector<PlanRow>& planTable() {
          .folderOption = "--out",
          .folder = "orbit",
          .quickSeconds = 7.0,
-         .fullSeconds = 90.0}};
+         .fullSeconds = 90.0},
+        {.name = "inspect",
+         .command = "inspect",
+         .options = {{"", {"orbit"}},
+                     {"--frames", {"2", "4", "24"}},
+                     {"--size", {"160x90", "640x360", "1280x720"}},
+                     threads},
+         .folderOption = "--heat-map",
+         .folder = "inspect.png",
+         .quickSeconds = 8.0,
+         .fullSeconds = 120.0}};
     return kTable;
 }
 

@@ -75,7 +75,7 @@ TEST_F(ReportCommand, WritesOneFolderThatHoldsAllOfItsFiles) {
     }
     EXPECT_EQ(sections, (std::set<std::string>{"precision", "advise", "pictures", "flicker", "flicker-near",
                                                "probe", "timing", "scaling", "detail", "translucency",
-                                               "effects", "focus", "orbit"}));
+                                               "effects", "focus", "orbit", "inspect"}));
     for (const char* file : {"index.html", "compare.html", "data.js", "LICENSES.txt"}) {
         const json& files = manifest.at("files");
         EXPECT_NE(std::find(files.begin(), files.end(), file), files.end()) << file;

@@ -244,7 +244,7 @@ test("each section names its command, device and commit, and links its JSON", as
     const page = await openReport();
     const manifest = JSON.parse(readFileSync(join(report, "report.json")));
     const sources = await page.$$eval(".source pre code", (codes) => codes.map((code) => code.textContent));
-    assert.equal(manifest.results.length, 13);
+    assert.equal(manifest.results.length, 14);
     for (const row of manifest.results) {
         assert.equal(row.failure, null);
         assert.ok(sources.includes(row.command), row.command);
@@ -325,5 +325,42 @@ test("results cannot become markup", async () => {
     await page.reload();
     assert.equal(await page.evaluate(() => window.owned ?? document.querySelectorAll("#owned, img[src=x]").length), 0);
     assert.match(await page.locator("#precision .notice").textContent(), /<b id=owned>/);
+    await close(page);
+});
+
+test("lengths follow the unit chosen, and stay in it", async () => {
+    const page = await openReport();
+    const choice = page.locator("#reading select");
+    const distance = page.locator("#probe tbody tr").last().locator("data.length").first();
+    await openAll(page);
+    const inUnits = await distance.textContent();
+    await choice.selectOption("km");
+    assert.match(await distance.textContent(), /\u00a0km$/);
+    assert.match(await page.locator("#advise .advice li").first().textContent(), /resolves \S+\u00a0km at 1,000\u00a0km/);
+    await page.reload();
+    assert.equal(await choice.inputValue(), "km");
+    await choice.selectOption("none");
+    await openAll(page);
+    assert.equal(await distance.textContent(), inUnits);
+    await close(page);
+});
+
+test("what is copied has all its digits", async () => {
+    const page = await openReport();
+    const { results } = JSON.parse(readFileSync(join(report, "data", "orbit.json")));
+    const wanted = results.find((row) => row.technique === "standard" && row.wrong_fraction > 0).wrong_fraction;
+    const copied = await page.evaluate(() => new Promise((resolve) => {
+        const kept = [];
+        const read = () => kept.push(getSelection().toString());
+        document.addEventListener("copy", read); // after the page's own
+        getSelection().selectAllChildren(document.querySelector("#orbit tbody"));
+        const before = getSelection().toString();
+        document.execCommand("copy");
+        setTimeout(() => resolve({ full: kept[0], before, after: getSelection().toString(), left: document.querySelectorAll("body > .visually-hidden").length }), 50);
+    }));
+    assert.ok(copied.full.includes(String(100 * wanted)), copied.full);
+    assert.ok(!copied.before.includes(String(100 * wanted)));
+    assert.equal(copied.after, copied.before); // the selection is as it was
+    assert.equal(copied.left, 0);
     await close(page);
 });

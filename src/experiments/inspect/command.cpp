@@ -1,0 +1,230 @@
+#include <cdr/base/error.h>
+#include <cdr/image/codec.h>
+#include <cli/command.h>
+#include <cli/commands.h>
+#include <cli/exit_status.h>
+#include <experiments/columns.h>
+#include <experiments/inspect/inspect.h>
+#include <experiments/inspect/verdict.h>
+#include <experiments/inspect/views.h>
+#include <experiments/number_checks.h>
+#include <experiments/orbit/orbit.h>
+#include <experiments/wrong_pixels_columns.h>
+#include <scenes/open_scene.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+namespace cdr::cli {
+
+namespace {
+
+using experiments::Inspection;
+
+constexpr std::uint32_t kMostViews = 10'000;
+constexpr std::size_t kPairsShown = 10;
+constexpr std::size_t kPairsWritten = 1000;
+
+struct InspectArguments {
+    std::string scene;
+    experiments::InspectOptions options;
+    std::string technique = "reversed";
+    std::string format = "d32f";
+    experiments::CameraOptions camera;
+    std::uint32_t views = 8;
+    scene::GltfChoice choice;
+    std::uint64_t seed = scenes::kDefaultSeed;
+    std::filesystem::path heatMap;
+    std::optional<double> failAbove;
+};
+
+/// Spread over the recorded path, over the scene's own, or around a scene that has none.
+std::vector<scene::Camera> camerasOf(const scene::SceneSetup& setup, const InspectArguments& arguments) {
+    const scene::CameraPath& own = setup.path;
+    experiments::CameraOptions options = arguments.camera;
+    options.frames = arguments.views;
+    std::vector<scene::Camera> cameras;
+    if (!options.path.empty()) {
+        const experiments::FrameCameras recorded(options);
+        for (std::uint32_t frame = 0; frame < recorded.frames; ++frame) {
+            cameras.push_back(recorded.at(own, frame));
+        }
+        return cameras;
+    }
+    const bool isStill = !options.eye.empty() || !options.target.empty() || !options.direction.empty() ||
+                         arguments.choice.camera.has_value();
+    if (!isStill && own.frames == 1) {
+        return experiments::viewsAround(setup.scene, experiments::overridden(own.at(0), options),
+                                        arguments.views);
+    }
+    for (const std::uint32_t frame : experiments::zoomFrames(own.frames, isStill ? 1 : arguments.views)) {
+        cameras.push_back(experiments::overridden(own.at(isStill ? 0 : frame), options));
+    }
+    return cameras;
+}
+
+experiments::Columns<experiments::InspectedTechnique> techniqueColumns() {
+    using Row = experiments::InspectedTechnique;
+    const experiments::CellFormat percent{.pattern = "{} %", .scale = 100.0};
+    return experiments::joined<Row>(
+        {{{.key = "technique", .value = &Row::name, .heading = "technique"},
+          {.key = "format",
+           .value = [](const Row& row) { return nameOf(row.technique.format); },
+           .heading = "format"},
+          {.key = "cascades", .value = &Row::cascades, .heading = "cascades"},
+          {.key = "predicted_fraction",
+           .value = [](const Row& row) { return row.predictedFraction(); },
+           .heading = "predicted wrong",
+           .format = percent},
+          {.key = "undecided_fraction",
+           .value = [](const Row& row) { return row.undecidedFraction(); },
+           .heading = "undecided",
+           .format = percent,
+           .before = "measured wrong"}},
+         experiments::columnsOf(&Row::wrong, experiments::wrongPixelsColumns({.share = "measured wrong"})),
+         {{.key = "judged", .value = &Row::isJudged}}});
+}
+
+experiments::Columns<experiments::ObjectPair> pairColumns(const scene::Scene& scene, base::LengthUnit unit) {
+    using Pair = experiments::ObjectPair;
+    const auto name = [&scene](std::uint32_t Pair::*object) {
+        return [&scene, object](const Pair& pair) { return experiments::nameOfObject(scene, pair.*object); };
+    };
+    const auto verdict = [](const Pair& pair) {
+        return pair.isCoplanar() ? "coplanar" : pair.isSunk ? "sunk" : "";
+    };
+    return {{.key = "front", .value = name(&Pair::front), .heading = "in front"},
+            {.key = "back", .value = name(&Pair::back), .heading = "behind it"},
+            {.key = "front_index", .value = &Pair::front},
+            {.key = "back_index", .value = &Pair::back},
+            {.key = "pixels", .value = &Pair::pixels, .heading = "pixels"},
+            {.key = "coplanar_pixels", .value = &Pair::coplanar},
+            {.key = "gap", .value = &Pair::gapView, .heading = "gap", .format = {.unit = unit}},
+            {.key = "at", .value = &Pair::atView, .heading = "at", .format = {.unit = unit}},
+            {.key = "widest_gap", .value = &Pair::widestGapView},
+            {.key = "finding", .value = verdict, .heading = "finding"}};
+}
+
+void print(const Command& command, const InspectArguments& arguments, const Inspection& inspection,
+           const scene::Scene& scene, const scene::Camera& camera) {
+    const Console& console = command.console();
+    std::vector<experiments::ObjectPair> shown = inspection.pairs;
+    shown.resize(std::min(shown.size(), kPairsShown));
+    const base::LengthUnit unit = command.global().unit;
+    if (!shown.empty()) {
+        console.line(fmt::format("{} of {} pairs of objects, nearest to each other first:", shown.size(),
+                                 inspection.pairs.size()));
+        console.table(experiments::tableOf(pairColumns(scene, unit), shown));
+        console.line("");
+    }
+    console.table(experiments::tableOf(techniqueColumns(), inspection.techniques));
+    console.line("");
+    for (const std::string& line : experiments::explain(inspection, scene, camera, [unit](double view) {
+             return base::quantityText(view, unit, base::NumberStyle::plain);
+         })) {
+        console.line(line);
+    }
+    if (arguments.failAbove) {
+        const auto percent = [](double share) {
+            return base::quantityText(100.0 * share, base::NumberStyle::plain) + " %";
+        };
+        console.line(fmt::format("{}: {} of the pixels are wrong and {} coplanar; at most {} are allowed.",
+                                 nameOf(inspection.techniques[inspection.judged]),
+                                 percent(inspection.techniques[inspection.judged].wrong.fraction()),
+                                 percent(inspection.coplanarFraction()), percent(*arguments.failAbove)));
+    }
+}
+
+void run(Command& command, InspectArguments& arguments) {
+    experiments::InspectOptions& options = arguments.options;
+    options.judged = depth::namedTechnique(arguments.technique);
+    options.allowedShare = arguments.failAbove.value_or(0.0);
+    options.judged.technique.format = depth::parseDepthFormat(arguments.format);
+    if (!arguments.heatMap.empty()) {
+        if (arguments.heatMap.extension() != ".png") {
+            throw base::InputError(
+                fmt::format("--heat-map: {} does not end in .png", arguments.heatMap.string()));
+        }
+        command.files().writes("--heat-map", arguments.heatMap);
+    }
+    const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
+    const std::vector<scene::Camera> cameras = camerasOf(setup, arguments);
+    const Inspection inspection =
+        experiments::runInspect(command.device(), setup.scene, cameras, options, command.progress());
+    command.endProgress();
+
+    print(command, arguments, inspection, setup.scene, cameras.front());
+    command.console().line(fmt::format("\n{}; {} views of {}x{}", command.opened().text(), cameras.size(),
+                                       options.width, options.height));
+    if (!arguments.heatMap.empty()) {
+        image::writeImage(arguments.heatMap, inspection.heatMap);
+    }
+    const bool fails = arguments.failAbove && inspection.badFraction() > *arguments.failAbove;
+    auto document = command.makeDocument({{"scene", arguments.scene},
+                                          {"views", cameras.size()},
+                                          {"width", options.width},
+                                          {"height", options.height},
+                                          {"seed", arguments.seed},
+                                          {"snap_bits", options.snapBits},
+                                          {"technique", options.judged.name},
+                                          {"format", nameOf(options.judged.technique.format)}});
+    document["results"] = experiments::jsonOf(techniqueColumns(), inspection.techniques);
+    std::vector<experiments::ObjectPair> written = inspection.pairs;
+    written.resize(std::min(written.size(), kPairsWritten));
+    document["pairs_found"] = inspection.pairs.size();
+    document["pairs"] = experiments::jsonOf(pairColumns(setup.scene, base::LengthUnit::none), written);
+    document["coplanar_fraction"] = inspection.coplanarFraction();
+    document["simplest"] =
+        inspection.simplest
+            ? experiments::jsonOf(techniqueColumns(), inspection.techniques[*inspection.simplest])
+            : nlohmann::ordered_json(nullptr);
+    document["advice"] = experiments::explain(inspection, setup.scene, cameras.front());
+    document["fail_above"] = arguments.failAbove ? nlohmann::ordered_json(*arguments.failAbove) : nullptr;
+    document["fails"] = fails;
+    command.writeDocument(document);
+    if (fails) {
+        throw ExitStatus(ExitStatus::kFound);
+    }
+}
+
+void addOptions(CLI::App& command, InspectArguments& arguments) {
+    experiments::InspectOptions& options = arguments.options;
+    command.add_option("scene", arguments.scene, "A generated scene, or a .gltf or .glb file")->required();
+    command
+        .add_option("--technique", arguments.technique,
+                    "The technique that --fail-above and the heat map are about")
+        ->capture_default_str();
+    command.add_option("--format", arguments.format, "Its depth format")->capture_default_str();
+    addTechniques(command, options.techniques);
+    command
+        .add_option("--frames", arguments.views, "Views, spread over the camera path; around what has none")
+        ->check(CLI::Range(1u, kMostViews))
+        ->capture_default_str();
+    experiments::addCameraOptions(command, arguments.camera);
+    experiments::addSceneChoice(command, arguments.choice);
+    command
+        .add_option("--fail-above", arguments.failAbove,
+                    "End with status 3 where a larger share of the pixels, 0 to 1, is wrong or coplanar")
+        ->check(experiments::numberFrom(0.0, 1.0));
+    command.add_option("--heat-map", arguments.heatMap,
+                       "Write the worst view as PNG: red wrong, orange wrong on an edge, magenta coplanar");
+    addSize(command, options.width, options.height);
+    addThreads(command, options.threads, "Threads that cull, bin, record and cast the truth");
+    addSeed(command, arguments.seed, "Seed of a generated scene");
+    addSnapBits(command, options.snapBits);
+}
+
+} // namespace
+
+void addInspect(CLI::App& program, const GlobalOptions& global) {
+    addCommand<InspectArguments>(
+        program, global, "inspect",
+        "What in a scene lies too close together, by name, and the simplest technique that suffices",
+        addOptions, run);
+}
+
+} // namespace cdr::cli

@@ -1,0 +1,199 @@
+#include "inspect.h"
+
+#include <cdr/depth/forecast.h>
+#include <cdr/host/worker_pool.h>
+#include <cdr/measure/truth/truth.h>
+#include <cdr/render/gpu_scene.h>
+#include <cdr/render/renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// Views whose truth is kept at once.
+constexpr std::size_t kViewsAtOnce = 4;
+
+/// The tails of the chances, and single pixels.
+constexpr double kNearlyNone = 1e-4;
+
+constexpr image::Rgba8 kCoplanar{255, 0, 255, 255};
+
+/// A view with what every technique is compared with.
+struct InspectedView {
+    scene::Camera camera;
+    measure::TruthImage truth;
+    image::Raster<std::uint8_t> coplanar;
+    image::Raster<std::uint8_t> judgedPixels; ///< off edges, and not coplanar
+};
+
+/// Simplest first: one cascade before several, and in the order of the presets.
+std::vector<InspectedTechnique> techniquesOf(const gpu::Device& device, const InspectOptions& options) {
+    std::vector<depth::NamedTechnique> named = options.techniques;
+    if (named.empty()) {
+        for (const char* name : {"standard", "reversed", "log", "cdr", "logcdr", "anchored"}) {
+            named.push_back(depth::namedTechnique(name));
+        }
+    }
+    std::vector<InspectedTechnique> techniques;
+    for (const depth::NamedTechnique& each : named) {
+        for (const depth::DepthFormat format : device.info().depthFormats) {
+            techniques.push_back({.name = each.name, .technique = each.technique});
+            techniques.back().technique.format = format;
+        }
+    }
+    const auto judged =
+        std::find_if(techniques.begin(), techniques.end(), [&](const InspectedTechnique& each) {
+            return each.technique == options.judged.technique;
+        });
+    if (judged != techniques.end()) {
+        judged->isJudged = true;
+    } else {
+        techniques.push_back(
+            {.name = options.judged.name, .technique = options.judged.technique, .isJudged = true});
+    }
+    return techniques;
+}
+
+InspectedView viewOf(const measure::TruthCaster& caster, const PairCollector& pairs,
+                     const scene::Camera& camera, const InspectOptions& options, host::WorkerPool& workers) {
+    InspectedView view{.camera = camera,
+                       .truth = caster.cast(camera, options.width, options.height, workers),
+                       .coplanar = {},
+                       .judgedPixels = {}};
+    view.coplanar = pairs.coplanarMask(view.camera, view.truth);
+    view.judgedPixels = measure::innerMask(view.truth);
+    for (std::size_t i = 0; i < view.judgedPixels.pixels.size(); ++i) {
+        view.judgedPixels.pixels[i] =
+            view.coplanar.pixels[i] != 0 ? std::uint8_t{0} : view.judgedPixels.pixels[i];
+    }
+    return view;
+}
+
+void predict(const InspectedView& view, const depth::Cascades& cascades, InspectedTechnique& technique) {
+    for (std::size_t i = 0; i < view.truth.pixels.size(); ++i) {
+        const measure::TruthPixel& pixel = view.truth.pixels[i];
+        if (view.judgedPixels.pixels[i] != 0 && pixel.secondId != 0) {
+            const OrderChance chance =
+                orderChance(technique.technique, cascades, pixel.distanceView,
+                            pixel.secondDistanceView - pixel.distanceView, pixel.secondId > pixel.id);
+            technique.undecided += chance.undecided;
+            technique.predictedWrong += chance.wrong;
+        }
+    }
+}
+
+image::ImageRgba8 heatMapOf(const InspectedView& view, const render::Frame& frame) {
+    image::ImageRgba8 picture = measure::heatMap(frame.ids(), view.truth, frame.color);
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        picture.pixels[i] = view.coplanar.pixels[i] != 0 ? kCoplanar : picture.pixels[i];
+    }
+    return picture;
+}
+
+std::uint64_t countOf(const image::Raster<std::uint8_t>& mask) {
+    return static_cast<std::uint64_t>(std::count(mask.pixels.begin(), mask.pixels.end(), std::uint8_t{1}));
+}
+
+/// Renders some views with one technique. Keeps the heat map of the worst view so far.
+class TechniqueRun {
+  public:
+    TechniqueRun(const gpu::Device& device, const scene::Scene& scene, const render::GpuScene& onDevice,
+                 const InspectOptions& options, InspectedTechnique& result)
+        : m_renderer(device, scene, onDevice,
+                     {.width = options.width,
+                      .height = options.height,
+                      .technique = result.technique,
+                      .threads = options.threads,
+                      .snapBits = options.snapBits}),
+          m_result(result) {}
+
+    void add(const InspectedView& view, std::uint64_t& worst, image::ImageRgba8& heatMap) {
+        m_renderer.forgetFrames();
+        const render::Frame frame = m_renderer.render(view.camera);
+        const measure::WrongPixels wrong = measure::countWrong(frame.ids(), view.truth, view.judgedPixels);
+        m_result.wrong += wrong;
+        predict(view, frame.cascades, m_result);
+        m_result.cascades = std::max(m_result.cascades, frame.cascades.size());
+        const std::uint64_t bad = wrong.wrong + countOf(view.coplanar);
+        if (m_result.isJudged && (bad > worst || heatMap.pixels.empty())) {
+            worst = bad;
+            heatMap = heatMapOf(view, frame);
+        }
+    }
+
+  private:
+    render::Renderer m_renderer;
+    InspectedTechnique& m_result;
+};
+
+} // namespace
+
+OrderChance orderChance(const depth::Technique& technique, const depth::Cascades& cascades,
+                        double distanceView, double gapView, bool isBackDrawnLater) {
+    const double later = isBackDrawnLater ? 1.0 : 0.0;
+    const auto forecast = depth::forecastIn(technique, cascades, distanceView);
+    if (!forecast || !std::isfinite(forecast->bufferStepView)) {
+        return {.undecided = 1.0, .wrong = later};
+    }
+    // Two surfaces, each rounded to the buffer's steps and by float32.
+    const double stepVariance = forecast->bufferStepView * forecast->bufferStepView / 6.0;
+    const double rounding = forecast->rounding.deviationView();
+    const double variance = stepVariance + 2.0 * rounding * rounding;
+    if (!(variance > 0.0)) {
+        return gapView > 0.0 ? OrderChance{} : OrderChance{.undecided = 1.0, .wrong = later};
+    }
+    const double undecided = std::erfc(gapView / std::sqrt(2.0 * variance));
+    const double tied = stepVariance / variance; // share of it: the buffer stores one number for both
+    return {.undecided = undecided, .wrong = undecided * (tied * later + (1.0 - tied) * 0.5)};
+}
+
+Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
+                      const std::vector<scene::Camera>& cameras, const InspectOptions& options,
+                      const Progress& progress) {
+    Inspection inspection{.pairs = {}, .techniques = techniquesOf(device, options), .heatMap = {}};
+    std::vector<InspectedTechnique>& techniques = inspection.techniques;
+    const render::GpuScene onDevice(device, scene);
+    host::WorkerPool workers(options.threads);
+    const measure::TruthCaster caster(scene, workers);
+    PairCollector pairs(scene);
+    std::uint64_t worst = 0;
+    const std::size_t all = cameras.size() * (techniques.size() + 1);
+    for (std::size_t first = 0, done = 0; first < cameras.size(); first += kViewsAtOnce) {
+        std::vector<InspectedView> views;
+        for (std::size_t i = first; i < std::min(first + kViewsAtOnce, cameras.size()); ++i) {
+            progress(done++, all, "truth");
+            views.push_back(viewOf(caster, pairs, cameras[i], options, workers));
+            pairs.add(views.back().camera, views.back().truth);
+            inspection.objectPixels += static_cast<std::uint64_t>(
+                std::count_if(views.back().truth.pixels.begin(), views.back().truth.pixels.end(),
+                              [](const measure::TruthPixel& pixel) { return pixel.id != 0; }));
+            inspection.coplanarPixels += countOf(views.back().coplanar);
+        }
+        for (InspectedTechnique& technique : techniques) {
+            TechniqueRun run(device, scene, onDevice, options, technique);
+            for (const InspectedView& view : views) {
+                progress(done++, all, technique.name);
+                run.add(view, worst, inspection.heatMap);
+            }
+        }
+    }
+    inspection.pairs = pairs.pairs();
+    const auto isJudged = [](const InspectedTechnique& each) { return each.isJudged; };
+    inspection.judged = static_cast<std::size_t>(
+        std::find_if(techniques.begin(), techniques.end(), isJudged) - techniques.begin());
+    const auto suffices =
+        std::find_if(techniques.begin(), techniques.end(), [&](const InspectedTechnique& each) {
+            return each.wrong.fraction() <= options.allowedShare &&
+                   each.undecidedFraction() <= std::max(options.allowedShare, kNearlyNone);
+        });
+    if (suffices != techniques.end()) {
+        inspection.simplest = static_cast<std::size_t>(suffices - techniques.begin());
+    }
+    return inspection;
+}
+
+} // namespace cdr::experiments

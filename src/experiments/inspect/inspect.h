@@ -1,0 +1,83 @@
+#pragma once
+
+#include "pairs.h"
+
+#include <cdr/depth/technique.h>
+#include <cdr/gpu/device.h>
+#include <cdr/image/image.h>
+#include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/scene/scene.h>
+#include <experiments/pictures/pictures.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// What to look at a scene with.
+struct InspectOptions {
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    std::size_t threads = 1;
+    std::uint32_t snapBits = 0; ///< as render::RenderOptions has it
+    std::vector<depth::NamedTechnique>
+        techniques;               ///< all presets when empty, each in every format that the device has
+    double allowedShare = 0.0;    ///< of wrong pixels, from which on a technique no longer suffices
+    depth::NamedTechnique judged; ///< whose wrong pixels the heat map shows; one of them, or one more
+};
+
+/// One technique in one format, over all views. Coplanar pixels are left out: none of them is wrong.
+struct InspectedTechnique {
+    std::string name;
+    depth::Technique technique;
+    std::size_t cascades = 0;     ///< most in a view
+    measure::WrongPixels wrong{}; ///< as rendered
+    // Of the inner pixels, as cdr::depth expects in the cascades that were cut:
+    double undecided = 0.0;      ///< whose order depth does not tell
+    double predictedWrong = 0.0; ///< that show the farther surface
+    bool isJudged = false;
+
+    double predictedFraction() const { return shareOf(predictedWrong); }
+    double undecidedFraction() const { return shareOf(undecided); }
+    double shareOf(double pixels) const {
+        return wrong.pixels ? pixels / static_cast<double>(wrong.pixels) : 0.0;
+    }
+};
+
+struct Inspection {
+    std::vector<ObjectPair> pairs;              ///< nearest to each other first
+    std::vector<InspectedTechnique> techniques; ///< simplest first
+    std::size_t judged = 0;                     ///< index of it
+    std::optional<std::size_t> simplest{}; ///< the first with no more wrong and undecided pixels than allowed
+    std::uint64_t objectPixels = 0;        ///< that show an object, edges too
+    std::uint64_t coplanarPixels = 0;      ///< of them, whose two nearest surfaces lie in one plane
+    image::ImageRgba8 heatMap{}; ///< of the worst view: red wrong, orange wrong on an edge, magenta coplanar
+
+    double coplanarFraction() const {
+        return objectPixels ? static_cast<double>(coplanarPixels) / static_cast<double>(objectPixels) : 0.0;
+    }
+    /// Share of pixels that the judged technique gets wrong or that no technique gets right.
+    double badFraction() const { return techniques[judged].wrong.fraction() + coplanarFraction(); }
+};
+
+/// Casts the truth of every view and renders each technique from there. base::InputError as TruthCaster and Renderer.
+/// @param cameras at least one.
+Inspection runInspect(const gpu::Device& device, const scene::Scene& scene,
+                      const std::vector<scene::Camera>& cameras, const InspectOptions& options,
+                      const Progress& progress);
+
+/// What a depth buffer makes of two surfaces, as probabilities. They fall with the gap over what the buffer and float32
+/// round.
+struct OrderChance {
+    double undecided = 0.0; ///< depth does not say which is nearer: rounding or the order of drawing does
+    double wrong =
+        0.0; ///< the farther one shows: what is drawn later, where the buffer stores one number for both
+};
+
+OrderChance orderChance(const depth::Technique& technique, const depth::Cascades& cascades,
+                        double distanceView, double gapView, bool isBackDrawnLater);
+
+} // namespace cdr::experiments

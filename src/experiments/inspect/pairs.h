@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cdr/image/image.h>
+#include <cdr/measure/truth/truth.h>
+#include <cdr/scene/scene.h>
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// Two objects that pixels show in front of each other, over all views. Only pixels whose eight neighbours show the same
+/// two count: elsewhere outlines and lines where surfaces cross decide.
+struct ObjectPair {
+    std::uint32_t front = 0; ///< object index of what is seen
+    std::uint32_t back =
+        0; ///< of what lies next behind it; the lower index is in front where they are coplanar
+    std::uint64_t pixels = 0; ///< that show the pair in this order
+    std::uint64_t coplanar =
+        0; ///< that show both at one distance, to within the rounding of their own vertices
+    double gapView =
+        std::numeric_limits<double>::infinity(); ///< the smallest over the distance, along the view
+    double atView = 0.0;                         ///< where that is
+    double widestGapView = 0.0;                  ///< over all pixels of the pair
+    /// The object behind lies close behind the other in most pixels, and none of any view shows it: a decal that sank.
+    bool isSunk = false;
+
+    /// No depth buffer separates faces that lie in one plane.
+    bool isCoplanar() const { return coplanar > 0; }
+};
+
+/// Collects the pairs of many views of a scene.
+class PairCollector {
+  public:
+    /// @param scene must outlive the collector.
+    explicit PairCollector(const scene::Scene& scene);
+
+    void add(const scene::Camera& camera, const measure::TruthImage& truth);
+
+    /// Those that are nearest to each other first, for their distance: coplanar ones by their pixels, then the others by
+    /// gap over distance.
+    std::vector<ObjectPair> pairs() const;
+
+    /// Per pixel: 1 where the two nearest surfaces lie in one plane, so that neither is wrong.
+    image::Raster<std::uint8_t> coplanarMask(const scene::Camera& camera,
+                                             const measure::TruthImage& truth) const;
+
+  private:
+    double extentAt(std::uint32_t object, const glm::dvec3& place) const;
+
+    const scene::Scene& m_scene;
+    std::vector<std::vector<std::uint32_t>> m_instances; ///< per object
+    std::vector<double> m_extents; ///< per object: how far any of its vertices reaches from its origin
+    std::vector<bool> m_isSeen;    ///< per object
+    struct Found {
+        ObjectPair pair;
+        std::uint64_t close = 0; ///< pixels whose gap is small for the object behind
+    };
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Found>
+        m_pairs; ///< by front and back; coplanar by lower index
+};
+
+} // namespace cdr::experiments

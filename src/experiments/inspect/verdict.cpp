@@ -1,0 +1,109 @@
+#include "verdict.h"
+
+#include <cdr/base/quantity_text.h>
+#include <cdr/depth/forecast.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// Of a kind that sentences name; the table and JSON have all.
+constexpr std::size_t kNamed = 5;
+
+std::string shareText(double share) {
+    return base::quantityText(100.0 * share, base::NumberStyle::plain) + " %";
+}
+
+std::string both(const scene::Scene& scene, const ObjectPair& pair, const char* between) {
+    return fmt::format("'{}' {} '{}'", nameOfObject(scene, pair.front), between,
+                       nameOfObject(scene, pair.back));
+}
+
+std::string simplestLine(const Inspection& inspection) {
+    const auto pixels = [](const InspectedTechnique& each) {
+        return fmt::format("{} of {} pixels", each.wrong.wrong, each.wrong.pixels);
+    };
+    if (inspection.simplest) {
+        const InspectedTechnique& simplest = inspection.techniques[*inspection.simplest];
+        return fmt::format("{} in {} is the simplest that suffices: {} are wrong.", nameOf(simplest),
+                           simplest.cascades == 1 ? "one cascade"
+                                                  : fmt::format("{} cascades", simplest.cascades),
+                           simplest.wrong.wrong == 0 ? "no pixels" : pixels(simplest));
+    }
+    const auto best = std::min_element(
+        inspection.techniques.begin(), inspection.techniques.end(),
+        [](const auto& a, const auto& b) { return a.wrong.fraction() < b.wrong.fraction(); });
+    return fmt::format("Nothing here suffices: {} comes nearest, with {} wrong, {}.", nameOf(*best),
+                       pixels(*best), shareText(best->wrong.fraction()));
+}
+
+/// What moves one of two coplanar faces far enough for a technique.
+std::string stepText(const ObjectPair& pair, const scene::Camera& camera, const char* technique,
+                     const depth::LengthText& lengthText) {
+    const double at = std::clamp(pair.atView, camera.nearView, camera.farView);
+    const auto forecast =
+        depth::tryForecast(depth::parseTechnique(technique),
+                           {.nearView = camera.nearView, .farView = camera.farView, .atView = at});
+    return forecast ? fmt::format("{} under {}", lengthText(forecast->guaranteedView()), technique) : "";
+}
+
+std::string coplanarLine(const ObjectPair& pair, const scene::Scene& scene, const scene::Camera& camera,
+                         const depth::LengthText& lengthText) {
+    return fmt::format(
+        "{} lie in one plane at {}: no technique separates them. Take one away, or move it by more "
+        "than {} or {}.",
+        both(scene, pair, "and"), lengthText(pair.atView), stepText(pair, camera, "reversed", lengthText),
+        stepText(pair, camera, "anchored", lengthText));
+}
+
+} // namespace
+
+std::string nameOfObject(const scene::Scene& scene, std::uint32_t object) {
+    const bool isNamed = object < scene.objectNames.size() && !scene.objectNames[object].empty();
+    return isNamed ? scene.objectNames[object] : fmt::format("object {}", object);
+}
+
+std::string nameOf(const InspectedTechnique& technique) {
+    return fmt::format("{} with {}", technique.name, depth::nameOf(technique.technique.format));
+}
+
+std::vector<std::string> explain(const Inspection& inspection, const scene::Scene& scene,
+                                 const scene::Camera& camera, const depth::LengthText& lengthText) {
+    std::vector<std::string> lines{simplestLine(inspection)};
+    std::size_t coplanar = 0;
+    std::size_t sunk = 0;
+    const ObjectPair* nearest = nullptr;
+    for (const ObjectPair& pair : inspection.pairs) {
+        if (pair.isCoplanar()) {
+            if (coplanar++ < kNamed) {
+                lines.push_back(coplanarLine(pair, scene, camera, lengthText));
+            }
+        } else if (pair.isSunk) {
+            if (sunk++ < kNamed) {
+                lines.push_back(
+                    fmt::format("{} by {}, and no view shows it: it may be meant to lie before it.",
+                                both(scene, {.front = pair.back, .back = pair.front}, "lies behind"),
+                                lengthText(pair.gapView)));
+            }
+        } else if (nearest == nullptr) {
+            nearest = &pair;
+        }
+    }
+    if (nearest != nullptr) {
+        lines.push_back(fmt::format("{} by {} at {}: of all that differ they lie nearest for their distance.",
+                                    both(scene, *nearest, "lies before"), lengthText(nearest->gapView),
+                                    lengthText(nearest->atView)));
+    }
+    if (coplanar > kNamed) {
+        lines.push_back(fmt::format("{} pairs lie in one plane, {} of all pixels.", coplanar,
+                                    shareText(inspection.coplanarFraction())));
+    }
+    return lines;
+}
+
+} // namespace cdr::experiments

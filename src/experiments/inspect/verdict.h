@@ -1,0 +1,25 @@
+#pragma once
+
+#include "inspect.h"
+
+#include <cdr/depth/advice.h>
+
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// The scene's name of an object, or "object 12".
+std::string nameOfObject(const scene::Scene& scene, std::uint32_t object);
+
+/// "anchored with d32f".
+std::string nameOf(const InspectedTechnique& technique);
+
+/// What was found, one sentence per line: the simplest technique that suffices, what lies nearest to each other, and what
+/// no technique can separate, with the remedy.
+/// @param camera of a view: its range says what techniques resolve.
+std::vector<std::string> explain(const Inspection& inspection, const scene::Scene& scene,
+                                 const scene::Camera& camera,
+                                 const depth::LengthText& lengthText = depth::plainLength);
+
+} // namespace cdr::experiments

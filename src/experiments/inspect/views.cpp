@@ -1,0 +1,45 @@
+#include "views.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+
+namespace cdr::experiments {
+
+namespace {
+
+glm::dvec3 middleOf(const scene::Instances& instances) {
+    glm::dvec3 lower(std::numeric_limits<double>::infinity());
+    glm::dvec3 upper(-std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (instances.radius[i] >= 0.0f) {
+            lower = glm::min(lower, instances.position(i) - static_cast<double>(instances.radius[i]));
+            upper = glm::max(upper, instances.position(i) + static_cast<double>(instances.radius[i]));
+        }
+    }
+    return 0.5 * (lower + upper);
+}
+
+} // namespace
+
+std::vector<scene::Camera> viewsAround(const scene::Scene& scene, const scene::Camera& own,
+                                       std::uint32_t count) {
+    std::vector<scene::Camera> views{own};
+    const glm::dvec3 middle = middleOf(scene.instances);
+    const double distance = glm::length(own.position - middle);
+    if (!std::isfinite(distance) || distance == 0.0) {
+        return views;
+    }
+    // A spiral on the sphere: every view takes the same share of it.
+    const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    for (std::uint32_t i = 1; i < count; ++i) {
+        const double height = 1.0 - (2.0 * i - 1.0) / (count - 1.0);
+        const double across = std::sqrt(1.0 - height * height);
+        const glm::dvec3 side(across * std::sin(turn * i), height, across * std::cos(turn * i));
+        views.push_back(scene::lookAt(own, middle + distance * side, middle));
+    }
+    return views;
+}
+
+} // namespace cdr::experiments

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cdr/scene/camera.h>
+#include <cdr/scene/scene.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// `count` views of a still scene: the camera's own first, then from evenly spread directions, as far from the middle of
+/// all instances as the camera is.
+std::vector<scene::Camera> viewsAround(const scene::Scene& scene, const scene::Camera& own,
+                                       std::uint32_t count);
+
+} // namespace cdr::experiments

@@ -1,0 +1,158 @@
+#include "planted_gltf.h"
+#include "program.h"
+
+#include <cdr/host/file.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace cdr::cli_test {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kSmall = " --camera 0 --size 320x180 --json a.json";
+
+struct InspectRun {
+    int status = -1;
+    json document;
+    std::string out;
+};
+
+InspectRun inspect(const std::string& arguments, const TemporaryFolder& folder) {
+    const ProgramResult result = runProgram("inspect " + arguments, folder.path());
+    InspectRun run{.status = result.status, .document = {}, .out = result.out};
+    EXPECT_TRUE(result.status == 0 || result.status == 3) << result.err;
+    run.document = json::parse(readText(folder.path() / "a.json"));
+    return run;
+}
+
+/// The names of the pairs that something was found of.
+std::vector<std::string> findings(const json& document) {
+    std::vector<std::string> found;
+    for (const json& pair : document.at("pairs")) {
+        if (pair.at("finding") != "") {
+            found.push_back(pair.at("finding").get<std::string>() + " " +
+                            pair.at("front").get<std::string>() + " " + pair.at("back").get<std::string>());
+        }
+    }
+    return found;
+}
+
+const json& rowOf(const json& document, const std::string& technique, const std::string& format) {
+    const json& rows = document.at("results");
+    return *std::find_if(rows.begin(), rows.end(), [&](const json& row) {
+        return row.at("technique") == technique && row.at("format") == format;
+    });
+}
+
+bool isSaid(const json& document, const std::string& words) {
+    const json& lines = document.at("advice");
+    return std::any_of(lines.begin(), lines.end(), [&](const json& line) {
+        return line.get<std::string>().find(words) != std::string::npos;
+    });
+}
+
+TEST(InspectCommand, FindsNothingWhereNothingIsWrong) {
+    const TemporaryFolder folder;
+    writeSquares(folder.path() / "a.gltf", {{"wall", {0.0, 0.0, -30.0}, 20.0},
+                                            {"sign", {1.0, 1.0, -29.5}, 4.0},
+                                            {"board", {-3.0, 0.0, -20.0}, 3.0}});
+    const InspectRun run =
+        inspect("a.gltf --fail-above 0 --technique anchored" + std::string(kSmall), folder);
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(findings(run.document), std::vector<std::string>());
+    EXPECT_EQ(run.document.at("fails"), false);
+    EXPECT_EQ(run.document.at("coplanar_fraction"), 0.0);
+    EXPECT_EQ(rowOf(run.document, "reversed", "d32f").at("wrong"), 0);
+    EXPECT_TRUE(isSaid(run.document, "no pixels are wrong"));
+    EXPECT_TRUE(isSaid(run.document, "'sign' lies before 'wall' by 0.5"));
+}
+
+TEST(InspectCommand, NamesACoplanarPairAndItsRemedy) {
+    const TemporaryFolder folder;
+    writeSquares(folder.path() / "a.gltf", {{"wall", {0.3, 0.0, -30.1}, 20.0},
+                                            {"poster", {1.7, 1.1, -30.1}, 4.0},
+                                            {"board", {-3.0, 0.0, -20.0}, 3.0}});
+    const InspectRun run = inspect("a.gltf --fail-above 0.01 --heat-map h.png" + std::string(kSmall), folder);
+    EXPECT_EQ(run.status, 3);
+    EXPECT_EQ(run.document.at("fails"), true);
+    EXPECT_EQ(findings(run.document), (std::vector<std::string>{"coplanar wall poster"}));
+    EXPECT_GT(run.document.at("coplanar_fraction"), 0.01);
+    EXPECT_EQ(rowOf(run.document, "anchored", "d32f").at("wrong"), 0) << "coplanar pixels are not wrong";
+    EXPECT_TRUE(isSaid(run.document, "'wall' and 'poster' lie in one plane"));
+    const auto picture = readPicture(folder.path() / "h.png").pixels;
+    EXPECT_GT(std::count(picture.begin(), picture.end(), image::Rgba8{255, 0, 255, 255}), 100);
+}
+
+TEST(InspectCommand, FindsANearPairFarAwayAndWhatSuffices) {
+    const TemporaryFolder folder;
+    constexpr double kGap = 3e-5; // at 3000: 1e-8 of the distance, finer than reversed depth
+    writeSquares(folder.path() / "a.gltf", {{"road", {5.0, 0.0, -3000.0 + kGap}, 25.0},
+                                            {"hill", {0.0, 0.0, -3000.0}, 60.0},
+                                            {"board", {-3.0, 0.0, -20.0}, 3.0}});
+    const InspectRun run = inspect("a.gltf --fov 3 --fail-above 0.01" + std::string(kSmall), folder);
+    EXPECT_EQ(run.status, 3);
+    EXPECT_EQ(findings(run.document), std::vector<std::string>()) << "anchored depth tells them apart";
+    const json& pair = run.document.at("pairs").at(0);
+    EXPECT_EQ(pair.at("front"), "road");
+    EXPECT_EQ(pair.at("back"), "hill");
+    EXPECT_NEAR(pair.at("gap").get<double>(), kGap, 0.05 * kGap);
+    EXPECT_NEAR(pair.at("at").get<double>(), 3000.0, 1.0);
+    const json& reversed = rowOf(run.document, "reversed", "d32f");
+    EXPECT_GT(reversed.at("wrong_fraction"), 0.05);
+    EXPECT_GT(reversed.at("predicted_fraction"), 0.05);
+    const json& anchored = rowOf(run.document, "anchored", "d32f");
+    EXPECT_EQ(anchored.at("wrong"), 0);
+    EXPECT_LT(anchored.at("predicted_fraction"), 1e-3);
+    EXPECT_EQ(run.document.at("simplest").at("technique"), "anchored");
+    EXPECT_EQ(inspect("a.gltf --fov 3 --fail-above 0.01 --technique anchored" + std::string(kSmall), folder).status,
+              0);
+}
+
+TEST(InspectCommand, FindsADecalThatSank) {
+    const TemporaryFolder folder;
+    writeSquares(folder.path() / "a.gltf", {{"wall", {0.0, 0.0, -30.0}, 20.0},
+                                            {"decal", {1.0, 1.0, -30.001}, 4.0},
+                                            {"box", {-3.0, 0.0, -40.0}, 3.0}}); // hidden, and rightly so
+    const InspectRun run = inspect("a.gltf" + std::string(kSmall), folder);
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(findings(run.document), (std::vector<std::string>{"sunk wall decal"}));
+    EXPECT_TRUE(isSaid(run.document, "'decal' lies behind 'wall' by 0.001, and no view shows it"));
+}
+
+TEST(InspectCommand, FormulasAndPicturesAgreeOnGeneratedScenes) {
+    const TemporaryFolder folder;
+    const InspectRun run = inspect("afc --frames 2 --size 320x180 --json a.json", folder);
+    EXPECT_EQ(findings(run.document), std::vector<std::string>());
+    for (const char* technique : {"log", "logcdr", "reversed"}) {
+        const json& row = rowOf(run.document, technique, "d32f");
+        const double predicted = row.at("predicted_fraction");
+        const double measured = row.at("wrong_fraction");
+        EXPECT_LT(std::abs(predicted - measured), 0.01 + 0.5 * measured)
+            << technique << " " << predicted << " " << measured;
+    }
+    EXPECT_EQ(run.document.at("simplest").at("technique"), "anchored");
+}
+
+TEST(InspectCommand, LooksAtAFileFromAllSides) {
+    const TemporaryFolder folder;
+    // Seen from +z the poster lies before the wall; from behind neither shows, since both are single-sided.
+    writeSquares(folder.path() / "a.gltf",
+                 {{"wall", {0.0, 0.0, -30.0}, 20.0}, {"poster", {1.0, 1.0, -29.9}, 4.0}});
+    const InspectRun run = inspect("a.gltf --frames 6 --size 160x90 --json a.json", folder);
+    EXPECT_EQ(run.document.at("options").at("views"), 6);
+    EXPECT_EQ(run.document.at("pairs_found"), 1);
+    for (const char* bad : {"inspect a.gltf --fail-above 2", "inspect a.gltf --heat-map a.jpg",
+                            "inspect a.gltf --technique none", "inspect nosuch"}) {
+        const ProgramResult refused = runProgram(bad, folder.path());
+        EXPECT_EQ(refused.status, 2) << bad;
+        EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    }
+}
+
+} // namespace
+
+} // namespace cdr::cli_test
