@@ -16,7 +16,7 @@ namespace cdr::cli {
 namespace {
 
 /// What the piece of work takes on the machine that the plan's seconds are of: two CPUs under lavapipe.
-constexpr double kPlannedSeconds = 0.1;
+constexpr double kPlannedSeconds = 0.05;
 
 constexpr std::uint32_t kFrames = 10;
 constexpr int kRounds = 5;      ///< the quickest counts, since whatever else runs only adds
