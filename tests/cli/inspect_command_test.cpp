@@ -108,8 +108,9 @@ TEST(InspectCommand, FindsANearPairFarAwayAndWhatSuffices) {
     EXPECT_EQ(anchored.at("wrong"), 0);
     EXPECT_LT(anchored.at("predicted_fraction"), 1e-3);
     EXPECT_EQ(run.document.at("simplest").at("technique"), "anchored");
-    EXPECT_EQ(inspect("a.gltf --fov 3 --fail-above 0.01 --technique anchored" + std::string(kSmall), folder).status,
-              0);
+    EXPECT_EQ(
+        inspect("a.gltf --fov 3 --fail-above 0.01 --technique anchored" + std::string(kSmall), folder).status,
+        0);
 }
 
 TEST(InspectCommand, FindsADecalThatSank) {
