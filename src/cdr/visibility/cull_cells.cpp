@@ -12,6 +12,7 @@ namespace cdr::visibility {
 namespace {
 
 constexpr std::size_t kJobTests = 256;
+constexpr std::size_t kFetchedAhead = 2; ///< cells
 
 /// Goes down the tree and lists the cells that are not wholly outside. Those that are not wholly inside go to
 /// `across` too, by index into the list.
@@ -85,6 +86,23 @@ std::uint64_t passing(const InstanceCells& cells, std::size_t cell, const Sphere
     return bitsOf(tested) & cells.held(cell);
 }
 
+/// Has the processor fetch a cell's spheres: cells that are tested lie apart, so it does not know to do so by itself.
+void fetchAhead(const InstanceCells& cells, std::size_t cell) {
+#if defined(__GNUC__)
+    constexpr std::size_t kDoublesPerLine = 8;
+    const Spheres spheres = cells.spheres(cell);
+    for (std::size_t i = 0; i < InstanceCells::kCellSlots; i += kDoublesPerLine) {
+        __builtin_prefetch(spheres.x + i);
+        __builtin_prefetch(spheres.y + i);
+        __builtin_prefetch(spheres.z + i);
+        __builtin_prefetch(spheres.radius + i);
+    }
+#else
+    static_cast<void>(cells);
+    static_cast<void>(cell);
+#endif
+}
+
 } // namespace
 
 std::size_t VisibleCells::count() const {
@@ -112,6 +130,9 @@ void cullCells(const InstanceCells& cells, const scene::Camera& camera, const sc
     workers.run(jobs, [&](std::size_t job, std::size_t) {
         const host::IndexRange range = host::evenRange(across.size(), job, jobs);
         for (std::size_t i = range.begin; i < range.end; ++i) {
+            if (i + kFetchedAhead < range.end) {
+                fetchAhead(cells, visible.parts[across[i + kFetchedAhead]].cell);
+            }
             VisibleCells::Part& part = visible.parts[across[i]];
             part.slots = passing(cells, part.cell, visible.test);
         }
