@@ -113,6 +113,17 @@ TEST(InspectCommand, FindsANearPairFarAwayAndWhatSuffices) {
         0);
 }
 
+/// The order of drawing may hide that the depth buffer stores one number for both.
+TEST(InspectCommand, LuckDoesNotSuffice) {
+    const TemporaryFolder folder;
+    writeSquares(folder.path() / "a.gltf",
+                 {{"hill", {0.0, 0.0, -3000.0}, 60.0}, {"road", {5.0, 0.0, -3000.0 + 3e-5}, 25.0}});
+    const InspectRun run = inspect("a.gltf --fov 3" + std::string(kSmall), folder);
+    EXPECT_EQ(rowOf(run.document, "standard", "d32f").at("wrong"), 0);
+    EXPECT_GT(rowOf(run.document, "standard", "d32f").at("undecided_fraction"), 0.05);
+    EXPECT_EQ(run.document.at("simplest").at("technique"), "anchored");
+}
+
 TEST(InspectCommand, FindsADecalThatSank) {
     const TemporaryFolder folder;
     writeSquares(folder.path() / "a.gltf", {{"wall", {0.0, 0.0, -30.0}, 20.0},
