@@ -19,6 +19,8 @@ constexpr std::size_t kViewsAtOnce = 4;
 
 /// The tails of the chances, and single pixels.
 constexpr double kNearlyNone = 1e-4;
+/// A chance that no picture has enough pixels for.
+constexpr double kNearlyNever = 1e-9;
 
 constexpr image::Rgba8 kCoplanar{255, 0, 255, 255};
 
@@ -147,6 +149,9 @@ OrderChance orderChance(const depth::Technique& technique, const depth::Cascades
         return gapView > 0.0 ? OrderChance{} : OrderChance{.undecided = 1.0, .wrong = later};
     }
     const double undecided = std::erfc(gapView / std::sqrt(2.0 * variance));
+    if (undecided < kNearlyNever) {
+        return {};
+    }
     const double tied = stepVariance / variance; // share of it: the buffer stores one number for both
     return {.undecided = undecided, .wrong = undecided * (tied * later + (1.0 - tied) * 0.5)};
 }
