@@ -135,7 +135,7 @@ TEST(TimingCommand, TellsTheStagesOfAFrame) {
                                             "frame"};
     EXPECT_EQ(stages,
               (std::map<std::string, std::vector<std::string>>{{"standard", expected}, {"cdr-2", expected}}));
-    EXPECT_EQ(document.at("results").back().at("frame_pct"), 100.0);
+    EXPECT_NEAR(document.at("results").back().at("frame_pct").get<double>(), 100.0, 1e-9);
 }
 
 /// What is foretold is what is taken, but for alignment and for what allocators round.
