@@ -38,7 +38,7 @@ find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui)
 find_path(IMGUI_BACKENDS_DIR imgui_impl_vulkan.h PATH_SUFFIXES imgui/backends imgui)
 find_library(IMGUI_LIBRARY imgui)
 find_library(STB_LIBRARY stb) # what Debian's Dear ImGui was linked against
-if(glfw3_FOUND AND IMGUI_INCLUDE_DIR AND IMGUI_BACKENDS_DIR AND IMGUI_LIBRARY)
+if(CDR_BUILD_VIEWER AND glfw3_FOUND AND IMGUI_INCLUDE_DIR AND IMGUI_BACKENDS_DIR AND IMGUI_LIBRARY)
     set(CDR_HAS_VIEWER TRUE)
     add_library(cdr_imgui INTERFACE)
     target_include_directories(cdr_imgui SYSTEM INTERFACE "${IMGUI_INCLUDE_DIR}" "${IMGUI_BACKENDS_DIR}")
@@ -49,6 +49,6 @@ if(glfw3_FOUND AND IMGUI_INCLUDE_DIR AND IMGUI_BACKENDS_DIR AND IMGUI_LIBRARY)
     # A font made for reading; without it Dear ImGui's own pixel font is used.
     find_file(CDR_VIEWER_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu /usr/share/fonts/TTF
         /usr/share/fonts/dejavu NO_CMAKE_FIND_ROOT_PATH)
-else()
+elseif(CDR_BUILD_VIEWER)
     message(STATUS "cdr-viewer is not built: it needs GLFW and Dear ImGui (libglfw3-dev, libimgui-dev)")
 endif()

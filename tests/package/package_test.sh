@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Builds cdr::depth as an engine author does, without any other package, installs it, and builds and runs an example of it
 # outside the source tree: with and without exceptions, by CMake and by pkg-config, and for Windows where this machine has a
-# cross compiler. Then installs cdr::render from a build of all, and builds and runs the examples of it as debug programs.
+# cross compiler. Then installs cdr::render from a build of all, and builds and runs the examples of it as debug programs: from
+# static libraries and from shared ones.
 # Usage: package_test.sh SOURCE_DIR [BUILD_DIR]
 set -euo pipefail
 
@@ -82,16 +83,17 @@ expect_lines() {
     diff "$2" "$work/output" >&2 || { echo "unexpected output of $1" >&2 && exit 1; }
 }
 
-# build_example NAME FOLDER [CMAKE_ARGUMENT...]: a debug program, whatever the library is.
+# build_example NAME FOLDER [PREFIX [COMPILER_FLAG...]]: a debug program, whatever the library is.
 build_example() {
-    local name=$1 at=$2
+    local name=$1 at=$2 prefix=${3-$work/render}
     shift 2
+    (($#)) && shift
     quiet cmake -G Ninja -S "$source_dir/src/examples/$name" -B "$at" -DCMAKE_BUILD_TYPE=Debug \
-        -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror $*" -DCMAKE_PREFIX_PATH="$work/render"
+        -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror $*" -DCMAKE_PREFIX_PATH="$prefix"
     quiet cmake --build "$at"
 }
 
-quiet cmake --install "$build_dir" --prefix "$work/render"
+quiet cmake --install "$build_dir" --component cdr_static --prefix "$work/render"
 cat >"$work/moving_world.txt" <<'EOF'
 turn 0: id 1 at 999999.500000
 turn 1: id 5 at 999999.500000
@@ -105,21 +107,54 @@ if [[ $included != *cdr/render/renderer.h* ]] || grep -E '/vulkan[.]hpp|/vk_mem_
     echo "the renderer's interface includes what it should keep inside" >&2
     exit 1
 fi
-build_example moving_world "$work/without_prototypes" -DVK_NO_PROTOTYPES
+build_example moving_world "$work/without_prototypes" "$work/render" -DVK_NO_PROTOTYPES
 build_example borrowed_device "$work/borrowed_device"
 "$work/borrowed_device/borrowed_device" >"$work/borrowed" || exit 1
 if [[ $(<"$work/borrowed") != "id 42 at 4.000000"*"was made without depthClamp" ]]; then
     echo "unexpected output of borrowed_device: $(<"$work/borrowed")" >&2
     exit 1
 fi
-# What is nearer than the other by 0.00001 units, whether it is the engine's or cdr's; and the sky where neither is.
+# What is nearer than the other by 0.00001 units, whether it is the engine's or cdr's; and the depth of the engine's camera.
 cat >"$work/host_compositing.txt" <<'EOF'
-at -1.0: id 101
-at -0.6: id 1
-at  1.0: id 2
-at  2.5: id 103
-at  0.0: id 0, the sky
+at -1.0: id 101, depth 1.0e-07
+at -0.6: id 1, depth 1.0e-07
+at  1.0: id 2, depth 1.0e-07
+at  2.5: id 103, depth 1.0e-07
+at  0.0: id 0, depth 0.0e+00
 EOF
 build_example host_compositing "$work/host_compositing"
 expect_lines "$work/host_compositing/host_compositing" "$work/host_compositing.txt"
 echo "render: installed, examples built and run"
+
+# The same from shared libraries, which give out what the installed headers declare and nothing else.
+quiet cmake --install "$build_dir" --component cdr_shared --prefix "$work/shared"
+libraries=$(dirname "$(find "$work/shared" -name libcdr_render.so)")
+headers=$(dirname "$(find "$work/shared" -path '*/cdr/base')")
+if [[ -n $(find "$work/shared" -name '*.a') ]]; then
+    echo "the shared package holds static libraries" >&2
+    exit 1
+fi
+exported=$(nm --dynamic --demangle --defined-only "$libraries"/libcdr_{depth,scene,render}.so | sed -nE 's/^[0-9a-f]+ [^i] //p' |
+    grep -v '[.]resolver') # compilers give these out for functions that they make once for each kind of CPU
+if ! grep -q '^cdr::render::Renderer::render(' <<<"$exported" || grep -vE '^((typeinfo|typeinfo name|vtable) for )?cdr::' <<<"$exported"; then
+    echo "the shared libraries give out what is not cdr's, or no renderer" >&2
+    exit 1
+fi
+known=$(cat "$headers"/*/*.h "$headers"/*/*/*.h | grep -oE '\w+' | sort -u)
+# The last name before the parameters: cdr::base::fixed[abi:cxx11](double, int) is fixed. What is inside a class that is
+# given out comes along.
+unknown=$(grep -E '^cdr::' <<<"$exported" | grep -vE '::(Batch|Handles|Passes|Slot|State|Writer)::' | sed -E 's/\[abi:cxx11\]//g; s/\(.*//; s/<.*//; s/.*:://; s/^~//' | sort -u |
+    grep -vE '^operator' | comm -23 - <(echo "$known"))
+if [[ -n $unknown ]]; then
+    echo "the shared libraries give out what no installed header declares: $unknown" >&2
+    exit 1
+fi
+build_example depth_only "$work/shared_depth_only" "$work/shared"
+expect_output "$("$work/shared_depth_only/depth_only")"
+build_example moving_world "$work/shared_moving_world" "$work/shared"
+expect_lines "$work/shared_moving_world/moving_world" "$work/moving_world.txt"
+if ! ldd "$work/shared_moving_world/moving_world" | grep -qF "$libraries/libcdr_render.so.1.0"; then
+    echo "moving_world does not use the shared library" >&2
+    exit 1
+fi
+echo "shared: installed, examples built and run"

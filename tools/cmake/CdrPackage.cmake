@@ -1,4 +1,5 @@
-# What `cmake --install` writes and find_package(cdr COMPONENTS ...) reads.
+# What `cmake --install` writes and find_package(cdr COMPONENTS ...) reads: static libraries, or shared ones with
+# BUILD_SHARED_LIBS. Each kind is a component too, cdr_static and cdr_shared, so that one build can install either.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -10,30 +11,63 @@ set(version_include "${PROJECT_BINARY_DIR}/include/version")
 configure_file("${PROJECT_SOURCE_DIR}/tools/cmake/version.h.in" "${version_include}/cdr/version.h" @ONLY)
 target_sources(cdr_base PUBLIC
     FILE_SET version TYPE HEADERS BASE_DIRS "${version_include}" FILES "${version_include}/cdr/version.h")
-
-set(CDR_INSTALLED_ROOMS base depth)
-install(TARGETS cdr_base EXPORT cdr-depth FILE_SET HEADERS FILE_SET version)
-install(TARGETS cdr_depth EXPORT cdr-depth FILE_SET HEADERS)
-install(EXPORT cdr-depth NAMESPACE cdr:: DESTINATION "${CDR_CONFIG_DIR}")
-if(CDR_BUILD_RENDER)
-    foreach(room host image scene)
-        install(TARGETS cdr_${room} EXPORT cdr-scene FILE_SET HEADERS)
-    endforeach()
-    install(EXPORT cdr-scene NAMESPACE cdr:: DESTINATION "${CDR_CONFIG_DIR}")
-    foreach(room visibility gpu render)
-        install(TARGETS cdr_${room} EXPORT cdr-render FILE_SET HEADERS)
-    endforeach()
-    list(APPEND CDR_INSTALLED_ROOMS host image scene visibility gpu render)
-    install(EXPORT cdr-render NAMESPACE cdr:: DESTINATION "${CDR_CONFIG_DIR}")
-endif()
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/shaders/public/" DESTINATION "${CDR_SHADER_DIR}"
-    FILES_MATCHING PATTERN "*.glsl" PATTERN "*.hlsl")
+include(tools/cmake/CdrShared.cmake)
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/tools/cmake/cdr-config.cmake.in"
     "${PROJECT_BINARY_DIR}/cdr-config.cmake" INSTALL_DESTINATION "${CDR_CONFIG_DIR}" PATH_VARS CDR_SHADER_DIR)
-write_basic_package_version_file("${PROJECT_BINARY_DIR}/cdr-config-version.cmake" COMPATIBILITY SameMinorVersion)
-install(FILES "${PROJECT_BINARY_DIR}/cdr-config.cmake" "${PROJECT_BINARY_DIR}/cdr-config-version.cmake"
-    DESTINATION "${CDR_CONFIG_DIR}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/cdr-config-version.cmake" COMPATIBILITY SameMajorVersion)
 file(RELATIVE_PATH CDR_PC_TO_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
-configure_file("${PROJECT_SOURCE_DIR}/tools/cmake/cdr.pc.in" "${PROJECT_BINARY_DIR}/cdr.pc" @ONLY)
-install(FILES "${PROJECT_BINARY_DIR}/cdr.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+
+# The rooms of each part of the package, for the reference too.
+set(CDR_DEPTH_ROOMS base depth)
+set(CDR_PARTS DEPTH)
+if(CDR_BUILD_RENDER)
+    set(CDR_SCENE_ROOMS host image scene)
+    set(CDR_RENDER_ROOMS visibility gpu render)
+    list(APPEND CDR_PARTS SCENE RENDER)
+endif()
+
+# cdr_install(KIND CHOSEN): what both kinds of package hold, and the libraries of one.
+function(cdr_install kind chosen)
+    set(where COMPONENT cdr_${kind})
+    if(NOT chosen)
+        list(APPEND where EXCLUDE_FROM_ALL)
+    endif()
+    foreach(PART IN LISTS CDR_PARTS)
+        string(TOLOWER ${PART} part)
+        set(targets cdr_shared_${part})
+        if(kind STREQUAL "static")
+            list(TRANSFORM CDR_${PART}_ROOMS PREPEND cdr_ OUTPUT_VARIABLE targets)
+        endif()
+        foreach(target IN LISTS targets)
+            set(sets FILE_SET HEADERS ${where})
+            if(target STREQUAL "cdr_base")
+                list(APPEND sets FILE_SET version ${where})
+            endif()
+            install(TARGETS ${target} EXPORT cdr-${kind}-${part} ARCHIVE ${where} LIBRARY ${where} RUNTIME ${where} ${sets})
+        endforeach()
+        install(EXPORT cdr-${kind}-${part} NAMESPACE cdr:: DESTINATION "${CDR_CONFIG_DIR}" ${where})
+    endforeach()
+    install(DIRECTORY "${PROJECT_SOURCE_DIR}/shaders/public/" DESTINATION "${CDR_SHADER_DIR}" ${where}
+        FILES_MATCHING PATTERN "*.glsl" PATTERN "*.hlsl")
+    install(FILES "${PROJECT_BINARY_DIR}/cdr-config.cmake" "${PROJECT_BINARY_DIR}/cdr-config-version.cmake"
+        DESTINATION "${CDR_CONFIG_DIR}" ${where})
+    set(CDR_PC_LIBS "-lcdr_depth")
+    if(kind STREQUAL "static")
+        string(APPEND CDR_PC_LIBS " -lcdr_base")
+    endif()
+    configure_file("${PROJECT_SOURCE_DIR}/tools/cmake/cdr.pc.in" "${PROJECT_BINARY_DIR}/${kind}/cdr.pc" @ONLY)
+    install(FILES "${PROJECT_BINARY_DIR}/${kind}/cdr.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" ${where})
+endfunction()
+
+if(BUILD_SHARED_LIBS)
+    cdr_install(shared TRUE)
+    cdr_install(static FALSE)
+    foreach(PART IN LISTS CDR_PARTS)
+        string(TOLOWER ${PART} part)
+        set_target_properties(cdr_shared_${part} PROPERTIES EXCLUDE_FROM_ALL OFF)
+    endforeach()
+else()
+    cdr_install(static TRUE)
+    cdr_install(shared FALSE)
+endif()

@@ -1,12 +1,12 @@
-# The reference of the installed headers, where Doxygen is installed: the target cdr_reference. What a comment names and is not
-# there is an error.
+# The reference of the installed headers, where Doxygen is installed: the target cdr_reference. What has no comment is an
+# error, and so is what a comment names and is not there.
 find_package(Doxygen QUIET)
 if(NOT DOXYGEN_FOUND)
     return()
 endif()
 set(reference_headers "")
 set(reference_roots "")
-foreach(room IN ITEMS ${CDR_INSTALLED_ROOMS})
+foreach(room IN LISTS CDR_DEPTH_ROOMS CDR_SCENE_ROOMS CDR_RENDER_ROOMS)
     get_target_property(headers cdr_${room} HEADER_SET)
     list(APPEND reference_headers ${headers})
     list(APPEND reference_roots "${PROJECT_BINARY_DIR}/include/${room}")
@@ -16,7 +16,11 @@ set(DOXYGEN_STRIP_FROM_PATH ${reference_roots})
 set(DOXYGEN_STRIP_FROM_INC_PATH ${reference_roots})
 set(DOXYGEN_JAVADOC_AUTOBRIEF YES)
 set(DOXYGEN_DISTRIBUTE_GROUP_DOC YES)
-set(DOXYGEN_EXTRACT_ALL YES)
+set(DOXYGEN_EXTRACT_ALL NO)
+set(DOXYGEN_INPUT_FILTER "sed 's/^.*operator==.*= default;.*$//'") # all members equal: no more to say
+set(DOXYGEN_MACRO_EXPANSION YES)
+set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
+set(DOXYGEN_PREDEFINED "CDR_EXPORT=")
 set(DOXYGEN_HAVE_DOT NO)
 set(DOXYGEN_QUIET YES)
 set(DOXYGEN_WARN_IF_INCOMPLETE_DOC NO) # comments name the parameters that need a word

@@ -49,7 +49,7 @@ function(cdr_room name)
     if(ROOM_HEADERS)
         set(headers ${ROOM_HEADERS})
     endif()
-    add_library(cdr_${name} ${sources}) # static, or shared with BUILD_SHARED_LIBS
+    add_library(cdr_${name} STATIC ${sources}) # shared libraries are made from their objects: CdrShared.cmake
     cdr_batches(cdr_${name} ${sources})
     add_library(cdr::${name} ALIAS cdr_${name})
     file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}/src" "${CMAKE_CURRENT_SOURCE_DIR}")
@@ -61,9 +61,12 @@ function(cdr_room name)
     target_sources(cdr_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${include_root}" FILES ${headers})
     target_compile_features(cdr_${name} PUBLIC cxx_std_20)
     target_link_libraries(cdr_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:cdr_options>)
-    # For engines that link it into a shared library. Shared rooms lie side by side and find each other.
+    # For shared libraries, which give out what is marked CDR_EXPORT.
     set_target_properties(cdr_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name}
-        VERIFY_INTERFACE_HEADER_SETS ON INSTALL_RPATH "$ORIGIN")
+        CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON VERIFY_INTERFACE_HEADER_SETS ON)
+    if(WIN32 AND BUILD_SHARED_LIBS)
+        target_compile_definitions(cdr_${name} PRIVATE CDR_BUILDS_SHARED)
+    endif()
 endfunction()
 
 # cdr_test(NAME [DRIVER] [SUITES] [EXCLUDE REGEX] LIBRARIES target...): every .cpp of the folder and its subfolders as one

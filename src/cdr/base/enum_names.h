@@ -16,6 +16,7 @@ struct EnumNames {
     std::string_view what;                     ///< what messages call a value: "depth mapping"
     std::array<std::string_view, Count> names; ///< by value
 
+    /// The name of a value of the enumeration.
     constexpr std::string_view nameOf(Enum value) const { return names[static_cast<std::size_t>(value)]; }
 
     /// Refused with a suggestion: an unknown name.

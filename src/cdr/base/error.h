@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -8,16 +10,17 @@
 #include <cstdlib>
 #endif
 
+/// Errors, results, names and numbers as text: what all else stands on.
 namespace cdr::base {
 
 /// The caller's fault: an argument, a file, or a limit that was exceeded. Programs exit with status 2.
-class InputError : public std::runtime_error {
+class CDR_EXPORT InputError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
 /// A valid request failed while running: device lost, disk full, out of memory. Programs exit with status 1.
-class RunError : public std::runtime_error {
+class CDR_EXPORT RunError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };

@@ -1,18 +1,20 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <string>
 #include <type_traits>
 
 namespace cdr::base {
 
 /// The shortest text that reads back as the same value. Without an exponent from 1e-4 up to 1e16, as fmt writes "{}".
-std::string shortest(double value);
+CDR_EXPORT std::string shortest(double value);
 
 /// As many significant digits as given, trailing zeros left out: printf's "%.Ng".
-std::string general(double value, int digits = 6);
+CDR_EXPORT std::string general(double value, int digits = 6);
 
 /// As many decimals as given: printf's "%.Nf".
-std::string fixed(double value, int decimals);
+CDR_EXPORT std::string fixed(double value, int decimals);
 
 /// The texts one after another, numbers in between by shortest().
 template <typename... Parts>

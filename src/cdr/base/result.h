@@ -10,7 +10,7 @@ namespace cdr::base {
 
 /// Why there is no value: one line, as an InputError would say it.
 struct Refusal {
-    std::string message;
+    std::string message; ///< without a line break
 };
 
 /// A value, or why there is none: what functions return that do not throw.
@@ -18,14 +18,18 @@ template <typename Value>
 class Result {
   public:
     // Implicit, so that functions return a value or a refusal by name.
+    /// A value.
     // NOLINTNEXTLINE(google-explicit-constructor)
     Result(Value value) : m_content(std::in_place_index<0>, std::move(value)) {}
+    /// Why there is none.
     // NOLINTNEXTLINE(google-explicit-constructor)
     Result(Refusal refusal) : m_content(std::in_place_index<1>, std::move(refusal)) {}
 
+    /// Whether there is a value.
     explicit operator bool() const { return m_content.index() == 0; }
     /// Only where there is a value.
     const Value& operator*() const { return *std::get_if<0>(&m_content); }
+    /// As operator*.
     const Value* operator->() const { return std::get_if<0>(&m_content); }
     /// Only where there is none.
     const Refusal& refusal() const { return *std::get_if<1>(&m_content); }

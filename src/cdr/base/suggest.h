@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/base/result.h>
 
 #include <span>
@@ -10,12 +11,12 @@ namespace cdr::base {
 
 /// "unknown WHAT 'GIVEN'; did you mean 'CLOSEST'? (known: a, b, c)". The closest is by edit distance, and
 /// left out when nothing is similar.
-std::string unknownName(std::string_view what, std::string_view given,
-                        std::span<const std::string_view> known);
+CDR_EXPORT std::string unknownName(std::string_view what, std::string_view given,
+                                   std::span<const std::string_view> known);
 
 /// A finite decimal number. InputError with `what` for anything else.
-double parseNumber(std::string_view what, std::string_view text);
+CDR_EXPORT double parseNumber(std::string_view what, std::string_view text);
 /// The same, refused instead of thrown.
-Result<double> tryParseNumber(std::string_view what, std::string_view text);
+CDR_EXPORT Result<double> tryParseNumber(std::string_view what, std::string_view text);
 
 } // namespace cdr::base

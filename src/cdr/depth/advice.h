@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/forecast.h>
 
 #include <functional>
@@ -11,9 +12,10 @@ namespace cdr::depth {
 
 /// What to find a technique for.
 struct AdviceQuestion {
-    ForecastScene scene;
+    ForecastScene scene;          ///< the camera, and what it looks at
     double separationView = 0.01; ///< smallest gap to tell apart at scene.atView; > 0
-    std::vector<DepthFormat> formats{kDepthFormats.begin(), kDepthFormats.end()};
+    std::vector<DepthFormat> formats{kDepthFormats.begin(),
+                                     kDepthFormats.end()}; ///< that may be used; forecasts come for each
     /// Of the device, which explain() names. Only scene.subPixelBits goes into the numbers.
     unsigned subPixelBits = 8;
 };
@@ -26,20 +28,22 @@ struct Measurement {
     double largestView = 0.0; ///< tried
     /// Frame time relative to standard: median of the ratios and its 95 % interval.
     double timeRatio = 1.0;
-    double timeRatioLow = 1.0;
-    double timeRatioHigh = 1.0;
+    double timeRatioLow = 1.0;  ///< of the interval
+    double timeRatioHigh = 1.0; ///< of the interval
 };
 
-struct AdviceRow {
-    Technique technique;
-    Forecast forecast;
-    std::optional<Measurement> measured;
-    bool suffices = false; ///< as measured, else as predicted
+/// One technique, and how it answers.
+struct CDR_EXPORT AdviceRow {
+    Technique technique;                 ///< with its depth format
+    Forecast forecast;                   ///< of it, for the question's scene
+    std::optional<Measurement> measured; ///< on a device; empty: it was not tried
+    bool suffices = false;               ///< as measured, else as predicted
 
     /// The smallest separation it resolves: as measured where there is a measurement, else as predicted.
     double resolvedView() const;
 };
 
+/// What AdviceQuestion comes to.
 struct Advice {
     std::vector<AdviceRow> rows;         ///< simplest first
     std::optional<std::size_t> simplest; ///< the first technique that suffices, with the fewest cascades
@@ -51,28 +55,29 @@ struct Advice {
 /// Forecasts every preset in every format, and anchored with its target set to the separation, simplest
 /// first.
 /// base::InputError for an unusable range, distance, content or separation.
-Advice advise(const AdviceQuestion& question);
+CDR_EXPORT Advice advise(const AdviceQuestion& question);
 /// The same, refused instead of thrown.
-base::Result<Advice> tryAdvise(const AdviceQuestion& question);
+CDR_EXPORT base::Result<Advice> tryAdvise(const AdviceQuestion& question);
 
 /// The same, with measurements in place of predictions.
 /// @param measurements one per row of advise(question), empty where there is none; base::InputError for
 ///        another number.
-Advice advise(const AdviceQuestion& question, const std::vector<std::optional<Measurement>>& measurements);
+CDR_EXPORT Advice advise(const AdviceQuestion& question,
+                         const std::vector<std::optional<Measurement>>& measurements);
 /// The same, refused instead of thrown.
-base::Result<Advice> tryAdvise(const AdviceQuestion& question,
-                               const std::vector<std::optional<Measurement>>& measurements);
+CDR_EXPORT base::Result<Advice> tryAdvise(const AdviceQuestion& question,
+                                          const std::vector<std::optional<Measurement>>& measurements);
 
 /// What a technique needs from an engine and a device, in words.
-std::string costOf(const AdviceRow& row);
+CDR_EXPORT std::string costOf(const AdviceRow& row);
 
 /// Writes a length, in scene units.
 using LengthText = std::function<std::string(double)>;
 /// base::quantityText() without a unit.
-std::string plainLength(double view);
+CDR_EXPORT std::string plainLength(double view);
 
 /// The advice in words, one sentence per line.
-std::vector<std::string> explain(const AdviceQuestion& question, const Advice& advice,
-                                 const LengthText& lengthText = plainLength);
+CDR_EXPORT std::vector<std::string> explain(const AdviceQuestion& question, const Advice& advice,
+                                            const LengthText& lengthText = plainLength);
 
 } // namespace cdr::depth

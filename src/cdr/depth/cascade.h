@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/base/result.h>
 
 #include <cstddef>
@@ -13,6 +14,7 @@ struct Cascade {
     double nearView = 0.0; ///< > 0
     double farView = 0.0;  ///< > nearView
 
+    /// Whether the interval holds a view distance; half-open.
     bool contains(double distanceView) const { return distanceView >= nearView && distanceView < farView; }
     bool operator==(const Cascade&) const = default;
 };
@@ -26,11 +28,12 @@ inline constexpr std::size_t kMaxCascades = 64;
 /// The range of near and far planes. float32 in the shaders holds no more, and within it no formula of this
 /// library overflows or underflows float64.
 inline constexpr double kLeastView = 1e-40;
+/// The same at the other end.
 inline constexpr double kMostView = 1e40;
 
 /// Why these are no near and far plane: empty where kLeastView <= near < far <= kMostView.
-std::optional<base::Refusal> rangeProblem(double nearView, double farView);
+CDR_EXPORT std::optional<base::Refusal> rangeProblem(double nearView, double farView);
 /// base::InputError where there is a rangeProblem().
-void requireRange(double nearView, double farView);
+CDR_EXPORT void requireRange(double nearView, double farView);
 
 } // namespace cdr::depth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/mapping.h>
 
 #include <cstddef>
@@ -15,12 +16,12 @@ struct Projection {
 /// What a vertex shader needs of one cascade: CdrCascade of shaders/public/cdr_depth.glsl, whose two vec4 have the same
 /// 32 bytes as push constants, in a uniform buffer and in a storage buffer.
 struct CascadeConstants {
-    float anchorView = 0.0f; ///< ClipTerms
-    float scale = 0.0f;
-    float offset = 0.0f;
-    float unused = 0.0f;
-    float nearAhead = 0.0f; ///< clipRange() less anchorView, subtracted in float64
-    float farAhead = 0.0f;
+    float anchorView = 0.0f;  ///< ClipTerms
+    float scale = 0.0f;       ///< ClipTerms
+    float offset = 0.0f;      ///< ClipTerms
+    float unused = 0.0f;      ///< fills the vec4
+    float nearAhead = 0.0f;   ///< clipRange() less anchorView, subtracted in float64
+    float farAhead = 0.0f;    ///< the same of the far end
     float projectionX = 0.0f; ///< 1 / (aspect tan(fovY / 2))
     float projectionY = 0.0f; ///< -1 / tan(fovY / 2): y points down in Vulkan
 };
@@ -29,7 +30,7 @@ static_assert(offsetof(CascadeConstants, nearAhead) == 16);
 
 /// The constants of cascade `index` of makeCascades().
 /// @param farEnd as depthRange() takes it.
-CascadeConstants cascadeConstants(Mapping mapping, const Cascades& cascades, std::size_t index,
-                                  const Projection& projection, FarEnd farEnd = FarEnd::open);
+CDR_EXPORT CascadeConstants cascadeConstants(Mapping mapping, const Cascades& cascades, std::size_t index,
+                                             const Projection& projection, FarEnd farEnd = FarEnd::open);
 
 } // namespace cdr::depth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/depth/occupancy.h>
 #include <cdr/depth/step_bound.h>
@@ -18,15 +19,15 @@ namespace cdr::depth {
 /// beginning with k cascades, c of which end in a gap, the one that reaches farthest leaves the least to do;
 /// one such way is kept for every (k, c).
 /// @param occupied as mergeIntervals() returns them, not empty.
-std::optional<Cascades> planCascades(const StepModel& model, const StepTarget& target,
-                                     std::span<const Interval> occupied, std::size_t most);
+CDR_EXPORT std::optional<Cascades> planCascades(const StepModel& model, const StepTarget& target,
+                                                std::span<const Interval> occupied, std::size_t most);
 
 /// Whether planCascades() finds a plan; several times faster.
-bool canMeet(const StepModel& model, const StepTarget& target, std::span<const Interval> occupied,
-             std::size_t most);
+CDR_EXPORT bool canMeet(const StepModel& model, const StepTarget& target, std::span<const Interval> occupied,
+                        std::size_t most);
 
 /// The finest multiple of `target`, at least 1, that `most` cascades meet, to a thousandth.
-StepTarget relaxToMeet(const StepModel& model, const StepTarget& target, std::span<const Interval> occupied,
-                       std::size_t most);
+CDR_EXPORT StepTarget relaxToMeet(const StepModel& model, const StepTarget& target,
+                                  std::span<const Interval> occupied, std::size_t most);
 
 } // namespace cdr::depth

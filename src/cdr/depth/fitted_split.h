@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/make_cascades.h>
 
 namespace cdr::depth {
@@ -15,13 +16,13 @@ namespace cdr::depth {
 /// - previous cuts and the previous count are kept while a target 1/8 wider is met.
 ///
 /// Use makeCascades(), which checks the arguments.
-Cascades fitCascades(const SplitFitted& split, const SplitContext& context);
+CDR_EXPORT Cascades fitCascades(const SplitFitted& split, const SplitContext& context);
 
 /// How far beyond its target a kept split may lie.
 inline constexpr double kFitSlack = 0.125;
 
 /// `split.count` cascades over the camera's range with the smallest worst step bound, to a thousandth.
 /// Use makeCascades(), which checks the arguments.
-Cascades minimaxCascades(const SplitMinimax& split, const SplitContext& context);
+CDR_EXPORT Cascades minimaxCascades(const SplitMinimax& split, const SplitContext& context);
 
 } // namespace cdr::depth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/rounding.h>
 #include <cdr/depth/technique.h>
 
@@ -25,8 +26,8 @@ struct ForecastScene {
 };
 
 /// What a technique is predicted to resolve at a distance.
-struct Forecast {
-    std::size_t cascades = 1;
+struct CDR_EXPORT Forecast {
+    std::size_t cascades = 1;    ///< that the technique takes
     double bufferStepView = 0.0; ///< of the depth buffer, in the cascade that holds the distance
     DepthRounding rounding;      ///< of one surface, before the buffer sees it
 
@@ -40,17 +41,17 @@ struct Forecast {
 
 /// Predicts the smallest separation a technique resolves. base::InputError for an unusable range, a
 /// distance outside it, snapping out of its ranges, or a split fitted to pixels without footprintSlope.
-Forecast forecast(const Technique& technique, const ForecastScene& scene);
+CDR_EXPORT Forecast forecast(const Technique& technique, const ForecastScene& scene);
 /// The same, refused instead of thrown.
-base::Result<Forecast> tryForecast(const Technique& technique, const ForecastScene& scene);
+CDR_EXPORT base::Result<Forecast> tryForecast(const Technique& technique, const ForecastScene& scene);
 
 /// The same in cascades that were cut, such as a frame's. Nothing where none of them holds the distance, with a little
 /// room about each, since what is drawn overlaps.
 std::optional<Forecast> forecastIn(const Technique& technique, const Cascades& cascades, double distanceView);
 
 /// The cascades the technique would cut.
-Cascades forecastCascades(const Technique& technique, const ForecastScene& scene);
+CDR_EXPORT Cascades forecastCascades(const Technique& technique, const ForecastScene& scene);
 /// The same, refused instead of thrown.
-base::Result<Cascades> tryForecastCascades(const Technique& technique, const ForecastScene& scene);
+CDR_EXPORT base::Result<Cascades> tryForecastCascades(const Technique& technique, const ForecastScene& scene);
 
 } // namespace cdr::depth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/base/result.h>
 
 #include <array>
@@ -13,19 +14,22 @@ namespace cdr::depth {
 /// What a depth buffer stores: 16 or 24 bits of unsigned fraction, or a 32-bit float.
 enum class DepthFormat : std::uint8_t { d16, d24, d32f };
 
+/// All of them, coarsest first.
 inline constexpr std::array kDepthFormats{DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f};
 
 /// What is known of each format, by DepthFormat.
 struct DepthFormatTraits {
-    std::string_view name;
-    int bits = 0;
-    bool isFloat = false;
+    std::string_view name; ///< as nameOf() gives it
+    int bits = 0;          ///< of one value
+    bool isFloat = false;  ///< else a fraction
 };
+/// By DepthFormat.
 inline constexpr std::array<DepthFormatTraits, kDepthFormats.size()> kDepthFormatTraits{{
     {.name = "d16", .bits = 16, .isFloat = false},
     {.name = "d24", .bits = 24, .isFloat = false},
     {.name = "d32f", .bits = 32, .isFloat = true},
 }};
+/// What is known of a format.
 constexpr const DepthFormatTraits& traitsOf(DepthFormat format) {
     return kDepthFormatTraits[static_cast<std::size_t>(format)];
 }
@@ -36,18 +40,18 @@ constexpr std::string_view nameOf(DepthFormat format) {
 }
 
 /// Their names, for lists in messages and in JSON.
-std::vector<std::string_view> namesOf(std::span<const DepthFormat> formats);
+CDR_EXPORT std::vector<std::string_view> namesOf(std::span<const DepthFormat> formats);
 
 /// base::InputError with a suggestion for any other name.
-DepthFormat parseDepthFormat(std::string_view name);
+CDR_EXPORT DepthFormat parseDepthFormat(std::string_view name);
 /// The same, refused instead of thrown.
-base::Result<DepthFormat> tryParseDepthFormat(std::string_view name);
+CDR_EXPORT base::Result<DepthFormat> tryParseDepthFormat(std::string_view name);
 
 /// The gap between neighbouring stored values around depth `zNdc` in [0, 1]: 1 / (2^bits - 1) for the
 /// fractions (Vulkan: fixed-point conversion), the spacing of float32 just below zNdc for the float.
-double depthStep(DepthFormat format, double zNdc);
+CDR_EXPORT double depthStep(DepthFormat format, double zNdc);
 
 /// `zNdc` as the buffer would store it, rounded to nearest.
-double quantize(DepthFormat format, double zNdc);
+CDR_EXPORT double quantize(DepthFormat format, double zNdc);
 
 } // namespace cdr::depth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/depth/occupancy.h>
 #include <cdr/depth/split.h>
@@ -32,8 +33,8 @@ struct SplitContext {
 ///
 /// base::InputError for a range that requireRange() refuses, for more than kMaxCascades, and for a split that
 /// is fitted to pixels without a footprint slope above 0.
-Cascades makeCascades(const Split& split, const SplitContext& context);
+CDR_EXPORT Cascades makeCascades(const Split& split, const SplitContext& context);
 /// The same, refused instead of thrown.
-base::Result<Cascades> tryMakeCascades(const Split& split, const SplitContext& context);
+CDR_EXPORT base::Result<Cascades> tryMakeCascades(const Split& split, const SplitContext& context);
 
 } // namespace cdr::depth

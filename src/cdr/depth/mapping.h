@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/base/result.h>
 #include <cdr/depth/cascade.h>
 
@@ -25,31 +26,35 @@ namespace cdr::depth {
 /// it meets with fewer cascades. In integer formats the two are mirror images of each other.
 enum class Mapping : std::uint8_t { standard, reversed, log, logFragment, anchored, anchoredReversed };
 
+/// All of them.
 inline constexpr std::array kMappings{Mapping::standard,    Mapping::reversed, Mapping::log,
                                       Mapping::logFragment, Mapping::anchored, Mapping::anchoredReversed};
 
-std::string_view nameOf(Mapping mapping);
+/// "standard", "reversed", "log", "log-fragment", "anchored" or "anchored-reversed".
+CDR_EXPORT std::string_view nameOf(Mapping mapping);
 
 /// base::InputError with a suggestion for an unknown name.
-Mapping parseMapping(std::string_view name);
+CDR_EXPORT Mapping parseMapping(std::string_view name);
 /// The same, refused instead of thrown.
-base::Result<Mapping> tryParseMapping(std::string_view name);
+CDR_EXPORT base::Result<Mapping> tryParseMapping(std::string_view name);
 
 /// Nearer surfaces have the larger depth: clear to 0, compare GREATER_OR_EQUAL.
 constexpr bool isReversed(Mapping mapping) {
     return mapping == Mapping::reversed || mapping == Mapping::anchoredReversed;
 }
+/// Whether the depth is a logarithm of the view distance.
 constexpr bool isLog(Mapping mapping) {
     return mapping == Mapping::log || mapping == Mapping::logFragment;
 }
+/// Whether view distances are taken relative to an anchor plane.
 constexpr bool isAnchored(Mapping mapping) {
     return mapping == Mapping::anchored || mapping == Mapping::anchoredReversed;
 }
 
 /// A mapping over one range, [near, far] or [near, infinity).
 struct DepthRange {
-    Mapping mapping = Mapping::standard;
-    double nearView = 0.0;
+    Mapping mapping = Mapping::standard; ///< of view distance to depth
+    double nearView = 0.0;               ///< view distance of the near plane
     /// Empty for reversed without a far plane, the form that engines ship. Every other mapping needs one.
     std::optional<double> farView;
 };
@@ -60,7 +65,7 @@ struct DepthRange {
 /// - linear mappings: float32 view distances, 1e-6 of the far plane (1 unit at 10^6, as in the thesis);
 /// - log: a logarithm that is interpolated linearly, 1e-4 of the far plane;
 /// - anchored: float32 distances to the anchor plane, 1e-4 of the thickness of the cascade.
-Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index);
+CDR_EXPORT Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index);
 
 /// Where the depth range of the last reversed cascade ends. At infinity, which costs a float buffer nothing,
 /// or at its far plane, without which a thin cascade would use a small part of the depth range.
@@ -68,29 +73,30 @@ enum class FarEnd : std::uint8_t { open, closed };
 
 /// The depth range of cascade `index`: its clip range. The last cascade of reversed is open to infinity
 /// unless `farEnd` closes it.
-DepthRange depthRange(Mapping mapping, const Cascades& cascades, std::size_t index,
-                      FarEnd farEnd = FarEnd::open);
+CDR_EXPORT DepthRange depthRange(Mapping mapping, const Cascades& cascades, std::size_t index,
+                                 FarEnd farEnd = FarEnd::open);
 /// The same of a clip range. @param farEnd `open` only for the last cascade.
-DepthRange depthRange(Mapping mapping, const Cascade& clip, FarEnd farEnd);
+CDR_EXPORT DepthRange depthRange(Mapping mapping, const Cascade& clip, FarEnd farEnd);
 
 /// Depth of a point at view distance w, w within the range.
-double zNdcAt(const DepthRange& range, double distanceView);
+CDR_EXPORT double zNdcAt(const DepthRange& range, double distanceView);
 
 /// How much depth changes per unit of view distance at w, as a positive number.
-double depthSlope(const DepthRange& range, double distanceView);
+CDR_EXPORT double depthSlope(const DepthRange& range, double distanceView);
 
 /// Inverse of zNdcAt().
-double distanceViewAt(const DepthRange& range, double zNdc);
+CDR_EXPORT double distanceViewAt(const DepthRange& range, double zNdc);
 
 /// What a vertex shader needs. With d = w - anchorView, clip w is w, and clip z is
 /// - scale * d + offset for the linear mappings,
 /// - w * ln(d * scale) * offset for the logarithmic ones.
 struct ClipTerms {
-    double anchorView = 0.0;
-    double scale = 0.0;
-    double offset = 0.0;
+    double anchorView = 0.0; ///< subtracted in float64; 0 unless the mapping is anchored
+    double scale = 0.0;      ///< in the forms above
+    double offset = 0.0;     ///< in the forms above
 };
 
-ClipTerms clipTerms(const DepthRange& range);
+/// Of a range.
+CDR_EXPORT ClipTerms clipTerms(const DepthRange& range);
 
 } // namespace cdr::depth

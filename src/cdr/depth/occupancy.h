@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/mapping.h>
 
 #include <span>
@@ -9,12 +10,12 @@ namespace cdr::depth {
 
 /// View distances that something occupies, both ends included.
 struct Interval {
-    double nearView = 0.0;
-    double farView = 0.0;
+    double nearView = 0.0; ///< view distance where it begins
+    double farView = 0.0;  ///< view distance where it ends, included
 };
 
 /// The thickness of the thinnest interval that is not a point; 0 when there is none.
-double thinnest(std::span<const Interval> intervals);
+CDR_EXPORT double thinnest(std::span<const Interval> intervals);
 
 /// Sorts intervals, cuts them to [nearView, farView], and merges those that overlap or lie closer together
 /// than their ends round. The result ascends, with a gap between any two. Intervals outside the range, or
@@ -22,12 +23,12 @@ double thinnest(std::span<const Interval> intervals);
 /// intervals.
 /// @param intervals reordered.
 /// @param rounding by which share of a view distance ends may be wrong.
-std::vector<Interval> mergeIntervals(std::span<Interval> intervals, double nearView, double farView,
-                                     double rounding);
+CDR_EXPORT std::vector<Interval> mergeIntervals(std::span<Interval> intervals, double nearView,
+                                                double farView, double rounding);
 
 /// By which share of the view distance a rendered surface may lie beyond the end of its interval, before any
 /// cascade is known. float32 for mappings that form view distances in the vertex shader, float64 for
 /// anchored.
-double endRounding(Mapping mapping);
+CDR_EXPORT double endRounding(Mapping mapping);
 
 } // namespace cdr::depth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/mapping.h>
 
 namespace cdr::depth {
@@ -12,12 +13,12 @@ namespace cdr::depth {
 /// Akeley and Su 2006 ("Minimum Triangle Separation for Correct z-Buffer Occlusion"). Their other term is the
 /// snapping of window x and y to sub-pixels. It counts where it is asked for: surfaces that share their outline
 /// move alike, and some devices interpolate from positions that are not snapped.
-struct DepthRounding {
+struct CDR_EXPORT DepthRounding {
     double distanceGapView = 0.0;   ///< between float32 view distances, or distances to the anchor plane
     unsigned distanceRoundings = 0; ///< results of that size on the way
     double depthGapView = 0.0;      ///< between float32 depths, as a view distance
-    unsigned depthRoundings = 0;
-    double snapGapView = 0.0; ///< snapGapView() of the surface; 0: vertices are not snapped, or alike
+    unsigned depthRoundings = 0;    ///< results of that size on the way
+    double snapGapView = 0.0;       ///< snapGapView() of the surface; 0: vertices are not snapped, or alike
 
     /// Standard deviation of the error of one surface, if all roundings are independent and uniform.
     double deviationView() const;
@@ -30,16 +31,16 @@ struct DepthRounding {
 /// - Depth, linear mappings: clip z (exact where it is a constant, as in reversed without a far plane), the
 ///   division by w, and the interpolation.
 /// - Depth, log: scale, logarithm, offset, division and interpolation. logFragment: scale, logarithm, offset.
-DepthRounding depthRounding(const DepthRange& range, double distanceView);
+CDR_EXPORT DepthRounding depthRounding(const DepthRange& range, double distanceView);
 
 /// The view distance by which a slanted surface differs over one sub-pixel. Snapped vertices move a surface by
 /// up to half a sub-pixel along x and along y.
 /// @param subPixelBits of the device: VkPhysicalDeviceLimits::subPixelPrecisionBits.
 /// @param footprintView scene units that a pixel covers at the surface's distance.
 /// @param slope tangent of the angle between the surface and a plane that faces the camera; 0 faces it.
-double snapGapView(unsigned subPixelBits, double footprintView, double slope);
+CDR_EXPORT double snapGapView(unsigned subPixelBits, double footprintView, double slope);
 
 /// The gap between neighbouring float32 values around a positive number.
-double floatGap(double value);
+CDR_EXPORT double floatGap(double value);
 
 } // namespace cdr::depth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/format.h>
 #include <cdr/depth/mapping.h>
 
@@ -11,16 +12,18 @@ namespace cdr::depth {
 /// The view-distance gap beyond `distanceView` over which a depth buffer of this format moves by one step:
 /// what the buffer alone resolves, without the rounding of vertices. Infinity where no farther value exists.
 /// Exact, not to first order.
-double separationView(const DepthRange& range, DepthFormat format, double distanceView);
+CDR_EXPORT double separationView(const DepthRange& range, DepthFormat format, double distanceView);
 
 /// The same in the cascade that holds `distanceView`; ranges do not overlap. Infinity outside all of them.
-double separationView(Mapping mapping, const Cascades& cascades, DepthFormat format, double distanceView);
+CDR_EXPORT double separationView(Mapping mapping, const Cascades& cascades, DepthFormat format,
+                                 double distanceView);
 
 /// The formulas of the thesis (Listing A.2) for an integer buffer: Baker 1999 with 2^bits steps for standard,
 /// Ulrich 2011 with 2^bits - 1 steps for log. Baker measures towards the camera and separationView() away
 /// from it, so they differ where a step spans a large share of the distance.
 /// @param mapping standard or log; base::InputError for others, which the thesis does not have.
-double thesisSeparationView(Mapping mapping, const Cascades& cascades, int bits, double distanceView);
+CDR_EXPORT double thesisSeparationView(Mapping mapping, const Cascades& cascades, int bits,
+                                       double distanceView);
 
 /// Where a separation curve over view distance meets a value.
 struct Crossing {
@@ -33,7 +36,7 @@ struct Crossing {
 
 /// Finds both crossings of `curve` with `separation` on [nearView, farView], by a logarithmic scan and
 /// bisection. Empty when the curve never reaches the value.
-std::optional<Crossing> findCrossing(const std::function<double(double)>& curve, double separation,
-                                     double nearView, double farView);
+CDR_EXPORT std::optional<Crossing> findCrossing(const std::function<double(double)>& curve, double separation,
+                                                double nearView, double farView);
 
 } // namespace cdr::depth

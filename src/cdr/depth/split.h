@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/base/result.h>
 #include <cdr/depth/cascade.h>
 
@@ -29,19 +30,20 @@ struct SplitCount {
 
 /// Boundaries given by hand, ascending; those outside (near, far) are left out.
 struct SplitAt {
-    std::vector<double> boundariesView;
+    std::vector<double> boundariesView; ///< view distances
     bool operator==(const SplitAt&) const = default;
 };
 
 /// Fitted to what is visible: the fewest cascades whose steps stay below a target, and none over empty space.
 struct SplitFitted {
+    /// What the target is in: a pixel's footprint, or scene units.
     enum class Unit { pixels, scene };
     /// Largest step: a share of what a pixel covers at its distance, or scene units. With a thousandth of a
     /// pixel and a 60 degree lens, one cascade spans a ratio of about 30, so a scene that fills everything
     /// from 0.1 to 100,000 takes four.
-    double target = 0.001; ///< > 0
-    Unit unit = Unit::pixels;
-    unsigned most = 8; ///< 1 to kMaxCascades; a target that needs more is relaxed
+    double target = 0.001;    ///< > 0
+    Unit unit = Unit::pixels; ///< of `target`
+    unsigned most = 8;        ///< 1 to kMaxCascades; a target that needs more is relaxed
     bool operator==(const SplitFitted&) const = default;
 };
 
@@ -56,11 +58,11 @@ using Split = std::variant<SplitNone, SplitRatio, SplitCount, SplitAt, SplitFitt
 
 /// Reads "none", "ratio:R", "count:K", "at:a,b,...", "minimax:K" or "fitted[:TARGET[px][,max=K]]", TARGET in
 /// scene units, or in pixels with "px". base::InputError says what is wrong.
-Split parseSplit(std::string_view text);
+CDR_EXPORT Split parseSplit(std::string_view text);
 /// The same, refused instead of thrown.
-base::Result<Split> tryParseSplit(std::string_view text);
+CDR_EXPORT base::Result<Split> tryParseSplit(std::string_view text);
 
 /// The text parseSplit() reads.
-std::string nameOf(const Split& split);
+CDR_EXPORT std::string nameOf(const Split& split);
 
 } // namespace cdr::depth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/format.h>
 #include <cdr/depth/mapping.h>
 #include <cdr/depth/split.h>
@@ -8,40 +9,41 @@
 #include <string>
 #include <string_view>
 
+/// Depth mappings, cascades, splits and forecasts: pure float64 functions, safe from any thread, without Vulkan.
 namespace cdr::depth {
 
 /// Mapping x split x depth format.
 struct Technique {
-    Mapping mapping = Mapping::standard;
-    Split split = SplitNone{};
-    DepthFormat format = DepthFormat::d32f;
+    Mapping mapping = Mapping::standard;    ///< of view distance to depth
+    Split split = SplitNone{};              ///< of the camera's range into cascades
+    DepthFormat format = DepthFormat::d32f; ///< of the depth buffer
 
     bool operator==(const Technique&) const = default;
 };
 
 /// A technique under the name it was asked for.
 struct NamedTechnique {
-    std::string name;
-    Technique technique;
+    std::string name;    ///< as it was asked for
+    Technique technique; ///< that it stands for
 };
 
 /// The named techniques: standard, cdr, log, logcdr (thesis), reversed (what the industry ships) and anchored
 /// (ours), worst first. All have the format d32f.
-std::span<const NamedTechnique> presets();
+CDR_EXPORT std::span<const NamedTechnique> presets();
 
 /// The preset with this mapping and split, in any format; else the parts.
-std::string nameOf(const Technique& technique);
+CDR_EXPORT std::string nameOf(const Technique& technique);
 
 /// "mapping/split", such as "anchored-reversed/fitted".
-std::string partsOf(const Technique& technique);
+CDR_EXPORT std::string partsOf(const Technique& technique);
 
 /// Reads a preset's name, or "mapping/split" with the format d32f.
 /// base::InputError with a suggestion for an unknown name.
-Technique parseTechnique(std::string_view name);
+CDR_EXPORT Technique parseTechnique(std::string_view name);
 
 /// parseTechnique(), with the preset's name or the parts as the name, whichever was given.
-NamedTechnique namedTechnique(std::string_view name);
+CDR_EXPORT NamedTechnique namedTechnique(std::string_view name);
 /// The same, refused instead of thrown.
-base::Result<NamedTechnique> tryNamedTechnique(std::string_view name);
+CDR_EXPORT base::Result<NamedTechnique> tryNamedTechnique(std::string_view name);
 
 } // namespace cdr::depth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/format.h>
 #include <cdr/gpu/instance.h>
 
@@ -23,11 +24,12 @@ enum class Format;
 enum class ObjectType;
 } // namespace vk
 
+/// Vulkan instances and devices, made or lent. An object belongs to one thread at a time.
 namespace cdr::gpu {
 
 /// What a device is, and whether cdr can use it.
 struct DeviceInfo {
-    std::string name;
+    std::string name;                             ///< as the driver gives it
     std::string driver;                           ///< driver name and its version text
     std::string api;                              ///< "1.3.230"
     std::string kind;                             ///< "cpu", "integrated", "discrete", "virtual" or "other"
@@ -36,27 +38,27 @@ struct DeviceInfo {
     std::vector<std::string> gpuDrivenMissing;    ///< why it cannot cull and bin; empty when it can
     std::vector<depth::DepthFormat> depthFormats; ///< that it can draw to
     std::uint32_t queues = 0;                     ///< in the family cdr would use
-    std::uint32_t maxImageSide = 0;
-    std::uint64_t maxStorageBufferBytes = 0;
+    std::uint32_t maxImageSide = 0;               ///< pixels
+    std::uint64_t maxStorageBufferBytes = 0;      ///< that a shader can address in one buffer
     std::uint32_t subPixelBits = 0; ///< that vertices are rounded to at the coarsest (subPixelPrecisionBits)
     bool hasFragmentStores = false; ///< fragment shaders may write buffers (fragmentStoresAndAtomics)
-    double timestampPeriodNs = 0.0;
+    double timestampPeriodNs = 0.0; ///< nanoseconds that one step of a timestamp counts
 };
 
 /// Every device of the instance, in the loader's order.
-std::vector<DeviceInfo> listDevices(const Instance& instance);
+CDR_EXPORT std::vector<DeviceInfo> listDevices(const Instance& instance);
 
 /// Handles of a device that another program part created and owns.
 ///
 /// It must have been created for Vulkan 1.3 with the features that enableFeatures() turns on, and the queue must support
 /// graphics and compute. The owner destroys it after the gpu::Device that borrows it.
 struct BorrowedDevice {
-    VkInstance instance = VK_NULL_HANDLE;
-    VkPhysicalDevice physical = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE;
-    VkQueue queue = VK_NULL_HANDLE;
-    std::uint32_t queueFamily = 0;
-    bool hasDebugNames = false; ///< the instance has VK_EXT_debug_utils
+    VkInstance instance = VK_NULL_HANDLE;       ///< that the device is of
+    VkPhysicalDevice physical = VK_NULL_HANDLE; ///< that the device is of
+    VkDevice device = VK_NULL_HANDLE;           ///< to draw on
+    VkQueue queue = VK_NULL_HANDLE;             ///< that frames are submitted to
+    std::uint32_t queueFamily = 0;              ///< of `queue`
+    bool hasDebugNames = false;                 ///< the instance has VK_EXT_debug_utils
     /// What the device was created with; read while the gpu::Device is made. A feature that cdr needs and this leaves off
     /// is refused. Null: not checked, and the two below say what else is on.
     const VkPhysicalDeviceFeatures2* features = nullptr;
@@ -71,7 +73,7 @@ struct BorrowedDevice {
 };
 
 /// A logical device with one queue and a memory allocator. Frees what it created; what it borrowed stays.
-class Device {
+class CDR_EXPORT Device {
   public:
     /// @param choice index ("0") or part of a name in any case. Empty takes the best usable device: discrete,
     ///        integrated, virtual, then CPU.
@@ -82,18 +84,26 @@ class Device {
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
+    /// What is moved from may only be destroyed or assigned to.
     Device(Device&&) noexcept;
+    /// As the constructor that moves. What uses this device must be gone.
     Device& operator=(Device&&) noexcept;
 
+    /// For calls beside cdr's.
     vk::Device handle() const;
+    /// What the device was made of.
     vk::PhysicalDevice physical() const;
+    /// The one queue; submit() is how cdr reaches it.
     vk::Queue queue() const;
+    /// Of queue().
     std::uint32_t queueFamily() const;
     /// vkQueueSubmit2() on queue(), or what takes its place. base::RunError and the like when the device is lost.
     void submit(const VkSubmitInfo2& submission, VkFence done) const;
+    /// Of all memory that cdr takes; lent, or one of its own.
     VmaAllocator_T* allocator() const;
     /// Pipelines that renderers of one device share are compiled once. Lives as long as the device.
     vk::PipelineCache pipelineCache() const;
+    /// What listDevices() says of it.
     const DeviceInfo& info() const;
 
     /// The Vulkan format of optimally tiled depth attachments for `format`.
@@ -108,6 +118,7 @@ class Device {
     }
     /// Opens and closes a labelled region in a command buffer, for captures.
     void beginLabel(vk::CommandBuffer commands, const char* label) const;
+    /// Closes what beginLabel() opened.
     void endLabel(vk::CommandBuffer commands) const;
 
   private:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <vulkan/vulkan_core.h>
 
 #include <string>
@@ -11,12 +13,12 @@ namespace cdr::gpu {
 /// use and the device has. What is on stays on.
 /// @param features whose pNext chain holds VkPhysicalDeviceVulkan12Features and VkPhysicalDeviceVulkan13Features.
 /// base::InputError that names a feature which the device lacks, or a struct that the chain lacks.
-void enableFeatures(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2& features);
+CDR_EXPORT void enableFeatures(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2& features);
 
 /// The features that cdr needs and `features` leaves off, by their names in Vulkan. Empty when it can draw.
-std::vector<std::string> missingFeatures(const VkPhysicalDeviceFeatures2& features);
+CDR_EXPORT std::vector<std::string> missingFeatures(const VkPhysicalDeviceFeatures2& features);
 
 /// The same for Submission::gpuDriven alone.
-std::vector<std::string> missingGpuDrivenFeatures(const VkPhysicalDeviceFeatures2& features);
+CDR_EXPORT std::vector<std::string> missingGpuDrivenFeatures(const VkPhysicalDeviceFeatures2& features);
 
 } // namespace cdr::gpu

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -14,10 +16,13 @@ namespace cdr::gpu {
 
 /// Collects the messages of the validation layers, from any thread. A test that renders fails unless it stays
 /// empty.
-class ValidationLog {
+class CDR_EXPORT ValidationLog {
   public:
+    /// Keeps a message. From any thread.
     void add(std::string message);
+    /// A copy of all so far. From any thread.
     std::vector<std::string> messages() const;
+    /// How many there are so far. From any thread.
     std::size_t count() const;
 
   private:
@@ -25,6 +30,7 @@ class ValidationLog {
     std::vector<std::string> m_messages;
 };
 
+/// What an Instance is made with.
 struct InstanceOptions {
     /// Turn on the Khronos validation layer with synchronisation validation. base::InputError when it is not
     /// installed.
@@ -34,16 +40,21 @@ struct InstanceOptions {
 };
 
 /// The Vulkan loader's instance. base::RunError when there is no loader or no Vulkan 1.3.
-class Instance {
+class CDR_EXPORT Instance {
   public:
+    /// Errors as above; base::InputError for an extension that is not there.
     explicit Instance(const InstanceOptions& options = {});
     ~Instance();
     Instance(const Instance&) = delete;
     Instance& operator=(const Instance&) = delete;
+    /// What is moved from may only be destroyed or assigned to.
     Instance(Instance&&) noexcept;
+    /// As the constructor that moves. Devices of this instance must be gone.
     Instance& operator=(Instance&&) noexcept;
 
+    /// For calls beside cdr's.
     vk::Instance handle() const;
+    /// Whether it has VK_EXT_debug_utils, so that objects can be named.
     bool hasDebugNames() const { return m_hasDebugUtils; }
     /// Empty unless validation is on and reported something.
     const ValidationLog& validation() const { return *m_validation; }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -12,11 +14,11 @@ enum class Placement {
 };
 
 /// CPUs that the calling thread may run on, ascending. Empty where the system cannot tell.
-std::vector<std::size_t> allowedCpus();
+CDR_EXPORT std::vector<std::size_t> allowedCpus();
 
 /// Keeps the calling thread on one CPU until the object is destroyed, by the same thread. Does nothing where
 /// the system has no such call.
-class PinnedThread {
+class CDR_EXPORT PinnedThread {
   public:
     /// @param number of the CPU among `cpus`, modulo their number. Without CPUs nothing happens.
     PinnedThread(std::size_t number, const std::vector<std::size_t>& cpus);

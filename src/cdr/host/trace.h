@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <chrono>
@@ -18,8 +20,9 @@ namespace cdr::host {
 /// Each worker adds to a track of its own, so an event takes no lock. Frames and stages come from the one
 /// thread that drives the frame. Code that can be traced takes a pointer, null for no trace, and uses it once
 /// per job, never per draw.
-class Trace {
+class CDR_EXPORT Trace {
   public:
+    /// What events are timed by.
     using Clock = std::chrono::steady_clock;
 
     /// @param workers tracks for workers 0 to workers - 1; 0 is the thread that drives the frame.
@@ -33,13 +36,14 @@ class Trace {
     /// @param name must outlive the trace.
     void addStage(const char* name, Clock::time_point begin, Clock::time_point end);
 
+    /// One part of a stage, which one worker ran.
     struct Job {
         std::size_t index = 0; ///< within its batch
         /// Which cascade it draws. The track of a cascade spans its jobs of a frame.
         std::optional<std::size_t> cascade;
-        std::size_t draws = 0;
-        Clock::time_point begin;
-        Clock::time_point end;
+        std::size_t draws = 0;   ///< that it recorded
+        Clock::time_point begin; ///< when it began
+        Clock::time_point end;   ///< when it ended
     };
     /// A job that `worker` just ended; on that worker's thread.
     void addJob(std::size_t worker, const Job& job);
@@ -47,18 +51,22 @@ class Trace {
     /// A stage or job that was recorded, and the frame it belongs to: frames count from 1, 0 is before the
     /// first.
     struct Stage {
-        const char* name;
-        std::size_t frame;
-        Clock::time_point begin;
-        Clock::time_point end;
+        const char* name;        ///< as addStage() was given it
+        std::size_t frame;       ///< that it belongs to
+        Clock::time_point begin; ///< when it began
+        Clock::time_point end;   ///< when it ended
     };
+    /// A job that was recorded.
     struct FramedJob {
-        std::size_t frame;
-        Job job;
+        std::size_t frame; ///< as Stage has it
+        Job job;           ///< as it was added
     };
     // What was recorded, in order. Driving thread, between batches.
+    /// Stages that were recorded, in order. Driving thread, between batches.
     std::span<const Stage> stages() const { return m_stages; }
+    /// Tracks that there are.
     std::size_t workers() const { return m_workers.size(); }
+    /// Jobs of a worker, in order. Driving thread, between batches. std::out_of_range for no such worker.
     std::span<const FramedJob> jobs(std::size_t worker) const { return m_workers.at(worker).jobs; }
 
     /// Forgets everything recorded and keeps the memory, for a trace that is read frame by frame. Driving
@@ -95,6 +103,7 @@ class Trace {
 /// Traces one job from construction to destruction. Does nothing without a trace.
 class JobSpan {
   public:
+    /// Begins a job. @param trace null for none.
     JobSpan(Trace* trace, std::size_t worker, std::size_t index,
             std::optional<std::size_t> cascade = std::nullopt, std::size_t draws = 0)
         : m_trace(trace),

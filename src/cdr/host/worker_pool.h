@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/host/thread_placement.h>
 #include <cdr/host/trace.h>
 
@@ -10,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+/// Worker threads and the traces of what they did.
 namespace cdr::host {
 
 /// A fixed set of threads that run the jobs of one batch at a time.
@@ -17,7 +19,7 @@ namespace cdr::host {
 /// The calling thread is worker 0 and takes part, so a pool of one thread starts no thread and runs the same
 /// code. Jobs are handed out by index from an atomic counter; which worker runs a job is not defined, so
 /// results must be stored by job index, never in completion order.
-class WorkerPool {
+class CDR_EXPORT WorkerPool {
   public:
     /// @param threads workers, the caller included: 1 to kMaxThreads, else InputError.
     /// @param placement of the threads it starts; the caller, worker 0, stays as it is.
@@ -37,9 +39,10 @@ class WorkerPool {
     /// worker.
     void setTrace(Trace* trace) { m_trace = trace; }
 
+    /// Workers, the caller included.
     std::size_t threads() const { return m_threads.size() + 1; }
 
-    static constexpr std::size_t kMaxThreads = 256;
+    static constexpr std::size_t kMaxThreads = 256; ///< Most workers of a pool.
 
   private:
     struct Batch;
@@ -57,8 +60,9 @@ class WorkerPool {
 
 /// A half-open range of indices.
 struct IndexRange {
-    std::size_t begin = 0;
-    std::size_t end = 0;
+    std::size_t begin = 0; ///< the first
+    std::size_t end = 0;   ///< one past the last
+    /// How many indices it holds.
     std::size_t size() const { return end - begin; }
 };
 

@@ -7,8 +7,8 @@ namespace cdr::render {
 
 /// A scene as a renderer draws it.
 struct DrawnScene {
-    const scene::Scene& scene;
-    const GpuScene& uploaded; ///< of `scene`
+    const scene::Scene& scene; ///< what is drawn
+    const GpuScene& uploaded;  ///< of `scene`
 };
 
 } // namespace cdr::render

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -14,12 +16,13 @@ enum class Antialias : std::uint8_t {
     edges, ///< after shading, along edges of brightness (FXAA, Lottes 2009)
 };
 
+/// All of them.
 inline constexpr std::array kAntialiases{Antialias::none, Antialias::edges};
 
 /// "none" or "edges".
-std::string_view nameOf(Antialias antialias);
+CDR_EXPORT std::string_view nameOf(Antialias antialias);
 /// base::InputError with a suggestion for an unknown name.
-Antialias parseAntialias(std::string_view name);
+CDR_EXPORT Antialias parseAntialias(std::string_view name);
 
 /// Ambient light that corners do not get (McGuire, Mara and Luebke 2012).
 struct Occlusion {
@@ -32,7 +35,7 @@ struct Occlusion {
 };
 
 /// Fog as thick everywhere.
-struct Fog {
+struct CDR_EXPORT Fog {
     double visibility = 0.0; ///< distance at which it leaves 2 % of a colour, scene units; 0 for none
     glm::vec3 color{0.45f, 0.55f, 0.65f}; ///< linear
 
@@ -44,15 +47,15 @@ struct Fog {
 /// What makes a picture look finished, and measurements do without. None of it knows the technique: effects
 /// read the one metric distance of the G-buffer.
 struct Effects {
-    Antialias antialias = Antialias::none;
-    Occlusion occlusion{};
-    Fog fog{};
+    Antialias antialias = Antialias::none; ///< over the finished picture
+    Occlusion occlusion{};                 ///< of ambient light
+    Fog fog{};                             ///< between the camera and surfaces
 
     bool operator==(const Effects&) const = default;
 };
 
 /// base::InputError, naming the value, unless every length is finite and not negative and colours lie in [0,
 /// 1].
-void requireUsable(const Effects& effects);
+CDR_EXPORT void requireUsable(const Effects& effects);
 
 } // namespace cdr::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 
 #include <cstdint>
@@ -15,18 +16,19 @@ struct Focus {
     /// Lets cascades overlap and fade into each other, which hides where they meet.
     bool blend = false;
 
+    /// Whether anything is out of focus.
     bool isOn() const { return distance > 0.0; }
     bool operator==(const Focus&) const = default;
 };
 
 /// base::InputError, naming the value, unless both are finite and not negative.
-void requireUsable(const Focus& focus);
+CDR_EXPORT void requireUsable(const Focus& focus);
 
 /// Fewest pixels a layer has: a sixteenth of the picture's along each side.
 inline constexpr std::uint32_t kMostFocusScale = 16;
 
 /// A focused lens as a picture sees it: distances in scene units, circles of confusion in pixels across.
-class FocusLens {
+class CDR_EXPORT FocusLens {
   public:
     /// @param focus that is on.
     /// @param tanY of half the vertical field of view; the picture is `height` pixels high.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -12,11 +14,12 @@ enum class SurfacePath : std::uint8_t {
     visibility, ///< which facet: 4 bytes a pixel, and a record per facet that the CPU writes
 };
 
+/// All of them.
 inline constexpr std::array kSurfacePaths{SurfacePath::gbuffer, SurfacePath::visibility};
 
 /// "gbuffer" or "visibility".
-std::string_view nameOf(SurfacePath path);
+CDR_EXPORT std::string_view nameOf(SurfacePath path);
 /// base::InputError with a suggestion for an unknown name.
-SurfacePath parseSurfacePath(std::string_view name);
+CDR_EXPORT SurfacePath parseSurfacePath(std::string_view name);
 
 } // namespace cdr::render

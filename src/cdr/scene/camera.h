@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <glm/glm.hpp>
 
 namespace cdr::scene {
@@ -9,16 +11,18 @@ namespace cdr::scene {
 struct Camera {
     glm::dvec3 position{0.0};        ///< world space
     glm::dvec3 right{1.0, 0.0, 0.0}; ///< world space, unit; right, up and back are orthonormal
-    glm::dvec3 up{0.0, 1.0, 0.0};
-    glm::dvec3 back{0.0, 0.0, 1.0};
-    double fovY = 1.0;     ///< vertical field of view, radians, in (0, pi)
-    double nearView = 0.1; ///< view distance, > 0
-    double farView = 1e5;  ///< view distance, > nearView, finite
+    glm::dvec3 up{0.0, 1.0, 0.0};    ///< world space, unit
+    glm::dvec3 back{0.0, 0.0, 1.0};  ///< world space, unit: away from what is looked at
+    double fovY = 1.0;               ///< vertical field of view, radians, in (0, pi)
+    double nearView = 0.1;           ///< view distance, > 0
+    double farView = 1e5;            ///< view distance, > nearView, finite
 
+    /// View-space position of a point of world space.
     glm::dvec3 toView(const glm::dvec3& world) const {
         const glm::dvec3 d = world - position;
         return {glm::dot(right, d), glm::dot(up, d), glm::dot(back, d)};
     }
+    /// How far along the view axis a point of world space lies.
     double viewDistance(const glm::dvec3& world) const { return glm::dot(back, position - world); }
 
     bool operator==(const Camera&) const = default;
@@ -26,30 +30,32 @@ struct Camera {
 
 /// Turns `camera` to look from `eye` at `target`, keeping its lens. World y is up, or world z when the view
 /// is along y. base::InputError when eye and target coincide or are not finite.
-Camera lookAt(Camera camera, const glm::dvec3& eye, const glm::dvec3& target);
+CDR_EXPORT Camera lookAt(Camera camera, const glm::dvec3& eye, const glm::dvec3& target);
 
 /// Turns `camera` to look from `eye` along `forward`, keeping its lens. A unit vector is used exactly, to the
 /// bit. So lookAlong(c, c.position, -c.back) returns a camera that came from lookAt() unchanged, however far
 /// out it stands. Without `up`, up is as in lookAt(). With it, the camera's up is the part of `up` across the
 /// view.
 /// base::InputError when a vector is zero or not finite, or `up` lies along the view.
-Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward);
-Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward, const glm::dvec3& up);
+CDR_EXPORT Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward);
+/// The same, with an up of the caller's.
+CDR_EXPORT Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward,
+                            const glm::dvec3& up);
 
 /// The nearest camera that command line options can express, through lookAlong() and radiansOf(). If the axes
 /// are orthonormal, it differs by roundings only. Applied to its own result it changes nothing.
 /// base::InputError as lookAlong().
-Camera canonical(const Camera& camera);
+CDR_EXPORT Camera canonical(const Camera& camera);
 /// Whether lookAlong() gives this camera, to the bit, from its eye and forward vector without `up`.
-bool isLevel(const Camera& camera);
+CDR_EXPORT bool isLevel(const Camera& camera);
 
 /// Radians of an angle in degrees, as every option of the command line is read.
-double radiansOf(double degrees);
+CDR_EXPORT double radiansOf(double degrees);
 /// The degrees whose radiansOf() is `radians` or nearest to it.
-double degreesOf(double radians);
+CDR_EXPORT double degreesOf(double radians);
 
 /// base::InputError with the value unless the camera is usable: finite, depth::kLeastView <= near < far <=
 /// depth::kMostView, 0 < fovY < pi.
-void requireUsable(const Camera& camera);
+CDR_EXPORT void requireUsable(const Camera& camera);
 
 } // namespace cdr::scene

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/scene/camera.h>
 
 #include <cstdint>
@@ -10,16 +11,17 @@ namespace cdr::scene {
 /// A camera as a pure function of the frame number, so that any frame can be rendered alone.
 struct CameraPath {
     std::uint32_t frames = 1; ///< the length of the path; frame numbers beyond it repeat it
-    std::function<Camera(std::uint32_t frame)> at;
+    std::function<Camera(std::uint32_t frame)> at; ///< the camera of a frame
 };
 
 /// The same camera at every frame.
-CameraPath stillPath(const Camera& camera);
+CDR_EXPORT CameraPath stillPath(const Camera& camera);
 
 /// Circles `target` once about the y axis at `radius` and at its height, looking at it. Frame 0 is at +z.
-CameraPath orbitPath(const Camera& lens, const glm::dvec3& target, double radius, std::uint32_t frames);
+CDR_EXPORT CameraPath orbitPath(const Camera& lens, const glm::dvec3& target, double radius,
+                                std::uint32_t frames);
 
 /// Turns once about the y axis without moving. Frame 0 looks down -z.
-CameraPath turnPath(const Camera& lens, const glm::dvec3& eye, std::uint32_t frames);
+CDR_EXPORT CameraPath turnPath(const Camera& lens, const glm::dvec3& eye, std::uint32_t frames);
 
 } // namespace cdr::scene

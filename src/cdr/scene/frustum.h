@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/scene/camera.h>
 
 namespace cdr::scene {
@@ -11,15 +12,15 @@ struct Frustum {
     /// Sines and cosines of the half angles. A point lies between the planes left and right where
     /// w * sinX >= |x| * cosX, with x in view space and w its view distance; above and below alike.
     double sinX = 0.0;
-    double cosX = 1.0;
-    double sinY = 0.0;
-    double cosY = 1.0;
+    double cosX = 1.0;           ///< of half the horizontal angle
+    double sinY = 0.0;           ///< of half the vertical angle
+    double cosY = 1.0;           ///< of half the vertical angle
     double aspect = 1.0;         ///< width over height
     double footprintSlope = 0.0; ///< what a pixel covers per unit of view distance, in scene units
 };
 
 /// @param width of the picture in pixels, > 0.
 /// @param height of the picture in pixels, > 0. Without a picture: 1, and its aspect as the width.
-Frustum frustumOf(const Camera& camera, double width, double height);
+CDR_EXPORT Frustum frustumOf(const Camera& camera, double width, double height);
 
 } // namespace cdr::scene

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/image/image.h>
 
 #include <glm/glm.hpp>
@@ -11,11 +12,12 @@
 
 namespace cdr::scene {
 
+/// A corner of a mesh.
 struct Vertex {
     glm::vec3 position{0.0f};           ///< object space, relative to the mesh's bounding centre
     glm::vec3 normal{0.0f, 0.0f, 1.0f}; ///< object space, unit length
-    glm::vec2 uv{0.0f};
-    glm::u8vec4 color{255}; ///< linear, multiplies the material's base colour
+    glm::vec2 uv{0.0f};                 ///< of the texture, (0, 0) its first texel's corner
+    glm::u8vec4 color{255};             ///< linear, multiplies the material's base colour
 };
 
 /// A coarser form of a mesh, over the mesh's own vertices.
@@ -31,8 +33,8 @@ struct MeshLevel {
 /// Vertices are stored relative to the centre of their bounding sphere. That keeps float32 positions small,
 /// and their rounding limits the smallest separation that can be resolved far away.
 struct Mesh {
-    std::string name;
-    std::vector<Vertex> vertices;
+    std::string name;                   ///< for messages and captures
+    std::vector<Vertex> vertices;       ///< shared by all levels
     std::vector<std::uint32_t> indices; ///< three per triangle, each below vertices.size()
     float boundingRadius = 0.0f;        ///< object space, about the origin
     /// Levels of detail, each coarser than the one before. The mesh itself is level 0, levels[k] is level k +
@@ -46,13 +48,15 @@ struct Mesh {
 /// Most levels beside the mesh itself; a level's number must fit a byte.
 inline constexpr std::size_t kMaxLevels = 32;
 
+/// An image that a material multiplies its base colour by.
 struct Texture {
-    std::string name{};
+    std::string name{};         ///< for messages and captures
     image::ImageRgba8 pixels{}; ///< sRGB-encoded colour, linear alpha
-    bool repeatU = true;
-    bool repeatV = true;
+    bool repeatU = true;        ///< beyond its edges; else the edge goes on
+    bool repeatV = true;        ///< beyond its edges; else the edge goes on
 };
 
+/// What alpha does: nothing, cut away what is below the cutoff, or blend.
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 /// The metallic-roughness material of glTF 2.0; both in [0, 1].
@@ -63,22 +67,23 @@ struct Shine {
     bool operator==(const Shine&) const = default;
 };
 
+/// How a surface looks.
 struct Material {
-    std::string name{};
+    std::string name{};                              ///< for messages and captures
     glm::vec4 baseColorFactor{1.0f};                 ///< linear
     std::optional<std::uint32_t> baseColorTexture{}; ///< index into Scene::textures
     std::optional<Shine> shine{};                    ///< empty: Lambert's law alone
-    bool doubleSided = false;
-    bool unlit = false;
-    AlphaMode alphaMode = AlphaMode::opaque;
-    float alphaCutoff = 0.5f;
+    bool doubleSided = false;                        ///< else its back is not drawn
+    bool unlit = false;                              ///< shows its base colour, whatever light there is
+    AlphaMode alphaMode = AlphaMode::opaque;         ///< what alpha does
+    float alphaCutoff = 0.5f;                        ///< with AlphaMode::mask: below it nothing is drawn
 };
 
 /// A box of the given half sides about the origin, 24 vertices, flat normals, 12 triangles.
-Mesh makeBox(const glm::vec3& halfSides);
+CDR_EXPORT Mesh makeBox(const glm::vec3& halfSides);
 
 /// The same triangles, each with three vertices of its own, as in a mesh without an index buffer. Without
 /// levels.
-Mesh unshareVertices(const Mesh& mesh);
+CDR_EXPORT Mesh unshareVertices(const Mesh& mesh);
 
 } // namespace cdr::scene

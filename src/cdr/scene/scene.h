@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/scene/mesh.h>
 
 #include <glm/glm.hpp>
@@ -10,15 +11,16 @@
 #include <string>
 #include <vector>
 
+/// Meshes, materials, instances, lights, cameras, and worlds that change. An object belongs to one thread at a time.
 namespace cdr::scene {
 
 /// What the renderer draws, one entry per (object, primitive). A structure of arrays, since culling and
 /// binning read only the first four. Positions are in world space, float64, at the centres of the bounding
 /// spheres.
 struct Instances {
-    std::vector<double> x;
-    std::vector<double> y;
-    std::vector<double> z;
+    std::vector<double> x;           ///< world space
+    std::vector<double> y;           ///< world space
+    std::vector<double> z;           ///< world space
     std::vector<float> radius;       ///< world space, bounds the transformed mesh
     std::vector<glm::mat3> basis;    ///< object to world, rotation and scale; exactly these float32 values
     std::vector<std::uint32_t> mesh; ///< index into Scene::meshes
@@ -27,10 +29,13 @@ struct Instances {
     /// background.
     std::vector<std::uint32_t> object;
 
+    /// How many there are, free places of a world included.
     std::size_t size() const { return x.size(); }
+    /// World space, of one instance.
     glm::dvec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
+/// A light that shines alike in all directions.
 struct PointLight {
     glm::dvec3 position{0.0}; ///< world space
     glm::vec3 color{1.0f};    ///< linear
@@ -40,17 +45,18 @@ struct PointLight {
 };
 
 /// Everything that is drawn; cameras are not part of it.
-struct Scene {
-    std::string name;
-    std::vector<Mesh> meshes;
-    std::vector<Material> materials;
-    std::vector<Texture> textures;
+struct CDR_EXPORT Scene {
+    std::string name;                     ///< for messages
+    std::vector<Mesh> meshes;             ///< by Instances::mesh
+    std::vector<Material> materials;      ///< by Instances::material
+    std::vector<Texture> textures;        ///< by Material::baseColorTexture
     std::vector<std::string> objectNames; ///< per object; may be empty for generated scenes
-    Instances instances;
-    std::vector<PointLight> lights;
-    glm::vec3 ambient{0.25f};   ///< linear, multiplies albedo
-    glm::vec3 background{0.0f}; ///< linear
+    Instances instances;                  ///< what is drawn
+    std::vector<PointLight> lights;       ///< beside `ambient`
+    glm::vec3 ambient{0.25f};             ///< linear, multiplies albedo
+    glm::vec3 background{0.0f};           ///< linear
 
+    /// One more than the largest object index; 0 of an empty scene. Looks at every instance.
     std::uint32_t objectCount() const;
 };
 
@@ -59,16 +65,17 @@ inline constexpr std::uint32_t kMaxObjects = (1u << 24) - 2;
 
 /// Appends one instance. Its radius is the mesh's times an upper bound of the basis' largest singular value.
 /// @param position of the mesh's origin, which is its bounding centre, in world space.
-void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::uint32_t object,
-                 const glm::dvec3& position, const glm::mat3& basis);
+CDR_EXPORT void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::uint32_t object,
+                            const glm::dvec3& position, const glm::mat3& basis);
 
 /// Moves an instance and gives it the radius that addInstance() would.
-void placeInstance(Scene& scene, std::size_t instance, const glm::dvec3& position, const glm::mat3& basis);
+CDR_EXPORT void placeInstance(Scene& scene, std::size_t instance, const glm::dvec3& position,
+                              const glm::mat3& basis);
 
 /// The radius of a place that holds no instance: no view volume is near enough to keep it. Its basis is zero.
 inline constexpr float kNoRadius = std::numeric_limits<float>::lowest();
 
 /// Exchanges two instances in the order of drawing. Their objects stay the same.
-void swapInstances(Instances& instances, std::size_t a, std::size_t b);
+CDR_EXPORT void swapInstances(Instances& instances, std::size_t a, std::size_t b);
 
 } // namespace cdr::scene

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/visibility/cull.h>
@@ -12,7 +13,7 @@ namespace cdr::visibility {
 /// What each cascade draws, nearest cascade first. Within a cascade the compact instances come first, then
 /// the wide ones, each in instance order.
 struct DrawLists {
-    std::vector<std::uint32_t> instance;
+    std::vector<std::uint32_t> instance; ///< cascade by cascade
     /// Bucket 2c holds cascade c's compact instances, bucket 2c + 1 its wide ones; bucket b is the entries
     /// [begins[b], begins[b + 1]) of `instance`.
     std::vector<std::size_t> begins{0};
@@ -20,8 +21,8 @@ struct DrawLists {
 
     /// Where a visible instance lands: in `cascades` cascades from that of `bucket` on.
     struct Landing {
-        std::uint16_t bucket = 0;
-        std::uint16_t cascades = 0;
+        std::uint16_t bucket = 0;   ///< of the first cascade
+        std::uint16_t cascades = 0; ///< how many follow one another
     };
     /// By entry of `instance`: the level of detail it is drawn at (chooseLevels()); empty where all are drawn
     /// in full.
@@ -29,8 +30,11 @@ struct DrawLists {
 
     std::vector<Landing> landings; ///< scratch of binByDistance(), by index into the visible list
 
+    /// How many cascades there are.
     std::size_t cascades() const { return begins.size() / 2; }
+    /// How many entries all lists have.
     std::size_t draws() const { return begins.back(); }
+    /// The entries of a cascade.
     host::IndexRange range(std::size_t cascade) const {
         return {begins[2 * cascade], begins[2 * cascade + 2]};
     }
@@ -49,7 +53,7 @@ struct DrawLists {
 /// @param wideSpan an instance is wide when its sphere reaches the camera plane or 2r > wideSpan * (w - r);
 /// infinity for
 ///        none. Depth that is not linear in screen space must be set per fragment on those.
-void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges, double wideSpan,
-                   host::WorkerPool& workers, DrawLists& lists);
+CDR_EXPORT void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges, double wideSpan,
+                              host::WorkerPool& workers, DrawLists& lists);
 
 } // namespace cdr::visibility

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 
@@ -7,16 +8,17 @@
 #include <span>
 #include <vector>
 
+/// What a frame draws: culling, binning, levels of detail.
 namespace cdr::visibility {
 
 /// The instances a camera may see, by bounding sphere, in instance order: the first `count` entries of each
 /// array. The arrays keep the scene's size from frame to frame, so culling neither allocates nor clears once
 /// warm.
 struct VisibleList {
-    std::vector<std::uint32_t> instance;
-    std::vector<double> distanceView; ///< of each one's centre
-    std::vector<float> radius;        ///< of each one, beside its distance so binning reads no scene
-    std::size_t count = 0;
+    std::vector<std::uint32_t> instance; ///< index of each
+    std::vector<double> distanceView;    ///< of each one's centre
+    std::vector<float> radius;           ///< of each one, beside its distance so binning reads no scene
+    std::size_t count = 0;               ///< that are valid
 };
 
 /// Keeps those of some instances whose bounding sphere is not wholly outside one of the six planes (testSpheres()), on
@@ -24,7 +26,7 @@ struct VisibleList {
 /// @param some indices into `instances`, ascending. VisibleList::instance holds the same indices.
 /// @param frustum of the camera and the picture.
 /// @param visible overwritten.
-void cullSpheres(const scene::Instances& instances, std::span<const std::uint32_t> some,
-                 const scene::Camera& camera, const scene::Frustum& frustum, VisibleList& visible);
+CDR_EXPORT void cullSpheres(const scene::Instances& instances, std::span<const std::uint32_t> some,
+                            const scene::Camera& camera, const scene::Frustum& frustum, VisibleList& visible);
 
 } // namespace cdr::visibility

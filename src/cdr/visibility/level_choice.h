@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/scene/frustum.h>
@@ -21,34 +22,35 @@ enum class DetailMode : std::uint8_t {
                 ///< crack
 };
 
+/// All of them.
 inline constexpr std::array kDetailModes{DetailMode::none, DetailMode::perObject, DetailMode::perCascade};
 
 /// "none", "object" or "cascade".
-std::string_view nameOf(DetailMode mode);
+CDR_EXPORT std::string_view nameOf(DetailMode mode);
 
 /// Level of detail by projected error.
 struct Detail {
-    DetailMode mode = DetailMode::none;
+    DetailMode mode = DetailMode::none; ///< by which distance a level is chosen
     double pixels = 0.5; ///< largest error of a level on screen, in pixels at the middle of the picture, > 0
 
     bool operator==(const Detail&) const = default;
 };
 
 /// "none", "object:0.5" or "cascade:0.5".
-std::string nameOf(const Detail& detail);
+CDR_EXPORT std::string nameOf(const Detail& detail);
 /// `none`, `object[:PIXELS]` or `cascade[:PIXELS]`. base::InputError with a suggestion for anything else.
-Detail parseDetail(std::string_view text);
+CDR_EXPORT Detail parseDetail(std::string_view text);
 /// base::InputError unless the pixels are finite and above 0.
-void requireUsable(const Detail& detail);
+CDR_EXPORT void requireUsable(const Detail& detail);
 
 /// A Detail for one lens and picture.
 struct LevelRule {
-    DetailMode mode = DetailMode::none;
-    double slope = 0.0; ///< largest error per unit of view distance, both in scene units
+    DetailMode mode = DetailMode::none; ///< as Detail has it
+    double slope = 0.0;                 ///< largest error per unit of view distance, both in scene units
 };
 
 /// @param height of the picture in pixels.
-LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::uint32_t height);
+CDR_EXPORT LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::uint32_t height);
 
 /// Fills DrawLists::level: of each draw the coarsest level whose error, in world space, is at most
 /// `rule.slope` times a view distance; the mesh itself where no level's is. That distance is the nearest of
@@ -56,10 +58,11 @@ LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::ui
 /// the draw's cascade (perCascade). Errors grow with an instance as its bounding sphere does. The same levels
 /// for any number of workers.
 /// @param lists of binByDistance() over the same camera and ranges.
-void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const depth::Cascades& clipRanges,
-                  const LevelRule& rule, host::WorkerPool& workers, DrawLists& lists);
+CDR_EXPORT void chooseLevels(const scene::Scene& scene, const scene::Camera& camera,
+                             const depth::Cascades& clipRanges, const LevelRule& rule,
+                             host::WorkerPool& workers, DrawLists& lists);
 
 /// How many triangles the lists' draws have, counted once per cascade they are drawn in.
-std::uint64_t trianglesDrawn(const scene::Scene& scene, const DrawLists& lists);
+CDR_EXPORT std::uint64_t trianglesDrawn(const scene::Scene& scene, const DrawLists& lists);
 
 } // namespace cdr::visibility

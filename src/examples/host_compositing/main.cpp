@@ -1,16 +1,21 @@
 // An engine composes its own frame with cdr's. Squares of the engine's share the cascades' depth with boxes 1,000 km away, and
-// are 0.00001 units before and behind them. A sky is drawn afterwards, by the engine's own reversed depth.
-#include "host.h"
-#include "sky_frag.h"
-#include "surface_frag.h"
-#include "surface_vert.h"
-
+// are 0.00001 units before and behind them. The engine gets the depth of its own camera for what it draws afterwards.
 #include <cdr/render/renderer.h>
+
+#define VULKAN_HPP_NO_STRUCT_CONSTRUCTORS
+#include <vulkan/vulkan.hpp>
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
-#include <vector>
+#include <stdexcept>
+
+// clang-format off: what glslangValidator writes needs <cstdint>
+#include "surface_frag.h"
+#include "surface_vert.h"
+// clang-format on
 
 namespace {
 
@@ -18,180 +23,162 @@ namespace depth = cdr::depth;
 namespace gpu = cdr::gpu;
 namespace render = cdr::render;
 namespace scene = cdr::scene;
+using Usage = vk::ImageUsageFlagBits;
 
 constexpr vk::Extent2D kExtent{320, 180};
 constexpr double kFaceView = 1e6;
 constexpr scene::Camera kCamera{.fovY = 4e-6, .nearView = 1.0, .farView = 1e8};
 constexpr double kHostNearView = 0.1; // of the engine's reversed projection, which has no far plane
-
-constexpr auto kColorFormat = vk::Format::eR8G8B8A8Srgb;
-constexpr auto kGBufferFormat = vk::Format::eR32G32B32A32Uint;
-constexpr auto kDepthFormat = vk::Format::eD32Sfloat;
 constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
 struct Square {
     double x;
     double distanceView;
-    double halfSide;
     std::uint32_t object;
 };
-constexpr std::array kSquares{Square{-1.0, kFaceView - 1e-5, 0.25, 100},
-                              Square{1.0, kFaceView + 1e-5, 0.25, 101}, Square{2.5, kFaceView, 0.25, 102}};
-constexpr Square kSky{0.0, 1e7, 1e4, 0};
+constexpr std::array kSquares{Square{-1.0, kFaceView - 1e-5, 100}, Square{1.0, kFaceView + 1e-5, 101},
+                              Square{2.5, kFaceView, 102}};
 
 struct Push { // of surface.vert
     depth::CascadeConstants cascade;
-    float x;
-    float y;
-    float ahead;
-    float halfSide;
-    std::uint32_t cascadeIndex;
-    std::uint32_t id;
+    float place[4]; // x, y, view distance beyond the anchor, half a side
+    std::uint32_t names[2];
 };
 
-void drawSquare(vk::CommandBuffer commands, vk::PipelineLayout layout, const depth::CascadeConstants& cascade,
-                double anchorView, const Square& square, std::uint32_t cascadeIndex) {
-    const Push push{.cascade = cascade,
-                    .x = static_cast<float>(square.x),
-                    .y = 0.0f,
-                    .ahead = static_cast<float>(square.distanceView - anchorView), // float64 until here
-                    .halfSide = static_cast<float>(square.halfSide),
-                    .cascadeIndex = cascadeIndex,
-                    .id = square.object + 1};
-    commands.pushConstants<Push>(layout, kStages, 0, push);
-    commands.draw(4, 1, 0, 0);
+/// What is read back of a pixel.
+struct Shown {
+    render::GBufferPixel surface;
+    float depth;
+};
+
+struct HostImage {
+    vk::UniqueDeviceMemory memory;
+    vk::UniqueImage image;
+    vk::UniqueImageView view;
+};
+
+vk::UniqueDeviceMemory allocate(const gpu::Device& device, const vk::MemoryRequirements& needs,
+                                vk::MemoryPropertyFlags wanted) {
+    const vk::PhysicalDeviceMemoryProperties memory = device.physical().getMemoryProperties();
+    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
+        if ((needs.memoryTypeBits >> i & 1u) != 0 &&
+            (memory.memoryTypes[i].propertyFlags & wanted) == wanted) {
+            return device.handle().allocateMemoryUnique({.allocationSize = needs.size, .memoryTypeIndex = i});
+        }
+    }
+    throw std::runtime_error("no memory of this type");
+}
+
+HostImage makeImage(const gpu::Device& device, vk::Format format, vk::ImageUsageFlags usage,
+                    vk::ImageAspectFlags aspect) {
+    HostImage made;
+    made.image = device.handle().createImageUnique({.imageType = vk::ImageType::e2D,
+                                                    .format = format,
+                                                    .extent = {kExtent.width, kExtent.height, 1},
+                                                    .mipLevels = 1,
+                                                    .arrayLayers = 1,
+                                                    .usage = usage});
+    made.memory = allocate(device, device.handle().getImageMemoryRequirements(*made.image), {});
+    device.handle().bindImageMemory(*made.image, *made.memory, 0);
+    made.view = device.handle().createImageViewUnique({.image = *made.image,
+                                                       .viewType = vk::ImageViewType::e2D,
+                                                       .format = format,
+                                                       .subresourceRange = {aspect, 0, 1, 0, 1}});
+    return made;
+}
+
+/// Draws into a G-buffer and the depth of a cascade.
+vk::UniquePipeline makePipeline(vk::Device device, vk::PipelineLayout layout) {
+    const vk::UniqueShaderModule vertex =
+        device.createShaderModuleUnique({.codeSize = sizeof(surface_vert), .pCode = surface_vert});
+    const vk::UniqueShaderModule fragment =
+        device.createShaderModuleUnique({.codeSize = sizeof(surface_frag), .pCode = surface_frag});
+    const std::array stages{
+        vk::PipelineShaderStageCreateInfo{
+            .stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex, .pName = "main"},
+        vk::PipelineShaderStageCreateInfo{
+            .stage = vk::ShaderStageFlagBits::eFragment, .module = *fragment, .pName = "main"}};
+    const vk::PipelineVertexInputStateCreateInfo noInput{};
+    const vk::PipelineInputAssemblyStateCreateInfo strip{.topology = vk::PrimitiveTopology::eTriangleStrip};
+    const vk::PipelineViewportStateCreateInfo one{.viewportCount = 1, .scissorCount = 1};
+    constexpr std::array kDynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
+    const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = kDynamic.size(),
+                                                     .pDynamicStates = kDynamic.data()};
+    const vk::PipelineRasterizationStateCreateInfo raster{.depthClampEnable = true, .lineWidth = 1.0f};
+    const vk::PipelineMultisampleStateCreateInfo oneSample{};
+    const vk::PipelineDepthStencilStateCreateInfo tested{
+        .depthTestEnable = true, .depthWriteEnable = true, .depthCompareOp = vk::CompareOp::eLessOrEqual};
+    const vk::PipelineColorBlendAttachmentState all{.colorWriteMask =
+                                                        vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags};
+    const vk::PipelineColorBlendStateCreateInfo blend{.attachmentCount = 1, .pAttachments = &all};
+    constexpr auto kGBufferFormat = vk::Format::eR32G32B32A32Uint;
+    const vk::PipelineRenderingCreateInfo rendering{.colorAttachmentCount = 1,
+                                                    .pColorAttachmentFormats = &kGBufferFormat,
+                                                    .depthAttachmentFormat = vk::Format::eD32Sfloat};
+    const vk::GraphicsPipelineCreateInfo info{.pNext = &rendering,
+                                              .stageCount = stages.size(),
+                                              .pStages = stages.data(),
+                                              .pVertexInputState = &noInput,
+                                              .pInputAssemblyState = &strip,
+                                              .pViewportState = &one,
+                                              .pRasterizationState = &raster,
+                                              .pMultisampleState = &oneSample,
+                                              .pDepthStencilState = &tested,
+                                              .pColorBlendState = &blend,
+                                              .pDynamicState = &dynamic,
+                                              .layout = layout};
+    return device.createGraphicsPipelineUnique({}, info).value;
 }
 
 scene::Scene twoBoxes() {
     scene::Scene made;
     made.meshes.push_back(scene::makeBox(glm::vec3(0.5f)));
     made.materials.push_back({.name = "white"});
-    made.lights.push_back({.position = {2e5, 2e5, 0.0}, .halfDistance = 1e6});
-    for (const double x : {-1.0, 1.0}) {
-        scene::addInstance(made, 0, 0, static_cast<std::uint32_t>(made.instances.size()),
-                           {x, 0.0, -kFaceView - 0.5}, glm::mat3(1.0f));
+    for (const std::uint32_t object : {0u, 1u}) {
+        scene::addInstance(made, 0, 0, object, {2.0 * object - 1.0, 0.0, -kFaceView - 0.5}, glm::mat3(1.0f));
     }
     return made;
 }
 
-/// Over what cdr drew: the engine's pass, with the engine's depth.
-void drawSky(vk::CommandBuffer commands, vk::Pipeline pipeline, vk::PipelineLayout layout,
-             const HostImage& color, const HostImage& depthImage) {
-    const vk::RenderingAttachmentInfo colors{.imageView = *color.view,
-                                             .imageLayout = vk::ImageLayout::eGeneral,
-                                             .loadOp = vk::AttachmentLoadOp::eLoad,
-                                             .storeOp = vk::AttachmentStoreOp::eStore};
-    const vk::RenderingAttachmentInfo depths{.imageView = *depthImage.view,
-                                             .imageLayout = vk::ImageLayout::eGeneral,
-                                             .loadOp = vk::AttachmentLoadOp::eLoad,
-                                             .storeOp = vk::AttachmentStoreOp::eStore};
-    commands.beginRendering({.renderArea = {{0, 0}, kExtent},
-                             .layerCount = 1,
-                             .colorAttachmentCount = 1,
-                             .pColorAttachments = &colors,
-                             .pDepthAttachment = &depths});
-    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
-    commands.setViewport(0, vk::Viewport{0.0f, 0.0f, kExtent.width, kExtent.height, 0.0f, 1.0f});
-    commands.setScissor(0, vk::Rect2D{{0, 0}, kExtent});
-    const depth::CascadeConstants host =
-        depth::cascadeConstants(depth::Mapping::reversed, {{kHostNearView, 1e9}}, 0,
-                                {.fovY = kCamera.fovY, .aspect = 1.0 * kExtent.width / kExtent.height});
-    drawSquare(commands, layout, host, 0.0, kSky, 0);
-    commands.endRendering();
-}
-
-void copy(vk::CommandBuffer commands, vk::Image image, vk::ImageLayout layout, const HostBuffer& into) {
-    const vk::MemoryBarrier2 all{.srcStageMask = vk::PipelineStageFlagBits2::eAllCommands,
-                                 .srcAccessMask = vk::AccessFlagBits2::eMemoryWrite,
-                                 .dstStageMask = vk::PipelineStageFlagBits2::eAllCommands,
-                                 .dstAccessMask =
-                                     vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite};
-    const vk::ImageMemoryBarrier2 readable{.srcStageMask = all.srcStageMask,
-                                           .srcAccessMask = all.srcAccessMask,
-                                           .dstStageMask = all.dstStageMask,
-                                           .dstAccessMask = all.dstAccessMask,
-                                           .oldLayout = layout,
-                                           .newLayout = vk::ImageLayout::eTransferSrcOptimal,
-                                           .image = image,
-                                           .subresourceRange = {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1}};
-    commands.pipelineBarrier2({.memoryBarrierCount = 1,
-                               .pMemoryBarriers = &all,
-                               .imageMemoryBarrierCount = 1,
-                               .pImageMemoryBarriers = &readable});
-    commands.copyImageToBuffer(
-        image, vk::ImageLayout::eTransferSrcOptimal, *into.buffer,
-        vk::BufferImageCopy{.imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
-                            .imageExtent = {kExtent.width, kExtent.height, 1}});
-    commands.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &all});
-}
-
-void writePicture(const char* path, const HostBuffer& color) {
-    std::FILE* file = std::fopen(path, "wb");
-    std::fprintf(file, "P6 %u %u 255\n", kExtent.width, kExtent.height);
-    const auto* rgba = static_cast<const unsigned char*>(color.mapped);
-    for (std::size_t i = 0; i < std::size_t{kExtent.width} * kExtent.height; ++i) {
-        std::fwrite(rgba + 4 * i, 1, 3, file);
-    }
-    std::fclose(file);
-}
-
 } // namespace
 
-int main(int count, char** arguments) try {
+int main() try {
     const gpu::Instance instance;
     const gpu::Device device(instance, ""); // or gpu::BorrowedDevice
-    const Host host(device.physical(), device.handle(), kExtent);
-    using Usage = vk::ImageUsageFlagBits;
     const HostImage color =
-        host.makeImage(kColorFormat, Usage::eTransferDst | Usage::eColorAttachment | Usage::eTransferSrc,
-                       vk::ImageAspectFlagBits::eColor);
+        makeImage(device, vk::Format::eR8G8B8A8Srgb, Usage::eTransferDst | Usage::eColorAttachment,
+                  vk::ImageAspectFlagBits::eColor);
     const HostImage hostDepth =
-        host.makeImage(kDepthFormat, Usage::eDepthStencilAttachment, vk::ImageAspectFlagBits::eDepth);
+        makeImage(device, vk::Format::eD32Sfloat, Usage::eDepthStencilAttachment | Usage::eTransferSrc,
+                  vk::ImageAspectFlagBits::eDepth);
     const vk::PushConstantRange pushed{.stageFlags = kStages, .size = sizeof(Push)};
-    const vk::UniquePipelineLayout layout = host.device().createPipelineLayoutUnique(
+    const vk::UniquePipelineLayout layout = device.handle().createPipelineLayoutUnique(
         {.pushConstantRangeCount = 1, .pPushConstantRanges = &pushed});
-    const vk::UniquePipeline surface = host.makePipeline({.vertex = surface_vert,
-                                                          .fragment = surface_frag,
-                                                          .layout = *layout,
-                                                          .colorFormat = kGBufferFormat,
-                                                          .depthFormat = kDepthFormat,
-                                                          .compare = vk::CompareOp::eLessOrEqual});
-    const vk::UniquePipeline sky = host.makePipeline({.vertex = surface_vert,
-                                                      .fragment = sky_frag,
-                                                      .layout = *layout,
-                                                      .colorFormat = kColorFormat,
-                                                      .depthFormat = kDepthFormat,
-                                                      .compare = vk::CompareOp::eGreater});
-    const HostBuffer pixels = host.makeReadBuffer(4 * kExtent.width * kExtent.height);
-    const HostBuffer surfaces = host.makeReadBuffer(16 * kExtent.width * kExtent.height);
+    const vk::UniquePipeline surface = makePipeline(device.handle(), *layout);
     const vk::UniqueCommandPool pool =
-        host.device().createCommandPoolUnique({.queueFamilyIndex = device.queueFamily()});
-    const vk::UniqueCommandBuffer commands = std::move(
-        host.device()
-            .allocateCommandBuffersUnique(
-                {.commandPool = *pool, .level = vk::CommandBufferLevel::ePrimary, .commandBufferCount = 1})
-            .front());
-    const vk::SemaphoreTypeCreateInfo timeline{.semaphoreType = vk::SemaphoreType::eTimeline,
-                                               .initialValue = 0};
-    const vk::UniqueSemaphore done = host.device().createSemaphoreUnique({.pNext = &timeline});
+        device.handle().createCommandPoolUnique({.queueFamilyIndex = device.queueFamily()});
+    const vk::CommandBuffer commands =
+        device.handle().allocateCommandBuffers({.commandPool = *pool, .commandBufferCount = 1}).front();
+    const vk::SemaphoreTypeCreateInfo timeline{.semaphoreType = vk::SemaphoreType::eTimeline};
+    const vk::UniqueSemaphore done = device.handle().createSemaphoreUnique({.pNext = &timeline});
     const scene::Scene boxes = twoBoxes();
     const render::GpuScene onDevice(device, boxes);
     render::Renderer renderer(
         device, boxes, onDevice,
         {.width = kExtent.width, .height = kExtent.height, .technique = depth::parseTechnique("anchored")});
-    commands->begin(vk::CommandBufferBeginInfo{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    commands.begin(vk::CommandBufferBeginInfo{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
 
     // quoted in src/cdr/README.md: begin
-    render::HostFrame frame{.commands = *commands, .done = *done, .doneValue = 1};
+    render::HostFrame frame{.commands = commands, .done = *done, .doneValue = 1};
     frame.color = {.image = *color.image,
                    .format = VK_FORMAT_R8G8B8A8_SRGB,
                    .extent = kExtent,
-                   .layout = VK_IMAGE_LAYOUT_GENERAL}; // that the frame leaves it in
+                   .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}; // that the frame leaves it in
     frame.depth = {.image = {.image = *hostDepth.image,
                              .view = *hostDepth.view,
                              .format = VK_FORMAT_D32_SFLOAT,
                              .extent = kExtent,
-                             .layout = VK_IMAGE_LAYOUT_GENERAL},
+                             .layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL},
                    .nearView = kHostNearView}; // near / distance, 0 for background
     for (const Square& square : kSquares) {
         frame.occupied.push_back({square.distanceView, square.distanceView});
@@ -200,18 +187,56 @@ int main(int count, char** arguments) try {
         const vk::CommandBuffer inside = cascade.commands;
         inside.bindPipeline(vk::PipelineBindPoint::eGraphics, *surface); // writes a cdrGBufferTexel()
         for (const Square& square : kSquares) {
-            drawSquare(inside, *layout, cascade.constants, cascade.anchorView, square, cascade.index);
+            const auto ahead =
+                static_cast<float>(square.distanceView - cascade.anchorView); // float64 until here
+            const Push push{.cascade = cascade.constants,
+                            .place = {static_cast<float>(square.x), 0.0f, ahead, 0.25f},
+                            .names = {cascade.index, square.object + 1}};
+            inside.pushConstants<Push>(*layout, kStages, 0, push);
+            inside.draw(4, 1, 0, 0);
         }
     };
     renderer.record(kCamera, frame);
-    drawSky(*commands, *sky, *layout, color, hostDepth); // by the engine's own depth test
+    // The engine's own passes go here: over the picture, by its own depth test.
     // quoted in src/cdr/README.md: end
 
-    copy(*commands, *color.image, vk::ImageLayout::eGeneral, pixels);
+    const std::array points{-1.0, -0.6, 1.0, 2.5, 0.0};
+    const double pixelsPerUnit = kExtent.height / (2.0 * kFaceView * std::tan(0.5 * kCamera.fovY));
+    const vk::UniqueBuffer buffer = device.handle().createBufferUnique(
+        {.size = points.size() * sizeof(Shown), .usage = vk::BufferUsageFlagBits::eTransferDst});
+    const vk::UniqueDeviceMemory memory =
+        allocate(device, device.handle().getBufferMemoryRequirements(*buffer),
+                 vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent);
+    device.handle().bindBufferMemory(*buffer, *memory, 0);
+    const auto* shown = static_cast<const Shown*>(device.handle().mapMemory(*memory, 0, VK_WHOLE_SIZE));
     const render::SurfaceImage gbuffer = renderer.surfaces().gbuffer;
-    copy(*commands, gbuffer.image, vk::ImageLayout(gbuffer.layout), surfaces);
-    commands->end();
-    const vk::CommandBufferSubmitInfo submitted{.commandBuffer = *commands};
+    const vk::ImageMemoryBarrier2 readable{.srcStageMask = vk::PipelineStageFlagBits2::eAllCommands,
+                                           .srcAccessMask = vk::AccessFlagBits2::eMemoryWrite,
+                                           .dstStageMask = vk::PipelineStageFlagBits2::eCopy,
+                                           .dstAccessMask = vk::AccessFlagBits2::eTransferRead,
+                                           .oldLayout = vk::ImageLayout(gbuffer.layout),
+                                           .newLayout = vk::ImageLayout::eTransferSrcOptimal,
+                                           .image = gbuffer.image,
+                                           .subresourceRange = {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1}};
+    commands.pipelineBarrier2({.imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &readable});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto column = static_cast<std::int32_t>(0.5 * kExtent.width + points[i] * pixelsPerUnit);
+        vk::BufferImageCopy pixel{.bufferOffset = i * sizeof(Shown),
+                                  .imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
+                                  .imageOffset = {column, kExtent.height / 2, 0},
+                                  .imageExtent = {1, 1, 1}};
+        commands.copyImageToBuffer(gbuffer.image, vk::ImageLayout::eTransferSrcOptimal, *buffer, pixel);
+        pixel.bufferOffset += offsetof(Shown, depth);
+        pixel.imageSubresource.aspectMask = vk::ImageAspectFlagBits::eDepth;
+        commands.copyImageToBuffer(*hostDepth.image, vk::ImageLayout::eTransferSrcOptimal, *buffer, pixel);
+    }
+    const vk::MemoryBarrier2 toHost{.srcStageMask = vk::PipelineStageFlagBits2::eCopy,
+                                    .srcAccessMask = vk::AccessFlagBits2::eTransferWrite,
+                                    .dstStageMask = vk::PipelineStageFlagBits2::eHost,
+                                    .dstAccessMask = vk::AccessFlagBits2::eHostRead};
+    commands.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &toHost});
+    commands.end();
+    const vk::CommandBufferSubmitInfo submitted{.commandBuffer = commands};
     const vk::SemaphoreSubmitInfo signal{
         .semaphore = *done, .value = 1, .stageMask = vk::PipelineStageFlagBits2::eAllCommands};
     device.queue().submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1,
@@ -219,18 +244,8 @@ int main(int count, char** arguments) try {
                                            .signalSemaphoreInfoCount = 1,
                                            .pSignalSemaphoreInfos = &signal});
     renderer.finish();
-
-    const auto* texels = static_cast<const render::GBufferPixel*>(surfaces.mapped);
-    const auto* rgba = static_cast<const unsigned char*>(pixels.mapped);
-    const double pixelsPerUnit = kExtent.height / (2.0 * kFaceView * std::tan(0.5 * kCamera.fovY));
-    for (const double x : {-1.0, -0.6, 1.0, 2.5, 0.0}) {
-        const auto column = static_cast<std::size_t>(0.5 * kExtent.width + x * pixelsPerUnit);
-        const std::size_t pixel = kExtent.height / 2 * kExtent.width + column;
-        const bool isSky = rgba[4 * pixel + 2] > rgba[4 * pixel] && texels[pixel].id() == 0;
-        std::printf("at %4.1f: id %u%s\n", x, texels[pixel].id(), isSky ? ", the sky" : "");
-    }
-    if (count > 1) {
-        writePicture(arguments[1], pixels);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        std::printf("at %4.1f: id %u, depth %.1e\n", points[i], shown[i].surface.id(), shown[i].depth);
     }
     return 0;
 } catch (const std::exception& error) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -13,11 +15,12 @@ enum class Batching : std::uint8_t {
     instanced,     ///< one command per run of draws of one kind
 };
 
+/// All of them.
 inline constexpr std::array kBatchings{Batching::perObject, Batching::pushConstants, Batching::instanced};
 
 /// "per-object", "push-constants" or "instanced".
-std::string_view nameOf(Batching batching);
+CDR_EXPORT std::string_view nameOf(Batching batching);
 /// base::InputError with a suggestion for an unknown name.
-Batching parseBatching(std::string_view name);
+CDR_EXPORT Batching parseBatching(std::string_view name);
 
 } // namespace cdr::render

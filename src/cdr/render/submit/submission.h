@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -13,12 +15,13 @@ enum class Submission : std::uint8_t {
     gpuDriven,   ///< compute passes cull and bin into indirect draws (the thesis' future work)
 };
 
+/// All of them.
 inline constexpr std::array kSubmissions{Submission::secondaries, Submission::primaries,
                                          Submission::gpuDriven};
 
 /// "secondaries", "primaries" or "gpu-driven".
-std::string_view nameOf(Submission submission);
+CDR_EXPORT std::string_view nameOf(Submission submission);
 /// base::InputError with a suggestion for an unknown name.
-Submission parseSubmission(std::string_view name);
+CDR_EXPORT Submission parseSubmission(std::string_view name);
 
 } // namespace cdr::render

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,15 +21,17 @@ enum class Translucency : std::uint8_t {
     sorted,
 };
 
+/// All of them.
 inline constexpr std::array kTranslucencies{Translucency::weighted, Translucency::sorted};
 
 /// "weighted" or "sorted".
-std::string_view nameOf(Translucency translucency);
+CDR_EXPORT std::string_view nameOf(Translucency translucency);
 /// base::InputError with a suggestion for an unknown name.
-Translucency parseTranslucency(std::string_view name);
+CDR_EXPORT Translucency parseTranslucency(std::string_view name);
 
+/// How blended surfaces are drawn.
 struct TranslucencyOptions {
-    Translucency method = Translucency::weighted;
+    Translucency method = Translucency::weighted; ///< how they blend
     /// Most device bytes that the lists of one frame in flight may take, for Translucency::sorted. A frame
     /// that has more fragments is drawn weighted, and says so.
     std::uint64_t mostBytes = std::uint64_t{256} << 20u;
@@ -38,16 +42,17 @@ struct TranslucencyOptions {
 
 /// Why there are no lists for a frame whose translucent surfaces were to be sorted.
 struct ListRefusal {
+    /// What was in the way.
     enum class Cause : std::uint8_t {
         noFragmentStores, ///< the device lacks fragmentStoresAndAtomics; there are no bytes to say
         bound,            ///< TranslucencyOptions::mostBytes
         bufferSize,       ///< the largest storage buffer of the device
         memory,           ///< what the device has free
     };
-    Cause cause = Cause::noFragmentStores;
-    std::uint64_t fragments = 0;   ///< that were to be kept; 0 where empty lists have no room
-    std::uint64_t neededBytes = 0; ///< more than are allowed
-    std::uint64_t allowedBytes = 0;
+    Cause cause = Cause::noFragmentStores; ///< what was in the way
+    std::uint64_t fragments = 0;           ///< that were to be kept; 0 where empty lists have no room
+    std::uint64_t neededBytes = 0;         ///< more than are allowed
+    std::uint64_t allowedBytes = 0;        ///< by what was in the way
 
     bool operator==(const ListRefusal&) const = default;
 };

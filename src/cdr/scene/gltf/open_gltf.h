@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/scene/scene_setup.h>
 
 #include <cstdint>
@@ -18,10 +19,10 @@ struct GltfChoice {
 };
 
 /// Whether a path is to be opened as glTF, by its extension.
-bool isGltfPath(const std::filesystem::path& path);
+CDR_EXPORT bool isGltfPath(const std::filesystem::path& path);
 
 /// A glTF file lit and framed so that it fills the picture, or seen by a camera of its own. base::InputError
 /// as loadGltf(), or when it has no such camera, which names those it has.
-OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice = {});
+CDR_EXPORT OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice = {});
 
 } // namespace cdr::scene

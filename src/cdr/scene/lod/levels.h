@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/scene/scene.h>
 
@@ -23,10 +24,10 @@ struct LevelOptions {
 /// figure, a mean over quadrics, was exceeded up to twice. Errors ascend. The same levels each time.
 ///
 /// Empty where nothing can be saved. base::InputError for unusable options.
-std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options = {});
+CDR_EXPORT std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options = {});
 
 /// Makes the levels of every mesh that has none; those the scene's maker gave stay. The same levels for any
 /// number of workers.
-void makeLevels(Scene& scene, host::WorkerPool& workers, const LevelOptions& options = {});
+CDR_EXPORT void makeLevels(Scene& scene, host::WorkerPool& workers, const LevelOptions& options = {});
 
 } // namespace cdr::scene

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/scene/mesh.h>
 #include <cdr/scene/scene.h>
 
@@ -18,15 +19,15 @@ namespace cdr::scene {
 /// Importers fill it with what their files hold (glTF: float32, so a vertex 10^6 from the mesh's origin has a
 /// step of 1/16 before anybody sees it); generators may use all of float64.
 struct SourceMesh {
-    std::string name;
-    std::vector<glm::dvec3> positions;
+    std::string name;                   ///< that pieces get
+    std::vector<glm::dvec3> positions;  ///< in the source's own space
     std::vector<Vertex> vertices;       ///< one per position; their own positions are not read
     std::vector<std::uint32_t> indices; ///< three per triangle, each below positions.size()
 };
 
 /// A part of a mesh about an origin of its own.
 struct MeshPiece {
-    Mesh mesh;
+    Mesh mesh;              ///< of the piece
     glm::dvec3 origin{0.0}; ///< where the piece's origin goes in the space of the source
 };
 
@@ -47,8 +48,8 @@ inline constexpr double kPieceRadius = 512.0;
 /// for blending, which would show them twice.
 /// @param source not empty, positions finite.
 /// @param radius in the source's space, > 0; infinity for one piece.
-std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source,
-                                     double radius = std::numeric_limits<double>::infinity());
+CDR_EXPORT std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source,
+                                                double radius = std::numeric_limits<double>::infinity());
 
 /// Pieces that are in a scene.
 struct PieceSet {
@@ -57,12 +58,12 @@ struct PieceSet {
 };
 
 /// Moves pieces into a scene's meshes.
-PieceSet addPieces(Scene& scene, std::vector<MeshPiece> pieces);
+CDR_EXPORT PieceSet addPieces(Scene& scene, std::vector<MeshPiece> pieces);
 
 /// Appends an instance per piece, all of one object. Origins are turned in float64 by `toWorld`, so a piece
 /// is where its node says, and only what lies within it turns by the basis rounded to float32.
 /// @param toWorld affine.
-void placePieces(Scene& scene, const PieceSet& pieces, std::uint32_t material, std::uint32_t object,
-                 const glm::dmat4& toWorld);
+CDR_EXPORT void placePieces(Scene& scene, const PieceSet& pieces, std::uint32_t material,
+                            std::uint32_t object, const glm::dmat4& toWorld);
 
 } // namespace cdr::scene

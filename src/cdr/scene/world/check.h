@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/scene/scene.h>
 
 #include <string>
@@ -15,19 +16,21 @@ struct Transform {
 };
 
 /// Whether requireUsable() would let it pass.
-bool isUsable(const Transform& transform);
+CDR_EXPORT bool isUsable(const Transform& transform);
 
 /// Each throws base::InputError that says what is wrong, unless a scene may hold the value. `what` names it in the
 /// message.
 /// Position and basis finite, the basis' columns no longer than 1e17.
-void requireUsable(const Transform& transform, const std::string& what);
-void requireUsable(const PointLight& light, const std::string& what);
+CDR_EXPORT void requireUsable(const Transform& transform, const std::string& what);
+/// Position, colour and half distance finite, half distance above 0.
+CDR_EXPORT void requireUsable(const PointLight& light, const std::string& what);
 /// Indices in range, vertices finite and within the bounding radius, which is at most 1e20, at most kMaxLevels levels.
-void requireUsable(const Mesh& mesh, const std::string& what);
-void requireUsable(const Texture& texture, const std::string& what);
+CDR_EXPORT void requireUsable(const Mesh& mesh, const std::string& what);
+/// As many pixels as its size says, at least one.
+CDR_EXPORT void requireUsable(const Texture& texture, const std::string& what);
 /// @param textures of the scene
-void requireUsable(const Material& material, std::size_t textures, const std::string& what);
+CDR_EXPORT void requireUsable(const Material& material, std::size_t textures, const std::string& what);
 /// All of the above, and that instances name meshes, materials and objects that are there.
-void requireUsable(const Scene& scene);
+CDR_EXPORT void requireUsable(const Scene& scene);
 
 } // namespace cdr::scene

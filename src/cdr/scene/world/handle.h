@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/base/export.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -10,25 +12,31 @@ namespace cdr::scene {
 /// the same place has another generation.
 template <typename Kind>
 struct Handle {
-    std::uint32_t index = 0;
+    std::uint32_t index = 0;      ///< of its place
     std::uint32_t generation = 0; ///< 0 names nothing
 
     bool operator==(const Handle&) const = default;
 };
 
+/// Of an instance.
 using InstanceHandle = Handle<struct InstanceKind>;
+/// Of a light.
 using LightHandle = Handle<struct LightKind>;
+/// Of a mesh.
 using MeshHandle = Handle<struct MeshKind>;
+/// Of a material.
 using MaterialHandle = Handle<struct MaterialKind>;
+/// Of a texture.
 using TextureHandle = Handle<struct TextureKind>;
 
 /// base::InputError: nothing is at this place.
-[[noreturn]] void refusePlace(const char* kind, std::size_t index);
+[[noreturn]] CDR_EXPORT void refusePlace(const char* kind, std::size_t index);
 /// base::InputError: the handle names nothing that is there. @param wasThere whether there is such a place
-[[noreturn]] void refuseHandle(const char* kind, std::uint32_t index, std::uint32_t generation,
-                               bool wasThere);
+[[noreturn]] CDR_EXPORT void refuseHandle(const char* kind, std::uint32_t index, std::uint32_t generation,
+                                          bool wasThere);
 /// base::InputError: something uses it still.
-[[noreturn]] void refuseUsed(const char* kind, std::uint32_t index, std::uint32_t uses, const char* users);
+[[noreturn]] CDR_EXPORT void refuseUsed(const char* kind, std::uint32_t index, std::uint32_t uses,
+                                        const char* users);
 
 /// Hands out places in an array and takes them back. A place that was given back is used again before the array grows.
 template <typename Kind>
@@ -37,6 +45,7 @@ class Places {
     /// The first `taken` places, none free. @param kind as messages name it
     explicit Places(const char* kind, std::size_t taken = 0) : m_kind(kind), m_generations(taken, 1) {}
 
+    /// What messages call a thing.
     const char* kind() const { return m_kind; }
 
     /// How many places there are, the free ones included.
@@ -58,7 +67,9 @@ class Places {
         m_free.push_back(handle.index);
     }
 
+    /// Whether something is at a place.
     bool isTaken(std::size_t index) const { return index < size() && m_generations[index] % 2 == 1; }
+    /// Whether a handle names what is there.
     bool has(Handle<Kind> handle) const {
         return isTaken(handle.index) && m_generations[handle.index] == handle.generation;
     }

@@ -22,13 +22,17 @@ class Table {
           m_users(users),
           m_uses(taken) {}
 
+    /// Who has which place.
     const Places<Kind>& places() const { return m_places; }
+    /// Which places changed.
     const ChangeLog& changes() const { return m_changes; }
 
     /// @param index of a place that is there
     void use(std::uint32_t index) { ++m_uses[index]; }
+    /// Takes one use() back.
     void release(std::uint32_t index) { --m_uses[index]; }
 
+    /// Puts a thing into a free place, or a new one.
     template <typename T>
     Handle<Kind> add(std::vector<T>& things, T thing) {
         const Handle<Kind> handle = m_places.take();
@@ -39,6 +43,7 @@ class Table {
         put(things, handle.index, std::move(thing));
         return handle;
     }
+    /// Puts another thing into a place.
     template <typename T>
     void set(std::vector<T>& things, Handle<Kind> handle, T thing) {
         m_places.require(handle);
@@ -51,6 +56,7 @@ class Table {
         m_places.free(handle);
         put(things, handle.index, std::move(free));
     }
+    /// base::InputError unless the handle names what is there and nothing uses it.
     void requireUnused(Handle<Kind> handle) const {
         m_places.require(handle);
         if (m_uses[handle.index] > 0) {

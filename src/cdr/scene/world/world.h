@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/scene/world/check.h>
 #include <cdr/scene/world/table.h>
 
@@ -11,11 +12,11 @@ namespace cdr::scene {
 
 /// What an instance is made from.
 struct InstanceOptions {
-    MeshHandle mesh;
-    MaterialHandle material;
+    MeshHandle mesh;         ///< what is drawn
+    MaterialHandle material; ///< how it looks
     /// What the id buffer shows plus one, at most kMaxObjects. Instances may share it: parts of one object.
     std::uint32_t object = 0;
-    Transform transform{};
+    Transform transform{}; ///< where it is
 };
 
 /// A scene that changes while it is drawn. It is the one owner of what it holds; a render::GpuScene made from it follows
@@ -26,7 +27,7 @@ struct InstanceOptions {
 ///
 /// Instances are drawn in the order of their places (Handle::index). A new one takes the place given back last. A place
 /// that is free keeps an instance without size, which no picture and no truth shows.
-class World {
+class CDR_EXPORT World {
   public:
     World() : World(Scene{}) {}
     /// base::InputError as requireUsable(scene).
@@ -37,41 +38,56 @@ class World {
 
     /// Handles of what the scene held when the world was made, by index; or of what is at that place now.
     InstanceHandle instance(std::size_t index) const;
+    /// As instance().
     MeshHandle mesh(std::size_t index) const;
+    /// As instance().
     MaterialHandle material(std::size_t index) const;
+    /// As instance().
     TextureHandle texture(std::size_t index) const;
+    /// As instance().
     LightHandle light(std::size_t index) const;
 
+    /// Makes an instance; its handle names it until it is removed.
     InstanceHandle addInstance(const InstanceOptions& options);
+    /// Frames in flight still show it.
     void removeInstance(InstanceHandle handle);
+    /// Moves an instance.
     void setTransform(InstanceHandle handle, const Transform& transform);
     /// The same for many: all of them or, if one cannot be, none. Takes time by their number.
     void setTransforms(std::span<const InstanceHandle> handles, std::span<const Transform> transforms);
+    /// Gives an instance another material.
     void setMaterial(InstanceHandle instance, MaterialHandle material);
 
+    /// Makes a light.
     LightHandle addLight(const PointLight& light);
+    /// Moves or changes a light.
     void setLight(LightHandle handle, const PointLight& light);
+    /// The handle names nothing afterwards.
     void removeLight(LightHandle handle);
 
+    /// Makes a mesh that instances may use.
     MeshHandle addMesh(Mesh mesh);
     /// No instance may use it.
     void removeMesh(MeshHandle handle);
     /// A material names its texture by TextureHandle::index.
     MaterialHandle addMaterial(Material material);
+    /// Changes a material for all instances that have it.
     void setMaterial(MaterialHandle handle, Material material);
     /// No instance may use it.
     void removeMaterial(MaterialHandle handle);
+    /// Makes a texture that materials may use.
     TextureHandle addTexture(Texture texture);
     /// No material may use it.
     void removeTexture(TextureHandle handle);
 
     /// What changed, for those that follow. Lights are few and read anew every frame.
     struct Changes {
-        const ChangeLog& instances;
-        const ChangeLog& meshes;
-        const ChangeLog& materials;
-        const ChangeLog& textures;
+        const ChangeLog& instances; ///< by place
+        const ChangeLog& meshes;    ///< by place
+        const ChangeLog& materials; ///< by place
+        const ChangeLog& textures;  ///< by place
     };
+    /// Valid while the world lives; each log grows as edits are made.
     Changes changes() const {
         return {m_instanceChanges, m_meshes.changes(), m_materials.changes(), m_textures.changes()};
     }

@@ -1,0 +1,13 @@
+#pragma once
+
+/// CDR_EXPORT marks what the shared libraries of cdr give out; all else stays inside them. On Windows their users need
+/// CDR_SHARED, which the package's targets define; it means nothing elsewhere.
+#if !defined(_WIN32)
+#define CDR_EXPORT __attribute__((visibility("default")))
+#elif defined(CDR_BUILDS_SHARED)
+#define CDR_EXPORT __declspec(dllexport)
+#elif defined(CDR_SHARED)
+#define CDR_EXPORT __declspec(dllimport)
+#else
+#define CDR_EXPORT
+#endif
