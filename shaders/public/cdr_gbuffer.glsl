@@ -40,6 +40,15 @@ vec3 cdrAlbedoOf(uvec4 texel) {
     return root * root;
 }
 
+// Motion, of Surfaces::motion or HostFrame::motion: from a pixel to where its surface was one frame before, in pixels, x to
+// the right and y down. Half a picture to the left is (-width / 2, 0). Background moves as what is infinitely far.
+#define CDR_NO_MOTION 1e30 // in both, of what was not in front of the last camera
+
+bool cdrHasMotion(vec2 motion) { return motion.x < CDR_NO_MOTION; }
+
+// Where to sample the last picture. uv: of this pixel's centre, both from 0 to 1.
+vec2 cdrLastUv(vec2 uv, vec2 motion, vec2 pictureSize) { return uv + motion / pictureSize; }
+
 // The texel of a matt surface.
 // albedo: linear, in [0, 1]. normal: view space, not zero. ahead: beyond the anchor plane of `cascade`.
 // id: object index + 1, from 1 to 2^24 - 1. cascade: HostCascade::index.

@@ -73,11 +73,13 @@ void HostSide::submit() {
     gpu::submit(m_device, {&m_commands, 1}, {}, {}, {&signal, 1});
 }
 
-HostSquares::HostSquares(const gpu::Device& device, vk::Format format)
+HostSquares::HostSquares(const gpu::Device& device, vk::Format format, Language language)
     : m_layout(gpu::makePipelineLayout(
           device, {}, {{.stageFlags = kSquareStages, .size = sizeof(SquarePush)}}, "host squares")) {
-    const std::vector<std::uint32_t> vertex = readSpirv(CDR_HOST_SURFACE_VERT);
-    const std::vector<std::uint32_t> fragment = readSpirv(CDR_HOST_SURFACE_FRAG);
+    const std::vector<std::uint32_t> vertex =
+        readSpirv(language == Language::glsl ? CDR_HOST_SURFACE_VERT : CDR_HOST_SURFACE_VERT_HLSL);
+    const std::vector<std::uint32_t> fragment =
+        readSpirv(language == Language::glsl ? CDR_HOST_SURFACE_FRAG : CDR_HOST_SURFACE_FRAG_HLSL);
     m_pipeline = gpu::makeGraphicsPipeline(device, {.name = "host squares",
                                                     .vertexSpirv = vertex,
                                                     .fragmentSpirv = fragment,

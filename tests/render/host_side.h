@@ -7,6 +7,7 @@
 
 #include <vulkan/vulkan.hpp>
 
+#include <cstdint>
 #include <optional>
 
 namespace cdr::render_test {
@@ -48,8 +49,9 @@ class HostSide {
 /// Draws squares of a host's that face the camera, as src/examples/host_compositing does.
 class HostSquares {
   public:
+    enum class Language : std::uint8_t { glsl, hlsl };
     /// @param format of the cascades' depth
-    HostSquares(const gpu::Device& device, vk::Format format);
+    HostSquares(const gpu::Device& device, vk::Format format, Language language = Language::glsl);
 
     struct Square {
         double x = 0.0; ///< view space

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <vector>
 
 namespace cdr::render_test {
 
@@ -99,6 +101,42 @@ TEST_F(RecordTest, HostDepthIsThatOfItsOwnCamera) {
         EXPECT_GT(surfaces, 1000u);
         EXPECT_LT(surfaces, depths.pixels.size());
     }
+}
+
+/// A host's shaders in HLSL give the picture and the surfaces of those in GLSL, to the bit.
+TEST_F(RecordTest, HlslDrawsWhatGlslDraws) {
+    constexpr double kFaceView = 1e6;
+    scene::Scene scene = boxScene();
+    addBox(scene, {-1.0, 0.0, -kFaceView - 0.5});
+    const scene::Camera camera{.fovY = 4e-6, .nearView = 1.0, .farView = 1e8};
+    const render::GpuScene gpuScene(device(), scene);
+    const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    std::vector<std::vector<image::Rgba8>> pictures;
+    std::vector<std::vector<render::GBufferPixel>> surfaces;
+    for (const HostSquares::Language language : {HostSquares::Language::glsl, HostSquares::Language::hlsl}) {
+        const HostSquares squares(device(), device().depthFormat(depth::DepthFormat::d32f), language);
+        HostSide host(device(), extentOf(options));
+        render::Renderer renderer(device(), scene, gpuScene, options);
+        render::HostFrame frame = host.begin();
+        frame.occupied = {{kFaceView - 1.0, kFaceView + 1.0}};
+        frame.draw = [&](const render::HostCascade& cascade) {
+            squares.draw(cascade, {-1.0, kFaceView - 1e-5, 0.25, 10});
+            squares.draw(cascade, {1.0, kFaceView + 1e-5, 0.25, 11});
+        };
+        renderer.record(camera, frame);
+        host.submit();
+        pictures.push_back(host.color<image::Rgba8>().pixels);
+        const render::SurfaceImage gbuffer = renderer.surfaces().gbuffer;
+        surfaces.push_back(
+            readImage<render::GBufferPixel>(device(), gbuffer.image, gbuffer.extent, gbuffer.layout).pixels);
+    }
+    EXPECT_EQ(pictures[0], pictures[1]);
+    EXPECT_EQ(std::memcmp(surfaces[0].data(), surfaces[1].data(),
+                          surfaces[0].size() * sizeof(render::GBufferPixel)),
+              0);
+    EXPECT_GT(std::count_if(surfaces[1].begin(), surfaces[1].end(),
+                            [](const render::GBufferPixel& pixel) { return pixel.id() > 10; }),
+              500);
 }
 
 /// Squares of the host's, 0.00001 units before and behind the faces of boxes 1,000 km away, and one where cdr draws

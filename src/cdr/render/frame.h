@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/image/image.h>
 #include <cdr/render/targets/gbuffer_pixel.h>
@@ -16,19 +17,20 @@ namespace cdr::render {
 
 /// Where a frame's time went. Record and execute are never added up.
 struct FrameTimes {
-    double cullMs = 0.0;
-    double splitMs = 0.0;
-    double binMs = 0.0;
+    double cullMs = 0.0;        ///< CPU, finding what the camera sees
+    double splitMs = 0.0;       ///< CPU, cutting the range into cascades
+    double binMs = 0.0;         ///< CPU, listing what each cascade draws
     double translucentMs = 0.0; ///< CPU culling, binning and writing the translucent draws
     double recordMs = 0.0;      ///< CPU writing commands
     double executeMs = 0.0;     ///< from submit until the device has finished
 };
 
+/// What a frame came to.
 struct FrameStats {
-    std::size_t visible = 0;  ///< opaque instances in at least one cascade
-    std::size_t draws = 0;    ///< with those that straddle a boundary counted once per cascade
-    double duplication = 1.0; ///< draws per visible instance
-    FrameTimes times;
+    std::size_t visible = 0;        ///< opaque instances in at least one cascade
+    std::size_t draws = 0;          ///< with those that straddle a boundary counted once per cascade
+    double duplication = 1.0;       ///< draws per visible instance
+    FrameTimes times;               ///< where its time went
     TranslucencyStats translucency; ///< of the blended ones
     /// Surfaces shine, but were drawn matt: ambient occlusion per layer takes the bits that say how.
     bool lostShine = false;
@@ -43,7 +45,7 @@ struct Pick {
 };
 
 /// One rendered frame on the host. Pixels run from the top left.
-struct Frame {
+struct CDR_EXPORT Frame {
     scene::Camera camera;            ///< that looked
     depth::Cascades cascades;        ///< nearest first
     std::vector<double> anchorsView; ///< each cascade's anchor plane, 0 where the mapping is not anchored
@@ -51,11 +53,16 @@ struct Frame {
     /// The G-buffer: opaque surfaces, blended ones are seen through; empty where FrameCopy::color was asked
     /// for.
     image::Raster<GBufferPixel> gbuffer;
+    /// From each pixel to where its surface was in the last frame, in pixels, to the right and down: cdr_gbuffer.glsl.
+    /// Empty without RenderOptions::motion, or where FrameCopy::color was asked for.
+    image::Raster<glm::vec2> motion;
     /// Translucent fragments at or in front of the opaque surface; empty unless they were counted.
     image::ImageU32 fragmentCounts;
-    FrameStats stats;
+    FrameStats stats; ///< what the frame came to
 
+    /// Pixels of a row.
     std::uint32_t width() const { return color.width; }
+    /// Rows.
     std::uint32_t height() const { return color.height; }
 
     /// Object index + 1, 0 for background.
@@ -74,6 +81,7 @@ struct Frame {
     /// The opaque surface at a pixel; empty for background.
     std::optional<Pick> pick(std::uint32_t x, std::uint32_t y) const;
 
+    /// id() of every pixel.
     image::ImageU32 ids() const;
 };
 

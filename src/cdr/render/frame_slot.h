@@ -3,6 +3,7 @@
 #include <cdr/render/frame_cutter.h>
 #include <cdr/render/frame_view.h>
 #include <cdr/render/output/depth_output.h>
+#include <cdr/render/output/motion_pass.h>
 #include <cdr/render/readback.h>
 #include <cdr/render/renderer.h>
 #include <cdr/render/shading/picture.h>
@@ -27,6 +28,7 @@ struct Renderer::Slot {
     std::optional<TranslucentPass::Slot> translucent; ///< where the scene has blended materials
     FocusInputs focus;                                ///< where the lens has one
     std::optional<DepthOutput::Inputs> depthOutput;   ///< once a host asked for depth
+    std::optional<MotionPass::Inputs> motion;         ///< where it is worked out
     vk::UniqueFence done;
     /// A host's timeline semaphore and the value that says that the frame is done, in place of `done`.
     struct Recorded {
@@ -69,11 +71,13 @@ struct Renderer::Passes {
     ShadingPass shading;
     std::unique_ptr<ResolvePass> resolve;         ///< of a visibility buffer
     std::unique_ptr<TranslucentPass> translucent; ///< where the scene has blended materials
+    std::unique_ptr<MotionPass> motion;           ///< where it is worked out
     std::unique_ptr<DepthOutput> depthOutput{};   ///< once a host asked for depth
     Readback colorCopy;
     Readback gbufferCopy;
-    std::size_t lightRoom = 0; ///< of each slot's inputs
-    std::vector<Slot> slots{}; ///< taken in turn
+    std::unique_ptr<Readback> motionCopy; ///< of `motion`
+    std::size_t lightRoom = 0;            ///< of each slot's inputs
+    std::vector<Slot> slots{};            ///< taken in turn
 };
 
 } // namespace cdr::render

@@ -208,6 +208,13 @@ const scene::ChangeLog& GpuScene::instanceChanges() const {
     return isLive() ? m_state->m_world->changes().instances : kNone;
 }
 
+std::uint32_t GpuScene::generation(std::size_t instance) const {
+    if (scene().instances.radius[instance] == scene::kNoRadius) {
+        return 0;
+    }
+    return isLive() ? m_state->m_world->instance(instance).generation : 1;
+}
+
 // clang-format off: a list
 const scene::Scene& GpuScene::scene() const {
     return *m_state->m_scene;

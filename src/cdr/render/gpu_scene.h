@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/gpu/device.h>
 #include <cdr/scene/world/world.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -30,7 +32,7 @@ struct MeshRange;
 
 /// A scene's meshes, materials and textures on a device, and its instances as recording reads them. Any number of
 /// renderers may share it.
-class GpuScene {
+class CDR_EXPORT GpuScene {
   public:
     /// Of a scene that stays as it is. Uploads and waits. base::InputError as scene::requireUsable(); base::RunError,
     /// with both figures, when the device has too little memory.
@@ -40,7 +42,9 @@ class GpuScene {
     ~GpuScene();
     GpuScene(const GpuScene&) = delete;
     GpuScene& operator=(const GpuScene&) = delete;
+    /// What is moved from may only be destroyed or assigned to. No renderer may use either.
     GpuScene(GpuScene&&) noexcept;
+    /// As the constructor that moves.
     GpuScene& operator=(GpuScene&&) noexcept;
 
     /// Follows the world's edits since the last call; renderers call it at the start of a frame. Instances take time
@@ -50,6 +54,7 @@ class GpuScene {
 
     /// What it was made of, as it is now.
     const scene::Scene& scene() const;
+    /// Whether it follows a world.
     bool isLive() const;
     /// Whether update() would find nothing to do.
     bool isCurrent() const;
@@ -62,8 +67,13 @@ class GpuScene {
     std::uint64_t tablesRevision() const;
     /// Which instances changed.
     const scene::ChangeLog& instanceChanges() const;
+    /// Tells apart the instances that were at one place of a world one after the other; 0 while none is there.
+    std::uint32_t generation(std::size_t instance) const;
+    /// Of all meshes, one after another.
     vk::Buffer vertices() const;
+    /// Of all meshes and their levels.
     vk::Buffer indices() const;
+    /// Of the set that DrawKind::textureSet is.
     vk::DescriptorSetLayout textureLayout() const;
     /// The part of a draw record that the material decides, by material.
     const std::vector<MaterialWords>& materials() const;
@@ -78,6 +88,7 @@ class GpuScene {
     const visibility::InstanceCells& cells(host::WorkerPool& workers) const;
     /// By instance.
     const std::vector<DrawSource>& sources() const;
+    /// What draws have in common, by DrawSource::kind.
     const std::vector<DrawKind>& kinds() const;
     /// The coarser levels of all meshes, mesh by mesh.
     const std::vector<LevelRange>& levels() const;

@@ -35,7 +35,7 @@ struct HostCascade {
     depth::CascadeConstants constants; ///< CdrCascade of cdr_depth.glsl
     VkFormat depthFormat =
         VK_FORMAT_UNDEFINED; ///< the colour format is that of a G-buffer, VK_FORMAT_R32G32B32A32_UINT
-    VkCompareOp depthCompare = VK_COMPARE_OP_LESS_OR_EQUAL;
+    VkCompareOp depthCompare = VK_COMPARE_OP_LESS_OR_EQUAL; ///< that pipelines drawing here need
 };
 
 /// What a frame is recorded into. All of it is the host's.
@@ -47,11 +47,14 @@ struct HostFrame {
     /// that they are in, or by the host where it drops them. The renderer waits for it before it takes back what the
     /// frame reads, so it must outlive the renderer, or live until Renderer::finish().
     VkSemaphore done = VK_NULL_HANDLE;
-    std::uint64_t doneValue = 0;
+    std::uint64_t doneValue = 0; ///< that `done` reaches
     /// Where the picture goes: of the renderer's size, made for VK_IMAGE_USAGE_TRANSFER_DST_BIT, in a format that
     /// vkCmdBlitImage() writes; no view. What it held is lost, and `layout` is what the frame leaves it in.
     SurfaceImage color{};
-    std::optional<HostDepth> depth{};
+    std::optional<HostDepth> depth{}; ///< where the depth of the host's own camera goes; empty: nowhere
+    /// Where motion goes, with RenderOptions::motion: as `color`, in VK_FORMAT_R32G32_SFLOAT or another format of signed
+    /// floats. What blends is seen through.
+    std::optional<SurfaceImage> motion{};
     /// Called for each cascade, the nearest or the farthest first, on the caller's thread. Empty: the host draws nothing
     /// inside cascades. A surface writes a texel by cdr_gbuffer.glsl, is lit as cdr's own are, and hides them or is
     /// hidden by them to the step of the technique's depth. Not with SurfacePath::visibility or a focus.

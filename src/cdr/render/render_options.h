@@ -19,24 +19,27 @@ namespace cdr::render {
 
 /// What a renderer is made with.
 struct RenderOptions {
-    std::uint32_t width = 1280;
-    std::uint32_t height = 720;
-    depth::Technique technique;
-    TargetsChoice targets = TargetsKind::single;
+    std::uint32_t width = 1280;                        ///< of the picture in pixels
+    std::uint32_t height = 720;                        ///< of the picture in pixels
+    depth::Technique technique;                        ///< mapping, split and depth format
+    TargetsChoice targets = TargetsKind::single;       ///< how cascades reach the final G-buffer
     std::size_t threads = 1;                           ///< that cull, bin and record, the caller's included
     host::Placement placement = host::Placement::free; ///< of those threads but the caller's
-    Submission submission = Submission::secondaries;
-    Batching batching = Batching::instanced;
-    SurfacePath surface = SurfacePath::gbuffer;
+    Submission submission = Submission::secondaries;   ///< how draws reach the device
+    Batching batching = Batching::instanced;           ///< how many instances a draw has
+    SurfacePath surface = SurfacePath::gbuffer;        ///< what the geometry pass writes
     /// None unless told. Meshes without levels are drawn in full whatever it says.
     visibility::Detail detail{};
-    Effects effects{};
-    Focus focus{}; ///< on, it needs targets `layers`, and effects without occlusion
-    TranslucencyOptions translucency{};
+    Effects effects{};                  ///< none unless told
+    Focus focus{};                      ///< on, it needs targets `layers`, and effects without occlusion
+    TranslucencyOptions translucency{}; ///< of blended surfaces
     /// Opaque vertices are rounded to this many sub-pixel bits before the device sees them, as a device with
     /// as few does by itself; 0: not. At most kMaxSnapBits.
     std::uint32_t snapBits = 0;
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
+    /// Works out motion: how far each pixel's surface is from where it was in the last frame (Surfaces::motion,
+    /// HostFrame::motion, Frame::motion). Each object must move as one. Not with a focus.
+    bool motion = false;
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
     /// none.
     host::Trace* trace = nullptr;
@@ -44,7 +47,9 @@ struct RenderOptions {
     bool operator==(const RenderOptions&) const = default;
 };
 
+/// Most frames in flight.
 inline constexpr std::size_t kMaxFramesInFlight = 8;
+/// Most sub-pixel bits that vertices are rounded to.
 inline constexpr std::uint32_t kMaxSnapBits = 8;
 
 } // namespace cdr::render

@@ -5,6 +5,7 @@
 #include <cdr/render/choose_facets.h>
 #include <cdr/render/output/host_commands.h>
 #include <cdr/render/renderer_setup.h>
+#include <cdr/visibility/cull_cells.h>
 
 #include <fmt/format.h>
 
@@ -91,8 +92,11 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
       translucent(needs.blended ? std::make_unique<TranslucentPass>(device, drawn, targets.gbuffer(),
                                                                     picture.lit(), options.translucency)
                                 : nullptr),
+      motion(options.motion ? std::make_unique<MotionPass>(device, gbuffer()) : nullptr),
       colorCopy(device, extent, sizeof(image::Rgba8), "color copy"),
-      gbufferCopy(device, extent, sizeof(GBufferPixel), "G-buffer copy") {}
+      gbufferCopy(device, extent, sizeof(GBufferPixel), "G-buffer copy"),
+      motionCopy(options.motion ? std::make_unique<Readback>(device, extent, sizeof(glm::vec2), "motion copy")
+                                : nullptr) {}
 
 Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                    const RenderOptions& options)
@@ -109,7 +113,9 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_options(options),
       m_workers(options.threads, options.placement),
       m_needs(needs()),
-      m_revision(gpuScene.revision()) {
+      m_revision(gpuScene.revision()),
+      m_motion(options.motion ? std::make_unique<MotionHistory>() : nullptr),
+      m_visible(std::make_unique<visibility::VisibleCells>()) {
     m_workers.setTrace(options.trace);
     checkedExtent(device, options, m_needs.blended);
     m_paths = std::make_unique<DrawPathFactory>(device, m_drawn, chooseFacets(m_drawn, options), options,
@@ -147,6 +153,10 @@ void Renderer::makeInputs(Slot& slot, std::size_t lightRoom) {
     }
     slot.focus = {};
     slot.depthOutput.reset();
+    slot.motion.reset();
+    if (m_passes->motion != nullptr) {
+        slot.motion.emplace(m_passes->motion->makeInputs(slot.shading));
+    }
     slot.translucent.reset();
     if (m_passes->translucent != nullptr) {
         slot.translucent.emplace(m_passes->translucent->makeSlot(slot.shading));
@@ -209,10 +219,14 @@ Renderer::~Renderer() {
 
 void Renderer::forgetFrames() {
     m_passes->cutter.forget();
+    if (m_motion != nullptr) {
+        m_motion->forget();
+    }
 }
 
 void Renderer::cull(const FrameView& view) {
-    visibility::cullCells(m_drawn.uploaded.cells(m_workers), view.camera, view.frustum, m_workers, m_visible);
+    visibility::cullCells(m_drawn.uploaded.cells(m_workers), view.camera, view.frustum, m_workers,
+                          *m_visible);
 }
 
 Renderer::Slot& Renderer::slotOf(std::size_t frame) const {
@@ -233,15 +247,12 @@ void Renderer::launch(Slot& slot, const Delivery& delivery) {
                                   ? hostCommands(m_device, m_options, slot.view, *delivery.host)
                                   : HostCommands{};
     slot.destination = destination;
-    slot.path->bin(slot.view, m_visible, slot.stats);
+    slot.path->bin(slot.view, *m_visible, slot.stats);
     slot.stats.times.binMs = watch.lap("bin");
     slot.path->begin(slot.view, host);
     m_passes->targets.record(*slot.path, slot.view);
     shade(slot);
-    const bool wantsDepth = delivery.host != nullptr && delivery.host->depth.has_value();
-    if (m_passes->resolve != nullptr && (destination == Destination::host || wantsDepth)) {
-        m_passes->resolve->record(slot.path->primary(), slot.resolve, slot.path->facets());
-    }
+    recordSurfaces(slot, delivery);
     if (slot.translucent) {
         m_passes->translucent->record(slot.path->primary(), *slot.translucent);
     }
@@ -271,6 +282,17 @@ void Renderer::shade(Slot& slot) {
         (*focus)->light(slot.path->primary(), slot.shading, slot.focus);
     } else {
         m_passes->shading.record(slot.path->primary(), slot.shading);
+    }
+}
+
+void Renderer::recordSurfaces(Slot& slot, const Delivery& delivery) {
+    const bool wantsDepth = delivery.host != nullptr && delivery.host->depth.has_value();
+    const bool isRead = delivery.destination == Destination::host || wantsDepth || slot.motion;
+    if (m_passes->resolve != nullptr && isRead) {
+        m_passes->resolve->record(slot.path->primary(), slot.resolve, slot.path->facets());
+    }
+    if (slot.motion) {
+        m_passes->motion->record(slot.path->primary(), *slot.motion);
     }
 }
 
@@ -305,6 +327,7 @@ bool Renderer::hasRoomSufficed(Slot& slot) {
 Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& delivery) {
     scene::requireUsable(camera);
     followScene();
+    const FrameMotion motion = m_motion != nullptr ? m_motion->follow(m_drawn, camera) : FrameMotion{};
     Slot& slot = nextSlot();
     slot.revision = m_revision;
     Stopwatch watch(m_options.trace);
@@ -315,10 +338,13 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& deliv
     slot.stats = {};
     slot.stats.lostShine = m_passes->lostShine;
     slot.stats.times.cullMs = watch.lap("cull");
-    m_passes->cutter.cut(slot.view, m_visible,
+    m_passes->cutter.cut(slot.view, *m_visible,
                          delivery.host != nullptr ? std::span<const depth::Interval>(delivery.host->occupied)
                                                   : std::span<const depth::Interval>());
     slot.shading.update(m_drawn.scene, camera, slot.view.frustum, slot.view.anchorsView());
+    if (slot.motion) {
+        m_passes->motion->update(*slot.motion, slot.view, motion);
+    }
     slot.stats.times.splitMs = watch.lap("split");
     if (slot.translucent) {
         m_passes->translucent->prepare(*slot.translucent, slot.view, m_workers);

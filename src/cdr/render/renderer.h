@@ -1,12 +1,12 @@
 #pragma once
 
+#include <cdr/base/export.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/frame.h>
 #include <cdr/render/host_frame.h>
 #include <cdr/render/render_options.h>
 #include <cdr/render/surfaces.h>
-#include <cdr/visibility/cull_cells.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,9 +16,15 @@ namespace vk {
 class CommandBuffer;
 }
 
+namespace cdr::visibility {
+struct VisibleCells;
+}
+
+/// The frame. Renderers, and what they draw, belong to one thread at a time; those of one device take turns.
 namespace cdr::render {
 
 class DrawPathFactory;
+class MotionHistory;
 struct FrameView;
 
 /// What Renderer::render() copies to the host: the picture, or the G-buffer too, which is four times as
@@ -29,7 +35,7 @@ enum class FrameCopy : std::uint8_t { color, everything };
 ///
 /// Data flows one way: camera -> cull -> split -> bin -> record on workers -> execute -> shade -> translucent
 /// surfaces -> Frame.
-class Renderer {
+class CDR_EXPORT Renderer {
   public:
     /// Of a scene that stays as it is. The device, the scene and its GpuScene must outlive the renderer.
     /// base::InputError for a picture of no or too many pixels, a depth format the device lacks, a
@@ -45,10 +51,11 @@ class Renderer {
     Renderer& operator=(const Renderer&) = delete;
 
     /// Renders one frame, waits for it and copies it to the host; Frame::gbuffer stays empty unless asked
-    /// for. base::InputError for an unusable camera or split.
+    /// for. base::InputError for an unusable camera or split, and with
+    /// RenderOptions::motion where instances of one object moved apart since the last frame.
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);
 
-    /// The next frame is rendered as a first one is: a fitted split does not keep to the last frame's.
+    /// The next frame is rendered as a first one is: a fitted split does not keep to the last frame's, and nothing moved.
     void forgetFrames();
 
     /// Renders one frame and waits for it, but leaves it on the device: what experiments time.
@@ -77,6 +84,7 @@ class Renderer {
     /// flight; errors as the constructor, which leave the size as it was.
     void resize(std::uint32_t width, std::uint32_t height);
 
+    /// What it was made with; resize() changes the size.
     const RenderOptions& options() const { return m_options; }
 
   private:
@@ -106,6 +114,8 @@ class Renderer {
     /// Lists what is drawn into the G-buffer: all that is seen but blended instances.
     void cull(const FrameView& view);
     void shade(Slot& slot);
+    /// Resolves the G-buffer of a visibility buffer where somebody reads it, and works out motion.
+    void recordSurfaces(Slot& slot, const Delivery& delivery);
     bool hasRoomSufficed(Slot& slot);
     void launch(Slot& slot, const Delivery& delivery);
     void recordOutputs(Slot& slot, const HostFrame& host);
@@ -124,8 +134,10 @@ class Renderer {
     std::uint64_t m_revision = 0; ///< of the scene, as the passes know it
     std::unique_ptr<DrawPathFactory> m_paths;
     std::unique_ptr<Passes> m_passes;
-    visibility::VisibleCells m_visible; ///< kept from frame to frame so that a warm one allocates nothing
-    std::size_t m_frames = 0;           ///< begun so far with these passes
+    std::unique_ptr<MotionHistory> m_motion; ///< where motion is worked out
+    std::unique_ptr<visibility::VisibleCells>
+        m_visible;            ///< kept from frame to frame so that a warm one allocates nothing
+    std::size_t m_frames = 0; ///< begun so far with these passes
 };
 
 } // namespace cdr::render

@@ -17,9 +17,13 @@ Surfaces Renderer::surfaces() const {
     };
     Surfaces surfaces{.color = imageOf(m_passes->picture.encoded(), vk::ImageLayout::eUndefined),
                       .gbuffer = {},
+                      .motion = {},
                       .anchorsView = {}};
     if (m_passes->resolve == nullptr) {
         surfaces.gbuffer = imageOf(m_passes->targets.gbuffer(), vk::ImageLayout::eUndefined);
+    }
+    if (m_passes->motion != nullptr) {
+        surfaces.motion = imageOf(m_passes->motion->image(), vk::ImageLayout::eUndefined);
     }
     if (m_frames > 0) {
         const Slot& last = slotOf(m_frames - 1);
@@ -29,6 +33,9 @@ Surfaces Renderer::surfaces() const {
             surfaces.gbuffer.layout = last.destination == Destination::host
                                           ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
                                           : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+        }
+        if (surfaces.motion.image != VK_NULL_HANDLE) {
+            surfaces.motion.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
         }
         surfaces.anchorsView = last.view.anchorsView();
     }
@@ -47,6 +54,9 @@ void Renderer::recordOutputs(Slot& slot, const HostFrame& host) {
         m_passes->depthOutput->record(primary, *slot.depthOutput, *host.depth);
     }
     recordColorOutput(primary, m_passes->picture.encoded(), host.color);
+    if (host.motion) {
+        recordColorOutput(primary, m_passes->motion->image(), *host.motion);
+    }
 }
 
 void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination) const {
@@ -61,6 +71,9 @@ void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination
                          vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
                          vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal)});
         m_passes->gbufferCopy.record(primary, gbuffer);
+        if (m_passes->motion != nullptr) {
+            m_passes->motionCopy->record(primary, m_passes->motion->image());
+        }
     }
     if (m_passes->translucent != nullptr) {
         m_passes->translucent->recordReadback(primary);
@@ -77,6 +90,9 @@ Frame Renderer::fetch(const Slot& slot) const {
     frame.color = m_passes->colorCopy.fetch<image::Rgba8>();
     if (slot.destination == Destination::host) {
         frame.gbuffer = m_passes->gbufferCopy.fetch<GBufferPixel>();
+        if (m_passes->motionCopy != nullptr) {
+            frame.motion = m_passes->motionCopy->fetch<glm::vec2>();
+        }
     }
     if (m_passes->translucent != nullptr) {
         frame.fragmentCounts = m_passes->translucent->fragmentCounts();

@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/render/output/motion_pass.h>
 #include <cdr/render/renderer_setup.h>
 
 #include <fmt/format.h>
@@ -18,6 +19,9 @@ void requireFocusable(const RenderOptions& options) {
     }
     if (options.effects.occlusion.radius > 0.0) {
         throw base::InputError("a lens with a focus does without ambient occlusion");
+    }
+    if (options.motion) {
+        throw base::InputError("a lens with a focus shows no motion");
     }
 }
 
@@ -48,7 +52,8 @@ std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions
     return predictLayerBytes(device, extent, options.technique.format) +
            (hasFacets ? gpu::predictBytes(device, gbufferOptions(extent, kVisibilityFormat)) : 0) +
            Picture::predictBytes(device, pictureOptions(extent, options, hasBlended)) +
-           ShadingPass::predictBytes(extent, options.effects);
+           ShadingPass::predictBytes(extent, options.effects) +
+           (options.motion ? MotionPass::predictBytes(device, extent) : 0);
 }
 
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {

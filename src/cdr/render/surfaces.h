@@ -9,17 +9,17 @@ namespace cdr::render {
 
 /// What a submitted frame waits for before anything of it runs, and what it signals once its images are written.
 struct FrameSync {
-    std::span<const VkSemaphoreSubmitInfo> waits{};
-    std::span<const VkSemaphoreSubmitInfo> signals{};
+    std::span<const VkSemaphoreSubmitInfo> waits{};   ///< before anything of the frame runs
+    std::span<const VkSemaphoreSubmitInfo> signals{}; ///< once its images are written
 };
 
 /// An image, one level, layer and sample, and how a frame leaves it. From Renderer::surfaces() it is the renderer's own.
 struct SurfaceImage {
-    VkImage image = VK_NULL_HANDLE;
-    VkImageView view = VK_NULL_HANDLE;
-    VkFormat format = VK_FORMAT_UNDEFINED;
-    VkExtent2D extent{};
-    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    VkImage image = VK_NULL_HANDLE;                   ///< null: there is none
+    VkImageView view = VK_NULL_HANDLE;                ///< of all of it
+    VkFormat format = VK_FORMAT_UNDEFINED;            ///< of image and view
+    VkExtent2D extent{};                              ///< in pixels
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; ///< that the frame leaves it in
 };
 
 /// A submitted or recorded frame on the device. The images may be sampled and copied from, in any layout: a frame takes them as they
@@ -29,6 +29,8 @@ struct Surfaces {
     SurfaceImage color; ///< sRGB, 8 bits
     SurfaceImage
         gbuffer; ///< a GBufferPixel each; no image under SurfacePath::visibility, which keeps no G-buffer
+    /// VK_FORMAT_R32G32_SFLOAT, as cdr_gbuffer.glsl reads it; no image unless RenderOptions::motion.
+    SurfaceImage motion{};
     /// By cascade: what is added to GBufferPixel::ahead for the view distance.
     std::vector<double> anchorsView;
 };

@@ -22,10 +22,15 @@ void SceneRenderer::open(const ViewSettings& settings) {
     if (needsLevels) {
         scene::makeLevels(opened->setup.scene, workers);
     }
+    const scene::SceneSetup& setup = opened->setup;
+    auto moving = setup.motion ? std::make_unique<scenes::MovingScene>(setup.scene, setup.motion) : nullptr;
+    render::GpuScene onDevice = moving != nullptr ? render::GpuScene(m_device, moving->world())
+                                                  : render::GpuScene(m_device, setup.scene);
     auto next = std::make_unique<OnStage>(
         OnStage{.opened = opened,
-                .obstacles = std::make_shared<const Obstacles>(opened->setup.scene, workers),
-                .onDevice = render::GpuScene(m_device, opened->setup.scene)});
+                .obstacles = std::make_shared<const Obstacles>(setup.scene, workers),
+                .moving = std::move(moving),
+                .onDevice = std::move(onDevice)});
     for (SideRenderer& side : m_sides) {
         side.drop();
     }
@@ -45,7 +50,7 @@ void SceneRenderer::clearFlips() {
     }
 }
 
-SceneOnDevice SceneRenderer::set() const {
+SceneOnDevice SceneRenderer::set() {
     return {.device = m_device, .scene = m_scene->opened->setup.scene, .onDevice = m_scene->onDevice};
 }
 
@@ -115,6 +120,10 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
                         .settings = request.settings,
                         .scene = m_scene->opened,
                         .obstacles = m_scene->obstacles};
+    result.frame = request.frame;
+    if (m_scene->moving != nullptr) {
+        m_scene->moving->show(request.frame);
+    }
     result.camera = request.camera ? *request.camera : m_scene->opened->setup.path.at(0);
     const std::size_t sides = request.settings.second ? 2 : 1;
     for (std::size_t side = 0; side < sides; ++side) {

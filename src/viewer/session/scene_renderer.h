@@ -2,6 +2,7 @@
 
 #include "side_renderer.h"
 
+#include <scenes/moving_scene.h>
 #include <viewer/state/flip_window.h>
 #include <viewer/state/render_request.h>
 
@@ -33,6 +34,7 @@ class SceneRenderer {
     struct OnStage {
         std::shared_ptr<const scene::OpenedScene> opened;
         std::shared_ptr<const Obstacles> obstacles;
+        std::unique_ptr<scenes::MovingScene> moving; ///< null where nothing moves
         render::GpuScene onDevice;
     };
     void open(const ViewSettings& settings);
@@ -42,7 +44,7 @@ class SceneRenderer {
     std::optional<render::Frame> renderReferenceIfItFits(const RenderRequest& request,
                                                          const scene::Camera& camera);
     void paint(ViewKind view, std::size_t side, const render::Frame* reference, SideResult& result);
-    SceneOnDevice set() const;
+    SceneOnDevice set();
 
     const gpu::Device& m_device;
     std::string m_sceneName;

@@ -9,7 +9,9 @@ render::Frame SideRenderer::render(const SceneOnDevice& set, render::RenderOptio
         m_asked = options;
         m_trace = std::make_unique<host::Trace>(options.threads);
         options.trace = m_trace.get();
-        m_renderer = std::make_unique<render::Renderer>(set.device, set.scene, set.onDevice, options);
+        m_renderer = set.onDevice.isLive()
+                         ? std::make_unique<render::Renderer>(set.device, set.onDevice, options)
+                         : std::make_unique<render::Renderer>(set.device, set.scene, set.onDevice, options);
     }
     if (forgets) {
         m_renderer->forgetFrames();

@@ -13,7 +13,7 @@ namespace cdr::viewer {
 struct SceneOnDevice {
     const gpu::Device& device;
     const scene::Scene& scene;
-    const render::GpuScene& onDevice;
+    render::GpuScene& onDevice; ///< of `scene`, or of a world that began as it
 };
 
 /// One renderer and its trace, made anew when what it is made from changes.

@@ -55,6 +55,16 @@ void requireDepth(const HostDepth& depth, const RenderOptions& options) {
             "the host's far plane must be beyond its near plane");
 }
 
+void requireMotion(const gpu::Device& device, const SurfaceImage& motion, const RenderOptions& options) {
+    require(options.motion, "motion is asked for of a renderer that works out none");
+    requireImage(motion, options, "motion");
+    const auto format = vk::Format(motion.format);
+    require(takesColors(device, format) &&
+                std::string_view(vk::componentNumericFormat(format, 0)) == "SFLOAT",
+            fmt::format("motion goes into images of floats, and {} writes none of format {}",
+                        device.info().name, vk::to_string(format)));
+}
+
 void requireDraws(const HostFrame& host, const RenderOptions& options) {
     require(!host.draw || options.surface == SurfacePath::gbuffer,
             "a host draws into a G-buffer, and surface visibility keeps none");
@@ -99,6 +109,9 @@ void requireRecordable(const gpu::Device& device, const RenderOptions& options, 
                         vk::to_string(vk::Format(host.color.format))));
     if (host.depth) {
         requireDepth(*host.depth, options);
+    }
+    if (host.motion) {
+        requireMotion(device, *host.motion, options);
     }
     requireDraws(host, options);
 }

@@ -1,0 +1,44 @@
+// What the motion of surfaces is made from. Coordinates are right, up and view distance; pairs are a float and the rest
+// that it leaves out. Every struct is laid out the same by std430 and by C++.
+#ifndef CDR_SHADERS_MOTION_SHARED_H
+#define CDR_SHADERS_MOTION_SHARED_H
+
+#ifdef __cplusplus
+#include <cdr/shaders/shared.h>
+
+namespace cdr::shaders {
+#endif
+
+// What the camera did since the last frame.
+struct MotionHeader {
+    // What its turn adds to right, to up and to the view distance: per unit of right, of up, and as a pair of view distance.
+    vec4 turnRight;
+    vec4 turnUp;
+    vec4 turnAhead;
+    vec4 shift;     // what its move adds to each, in xyz
+    vec4 shiftRest; // the rest of that
+    vec2
+        pixels; // per unit of right or up at view distance 1, as the last camera's lens had them; y points down
+    vec2 pixelsAdded; // those less this camera's
+    uint objects;     // that the table of records covers
+    uint unused[3];
+};
+
+// An object that moved itself.
+struct MotionRecord {
+    // What its turn adds per unit beside its centre, in xyz; in w the centre's right, up and view distance.
+    vec4 right;
+    vec4 up;
+    vec4 ahead;
+    vec4
+        shift; // what its move and the camera's add to each, in xyz; in w the rest of the centre's view distance
+    vec4 shiftRest; // the rest of xyz
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(MotionHeader) == 112);
+static_assert(sizeof(MotionRecord) == 80);
+} // namespace cdr::shaders
+#endif
+
+#endif

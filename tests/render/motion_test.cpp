@@ -1,0 +1,351 @@
+#include "fixture.h"
+#include "host_side.h"
+#include "read_image.h"
+
+#include <cdr/base/error.h>
+#include <cdr/measure/truth/truth_motion.h>
+#include <scenes/cubes.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace cdr::render_test {
+
+namespace {
+
+constexpr float kNoMotion = 1e30f; // CDR_NO_MOTION of cdr_gbuffer.glsl
+
+class MotionTest : public RenderTest {
+  protected:
+    static render::RenderOptions options(const char* technique = "anchored") {
+        render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
+        options.motion = true;
+        return options;
+    }
+
+    /// How far a frame's motion is off the truth: where the truth's own rays meet the same point, and for the points that
+    /// the frame holds, since devices that snap vertices move these.
+    struct Difference {
+        double most = 0.0; ///< pixels, less what one part in a million of the motion is
+        double longest = 0.0;
+        std::size_t pixels = 0;
+        std::size_t cast = 0; ///< of them, where rays meet the same point
+
+        void add(const glm::vec2& motion, const glm::dvec2& exact) {
+            const double length = glm::length(exact);
+            const double off = glm::length(glm::dvec2(motion) - exact) - 1e-6 * length;
+            most = std::isfinite(off) ? std::max(most, off) : HUGE_VAL;
+            longest = std::max(longest, length);
+        }
+    };
+    static Difference compare(const render::Frame& frame, const measure::SeenScene& now,
+                              const measure::SeenScene& before) {
+        host::WorkerPool workers(2);
+        const measure::TruthImage truth =
+            measure::castTruth(now.scene, now.camera, frame.width(), frame.height(), workers);
+        measure::TruthImage held(frame.width(), frame.height());
+        for (std::uint32_t y = 0; y < frame.height(); ++y) {
+            for (std::uint32_t x = 0; x < frame.width(); ++x) {
+                held.at(x, y) = {.id = frame.id(x, y), .distanceView = frame.distanceView(x, y)};
+            }
+        }
+        const image::Raster<glm::dvec2> ofTruth = measure::truthMotion(truth, now, before);
+        const image::Raster<glm::dvec2> ofHeld = measure::truthMotion(held, now, before);
+        Difference difference;
+        for (std::size_t i = 0; i < held.pixels.size(); ++i) {
+            if (held.pixels[i].id == 0) {
+                continue;
+            }
+            ++difference.pixels;
+            difference.add(frame.motion.pixels[i], ofHeld.pixels[i]);
+            const double offView = std::abs(held.pixels[i].distanceView - truth.pixels[i].distanceView);
+            if (held.pixels[i].id == truth.pixels[i].id && offView < 1e-3) {
+                ++difference.cast;
+                difference.add(frame.motion.pixels[i], ofTruth.pixels[i]);
+            }
+        }
+        return difference;
+    }
+};
+
+glm::mat3 turned(double angle, const glm::dvec3& axis, double size) {
+    return glm::mat3(glm::dmat3(glm::rotate(glm::dmat4(1.0), angle, axis)) * size);
+}
+
+/// Boxes side by side, as wide as they are apart, so many units in front of the origin.
+struct FarWorld {
+    scene::World world{boxScene()};
+    std::vector<scene::InstanceHandle> boxes;
+    std::vector<scene::Transform> places;
+    double distanceView;
+    double size;
+
+    FarWorld(double distance, double side) : distanceView(distance), size(side) {
+        for (int i = 0; i < 9; ++i) {
+            places.push_back(
+                {.position = {side * (i % 3 - 1), side * (i / 3 - 1), -distance - 0.1 * side * i},
+                 .basis = glm::mat3(static_cast<float>(side * 0.8))});
+            boxes.push_back(world.addInstance({.mesh = world.mesh(0),
+                                               .material = world.material(0),
+                                               .object = static_cast<std::uint32_t>(i),
+                                               .transform = places.back()}));
+        }
+    }
+    /// All but the first.
+    void move(std::mt19937& random) {
+        std::uniform_real_distribution<double> share(-0.2, 0.2);
+        for (std::size_t i = 1; i < boxes.size(); ++i) {
+            places[i].position += size * glm::dvec3(share(random), share(random), share(random));
+            places[i].basis =
+                turned(share(random), glm::normalize(glm::dvec3(share(random), 1.0, share(random))), 1.0) *
+                places[i].basis;
+        }
+        world.setTransforms(boxes, places);
+    }
+};
+
+/// Looks at the boxes from somewhere beside the origin, as far as they are away.
+scene::Camera orbiting(const FarWorld& far, double fovY, double angle) {
+    const glm::dvec3 target{0.0, 0.0, -far.distanceView};
+    const glm::dvec3 eye =
+        target + far.distanceView * glm::dvec3(std::sin(angle), 0.1 * angle, std::cos(angle));
+    return scene::lookAt({.fovY = fovY, .nearView = 0.1, .farView = 4.0 * far.distanceView}, eye, target);
+}
+
+TEST_F(MotionTest, IsExactToAHundredthOfAPixelAMillionUnitsAway) {
+    std::mt19937 random(5);
+    for (const double fovY : {1e-5, 1e-4}) {
+        FarWorld far(1e6, 0.25 * fovY * 1e6);
+        render::GpuScene onDevice(device(), far.world);
+        render::Renderer renderer(device(), onDevice, options());
+        scene::Camera before = orbiting(far, fovY, 0.0);
+        renderer.render(before);
+        for (int turn = 1; turn < 5; ++turn) {
+            const scene::Scene sceneBefore = far.world.scene();
+            // Turns about the boxes, a thousand times as far as the picture is wide, and moves them too.
+            const scene::Camera now = orbiting(far, fovY * (turn == 3 ? 1.1 : 1.0), 0.01 * turn);
+            far.move(random);
+            const render::Frame frame = renderer.render(now);
+            const Difference difference = compare(frame, {far.world.scene(), now}, {sceneBefore, before});
+            EXPECT_GT(difference.pixels, 20'000u);
+            EXPECT_GT(difference.longest, 5.0);
+            EXPECT_LT(difference.most, 0.01) << fovY << " turn " << turn;
+            EXPECT_GT(difference.cast, difference.pixels / 100);
+            before = now;
+        }
+    }
+}
+
+TEST_F(MotionTest, IsExactForEveryTechniqueNearBy) {
+    std::mt19937 random(6);
+    for (const char* technique : {"standard", "reversed", "log", "cdr", "anchored"}) {
+        FarWorld far(50.0, 12.0);
+        render::GpuScene onDevice(device(), far.world);
+        render::Renderer renderer(device(), onDevice, options(technique));
+        const scene::Camera before = orbiting(far, 0.8, 0.0);
+        renderer.render(before);
+        const scene::Scene sceneBefore = far.world.scene();
+        const scene::Camera now = orbiting(far, 0.8, 0.05);
+        far.move(random);
+        const Difference difference =
+            compare(renderer.render(now), {far.world.scene(), now}, {sceneBefore, before});
+        EXPECT_GT(difference.pixels, 20'000u);
+        EXPECT_LT(difference.most, 0.01) << technique;
+        EXPECT_GT(difference.cast, difference.pixels / 100);
+    }
+}
+
+TEST_F(MotionTest, WhatStandsStillDoesNotMoveToTheBit) {
+    FarWorld far(1e6, 2.0);
+    render::GpuScene onDevice(device(), far.world);
+    render::Renderer renderer(device(), onDevice, options());
+    const scene::Camera camera = orbiting(far, 1e-5, 0.3);
+    for (int turn = 0; turn < 2; ++turn) {
+        const render::Frame frame = renderer.render(camera);
+        EXPECT_TRUE(std::all_of(frame.motion.pixels.begin(), frame.motion.pixels.end(),
+                                [](const glm::vec2& motion) { return motion == glm::vec2(0.0f); }));
+    }
+    renderer.render(orbiting(far, 1e-5, 0.1));
+    renderer.forgetFrames();
+    EXPECT_EQ(renderer.render(camera).motion.at(240, 135), glm::vec2(0.0f));
+}
+
+TEST_F(MotionTest, BackgroundMovesAsWhatIsInfinitelyFar) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, 0.0, 100.0}); // behind the camera
+    const render::GpuScene onDevice(device(), scene);
+    render::Renderer renderer(device(), scene, onDevice, options());
+    scene::Camera camera{.fovY = 0.5};
+    renderer.render(camera);
+    camera.position = {3.0, 4.0, 5.0}; // of no matter
+    const double angle = 0.01;
+    camera = scene::lookAlong(camera, camera.position, {std::sin(angle), 0.0, -std::cos(angle)});
+    const render::Frame frame = renderer.render(camera);
+    // A turn to the right: what is in the middle was right of it.
+    const double slope = std::tan(angle + std::atan(std::tan(0.25) / 270.0)) - std::tan(0.25) / 270.0;
+    EXPECT_NEAR(frame.motion.at(240, 134).x, slope / std::tan(0.25) * 135.0, 1e-3);
+}
+
+TEST_F(MotionTest, AllWaysToDrawAFrameGiveTheSameMotion) {
+    std::vector<image::Raster<glm::vec2>> motions;
+    for (const render::Submission submission : submissions()) {
+        for (const render::TargetsKind targets : {render::TargetsKind::single, render::TargetsKind::layers}) {
+            std::mt19937 random(7);
+            FarWorld far(1e6, 2.0);
+            render::GpuScene onDevice(device(), far.world);
+            render::RenderOptions chosen = options();
+            chosen.submission = submission;
+            chosen.targets = targets;
+            chosen.threads = targets == render::TargetsKind::layers ? 3 : 1;
+            chosen.framesInFlight = 3;
+            render::Renderer renderer(device(), onDevice, chosen);
+            for (int turn = 0; turn < 5; ++turn) {
+                far.move(random);
+                renderer.submit(orbiting(far, 1e-5, 0.01 * turn));
+            }
+            far.world.setTransform(far.boxes[0], {.position = {0.5, 0.0, -1e6}, .basis = glm::mat3(1.5f)});
+            motions.push_back(renderer.render(orbiting(far, 1e-5, 0.04)).motion);
+        }
+    }
+    for (const auto& motion : motions) {
+        EXPECT_EQ(motion, motions.front());
+    }
+}
+
+TEST_F(MotionTest, AVisibilityBufferHasMotionToo) {
+    const scene::SceneSetup setup = scenes::makeAfc(1);
+    const render::GpuScene onDevice(device(), setup.scene);
+    render::RenderOptions chosen = options();
+    chosen.surface = render::SurfacePath::visibility;
+    render::Renderer renderer(device(), setup.scene, onDevice, chosen);
+    renderer.render(setup.path.at(0));
+    const render::Frame frame = renderer.render(setup.path.at(1));
+    const scene::Camera before = setup.path.at(0);
+    const scene::Camera now = setup.path.at(1);
+    const Difference difference = compare(frame, {setup.scene, now}, {setup.scene, before});
+    EXPECT_GT(difference.pixels, 5'000u);
+    EXPECT_GT(difference.longest, 0.5);
+    EXPECT_LT(difference.most, 0.01);
+    EXPECT_GT(difference.cast, difference.pixels / 100);
+}
+
+TEST_F(MotionTest, WhatWasBehindTheCameraHasNone) {
+    scene::World world(boxScene());
+    const auto box = world.addInstance(
+        {.mesh = world.mesh(0), .material = world.material(0), .transform = {{0.0, 0.0, 4.0}}});
+    render::GpuScene onDevice(device(), world);
+    render::Renderer renderer(device(), onDevice, options());
+    renderer.render({.fovY = 0.5});
+    world.setTransform(box, {{0.0, 0.0, -4.0}});
+    EXPECT_EQ(renderer.render({.fovY = 0.5}).motion.at(240, 135), glm::vec2(kNoMotion));
+}
+
+TEST_F(MotionTest, WhatIsNewDidNotMove) {
+    FarWorld far(1e6, 2.0);
+    render::GpuScene onDevice(device(), far.world);
+    render::Renderer renderer(device(), onDevice, options());
+    const scene::Camera camera = orbiting(far, 1e-5, 0.0);
+    renderer.render(camera);
+    const scene::Transform elsewhere{.position = {0.1, 0.1, -1e6 + 5.0}, .basis = glm::mat3(2.0f)};
+    far.world.removeInstance(far.boxes[4]);
+    const auto added = far.world.addInstance(
+        {.mesh = far.world.mesh(0), .material = far.world.material(0), .object = 4, .transform = elsewhere});
+    ASSERT_EQ(added.index, far.boxes[4].index); // the place that was given back
+    EXPECT_EQ(renderer.render(camera).motion.at(240, 135), glm::vec2(0.0f));
+    far.world.setTransform(added, {.position = {0.2, 0.1, -1e6 + 5.0}, .basis = glm::mat3(2.0f)});
+    EXPECT_LT(renderer.render(camera).motion.at(240, 135).x, -1.0f); // it was to the left
+}
+
+TEST_F(MotionTest, PartsOfAnObjectMoveAsOneOrAreRefused) {
+    scene::World world(boxScene());
+    std::vector<scene::InstanceHandle> parts;
+    for (const double x : {-0.6, 0.6}) {
+        parts.push_back(world.addInstance({.mesh = world.mesh(0),
+                                           .material = world.material(0),
+                                           .object = 7,
+                                           .transform = {{x, 0.0, -6.0}}}));
+    }
+    render::GpuScene onDevice(device(), world);
+    render::Renderer renderer(device(), onDevice, options());
+    const scene::Camera camera{.fovY = 0.5};
+    renderer.render(camera);
+    const glm::mat3 turn = turned(0.2, {0.0, 0.0, 1.0}, 1.0);
+    const auto place = [&](double x) {
+        return scene::Transform{glm::dvec3(turn * glm::vec3(x, 0.0f, 0.0f)) + glm::dvec3(0.0, 0.0, -6.0),
+                                turn};
+    };
+    world.setTransforms(parts, std::vector{place(-0.6), place(0.6)});
+    const render::Frame frame = renderer.render(camera);
+    EXPECT_LT(frame.motion.at(180, 140).y, -1.0f); // the left part went down, so it was above
+    EXPECT_GT(frame.motion.at(300, 130).y, 1.0f);
+    world.setTransform(parts[0], place(-0.7));
+    EXPECT_THROW(renderer.render(camera), base::InputError); // the other one stood still
+    renderer.render(camera);
+    world.setTransforms(parts, std::vector{place(-0.6), place(0.8)});
+    EXPECT_THROW(renderer.render(camera), base::InputError);
+    EXPECT_EQ(renderer.render(camera).motion.at(180, 140), glm::vec2(0.0f));
+}
+
+TEST_F(MotionTest, GoesIntoAHostsImage) {
+    std::mt19937 random(8);
+    FarWorld far(1e6, 2.0);
+    render::GpuScene onDevice(device(), far.world);
+    render::Renderer renderer(device(), onDevice, options());
+    render::Renderer reference(device(), onDevice, options());
+    HostSide host(device(), {480, 270}, vk::Format::eR8G8B8A8Srgb);
+    const gpu::Image into(device(),
+                          {.extent = {480, 270},
+                           .format = vk::Format::eR32G32Sfloat,
+                           .usage = vk::ImageUsageFlagBits::eTransferDst |
+                                    vk::ImageUsageFlagBits::eTransferSrc |
+                                    vk::ImageUsageFlagBits::eSampled}, // which its view asks for
+                          "host motion");
+    render::SurfaceImage image{.image = into.handle(),
+                               .format = VK_FORMAT_R32G32_SFLOAT,
+                               .extent = {480, 270},
+                               .layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+    for (int turn = 0; turn < 2; ++turn) {
+        const scene::Camera camera = orbiting(far, 1e-5, 0.01 * turn);
+        render::HostFrame frame = host.begin();
+        frame.motion = image;
+        renderer.record(camera, frame);
+        host.submit();
+        renderer.finish();
+        const render::Frame expected = reference.render(camera);
+        EXPECT_EQ(
+            readImage<glm::vec2>(device(), into.handle(), {480, 270}, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL)
+                .pixels,
+            expected.motion.pixels);
+        EXPECT_EQ(renderer.surfaces().motion.format, VK_FORMAT_R32G32_SFLOAT);
+        far.move(random);
+    }
+    render::HostFrame frame = host.begin();
+    image.format = VK_FORMAT_R8G8B8A8_UNORM;
+    frame.motion = image;
+    EXPECT_THROW(renderer.record(orbiting(far, 1e-5, 0.0), frame), base::InputError);
+}
+
+TEST_F(MotionTest, OffIsNotThere) {
+    render::RenderOptions chosen = options();
+    chosen.motion = false;
+    FarWorld far(1e6, 2.0);
+    render::GpuScene onDevice(device(), far.world);
+    render::Renderer renderer(device(), onDevice, chosen);
+    EXPECT_TRUE(renderer.render(orbiting(far, 1e-5, 0.0)).motion.pixels.empty());
+    EXPECT_EQ(renderer.surfaces().motion.image, VkImage(VK_NULL_HANDLE));
+    HostSide host(device(), {480, 270}, vk::Format::eR8G8B8A8Srgb);
+    render::HostFrame frame = host.begin();
+    frame.motion = frame.color;
+    EXPECT_THROW(renderer.record(orbiting(far, 1e-5, 0.0), frame), base::InputError);
+    chosen.motion = true;
+    chosen.targets = render::TargetsKind::layers;
+    chosen.focus = {.distance = 10.0, .aperture = 0.1};
+    EXPECT_THROW(render::Renderer(device(), onDevice, chosen), base::InputError);
+}
+
+} // namespace
+
+} // namespace cdr::render_test
