@@ -11,6 +11,7 @@
 #include <experiments/effect_options.h>
 #include <experiments/frame_notes.h>
 #include <scenes/colours.h>
+#include <scenes/moving_scene.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace cdr::cli {
 
@@ -118,18 +120,25 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::A
 /// Draws frame after frame of a scene, and casts its truth where the output shows it.
 class FrameMaker {
   public:
-    FrameMaker(const gpu::Device& device, const scene::Scene& scene, const render::RenderOptions& options,
-               bool wantsTruth, host::WorkerPool& workers)
+    /// @param moving the scene, where it moves; else null.
+    FrameMaker(const gpu::Device& device, const scene::Scene& scene, scenes::MovingScene* moving,
+               const render::RenderOptions& options, bool wantsTruth, host::WorkerPool& workers)
         : m_options(options),
           m_workers(workers),
-          m_onDevice(device, scene),
-          m_renderer(device, scene, m_onDevice, options) {
+          m_moving(moving),
+          m_onDevice(moving != nullptr ? render::GpuScene(device, moving->world())
+                                       : render::GpuScene(device, scene)),
+          m_renderer(moving != nullptr ? render::Renderer(device, m_onDevice, options)
+                                       : render::Renderer(device, scene, m_onDevice, options)) {
         if (wantsTruth) {
             m_caster.emplace(scene, workers);
         }
     }
 
     FrameOutput make(std::uint32_t number, const scene::Camera& camera) {
+        if (m_moving != nullptr) {
+            m_moving->show(number);
+        }
         if (m_options.trace != nullptr) {
             m_options.trace->beginFrame(fmt::format("frame {}", number));
         }
@@ -144,6 +153,7 @@ class FrameMaker {
   private:
     const render::RenderOptions& m_options;
     host::WorkerPool& m_workers;
+    scenes::MovingScene* m_moving;
     render::GpuScene m_onDevice;
     render::Renderer m_renderer;
     std::optional<measure::TruthCaster> m_caster;
@@ -199,7 +209,12 @@ void runRender(Command& command, RenderArguments& arguments) {
     cameras.at(setup.path, cameras.first); // an unusable camera ends here, before the device is made
 
     const Console& console = command.console();
-    FrameMaker maker(command.device(), setup.scene, options, aov == experiments::Aov::wrong, workers);
+    std::optional<scenes::MovingScene> moving;
+    if (setup.motion) {
+        moving.emplace(std::move(setup.scene), setup.motion);
+    }
+    FrameMaker maker(command.device(), moving ? moving->world().scene() : setup.scene,
+                     moving ? &*moving : nullptr, options, aov == experiments::Aov::wrong, workers);
     const std::string technique = techniqueOf(arguments).name;
     auto document = command.makeDocument(optionsJson(arguments, options.technique));
     const auto columns = renderColumns(arguments.hash);

@@ -9,6 +9,7 @@
 #include <scenes/open_scene.h>
 #include <scenes/orbit/orbit.h>
 #include <scenes/sheets.h>
+#include <scenes/traffic.h>
 
 #include <algorithm>
 #include <array>
@@ -33,6 +34,7 @@ constexpr std::array kGenerators{
     Generator{"sheets", [](std::uint64_t seed) { return makeSheets(seed); }},
     Generator{"alley", [](std::uint64_t seed) { return makeAlley(seed); }},
     Generator{"orbit", [](std::uint64_t) { return openOrbit(orbitFiles()).setup; }},
+    Generator{"traffic", [](std::uint64_t seed) { return makeTraffic(seed); }},
 };
 
 constexpr auto kNames = [] {

@@ -90,6 +90,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"render afc --submission gpu -o a.png", "unknown submission 'gpu'"},
         BadInput{"render afc --batching instance -o a.png", "did you mean 'instanced'"},
         BadInput{"timing --in-flight 9", "in-flight"},
+        BadInput{"timing --scene trafic", "did you mean 'traffic'"},
+        BadInput{"timing --scene traffic --modes naive", "a scene that stands still"},
         BadInput{"scaling --submissions primary", "did you mean 'primaries'"},
         BadInput{"render afc --aov colour -o a.png", "did you mean 'color'"},
         BadInput{"render afc --threads 0 -o a.png", "threads must be"},

@@ -6,7 +6,9 @@
 #include <experiments/aov.h>
 #include <scenes/cubes.h>
 #include <scenes/mixed.h>
+#include <scenes/moving_scene.h>
 #include <scenes/open_scene.h>
+#include <scenes/traffic.h>
 #include <viewer/state/camera/fly_controller.h>
 #include <viewer/state/camera/heading.h>
 #include <viewer/state/camera/lens_zoom.h>
@@ -83,6 +85,24 @@ TEST_F(ViewCommand, DrawsTheViewersPictureToTheBit) {
             viewer::lookingAlong(view.camera, viewer::turned(viewer::headingOf(view.camera), 2e-9, 0.0));
         EXPECT_NE(run(view, folder)["hash"], experiments::hashOf(frame, experiments::Aov::color, nullptr));
     }
+}
+
+TEST_F(ViewCommand, DrawsTheFrameOfASceneThatMoves) {
+    const scene::SceneSetup setup = scenes::makeTraffic(scenes::kDefaultSeed);
+    scenes::MovingScene moving(setup.scene, setup.motion);
+    moving.show(5);
+    viewer::ReproducedView view{.settings = {.scene = "traffic"},
+                                .side = 0,
+                                .camera = scene::canonical(setup.path.at(5)),
+                                .sceneCamera = setup.path.at(0),
+                                .extent = kExtent,
+                                .frame = 5};
+    const render::Frame frame = show(moving.world().scene(), view); // of a scene built anew
+    const std::string hash = experiments::hashOf(frame, experiments::Aov::color, nullptr);
+    const TemporaryFolder folder;
+    EXPECT_EQ(run(view, folder)["hash"], hash);
+    view.frame = 6;
+    EXPECT_NE(run(view, folder)["hash"], hash);
 }
 
 TEST_F(ViewCommand, DrawsARolledViewOfTheRightSideOfASplitScreen) {

@@ -114,6 +114,9 @@ void checkArguments(TimingArguments& arguments, CommandFiles& files) {
     if (!isPlain && arguments.options.framesInFlight > 1) {
         throw base::InputError("--in-flight goes with none of --against, --stages and --memory");
     }
+    if (!isPlain && arguments.options.scene != experiments::kTimingScenes.front()) {
+        throw base::InputError("--scene goes with none of --against, --stages and --memory");
+    }
     if (!arguments.modes.empty()) {
         arguments.options.modes = experiments::timingModesNamed(arguments.modes);
     }
@@ -129,20 +132,24 @@ void checkArguments(TimingArguments& arguments, CommandFiles& files) {
     }
 }
 
+const char* describeScene(const experiments::TimingOptions& options) {
+    return options.scene == "traffic"
+               ? "100,000 cubes that move, from 1 to 10,000,000 units away, one turn about y"
+               : "64,000 unit cubes in a 400^3 field, 60 degrees, near 0.1, far 100,000, one turn about y";
+}
+
 nlohmann::ordered_json makeDocument(const Command& command, const TimingArguments& arguments,
                                     const Results& results) {
     const experiments::TimingOptions& options = arguments.options;
-    auto document =
-        command.makeDocument({{"width", options.width},
-                              {"height", options.height},
-                              {"frames", options.frames},
-                              {"warm_up_frames", experiments::kWarmUpFrames},
-                              {"threads", options.threads},
-                              {"seed", options.seed},
-                              {"scene", "64,000 unit cubes in a 400^3 field, 60 degrees, near 0.1, far "
-                                        "100,000, one turn about y"},
-                              {"frames_in_flight", options.framesInFlight},
-                              {"mode", options.framesInFlight > 1 ? "throughput" : "latency"}});
+    auto document = command.makeDocument({{"width", options.width},
+                                          {"height", options.height},
+                                          {"frames", options.frames},
+                                          {"warm_up_frames", experiments::kWarmUpFrames},
+                                          {"threads", options.threads},
+                                          {"seed", options.seed},
+                                          {"scene", describeScene(options)},
+                                          {"frames_in_flight", options.framesInFlight},
+                                          {"mode", options.framesInFlight > 1 ? "throughput" : "latency"}});
     document["machine"] = experiments::machineJson();
     document["results"] = experiments::jsonOf(timingColumns(), results);
     document["noise_floor_pct"] = results.at(1).overheadPercent;
@@ -297,6 +304,10 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
         ->check(CLI::Range(1u, kMaxFrames));
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that cull, bin and record");
+    command
+        .add_option("--scene", options.scene,
+                    fmt::format("{}; the latter moves", fmt::join(experiments::kTimingScenes, " or ")))
+        ->capture_default_str();
     command
         .add_option("--in-flight", options.framesInFlight,
                     "Frames in flight: 1 times latency, as the thesis; more time throughput")

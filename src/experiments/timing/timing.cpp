@@ -1,9 +1,12 @@
 #include "timing.h"
 
 #include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
 #include <cdr/render/renderer.h>
 #include <experiments/interleaved_frames.h>
 #include <scenes/cubes.h>
+#include <scenes/moving_scene.h>
+#include <scenes/traffic.h>
 
 #include <algorithm>
 #include <chrono>
@@ -26,6 +29,23 @@ FrameSample timedRun(render::Renderer& renderer, const std::vector<scene::Camera
     return {.frameMs = passed.count() / static_cast<double>(cameras.size())};
 }
 
+scene::SceneSetup openTimed(const TimingOptions& options) {
+    const bool moves = options.scene == "traffic";
+    if (!moves && options.scene != "rotation") {
+        throw base::InputError(base::unknownName("scene", options.scene, kTimingScenes));
+    }
+    if (moves && options.framesInFlight > 1) {
+        throw base::InputError("frames in flight are timed of a scene that stands still, not of traffic");
+    }
+    for (const TimingMode& mode : options.modes) {
+        if (moves &&
+            (mode.meshes == TimingMeshes::unshared || mode.surface == render::SurfacePath::visibility)) {
+            throw base::InputError("mode " + mode.name + " draws a scene that stands still, not traffic");
+        }
+    }
+    return moves ? scenes::makeTraffic(options.seed) : scenes::makeRotation(options.seed);
+}
+
 scene::Scene unshared(scene::Scene scene) {
     std::transform(scene.meshes.begin(), scene.meshes.end(), scene.meshes.begin(), scene::unshareVertices);
     for (scene::Material& material : scene.materials) {
@@ -34,31 +54,28 @@ scene::Scene unshared(scene::Scene scene) {
     return scene;
 }
 
+/// The scene as naive code draws it.
+struct NaiveScene {
+    NaiveScene(const gpu::Device& device, const scene::Scene& shared)
+        : scene(unshared(shared)),
+          onDevice(device, scene) {}
+    scene::Scene scene;
+    render::GpuScene onDevice;
+};
+
 /// Every mode's renderer over one scene, and what each took so far.
 class Race {
   public:
     Race(const gpu::Device& device, const TimingOptions& options)
         : m_options(options),
-          m_setup(scenes::makeRotation(options.seed)),
-          m_gpuScene(device, m_setup.scene),
-          m_unsharedScene(unshared(m_setup.scene)),
-          m_unsharedGpuScene(device, m_unsharedScene),
+          m_setup(openTimed(options)),
+          m_moving(m_setup.motion ? std::make_unique<scenes::MovingScene>(m_setup.scene, m_setup.motion)
+                                  : nullptr),
+          m_gpuScene(m_moving != nullptr ? render::GpuScene(device, m_moving->world())
+                                         : render::GpuScene(device, m_setup.scene)),
           m_frames(options.modes.size(), options.seed) {
         for (const TimingMode& mode : options.modes) {
-            const bool isIndexed = mode.meshes == TimingMeshes::indexed;
-            m_renderers.push_back(std::make_unique<render::Renderer>(
-                device, isIndexed ? m_setup.scene : m_unsharedScene,
-                isIndexed ? m_gpuScene : m_unsharedGpuScene,
-                render::RenderOptions{.width = options.width,
-                                      .height = options.height,
-                                      .technique = mode.technique,
-                                      .targets = mode.targets,
-                                      .threads = options.threads,
-                                      .submission = mode.submission,
-                                      .batching = mode.batching,
-                                      .surface = mode.surface,
-                                      .framesInFlight = options.framesInFlight,
-                                      .trace = options.trace}));
+            m_renderers.push_back(makeRenderer(device, mode));
         }
         const scene::Camera first = m_setup.path.at(0);
         m_path = scene::turnPath(first, first.position, options.frames);
@@ -66,6 +83,10 @@ class Race {
 
     void drawFrame(std::uint32_t number) {
         const scene::Camera camera = m_path.at(number);
+        if (m_moving != nullptr) {
+            m_moving->show(number);
+            m_gpuScene.update(); // else the first mode to draw would pay for all
+        }
         m_frames.draw([&](std::size_t mode) {
             if (m_options.trace != nullptr) {
                 m_options.trace->beginFrame(m_options.modes[mode].name);
@@ -95,6 +116,29 @@ class Race {
     }
 
   private:
+    std::unique_ptr<render::Renderer> makeRenderer(const gpu::Device& device, const TimingMode& mode) {
+        const render::RenderOptions options{.width = m_options.width,
+                                            .height = m_options.height,
+                                            .technique = mode.technique,
+                                            .targets = mode.targets,
+                                            .threads = m_options.threads,
+                                            .submission = mode.submission,
+                                            .batching = mode.batching,
+                                            .surface = mode.surface,
+                                            .framesInFlight = m_options.framesInFlight,
+                                            .trace = m_options.trace};
+        if (m_moving != nullptr) {
+            return std::make_unique<render::Renderer>(device, m_gpuScene, options);
+        }
+        if (mode.meshes == TimingMeshes::indexed) {
+            return std::make_unique<render::Renderer>(device, m_setup.scene, m_gpuScene, options);
+        }
+        if (m_naive == nullptr) {
+            m_naive = std::make_unique<NaiveScene>(device, m_setup.scene);
+        }
+        return std::make_unique<render::Renderer>(device, m_naive->scene, m_naive->onDevice, options);
+    }
+
     double medianUs(std::size_t mode, double FrameSample::*part) const {
         return kUsPerMs * m_frames.median(mode, part);
     }
@@ -123,9 +167,9 @@ class Race {
     const TimingOptions& m_options;
     scene::SceneSetup m_setup;
     scene::CameraPath m_path;
+    std::unique_ptr<scenes::MovingScene> m_moving; ///< where the scene moves
     render::GpuScene m_gpuScene;
-    scene::Scene m_unsharedScene;
-    render::GpuScene m_unsharedGpuScene;
+    std::unique_ptr<NaiveScene> m_naive;                        ///< once a mode draws it
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
     InterleavedFrames m_frames;
 };

@@ -8,10 +8,12 @@
 #include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cdr::experiments {
@@ -47,10 +49,14 @@ std::vector<TimingMode> extraTimingModes();
 /// for an unknown name.
 std::vector<TimingMode> timingModesNamed(const std::vector<std::string>& names);
 
+/// Scenes that modes are timed over: the thesis' cubes, and cubes that move.
+inline constexpr std::array<std::string_view, 2> kTimingScenes{"rotation", "traffic"};
+
 /// Figure 6.4: what each technique costs over standard. 64,000 unit cubes in a 400^3 field, the camera in the
 /// middle turning once about y over all frames; every mode renders a camera before the next camera, in an
 /// order shuffled anew for each.
 struct TimingOptions {
+    std::string scene{kTimingScenes.front()}; ///< of kTimingScenes
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
     std::uint32_t frames = 10'000; ///< measured, without the warm-up
@@ -92,7 +98,8 @@ struct TimingResult {
 /// Called before each frame with how many of all frames, warm-up included, are done.
 using TimingProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Results in the order of the modes. base::InputError for no frames or fewer than two modes.
+/// Results in the order of the modes. base::InputError for no frames or fewer than two modes, for an unknown scene, and
+/// where frames in flight, unshared meshes or a visibility buffer meet a scene that moves.
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
                                     const TimingProgress& progress);
 

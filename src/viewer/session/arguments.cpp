@@ -63,6 +63,8 @@ void addRenderLine(CLI::App& program, Arguments& arguments) {
 /// What the copied command line says of the camera.
 void addPlace(CLI::App& program, Arguments& arguments) {
     program.option_defaults()->group("Camera");
+    program.add_option("--frame", arguments.camera.frame, "Frame at which a scene that moves begins")
+        ->check(experiments::wholeNumber());
     experiments::addCameraOptions(program, arguments.camera);
     experiments::addSceneChoice(program, arguments.choice);
     program.option_defaults()->group("Options");

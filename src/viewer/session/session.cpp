@@ -19,7 +19,7 @@ constexpr std::chrono::milliseconds kSurfacesEvery{100};
 constexpr std::chrono::seconds kRateWindow{1};
 
 bool asksTheSame(const RenderRequest& a, const RenderRequest& b) {
-    return a.camera == b.camera && a.settings == b.settings && a.extent == b.extent;
+    return a.camera == b.camera && a.frame == b.frame && a.settings == b.settings && a.extent == b.extent;
 }
 
 } // namespace
@@ -85,6 +85,9 @@ RenderRequest Session::wanted(const PictureArea& area) const {
     const bool isOpen = m_model.shown != nullptr && m_model.shown->sceneName == m_model.settings.scene;
     if (isOpen && m_model.hasCamera) {
         request.camera = m_model.camera;
+    }
+    if (isOpen && m_model.shown->scene->setup.motion) {
+        request.frame = m_model.pathFrame;
     }
     return request;
 }
@@ -274,7 +277,7 @@ void Session::enterScene(const RenderResult& result) {
     const auto first = std::exchange(m_model.firstCamera, std::nullopt);
     m_model.camera = scene::canonical(first ? overridden(result.camera, *first) : result.camera);
     m_model.hasCamera = true;
-    m_model.pathFrame = 0;
+    m_model.pathFrame = first ? first->frame : 0;
     m_model.surfaceView = 0.0;
     m_model.measuring.clear();
     m_model.statistics.clear();

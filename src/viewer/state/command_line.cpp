@@ -98,8 +98,9 @@ bool isSamePose(const scene::Camera& a, const scene::Camera& b) {
     return a.position == b.position && a.right == b.right && a.up == b.up && a.back == b.back;
 }
 
-void addCamera(Words& words, const scene::Camera& camera, const scene::Camera& own) {
-    if (!isSamePose(camera, own)) {
+/// @param isOwnFrame whether the scene's own camera is the one of the frame shown
+void addCamera(Words& words, const scene::Camera& camera, const scene::Camera& own, bool isOwnFrame) {
+    if (!isOwnFrame || !isSamePose(camera, own)) {
         const scene::Camera said = scene::canonical(camera);
         words.add("--eye", exactText(said.position));
         words.add("--direction", exactText(-said.back));
@@ -120,7 +121,8 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     // A file whose name begins with a minus would be an option.
     words.add(settings.scene.starts_with('-') ? fmt::format("./{}", settings.scene) : settings.scene);
     addTechnique(words, settings, renderOptions(settings, view.side, view.extent).technique);
-    addCamera(words, view.camera, view.sceneCamera);
+    words.addUnless(view.frame == 0, "--frame", fmt::format("{}", view.frame));
+    addCamera(words, view.camera, view.sceneCamera, view.frame == 0);
     const bool isGrey = settings.colours == scenes::Colours::thesis || scene::isGltfPath(settings.scene);
     words.addUnless(isGrey, "--colours", nameOf(settings.colours));
     const auto addChoice = [&words](std::string_view option, const std::optional<std::uint32_t>& number) {

@@ -4,6 +4,7 @@
 
 #include <cdr/scene/camera.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,7 @@ struct ReproducedView {
     scene::Camera camera;
     scene::Camera sceneCamera; ///< the scene's own at frame 0: what agrees with it is left out
     PictureExtent extent;
+    std::uint32_t frame = 0; ///< at which a scene that moves is shown
 };
 
 /// The `cdr render` line that draws the same picture without a window, quoted for a POSIX shell, writing to

@@ -24,6 +24,7 @@ struct RenderRequest {
     ViewSettings settings;
     PictureExtent extent;
     std::optional<scene::Camera> camera; ///< the scene's own first one without
+    std::uint32_t frame = 0;             ///< at which a scene that moves is shown
     /// Frames that picking can read. Copying them costs several times what the picture costs.
     bool wantsSurfaces = true;
     bool countsWrong = false; ///< in views that do not, too; takes wantsSurfaces and a frame more
@@ -57,6 +58,7 @@ struct RenderResult {
     std::shared_ptr<const scene::OpenedScene> scene{};
     std::shared_ptr<const Obstacles> obstacles{}; ///< of that scene; lives no longer than it
     scene::Camera camera{};
+    std::uint32_t frame = 0;           ///< the request's
     std::vector<SideResult> sides{};   ///< empty when it failed
     double compositeMs = 0.0;          ///< frames turned into what the view shows
     double frameMs = 0.0;              ///< from the request taken to the pictures made

@@ -33,7 +33,8 @@ std::string commandLinesOf(const ViewerModel& model) {
             .side = side,
             .camera = shown.camera,
             .sceneCamera = model.sceneCamera,
-            .extent = {shown.sides[side].options.width, shown.sides[side].options.height}};
+            .extent = {shown.sides[side].options.width, shown.sides[side].options.height},
+            .frame = shown.frame};
         const char* name = side == 0 ? "left.png" : "right.png";
         lines += fmt::format("{}{}", side == 0 ? "" : "\n", renderCommand(view, isSplit ? name : "view.png"));
     }

@@ -82,6 +82,14 @@ TEST(RenderCommand, SaysEverythingThatIsChosen) {
     EXPECT_EQ(valueOf(renderCommand(view), "--technique"), "logcdr");
 }
 
+TEST(RenderCommand, SaysTheFrameOfASceneThatMovesAndTheCameraThere) {
+    ReproducedView view = viewWith(kOwn);
+    view.frame = 7; // where the scene's own camera is another one
+    EXPECT_EQ(valueOf(renderCommand(view), "--frame"), "7");
+    EXPECT_EQ(cameraIn(renderCommand(view)).position, kOwn.position);
+    EXPECT_NE(valueOf(renderCommand(view), "--eye"), "");
+}
+
 TEST(RenderCommand, MapsViewsToOutputs) {
     ReproducedView view = viewWith(kOwn);
     const std::pair<ViewKind, const char*> kinds[] = {

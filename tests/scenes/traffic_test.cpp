@@ -1,0 +1,59 @@
+#include <cdr/base/error.h>
+#include <scenes/moving_scene.h>
+#include <scenes/open_scene.h>
+#include <scenes/traffic.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cdr::scenes {
+
+namespace {
+
+TEST(Traffic, ReachesFromAUnitToTenMillionInEachDecade) {
+    const scene::SceneSetup setup = openScene("traffic", 2013).setup;
+    ASSERT_EQ(setup.scene.instances.size(), 100'000u);
+    for (const std::uint32_t frame : {0u, 100u}) {
+        std::array<int, 7> decades{};
+        for (const scene::Transform& transform : setup.motion(frame)) {
+            const double distance = glm::length(transform.position);
+            ASSERT_GE(distance, 0.999999);
+            ASSERT_LE(distance, 1.000001e7);
+            ++decades[static_cast<std::size_t>(std::clamp(std::log10(distance), 0.0, 6.999))];
+        }
+        for (const int movers : decades) {
+            EXPECT_NEAR(movers, 100'000 / 7, 500);
+        }
+    }
+}
+
+TEST(Traffic, AllMoveAndEveryFrameCanBeMadeAlone) {
+    const scene::SceneSetup setup = makeTraffic(1, 500);
+    const std::vector<scene::Transform> before = setup.motion(3);
+    const std::vector<scene::Transform> after = setup.motion(4);
+    EXPECT_EQ(setup.motion(3), before);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const double share =
+            glm::length(after[i].position - before[i].position) / glm::length(before[i].position);
+        EXPECT_GT(share, 0.0);
+        EXPECT_LT(share, 0.004);
+        EXPECT_NE(after[i].basis, before[i].basis);
+    }
+    MovingScene moving(setup.scene, setup.motion);
+    for (const std::uint32_t frame : {7u, 4u}) {
+        moving.show(frame);
+    }
+    const scene::Instances& instances = moving.world().scene().instances;
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        EXPECT_EQ(instances.position(i), after[i].position);
+        EXPECT_EQ(instances.basis[i], after[i].basis);
+    }
+    EXPECT_THROW(makeTraffic(1, scene::kMaxObjects + 1), base::InputError);
+}
+
+} // namespace
+
+} // namespace cdr::scenes
