@@ -62,6 +62,8 @@ struct CascadePush {
     uint cascade;
     float minDepth; // the slice of the depth range the cascade draws in, as its viewport has it
     float maxDepth;
+    float layerOffset; // scene::Material::layer of the draws
+    float layerRank;   // render::LayerPlace::rank
 };
 
 // Where a draw record lies in push constants, after the cascade's: for draws that bring their record along.
@@ -136,7 +138,7 @@ struct ShadingHeader {
 #ifdef __cplusplus
 static_assert(kMetallicSteps * kRoughnessSteps <= kShineMask);
 static_assert(sizeof(DrawRecord) == 64);
-static_assert(sizeof(CascadePush) == 40);
+static_assert(sizeof(CascadePush) == 48);
 static_assert(kPushedRecordOffset % 16 == 0 && kPushedRecordOffset >= sizeof(CascadePush));
 static_assert(kPushedRecordOffset + sizeof(DrawRecord) <= 128); // what every device has
 static_assert(sizeof(FacetVertex) == 16);

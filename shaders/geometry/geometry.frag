@@ -29,12 +29,18 @@ layout(location = 0) out uvec4 outTexel;
 #ifdef WRITES_DEPTH
 layout(depth_greater) out float gl_FragDepth; // than the tangent that the vertex shader set
 #endif
+#ifdef LAYERED
+#include "geometry/layered_depth.glsl"
+#endif
 
 void main() {
 #ifdef FACETED
     float ahead = inAhead;
 #else
     float ahead = inNormalAhead.w;
+#endif
+#ifdef LAYERED
+    gl_FragDepth = layeredDepth(ahead); // before anything is discarded, since it needs derivatives
 #endif
     // Clipping would round to the size of the triangle; the interpolated distance rounds to itself, and is the same in
     // every cascade, so cutting by it leaves no seam.

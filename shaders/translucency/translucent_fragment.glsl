@@ -26,7 +26,7 @@ layout(location = 5) flat in uint inShine;
 
 struct TranslucentFragment {
     vec4 color;        // lit, linear, straight alpha
-    vec2 distanceView; // a float pair
+    vec2 distanceView; // a float pair, less the offset of the layer: what is in front of what
 };
 
 // Whether the opaque surface of the pixel lies in front. Both distances are metric and as exact as what drew them, so
@@ -49,14 +49,21 @@ vec4 seenColor(vec4 baseColor, float ahead) {
     return vec4(throughFog(color, ray, distanceView), baseColor.a);
 }
 
+// By how much the fragment's layer moves it towards the camera.
+float layerShift(float ahead) {
+    float steepness = abs(dFdx(ahead)) + abs(dFdy(ahead));
+    return min(push.layerOffset + push.layerSlope * steepness, 0.5 * (inCentreRange.x + ahead));
+}
+
 // Discards what belongs to another cascade or is occluded.
 TranslucentFragment translucentFragment() {
     float ahead = inNormalAhead.w;
+    float shift = layerShift(ahead); // before anything is discarded, since it needs derivatives
     // Half-open: of two cascades that meet, exactly one keeps a fragment, since both compare the same bits.
     if (!(ahead >= inCentreRange.z && ahead < inCentreRange.w)) {
         discard;
     }
-    vec2 distanceView = pairSum(inCentreRange.xy, ahead);
+    vec2 distanceView = pairSum(pairSum(inCentreRange.xy, ahead), -shift);
     if (isOccluded(distanceView)) {
         discard;
     }

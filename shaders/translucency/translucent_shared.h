@@ -33,10 +33,13 @@ struct TranslucentPush {
     float projectionY;
     float
         behind; // view distance below which vertices are clipped: nearer than anything visible, and in front
-    float nearView; // the cascade's, for weights
-    float spread;   // 1 / ln(far / near)
-    uint width;     // of the picture
-    uint capacity;  // of the fragment list, in fragments
+    float nearView;    // the cascade's, for weights
+    float spread;      // 1 / ln(far / near)
+    uint width;        // of the picture
+    uint capacity;     // of the fragment list, in fragments
+    float layerOffset; // scene::Material::layer
+    float
+        layerSlope; // render::LayerPlace::rank, times the pixels by which the device rounds two vertices apart
 };
 
 // One translucent fragment of a pixel's list.
@@ -57,7 +60,7 @@ CDR_CONST kNoNode = 0u;
 
 #ifdef __cplusplus
 static_assert(sizeof(TranslucentRecord) == 80);
-static_assert(sizeof(TranslucentPush) == 28);
+static_assert(sizeof(TranslucentPush) == 36);
 static_assert(sizeof(FragmentNode) == 32);
 } // namespace cdr::shaders
 #endif

@@ -76,7 +76,8 @@ vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipe
     const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
     const bool hasDepth = options.depthFormat != vk::Format::eUndefined;
     const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
-    const vk::PipelineRasterizationStateCreateInfo raster{.depthClampEnable = hasDepth, .lineWidth = 1.0f};
+    const vk::PipelineRasterizationStateCreateInfo raster{
+        .depthClampEnable = hasDepth, .depthBiasEnable = options.hasDepthBias, .lineWidth = 1.0f};
     const vk::PipelineMultisampleStateCreateInfo multisample{};
     const vk::PipelineDepthStencilStateCreateInfo depth{
         .depthTestEnable = hasDepth, .depthWriteEnable = hasDepth, .depthCompareOp = options.depthCompare};
@@ -84,10 +85,14 @@ vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipe
                                                                     blendState(options.blend));
     const vk::PipelineColorBlendStateCreateInfo blend{
         .attachmentCount = static_cast<std::uint32_t>(blends.size()), .pAttachments = blends.data()};
-    constexpr std::array kDynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor,
-                                  vk::DynamicState::eCullMode, vk::DynamicState::eFrontFace};
-    const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = kDynamic.size(),
-                                                     .pDynamicStates = kDynamic.data()};
+    std::vector<vk::DynamicState> dynamicStates{vk::DynamicState::eViewport, vk::DynamicState::eScissor,
+                                                vk::DynamicState::eCullMode, vk::DynamicState::eFrontFace};
+    if (options.hasDepthBias) {
+        dynamicStates.push_back(vk::DynamicState::eDepthBias);
+    }
+    const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount =
+                                                         static_cast<std::uint32_t>(dynamicStates.size()),
+                                                     .pDynamicStates = dynamicStates.data()};
     const vk::PipelineRenderingCreateInfo rendering{
         .colorAttachmentCount = static_cast<std::uint32_t>(options.colorFormats.size()),
         .pColorAttachmentFormats = options.colorFormats.data(),

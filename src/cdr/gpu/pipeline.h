@@ -32,6 +32,7 @@ struct GraphicsPipelineOptions {
     /// eUndefined: no depth test. Otherwise depth is tested, written and clamped.
     vk::Format depthFormat = vk::Format::eUndefined;
     vk::CompareOp depthCompare = vk::CompareOp::eLessOrEqual;
+    bool hasDepthBias = false; ///< set by setDepthBias(), dynamic
     Blend blend = Blend::none; ///< of every attachment
 };
 

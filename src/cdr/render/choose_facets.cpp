@@ -24,6 +24,9 @@ const char* refusalOf(const DrawnScene& drawn, const RenderOptions& options) {
     if (drawn.uploaded.hasBlended()) {
         return "blended surfaces read the G-buffer";
     }
+    if (drawn.uploaded.hasLayers()) {
+        return "materials with a layer set their depth per pixel";
+    }
     if (drawn.uploaded.isLive()) {
         return "its meshes are those of a scene that stays as it is";
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/render/geometry/layers.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/material_words.h>
 
@@ -36,7 +37,9 @@ inline constexpr std::uint32_t kMaskedVariant = 2;
 /// Every triangle is of one colour and normal and seen from one side, so its surface is encoded per vertex.
 /// Never textured or masked.
 inline constexpr std::uint32_t kFacetedVariant = 4;
-inline constexpr std::size_t kPipelineVariants = 5;
+/// It lies in a layer. Never faceted.
+inline constexpr std::uint32_t kLayeredVariant = 8;
+inline constexpr std::size_t kPipelineVariants = 12;
 
 /// What draws of the same mesh, material and handedness share. Consecutive draws of one kind bind nothing in
 /// between and may become one instanced draw.
@@ -46,6 +49,7 @@ struct DrawKind {
     std::uint32_t variant = 0; ///< below kPipelineVariants
     bool doubleSided = false;
     bool mirrored = false;
+    LayerPlace layer;
     vk::DescriptorSet textureSet; ///< set 0
 };
 

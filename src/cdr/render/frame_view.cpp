@@ -43,7 +43,9 @@ shaders::CascadePush makeCascadePush(const FrameView& view, std::size_t cascade)
             .projectionY = static_cast<float>(-1.0 / view.frustum.tanY),
             .cascade = static_cast<std::uint32_t>(cascade),
             .minDepth = made.slice.min,
-            .maxDepth = made.slice.max};
+            .maxDepth = made.slice.max,
+            .layerOffset = 0.0f,
+            .layerRank = 0.0f};
 }
 
 } // namespace cdr::render

@@ -67,10 +67,12 @@ bool isFaceted(const scene::Mesh& mesh) {
 std::uint32_t variantOf(const MeshRange& mesh, const scene::Material& material) {
     const bool isMasked = material.alphaMode == scene::AlphaMode::mask;
     const bool isTextured = material.baseColorTexture.has_value();
-    if (mesh.isFaceted && !isTextured && !isMasked && !material.doubleSided) {
+    const bool isLayered = material.layer != 0.0f && material.alphaMode != scene::AlphaMode::blend;
+    if (mesh.isFaceted && !isTextured && !isMasked && !isLayered && !material.doubleSided) {
         return kFacetedVariant;
     }
-    return (isTextured ? kTexturedVariant : 0) + (isMasked ? kMaskedVariant : 0);
+    return (isTextured ? kTexturedVariant : 0) + (isMasked ? kMaskedVariant : 0) +
+           (isLayered ? kLayeredVariant : 0);
 }
 
 std::uint64_t predictBytes(const scene::Scene& scene) {
@@ -152,7 +154,8 @@ class GpuScene::State {
     std::vector<MaterialWords> m_materials;
     bool m_isShiny = false;
     bool m_hasBlended = false;
-    std::vector<DrawKind> m_kinds; ///< only ever more
+    std::vector<LayerPlace> m_layers; ///< by material
+    std::vector<DrawKind> m_kinds;    ///< only ever more
     std::vector<KindKey> m_kindKeys;
     std::map<KindKey, std::uint32_t> m_kindIndices;
     std::vector<DrawSource> m_sources;
@@ -248,6 +251,10 @@ bool GpuScene::isShiny() const {
 }
 bool GpuScene::hasBlended() const {
     return m_state->m_hasBlended;
+}
+bool GpuScene::hasLayers() const {
+    return std::any_of(m_state->m_layers.begin(), m_state->m_layers.end(),
+                       [](const LayerPlace& layer) { return layer.offset != 0.0f; });
 }
 std::span<const std::uint32_t> GpuScene::blended() const {
     return m_state->m_blended;
@@ -362,6 +369,7 @@ void GpuScene::State::updateTextures() {
 
 void GpuScene::State::readMaterials() {
     m_materials.clear();
+    m_layers = layerPlaces(m_scene->materials);
     m_isShiny = false;
     m_hasBlended = false;
     for (const scene::Material& material : m_scene->materials) {
@@ -382,6 +390,7 @@ DrawKind GpuScene::State::kindOf(const KindKey& key) const {
             .variant = variantOf(m_meshes[mesh], material),
             .doubleSided = material.doubleSided,
             .mirrored = mirrored,
+            .layer = m_layers[materialIndex],
             .textureSet = texture.set};
 }
 

@@ -81,6 +81,8 @@ class CDR_EXPORT GpuScene {
     bool isShiny() const;
     /// Whether any material blends; a scene without is drawn without a pass for translucent surfaces.
     bool hasBlended() const;
+    /// Whether any material has a layer.
+    bool hasLayers() const;
     /// The instances whose material blends, ascending. They are drawn after all others.
     std::span<const std::uint32_t> blended() const;
     /// The instances that do not blend, as culling reads them: made at the first call, and as they are since the last

@@ -6,6 +6,7 @@
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
 #include <cdr/render/geometry/batching.h>
+#include <cdr/render/geometry/layers.h>
 #include <cdr/render/submit/submission.h>
 #include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets_choice.h>
@@ -33,6 +34,7 @@ struct RenderOptions {
     Effects effects{};                  ///< none unless told
     Focus focus{};                      ///< on, it needs targets `layers`, and effects without occlusion
     TranslucencyOptions translucency{}; ///< of blended surfaces
+    LayerOptions layers{};              ///< how surfaces in layers are drawn
     /// Opaque vertices are rounded to this many sub-pixel bits before the device sees them, as a device with
     /// as few does by itself; 0: not. At most kMaxSnapBits.
     std::uint32_t snapBits = 0;

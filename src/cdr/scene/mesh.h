@@ -77,6 +77,9 @@ struct Material {
     bool unlit = false;                              ///< shows its base colour, whatever light there is
     AlphaMode alphaMode = AlphaMode::opaque;         ///< what alpha does
     float alphaCutoff = 0.5f;                        ///< with AlphaMode::mask: below it nothing is drawn
+    /// Offset towards the camera, along the view distance, in scene units, finite; below 0 away from it. It decides
+    /// which of two surfaces at the same place is seen, and moves nothing else. See src/cdr/render/README.md, "Layers".
+    float layer = 0.0f;
 };
 
 /// A box of the given half sides about the origin, 24 vertices, flat normals, 12 triangles.

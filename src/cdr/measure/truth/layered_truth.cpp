@@ -46,8 +46,8 @@ std::vector<SurfaceHit> hitsAt(const View& view, std::uint32_t x, std::uint32_t 
     }
     // At one distance a translucent surface lies on the opaque one, not below it.
     std::sort(hits.begin(), hits.end(), [](const SurfaceHit& a, const SurfaceHit& b) {
-        return std::make_tuple(a.distanceView, !a.isBlended, a.id) <
-               std::make_tuple(b.distanceView, !b.isBlended, b.id);
+        return std::make_tuple(a.distanceView - a.layer, !a.isBlended, a.id) <
+               std::make_tuple(b.distanceView - b.layer, !b.isBlended, b.id);
     });
     const auto end =
         std::find_if(hits.begin(), hits.end(), [](const SurfaceHit& hit) { return !hit.isBlended; });

@@ -95,6 +95,7 @@ void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const
         const glm::dvec3 normal = interpolate(
             mesh, i, weights, [](const scene::Vertex& vertex) { return glm::dvec3(vertex.normal); });
         const SurfaceHit found{.distanceView = hit,
+                               .layer = visible.layer,
                                .id = visible.id,
                                .isBlended = material.alphaMode == scene::AlphaMode::blend,
                                .isUnlit = material.unlit,

@@ -15,6 +15,7 @@ namespace cdr::measure {
 /// One surface that a ray meets, with all that its colour follows from.
 struct SurfaceHit {
     double distanceView = 0.0;
+    double layer = 0.0;     ///< scene::Material::layer
     std::uint32_t id = 0;   ///< object index + 1
     bool isBlended = false; ///< else it ends the ray
     bool isUnlit = false;

@@ -7,28 +7,52 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace cdr::measure {
 
 namespace {
 
-bool isNearer(double distanceA, std::uint32_t idA, double distanceB, std::uint32_t idB) {
-    return distanceA < distanceB || (distanceA == distanceB && idA < idB);
+/// A surface of a pixel.
+struct Seen {
+    double distanceView;
+    float layer;
+    std::uint32_t id;
+
+    double rank() const { return distanceView - layer; }
+    bool isBefore(const Seen& other) const {
+        return rank() < other.rank() || (rank() == other.rank() && id < other.id);
+    }
+};
+
+Seen firstOf(const TruthPixel& pixel) {
+    return {pixel.distanceView, pixel.layer, pixel.id};
+}
+
+Seen secondOf(const TruthPixel& pixel) {
+    return {pixel.secondDistanceView, pixel.secondLayer, pixel.secondId};
+}
+
+void setFirst(TruthPixel& pixel, const Seen& seen) {
+    std::tie(pixel.distanceView, pixel.layer, pixel.id) = std::tie(seen.distanceView, seen.layer, seen.id);
+}
+
+void setSecond(TruthPixel& pixel, const Seen& seen) {
+    std::tie(pixel.secondDistanceView, pixel.secondLayer, pixel.secondId) =
+        std::tie(seen.distanceView, seen.layer, seen.id);
 }
 
 /// Enters a visible hit. Whatever the order of hits, the pixel ends up the same.
-void enterHit(TruthPixel& pixel, double distanceView, std::uint32_t id) {
-    if (id == pixel.id) {
-        pixel.distanceView = std::min(pixel.distanceView, distanceView);
-    } else if (isNearer(distanceView, id, pixel.distanceView, pixel.id)) {
-        pixel.secondId = pixel.id;
-        pixel.secondDistanceView = pixel.distanceView;
-        pixel.id = id;
-        pixel.distanceView = distanceView;
-    } else if (isNearer(distanceView, id, pixel.secondDistanceView, pixel.secondId)) {
-        pixel.secondId = id;
-        pixel.secondDistanceView = distanceView;
+void enterHit(TruthPixel& pixel, const Seen& hit) {
+    const Seen first = firstOf(pixel);
+    if (hit.isBefore(first)) {
+        if (hit.id != first.id) {
+            setSecond(pixel, first);
+        }
+        setFirst(pixel, hit);
+    } else if (hit.id != first.id && hit.isBefore(secondOf(pixel))) {
+        setSecond(pixel, hit);
     }
 }
 
@@ -37,25 +61,26 @@ void castInstance(const VisibleInstance& instance, const PixelRect& pixels, cons
     for (std::uint32_t y = pixels.top; y < pixels.bottom; ++y) {
         for (std::uint32_t x = pixels.left; x < pixels.right; ++x) {
             TruthPixel& pixel = truth.at(x, y);
-            if (instance.nearestView > pixel.secondDistanceView) {
+            const double secondRank = secondOf(pixel).rank();
+            if (instance.nearestRank() > secondRank) {
                 continue;
             }
-            const ViewRange range{camera.nearView, std::min(camera.farView, pixel.secondDistanceView)};
+            const ViewRange range{camera.nearView, std::min(camera.farView, secondRank + instance.layer)};
             const double hit = instance.shape->nearest(instance.camera.ray(slopes.x[x], slopes.y[y]),
                                                        instance.doubleSided, range);
             if (hit < kNoHit) {
-                enterHit(pixel, hit, instance.id);
+                enterHit(pixel, {hit, static_cast<float>(instance.layer), instance.id});
             }
         }
     }
 }
 
-/// Beyond this view distance nothing changes the tile any more.
-double farthestSecond(const PixelRect& pixels, const TruthImage& truth) {
-    double farthest = 0.0;
+/// Beyond this distance less its layer nothing changes the tile any more.
+double farthestSecondRank(const PixelRect& pixels, const TruthImage& truth) {
+    double farthest = -kNoHit;
     for (std::uint32_t y = pixels.top; y < pixels.bottom; ++y) {
         for (std::uint32_t x = pixels.left; x < pixels.right; ++x) {
-            farthest = std::max(farthest, truth.at(x, y).secondDistanceView);
+            farthest = std::max(farthest, secondOf(truth.at(x, y)).rank());
         }
     }
     return farthest;
@@ -68,7 +93,7 @@ void castTile(std::span<const VisibleInstance> nearestFirst, std::span<const std
     constexpr std::size_t kCheckEvery = 8;
     for (std::size_t i = 0; i < members.size(); ++i) {
         const VisibleInstance& instance = nearestFirst[members[i]];
-        if (i % kCheckEvery == kCheckEvery - 1 && instance.nearestView > farthestSecond(tile, truth)) {
+        if (i % kCheckEvery == kCheckEvery - 1 && instance.nearestRank() > farthestSecondRank(tile, truth)) {
             return;
         }
         castInstance(instance, intersection(tile, instance.pixels), slopes, camera, truth);

@@ -12,8 +12,9 @@
 
 namespace cdr::measure {
 
-/// What a perfect renderer sees through one pixel's centre. Of surfaces at the same distance to the last bit
-/// the one with the lower object index counts as nearer.
+/// What a perfect renderer sees through one pixel's centre. The nearest surface is the one whose distance, less its
+/// material's layer, is least. Of surfaces where that is the same to the last bit it is the one with the lower object
+/// index.
 struct TruthPixel {
     std::uint32_t id = 0;       ///< object index + 1 of the nearest surface; 0 is background
     std::uint32_t secondId = 0; ///< the nearest surface of another object along the same ray; 0 if none
@@ -21,6 +22,9 @@ struct TruthPixel {
     double distanceView = std::numeric_limits<double>::infinity();
     /// View distance of the second; infinity if none.
     double secondDistanceView = std::numeric_limits<double>::infinity();
+
+    float layer = 0.0f; ///< of the nearest surface's material
+    float secondLayer = 0.0f;
 
     bool operator==(const TruthPixel&) const = default;
 };

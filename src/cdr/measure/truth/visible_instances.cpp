@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <tuple>
+#include <utility>
 
 namespace cdr::measure {
 
@@ -53,6 +53,9 @@ ViewBox viewBox(const Shape& shape, const scene::Camera& camera, const glm::dvec
 struct Candidate {
     std::uint32_t instance;
     Footprint footprint;
+    double layer;
+
+    double nearestRank() const { return footprint.nearestView - layer; }
 };
 
 std::vector<Candidate> candidates(const scene::Scene& scene, std::span<const Shape> shapes,
@@ -72,7 +75,8 @@ std::vector<Candidate> candidates(const scene::Scene& scene, std::span<const Sha
             const ViewBox box = viewBox(shapes[instances.mesh[i]], camera, instances.position(i),
                                         instances.basis[i], inverse->skew);
             if (const auto seen = footprint(box, camera, width, height)) {
-                found[job].push_back({static_cast<std::uint32_t>(i), *seen});
+                found[job].push_back(
+                    {static_cast<std::uint32_t>(i), *seen, scene.materials[instances.material[i]].layer});
             }
         }
     });
@@ -90,7 +94,7 @@ std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::sp
                                               std::uint32_t height, host::WorkerPool& workers) {
     std::vector<Candidate> nearestFirst = candidates(scene, shapes, camera, width, height, workers);
     std::sort(nearestFirst.begin(), nearestFirst.end(), [](const Candidate& a, const Candidate& b) {
-        return std::tie(a.footprint.nearestView, a.instance) < std::tie(b.footprint.nearestView, b.instance);
+        return std::make_pair(a.nearestRank(), a.instance) < std::make_pair(b.nearestRank(), b.instance);
     });
     const scene::Instances& instances = scene.instances;
     std::vector<VisibleInstance> visible;
@@ -100,7 +104,7 @@ std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::sp
         visible.push_back(
             {&shapes[instances.mesh[i]], candidate.instance,
              scene.materials[instances.material[i]].doubleSided, instances.object[i] + 1,
-             candidate.footprint.nearestView, candidate.footprint.pixels,
+             candidate.footprint.nearestView, candidate.layer, candidate.footprint.pixels,
              placeCamera(camera, instances, i, invertBasis(instances.basis[i])->worldToObject)});
     }
     return visible;

@@ -20,11 +20,16 @@ struct VisibleInstance {
     bool doubleSided = false;
     std::uint32_t id = 0; ///< object index + 1
     double nearestView = 0.0;
+    double layer = 0.0; ///< scene::Material::layer
     PixelRect pixels;
     PlacedCamera camera;
+
+    /// What decides which surface is seen: the least that any hit can have.
+    double nearestRank() const { return nearestView - layer; }
 };
 
-/// The instances that may cover pixels of the picture, by nearest view distance, then by instance index.
+/// The instances that may cover pixels of the picture, by nearest view distance less
+/// the layer, then by instance index.
 /// base::InputError when an instance is not finite or refers to a mesh, material or object that cannot be.
 /// @param shapes one per mesh of the scene; must outlive the result.
 std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::span<const Shape> shapes,

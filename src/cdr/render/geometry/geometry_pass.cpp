@@ -4,6 +4,7 @@
 #include <cdr/render/view_transform.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace cdr::render {
 
@@ -47,6 +48,9 @@ class GeometryPass::StateBinder {
             m_commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
             m_pipeline = pipeline;
         }
+        if ((kind.variant & kLayeredVariant) != 0 && kind.layer != m_layer) {
+            setLayer(kind.layer);
+        }
         if (kind.textureSet != m_textureSet) {
             m_commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 0,
                                           kind.textureSet, {});
@@ -68,10 +72,24 @@ class GeometryPass::StateBinder {
   private:
     static constexpr int kUnset = -1;
 
+    void setLayer(const LayerPlace& layer) {
+        m_layer = layer;
+        const LayerOptions& options = m_pipelines.layers();
+        if (options.method == LayerMethod::polygonOffset) {
+            const float towards = depth::isReversed(m_pipelines.mapping()) ? layer.rank : -layer.rank;
+            m_commands.setDepthBias(towards * options.constantFactor, 0.0f, towards * options.slopeFactor);
+            return;
+        }
+        m_commands.pushConstants<float>(m_pipelines.layout(), GeometryPipelines::kStages,
+                                        offsetof(shaders::CascadePush, layerOffset),
+                                        {layer.offset, layer.rank});
+    }
+
     const GeometryPipelines& m_pipelines;
     vk::CommandBuffer m_commands;
     vk::Pipeline m_pipeline;
     vk::DescriptorSet m_textureSet;
+    LayerPlace m_layer;
     int m_doubleSided = kUnset;
     int m_mirrored = kUnset;
 };

@@ -8,6 +8,7 @@
 #include <cdr/shaders/geometry_faceted_frag.h>
 #include <cdr/shaders/geometry_faceted_vert.h>
 #include <cdr/shaders/geometry_frag.h>
+#include <cdr/shaders/geometry_layered_frag.h>
 #include <cdr/shaders/geometry_pushed_faceted_vert.h>
 #include <cdr/shaders/geometry_pushed_vert.h>
 #include <cdr/shaders/geometry_vert.h>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -43,11 +45,20 @@ Spirv vertexShader(Batching batching, bool isFaceted) {
     return isFaceted ? Spirv(kGeometryFacetedVert) : Spirv(kGeometryVert);
 }
 
-Spirv fragmentShader(bool writesDepth, bool isFaceted) {
+Spirv fragmentShader(bool writesDepth, bool isFaceted, bool movesDepth) {
+    if (movesDepth) {
+        return kGeometryLayeredFrag;
+    }
     if (writesDepth) {
         return isFaceted ? Spirv(kGeometryDepthFacetedFrag) : Spirv(kGeometryDepthFrag);
     }
     return isFaceted ? Spirv(kGeometryFacetedFrag) : Spirv(kGeometryFrag);
+}
+
+/// Between two depths that a buffer holds; 0 for floats, whose steps differ.
+float depthStepOf(depth::DepthFormat format) {
+    const depth::DepthFormatTraits& traits = depth::traitsOf(format);
+    return traits.isFloat ? 0.0f : std::ldexp(1.0f, -traits.bits);
 }
 
 vk::PushConstantRange pushRange(Batching batching) {
@@ -132,26 +143,33 @@ void GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene, b
     const depth::Mapping mapping = m_options.technique.mapping;
     const std::uint32_t form = depthFormOf(mapping, wide);
     const bool writesDepth = form == shaders::kDepthFormLogFragment;
+    const bool isBiased = m_options.layers.method == LayerMethod::polygonOffset;
     for (const DrawKind& kind : scene.kinds()) {
         vk::UniquePipeline& pipeline = pipelines[kind.variant];
         if (pipeline) {
             continue;
         }
+        const bool isLayered = (kind.variant & kLayeredVariant) != 0;
         pipeline = gpu::makeGraphicsPipeline(
             device,
             {.name = wide ? "geometry, wide" : "geometry",
              .vertexSpirv = vertexShader(m_options.batching, (kind.variant & kFacetedVariant) != 0),
-             .fragmentSpirv = fragmentShader(writesDepth, (kind.variant & kFacetedVariant) != 0),
+             .fragmentSpirv =
+                 fragmentShader(writesDepth, (kind.variant & kFacetedVariant) != 0, isLayered && !isBiased),
              .constants = {form, kind.variant & kTexturedVariant ? 1u : 0u,
                            kind.variant & kMaskedVariant ? 1u : 0u, wide ? 1u : 0u, m_options.shiny ? 1u : 0u,
                            std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
-                           std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
+                           std::bit_cast<std::uint32_t>(m_options.snapSteps.y),
+                           std::bit_cast<std::uint32_t>(layerSlope(m_options.subPixelBits)),
+                           std::bit_cast<std::uint32_t>(depthStepOf(m_options.technique.format)),
+                           std::bit_cast<std::uint32_t>(depth::isReversed(mapping) ? 1.0f : -1.0f)},
              .layout = *m_layout,
              .bindings = bindingsFor(m_options.batching),
              .attributes = attributesFor(m_options.batching),
              .colorFormats = {kGBufferFormat},
              .depthFormat = m_depthFormat,
-             .depthCompare = depthCompareOf(mapping)});
+             .depthCompare = depthCompareOf(mapping),
+             .hasDepthBias = isLayered && isBiased});
     }
 }
 

@@ -3,6 +3,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/render/geometry/batching.h>
+#include <cdr/render/geometry/layers.h>
 
 #include <glm/glm.hpp>
 #include <vulkan/vulkan.hpp>
@@ -20,6 +21,8 @@ struct GeometryOptions {
     bool shiny = false; ///< whether surfaces keep how they shine; else all are matt
     /// Vertices in front of the camera are rounded to multiples of 1 / snapSteps of half a picture; 0: not.
     glm::vec2 snapSteps{0.0f};
+    std::uint32_t subPixelBits = 8; ///< to which vertices are rounded, by the device or by snapSteps
+    LayerOptions layers{};
 };
 
 /// Instances that span more than this share of their distance are drawn wide: cut, and for log given their
@@ -43,6 +46,7 @@ class GeometryPipelines {
     vk::PipelineLayout layout() const { return *m_layout; }
     vk::Format depthFormat() const { return m_depthFormat; }
     depth::Mapping mapping() const { return m_options.technique.mapping; }
+    const LayerOptions& layers() const { return m_options.layers; }
     /// Of a variant that some kind of the scene has. @param wide cuts per fragment, see render::wideSpan().
     vk::Pipeline pipeline(std::uint32_t variant, bool wide) const {
         return *(wide ? m_wide : m_compact)[variant];

@@ -6,6 +6,7 @@
 #include <cdr/render/submit/record_draws.h>
 #include <cdr/render/submit/secondary_path.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +18,11 @@ namespace {
 glm::vec2 snapStepsOf(const RenderOptions& options) {
     const float perPixel = options.snapBits == 0 ? 0.0f : std::exp2(static_cast<float>(options.snapBits));
     return 0.5f * perPixel * glm::vec2(static_cast<float>(options.width), static_cast<float>(options.height));
+}
+
+std::uint32_t subPixelBitsOf(const gpu::Device& device, const RenderOptions& options) {
+    const std::uint32_t ofDevice = device.info().subPixelBits;
+    return options.snapBits == 0 ? ofDevice : std::min(options.snapBits, ofDevice);
 }
 
 } // namespace
@@ -33,7 +39,9 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
     const GeometryOptions geometry{.technique = options.technique,
                                    .batching = options.batching,
                                    .shiny = shiny,
-                                   .snapSteps = snapStepsOf(options)};
+                                   .snapSteps = snapStepsOf(options),
+                                   .subPixelBits = subPixelBitsOf(device, options),
+                                   .layers = options.layers};
     if (facets) {
         m_facets = std::make_unique<FacetPass>(device, scene.uploaded, std::move(*facets), geometry);
     } else {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace cdr::render {
@@ -13,9 +14,11 @@ namespace {
 /// What a draw has bound.
 class Binder {
   public:
-    Binder(const TranslucentPipelines& pipelines, vk::CommandBuffer commands)
+    /// @param layerSlope pixels by which the device rounds two vertices apart.
+    Binder(const TranslucentPipelines& pipelines, vk::CommandBuffer commands, float layerSlope)
         : m_pipelines(pipelines),
-          m_commands(commands) {}
+          m_commands(commands),
+          m_layerSlope(layerSlope) {}
 
     void bind(const DrawKind& kind) {
         const vk::Pipeline pipeline = m_pipelines.pipeline(kind);
@@ -25,6 +28,12 @@ class Binder {
         }
         m_commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 0,
                                       kind.textureSet, {});
+        if (kind.layer != m_layer) {
+            m_commands.pushConstants<float>(m_pipelines.layout(), TranslucentPipelines::kStages,
+                                            offsetof(shaders::TranslucentPush, layerOffset),
+                                            {kind.layer.offset, kind.layer.rank * m_layerSlope});
+            m_layer = kind.layer;
+        }
         m_commands.setCullMode(kind.doubleSided ? vk::CullModeFlagBits::eNone : vk::CullModeFlagBits::eBack);
         m_commands.setFrontFace(kind.mirrored ? vk::FrontFace::eClockwise : vk::FrontFace::eCounterClockwise);
     }
@@ -32,7 +41,9 @@ class Binder {
   private:
     const TranslucentPipelines& m_pipelines;
     vk::CommandBuffer m_commands;
+    float m_layerSlope;
     vk::Pipeline m_pipeline;
+    LayerPlace m_layer; ///< as pushOf() has it
 };
 
 } // namespace
@@ -111,7 +122,9 @@ shaders::TranslucentPush TranslucentDraws::pushOf(std::size_t range, vk::Extent2
             .nearView = static_cast<float>(ends.nearView),
             .spread = static_cast<float>(1.0 / std::log(ends.farView / ends.nearView)),
             .width = extent.width,
-            .capacity = capacity};
+            .capacity = capacity,
+            .layerOffset = 0.0f,
+            .layerSlope = 0.0f};
 }
 
 void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,
@@ -125,7 +138,7 @@ void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,
     commands.bindIndexBuffer(scene.indices(), 0, vk::IndexType::eUint32);
     commands.pushConstants<shaders::TranslucentPush>(pipelines.layout(), TranslucentPipelines::kStages, 0,
                                                      pushOf(range, extent, capacity));
-    Binder binder(pipelines, commands);
+    Binder binder(pipelines, commands, layerSlope(m_device.info().subPixelBits));
     const auto kindOf = [&](std::size_t draw) { return scene.sources()[m_lists.instance[draw]].kind; };
     const host::IndexRange draws = m_lists.range(range);
     for (std::size_t first = draws.begin; first < draws.end;) {

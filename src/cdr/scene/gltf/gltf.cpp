@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace cdr::scene {
 
@@ -71,6 +72,8 @@ class Importer {
     std::uint64_t readBounded(int mesh, MemoryPrediction& memory);
     void addObject(const MeshNode& node);
     const std::vector<PlacedPrimitive>& use(int mesh);
+    /// A material of the scene in the layer of a node, if the node has one.
+    std::uint32_t materialIn(std::optional<float> layer, std::uint32_t material);
 
     Sources m_sources;
     GltfLimits m_limits;
@@ -78,9 +81,10 @@ class Importer {
     Accessors m_accessors;
     MeshImporter m_meshes;
     MaterialImporter m_materials;
-    std::map<int, MeshSource> m_sourceMeshes;               ///< by mesh, those of the scene
-    std::map<int, std::vector<PlacedPrimitive>> m_imported; ///< by mesh
-    std::map<int, double> m_stretch;                        ///< by mesh, the largest of its nodes
+    std::map<int, MeshSource> m_sourceMeshes;                           ///< by mesh, those of the scene
+    std::map<int, std::vector<PlacedPrimitive>> m_imported;             ///< by mesh
+    std::map<std::pair<std::uint32_t, float>, std::uint32_t> m_layered; ///< by material and layer
+    std::map<int, double> m_stretch;                                    ///< by mesh, the largest of its nodes
 };
 
 void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
@@ -131,7 +135,8 @@ void Importer::addObject(const MeshNode& node) {
     }
     for (const PlacedPrimitive& primitive : use(node.mesh)) {
         const std::size_t first = m_scene.instances.size();
-        placePieces(m_scene, primitive.pieces, primitive.material, object, node.toWorld);
+        placePieces(m_scene, primitive.pieces, materialIn(node.layer, primitive.material), object,
+                    node.toWorld);
         for (std::size_t i = first; i < m_scene.instances.size(); ++i) {
             const glm::dvec3 position = m_scene.instances.position(i);
             if (!std::isfinite(m_scene.instances.radius[i]) || !std::isfinite(glm::dot(position, position))) {
@@ -163,6 +168,21 @@ const std::vector<PlacedPrimitive>& Importer::use(int meshIndex) {
     return found->second;
 }
 
+std::uint32_t Importer::materialIn(std::optional<float> layer, std::uint32_t material) {
+    if (!layer || *layer == m_scene.materials[material].layer) {
+        return material;
+    }
+    const auto next = static_cast<std::uint32_t>(m_scene.materials.size());
+    const auto [found, isNew] = m_layered.try_emplace({material, *layer}, next);
+    if (isNew) {
+        Material layered = m_scene.materials[material];
+        layered.name = oneLine(layered.name, kMaxNameLength); // nodes are many, and names may be long
+        layered.layer = *layer;
+        m_scene.materials.push_back(std::move(layered));
+    }
+    return found->second;
+}
+
 GltfImport importParts(std::span<const std::uint8_t> file, const std::filesystem::path& path,
                        const GltfLimits& limits, std::optional<std::uint32_t> scene) {
     const Container container = openContainer(file);
@@ -171,7 +191,7 @@ GltfImport importParts(std::span<const std::uint8_t> file, const std::filesystem
     Files files(path.parent_path(), limits);
     const Buffers buffers(document.root, container.bin, files);
     GltfImport result;
-    const PlacedNodes nodes = placeNodes(document.root, limits, scene);
+    const PlacedNodes nodes = placeNodes(document.root, limits, scene, notes);
     result.scene = Importer({document, buffers, files, notes}, limits).run(nodes.meshes);
     result.cameras = placeCameras(nodes.cameras, document, notes);
     result.scene.name = path.stem().string();

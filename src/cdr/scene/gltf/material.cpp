@@ -2,6 +2,7 @@
 
 #include "checks.h"
 #include "json.h"
+#include "layer.h"
 
 #include <algorithm>
 #include <vector>
@@ -82,6 +83,7 @@ MaterialUse MaterialImporter::import(int index) {
             use.uv = uvSourceOf(info);
         }
         material.shine = material.unlit ? std::nullopt : std::optional(shineOf(factors, where));
+        material.layer = layerOf(source, where, m_sources.notes).value_or(0.0f);
         noteUnused(source, where, m_sources.notes);
     }
     use.index = static_cast<std::uint32_t>(m_scene.materials.size());

@@ -2,6 +2,7 @@
 
 #include "checks.h"
 #include "json.h"
+#include "layer.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
@@ -24,6 +25,7 @@ struct Placement {
     std::uint32_t depth = 0;
     bool reached = false;
     bool inScene = false;
+    std::optional<float> layer{}; ///< of the node, else of its nearest ancestor that has one
 };
 
 /// What a document says of a node, but for its transform, which is read when it is placed.
@@ -135,7 +137,7 @@ void markScene(const json& root, const std::vector<int>& parents, std::optional<
 /// Walks down from every root. In a graph where a node has one parent at most, what is not reached is on a
 /// cycle.
 void place(const json& root, const std::vector<NodeSource>& nodes, const std::vector<int>& parents,
-           const GltfLimits& limits, std::vector<Placement>& placements) {
+           const GltfLimits& limits, Notes& notes, std::vector<Placement>& placements) {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < parents.size(); ++i) {
         if (parents[i] == kNoParent) {
@@ -152,6 +154,7 @@ void place(const json& root, const std::vector<NodeSource>& nodes, const std::ve
             placement.toWorld = parent.toWorld;
             placement.depth = parent.depth + 1;
             placement.inScene = parent.inScene;
+            placement.layer = parent.layer;
         }
         if (placement.depth >= limits.maxNodeDepth) {
             refuse("node {} is nested over the limit of {} deep", i, limits.maxNodeDepth);
@@ -159,6 +162,9 @@ void place(const json& root, const std::vector<NodeSource>& nodes, const std::ve
         const json& node = arrayMember(root, "nodes")[i];
         placement.toWorld = placement.toWorld * localTransform(node);
         requireUsable(placement.toWorld, node, i);
+        if (const auto layer = layerOf(node, fmt::format("node {}", i), notes)) {
+            placement.layer = layer;
+        }
         for (const int child : nodes[i].children) {
             open.push_back(static_cast<std::size_t>(child));
         }
@@ -167,19 +173,21 @@ void place(const json& root, const std::vector<NodeSource>& nodes, const std::ve
 
 } // namespace
 
-PlacedNodes placeNodes(const json& root, const GltfLimits& limits, std::optional<std::uint32_t> scene) {
+PlacedNodes placeNodes(const json& root, const GltfLimits& limits, std::optional<std::uint32_t> scene,
+                       Notes& notes) {
     const std::vector<NodeSource> sources = readNodes(root);
     const std::vector<int> parents = findParents(root, sources);
     std::vector<Placement> placements(sources.size());
     markScene(root, parents, scene, placements);
-    place(root, sources, parents, limits, placements);
+    place(root, sources, parents, limits, notes, placements);
     PlacedNodes nodes;
     for (std::size_t i = 0; i < placements.size(); ++i) {
         if (!placements[i].reached) {
             refuse("node {} is its own ancestor", i);
         }
         if (placements[i].inScene && sources[i].mesh >= 0) {
-            nodes.meshes.push_back({static_cast<int>(i), sources[i].mesh, placements[i].toWorld});
+            nodes.meshes.push_back(
+                {static_cast<int>(i), sources[i].mesh, placements[i].toWorld, placements[i].layer});
         }
         if (placements[i].inScene && sources[i].camera >= 0) {
             nodes.cameras.push_back({static_cast<int>(i), sources[i].camera, placements[i].toWorld});

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "notes.h"
+
 #include <cdr/scene/gltf/gltf.h>
 
 #include <glm/glm.hpp>
@@ -16,6 +18,7 @@ struct MeshNode {
     int node = 0;
     int mesh = 0;
     glm::dmat4 toWorld{1.0};
+    std::optional<float> layer{}; ///< of all that it draws, instead of its materials' own
 };
 
 /// A node with a camera.
@@ -34,6 +37,6 @@ struct PlacedNodes {
 /// The nodes of a document's scene, or without one of the default scene that carry something. Without a default scene
 /// the first one counts, and without any scene all nodes do.
 PlacedNodes placeNodes(const nlohmann::json& root, const GltfLimits& limits,
-                       std::optional<std::uint32_t> scene);
+                       std::optional<std::uint32_t> scene, Notes& notes);
 
 } // namespace cdr::scene::gltf

@@ -124,6 +124,9 @@ void requireUsable(const Material& material, std::size_t textures, const std::st
     if (!areFinite(material.baseColorFactor) || !std::isfinite(material.alphaCutoff)) {
         refuseUse("{}: its base colour and alpha cutoff must be finite", what);
     }
+    if (!std::isfinite(material.layer)) {
+        refuseUse("{}: its layer must be finite", what);
+    }
     const auto isShare = [](float value) { return value >= 0.0f && value <= 1.0f; };
     if (material.shine && (!isShare(material.shine->metallic) || !isShare(material.shine->roughness))) {
         refuseUse("{}: its metallic and roughness must lie in [0, 1]", what);

@@ -1,0 +1,36 @@
+// Depth of surfaces that are in a layer: moved towards the camera by an offset in scene units. Only the difference that
+// the offset makes is formed here. So what the device rounds of the surface, it rounds of the surface below it too.
+#ifndef CDR_SHADERS_LAYERED_DEPTH_GLSL
+#define CDR_SHADERS_LAYERED_DEPTH_GLSL
+
+layout(constant_id = 7) const float kLayerSlope = 0.0; // pixels by which the device rounds two vertices apart
+layout(constant_id = 8) const float kDepthStep = 0.0;  // of the depth buffer; 0: float32
+layout(constant_id = 9) const float kTowards = -1.0;   // the camera, in depth
+
+// log(1 - x), exact for small x too, where 1 - x rounds.
+float logOneMinus(float x) { return x < 0.01 ? -x * (1.0 + x * (0.5 + x / 3.0)) : log(1.0 - x); }
+
+// What depth in [0, 1] gains where the view distance falls from distanceView by offset.
+float depthGain(float distanceView, float offset) {
+    if (kDepthForm == kDepthFormLinear) {
+        float slope = cascade.depthScale * cascade.anchorView - cascade.depthOffset;
+        return -offset * slope / distanceView / (distanceView - offset);
+    }
+    return logOneMinus(offset / distanceView) * cascade.depthOffset;
+}
+
+// @param ahead interpolated. Call it where all fragments of a quad do.
+float layeredDepth(float ahead) {
+    float distanceView = cascade.anchorView + ahead;
+    float steepness = abs(dFdx(ahead)) + abs(dFdy(ahead));
+    float offset = min(cascade.layerOffset + cascade.layerRank * kLayerSlope * steepness, 0.5 * distanceView);
+    float range = cascade.maxDepth - cascade.minDepth;
+    float depth = kDepthForm == kDepthFormLogFragment
+                      ? cascade.minDepth + cdrLogDepth(distanceView, depthOf(cascade)) * range
+                      : gl_FragCoord.z;
+    depth += depthGain(distanceView, offset) * range;
+    float twoSteps = 2.0 * (kDepthStep > 0.0 ? kDepthStep : depth * 1.1920929e-7);
+    return clamp(depth + kTowards * cascade.layerRank * twoSteps, cascade.minDepth, cascade.maxDepth);
+}
+
+#endif
