@@ -40,11 +40,15 @@ void main() {
     float ahead = inNormalAhead.w;
 #endif
 #ifdef LAYERED
-    gl_FragDepth = layeredDepth(ahead); // before anything is discarded, since it needs derivatives
+    float shift = layerShift(ahead);
+    gl_FragDepth = layeredDepth(ahead, shift);
+    vec2 inside = layeredClipDistances(ahead, shift);
+#else
+    vec2 inside = clipDistances(ahead, cascade);
 #endif
     // Clipping would round to the size of the triangle; the interpolated distance rounds to itself, and is the same in
     // every cascade, so cutting by it leaves no seam.
-    if (kWide != 0u && any(lessThan(clipDistances(ahead, cascade), vec2(0.0)))) {
+    if (kWide != 0u && any(lessThan(inside, vec2(0.0)))) {
         discard;
     }
 #ifdef FACETED

@@ -19,16 +19,30 @@ float depthGain(float distanceView, float offset) {
     return logOneMinus(offset / distanceView) * cascade.depthOffset;
 }
 
-// @param ahead interpolated. Call it where all fragments of a quad do.
-float layeredDepth(float ahead) {
-    float distanceView = cascade.anchorView + ahead;
+// By how much a surface is moved: its layer, and what rounded vertices may part surfaces at the same place. Call it where
+// all fragments of a quad do.
+float layerShift(float ahead) {
     float steepness = abs(dFdx(ahead)) + abs(dFdy(ahead));
-    float offset = min(cascade.layerOffset + cascade.layerRank * kLayerSlope * steepness, 0.5 * distanceView);
+    float shift = cascade.layerOffset + cascade.layerRank * kLayerSlope * steepness;
+    return min(shift, 0.5 * (cascade.anchorView + ahead));
+}
+
+// clipDistances() of a moved surface. It belongs to the cascade in which its new place lies, which draws over what it is
+// to hide. The far cascade keeps it as well where it was moved out, since the near one may not list it.
+vec2 layeredClipDistances(float ahead, float shift) {
+    const float kRounding = 2e-6; // of distances, interpolated
+    float margin = sign(cascade.layerRank) * kRounding * (cascade.anchorView + ahead);
+    float moved = ahead - shift;
+    return vec2(max(ahead, moved) - cascade.nearAhead + max(-margin, 0.0), cascade.farAhead - moved + margin);
+}
+
+float layeredDepth(float ahead, float shift) {
+    float distanceView = cascade.anchorView + ahead;
     float range = cascade.maxDepth - cascade.minDepth;
     float depth = kDepthForm == kDepthFormLogFragment
                       ? cascade.minDepth + cdrLogDepth(distanceView, depthOf(cascade)) * range
                       : gl_FragCoord.z;
-    depth += depthGain(distanceView, offset) * range;
+    depth += depthGain(distanceView, shift) * range;
     float twoSteps = 2.0 * (kDepthStep > 0.0 ? kDepthStep : depth * 1.1920929e-7);
     return clamp(depth + kTowards * cascade.layerRank * twoSteps, cascade.minDepth, cascade.maxDepth);
 }

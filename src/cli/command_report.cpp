@@ -31,6 +31,7 @@ void addExperiments(CLI::App& program, const GlobalOptions& global) {
     addTiming(program, global);
     addScaling(program, global);
     addDetail(program, global);
+    addCoplanar(program, global);
     addTranslucency(program, global);
     addEffects(program, global);
     addFocus(program, global);

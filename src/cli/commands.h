@@ -17,6 +17,7 @@ void addProbe(CLI::App& program, const GlobalOptions& global);
 void addAdvise(CLI::App& program, const GlobalOptions& global);
 void addTiming(CLI::App& program, const GlobalOptions& global);
 void addScaling(CLI::App& program, const GlobalOptions& global);
+void addCoplanar(CLI::App& program, const GlobalOptions& global);
 void addDetail(CLI::App& program, const GlobalOptions& global);
 void addOrbit(CLI::App& program, const GlobalOptions& global);
 void addTranslucency(CLI::App& program, const GlobalOptions& global);

@@ -1,7 +1,8 @@
+#include "random.h"
+
 #include <scenes/coplanar.h>
 #include <scenes/degree.h>
 #include <scenes/scene_builder.h>
-#include <scenes/sheets.h>
 
 #include <array>
 #include <cmath>
@@ -15,10 +16,34 @@ namespace {
 
 constexpr double kFovY = 60.0 * kDegree;
 constexpr std::uint32_t kPathFrames = 96;
+constexpr double kCell = 10.0;
+constexpr scene::Camera kLens{.fovY = kFovY, .nearView = 0.1, .farView = 1e4};
 
 glm::dmat3 turnedAboutZ(double angle) {
     return {
         {std::cos(angle), std::sin(angle), 0.0}, {-std::sin(angle), std::cos(angle), 0.0}, {0.0, 0.0, 1.0}};
+}
+
+/// A rectangle in the plane z = 0, in cells no wider than kCell: depth of a triangle that reaches from behind the camera to
+/// the horizon is rounded by far more than layers are apart.
+scene::SourceMesh gridMesh(const std::string& name, const glm::dvec2& halfSides) {
+    const glm::uvec2 cells(glm::ceil(2.0 * halfSides / kCell));
+    scene::SourceMesh mesh{.name = name, .positions = {}, .vertices = {}, .indices = {}};
+    for (std::uint32_t row = 0; row <= cells.y; ++row) {
+        for (std::uint32_t column = 0; column <= cells.x; ++column) {
+            const glm::dvec2 share = glm::dvec2(column, row) / glm::dvec2(cells);
+            mesh.positions.emplace_back((2.0 * share - 1.0) * halfSides, 0.0);
+            mesh.vertices.emplace_back();
+        }
+    }
+    for (std::uint32_t row = 0; row < cells.y; ++row) {
+        for (std::uint32_t column = 0; column < cells.x; ++column) {
+            const std::uint32_t a = row * (cells.x + 1) + column;
+            const std::uint32_t b = a + cells.x + 1;
+            mesh.indices.insert(mesh.indices.end(), {a, a + 1, b + 1, a, b + 1, b});
+        }
+    }
+    return mesh;
 }
 
 /// A face of a wall, a floor or a roof: an origin, two axes within it, and where it looks, all of unit length.
@@ -34,12 +59,7 @@ Face groundAt(const glm::dvec3& origin) {
 /// Puts flat objects on faces, each in a layer.
 class Yard {
   public:
-    explicit Yard(scene::Scene& scene, bool hasLayers)
-        : m_scene(scene),
-          m_builder(scene),
-          m_hasLayers(hasLayers) {
-        scene.meshes.push_back(makeSquare(1.0f));
-    }
+    explicit Yard(scene::Scene& scene, bool hasLayers) : m_builder(scene), m_hasLayers(hasLayers) {}
 
     SceneBuilder& builder() { return m_builder; }
 
@@ -54,18 +74,13 @@ class Yard {
     void add(const std::string& name, std::uint32_t material, const Face& face, const glm::dvec2& middle,
              const glm::dvec2& halfSides, double turn = 0.0) {
         m_builder.beginObject(name);
-        const glm::dvec3 centre = face.origin + face.axes * glm::dvec3(middle, 0.0);
-        glm::dmat3 basis = face.axes * turnedAboutZ(turn);
-        basis[0] *= halfSides.x;
-        basis[1] *= halfSides.y;
-        const auto object = static_cast<std::uint32_t>(m_scene.objectNames.size() - 1);
-        scene::addInstance(m_scene, kSquare, material, object, centre, glm::mat3(basis));
+        const glm::dmat3 turned = face.axes * turnedAboutZ(turn);
+        glm::dmat4 toWorld(turned);
+        toWorld[3] = glm::dvec4(face.origin + face.axes * glm::dvec3(middle, 0.0), 1.0);
+        m_builder.addMesh(material, gridMesh(name, halfSides), toWorld);
     }
 
   private:
-    static constexpr std::uint32_t kSquare = 0;
-
-    scene::Scene& m_scene;
     SceneBuilder m_builder;
     bool m_hasLayers;
 };
@@ -83,13 +98,13 @@ void addMap(Yard& yard) {
         yard.add("marking", marking, ground, {6.0 * i, 12.0}, {1.2, 0.25}, 0.0);
         yard.add("marking", marking, ground, {-25.0, 7.0 * i}, {0.25, 1.6}, 0.02 * i);
     }
-    yard.add("road east", road, ground, {0.0, 12.0}, {200.0, 4.0});
-    yard.add("road north", road, ground, {-25.0, 0.0}, {4.0, 200.0}, 0.05);
+    yard.add("road east", road, ground, {0.0, 12.0}, {120.0, 4.0});
+    yard.add("road north", road, ground, {-25.0, 0.0}, {4.0, 120.0}, 0.05);
     yard.add("crossing", crossing, ground, {-25.5, 12.0}, {6.0, 6.0}, 0.4);
     for (int i = 0; i < 12; ++i) {
         yard.add("parcel", parcel, ground, {-90.0 + 17.0 * i, -14.0 + 9.0 * (i % 5)}, {7.0, 5.0}, 0.3 * i);
     }
-    yard.add("land", land, ground, {0.0, 0.0}, {2000.0, 2000.0});
+    yard.add("land", land, ground, {0.0, 0.0}, {150.0, 150.0});
 }
 
 /// A building whose walls carry windows, signs and posters over posters.
@@ -161,16 +176,29 @@ scene::SceneSetup makeCoplanar(bool hasLayers) {
     addBuilding(yard);
     addMachines(yard);
     addThinWall(yard);
-    const scene::Camera lens{.fovY = kFovY, .nearView = 0.1, .farView = 1e4};
-    setup.path = {.frames = kPathFrames, .at = [lens](std::uint32_t frame) {
+    setup.path = {.frames = kPathFrames, .at = [](std::uint32_t frame) {
                       // Once around, from 30 m to 3 km and back, never below the roofs of cars.
                       const double turn = 2.0 * std::numbers::pi * (frame % kPathFrames) / kPathFrames;
                       const double distance = 30.0 * std::pow(100.0, 0.5 - 0.5 * std::cos(turn));
                       const glm::dvec3 eye(distance * std::sin(turn), 2.0 + 0.15 * distance,
                                            distance * std::cos(turn));
-                      return scene::lookAt(lens, eye, {0.0, 3.0, 0.0});
+                      return scene::lookAt(kLens, eye, {0.0, 3.0, 0.0});
                   }};
     return setup;
+}
+
+scene::Camera coplanarView(std::uint64_t seed, std::uint32_t view) {
+    Random random(seed * 1'000'003 + view);
+    const double x = random.uniform(-30.0, 30.0);
+    const double y = random.uniform(0.0, 8.0);
+    const double z = random.uniform(-20.0, 20.0);
+    const double distance = 2.0 * std::pow(1000.0, random.uniform(0.0, 1.0));
+    const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
+    const double height = std::pow(random.uniform(0.1, 0.95), 2.0);
+    const double across = std::sqrt(1.0 - height * height);
+    const glm::dvec3 target(x, y, z);
+    const glm::dvec3 outwards(across * std::sin(turn), height, across * std::cos(turn));
+    return scene::lookAt(kLens, target + distance * outwards, target);
 }
 
 } // namespace cdr::scenes

@@ -2,6 +2,8 @@
 
 #include <cdr/scene/scene_setup.h>
 
+#include <cstdint>
+
 namespace cdr::scenes {
 
 /// Thickness of the thinnest wall of makeCoplanar(), in scene units: more than kCoplanarLayer times its layers.
@@ -15,5 +17,8 @@ inline constexpr float kCoplanarLayer = 0.002f;
 /// lies a red sign that must never shine through it. Units are metres.
 /// @param hasLayers false: all layers are 0, and what is seen is what the order of drawing and rounding make of it.
 scene::SceneSetup makeCoplanar(bool hasLayers = true);
+
+/// A random view of makeCoplanar(): from 2 to 2,000 around it, from above the ground, steep or grazing.
+scene::Camera coplanarView(std::uint64_t seed, std::uint32_t view);
 
 } // namespace cdr::scenes

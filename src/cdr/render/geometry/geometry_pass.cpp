@@ -47,6 +47,7 @@ class GeometryPass::StateBinder {
         if (pipeline != m_pipeline) {
             m_commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
             m_pipeline = pipeline;
+            m_layer = {}; // a pipeline without a depth bias takes it away
         }
         if ((kind.variant & kLayeredVariant) != 0 && kind.layer != m_layer) {
             setLayer(kind.layer);

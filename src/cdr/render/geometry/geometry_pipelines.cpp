@@ -149,16 +149,16 @@ void GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene, b
         if (pipeline) {
             continue;
         }
-        const bool isLayered = (kind.variant & kLayeredVariant) != 0;
+        const bool movesDepth = (kind.variant & kLayeredVariant) != 0 && !isBiased;
+        const bool cutsFragments = wide || movesDepth;
         pipeline = gpu::makeGraphicsPipeline(
             device,
             {.name = wide ? "geometry, wide" : "geometry",
              .vertexSpirv = vertexShader(m_options.batching, (kind.variant & kFacetedVariant) != 0),
-             .fragmentSpirv =
-                 fragmentShader(writesDepth, (kind.variant & kFacetedVariant) != 0, isLayered && !isBiased),
+             .fragmentSpirv = fragmentShader(writesDepth, (kind.variant & kFacetedVariant) != 0, movesDepth),
              .constants = {form, kind.variant & kTexturedVariant ? 1u : 0u,
-                           kind.variant & kMaskedVariant ? 1u : 0u, wide ? 1u : 0u, m_options.shiny ? 1u : 0u,
-                           std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
+                           kind.variant & kMaskedVariant ? 1u : 0u, cutsFragments ? 1u : 0u,
+                           m_options.shiny ? 1u : 0u, std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
                            std::bit_cast<std::uint32_t>(m_options.snapSteps.y),
                            std::bit_cast<std::uint32_t>(layerSlope(m_options.subPixelBits)),
                            std::bit_cast<std::uint32_t>(depthStepOf(m_options.technique.format)),
@@ -169,7 +169,7 @@ void GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene, b
              .colorFormats = {kGBufferFormat},
              .depthFormat = m_depthFormat,
              .depthCompare = depthCompareOf(mapping),
-             .hasDepthBias = isLayered && isBiased});
+             .hasDepthBias = (kind.variant & kLayeredVariant) != 0 && isBiased});
     }
 }
 

@@ -1,0 +1,109 @@
+#include <cli/command.h>
+#include <cli/commands.h>
+#include <cli/picture_folder.h>
+#include <experiments/columns.h>
+#include <experiments/coplanar/coplanar.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cdr::cli {
+
+namespace {
+
+struct CoplanarArguments {
+    experiments::CoplanarOptions options;
+    std::filesystem::path folder;
+};
+
+experiments::Columns<experiments::CoplanarResult> coplanarColumns() {
+    using Result = experiments::CoplanarResult;
+    const auto ofOffset = [](float render::LayerOptions::*factor) {
+        return [factor](const Result& result) {
+            return result.method == "polygon offset" ? experiments::Json(result.layers.*factor)
+                                                     : experiments::Json(nullptr);
+        };
+    };
+    return {{.key = "technique", .value = &Result::technique, .heading = "technique"},
+            {.key = "method", .value = &Result::method, .heading = "method"},
+            {.key = "slope_factor",
+             .value = ofOffset(&render::LayerOptions::slopeFactor),
+             .heading = "slope factor"},
+            {.key = "constant_factor",
+             .value = ofOffset(&render::LayerOptions::constantFactor),
+             .heading = "constant factor"},
+            {.key = "pixels", .value = &Result::pixels},
+            {.key = "wrong", .value = &Result::wrong, .heading = "wrong"},
+            {.key = "wrong_share",
+             .value =
+                 [](const Result& result) {
+                     return experiments::Json(static_cast<double>(result.wrong) /
+                                              static_cast<double>(std::max<std::uint64_t>(result.pixels, 1)));
+                 },
+             .heading = "of all",
+             .format = {.pattern = "{:.4f} %", .scale = 100.0}},
+            {.key = "coverage", .value = &Result::coverage},
+            {.key = "wrong_views", .value = &Result::wrongViews, .heading = "views with any"},
+            {.key = "through", .value = &Result::through, .heading = "through a wall"},
+            {.key = "flips", .value = &Result::flips, .heading = "flips"}};
+}
+
+void run(Command& command, CoplanarArguments& arguments) {
+    experiments::CoplanarOptions& options = arguments.options;
+    const PictureFolder folder(arguments.folder, command.files());
+    const auto results =
+        experiments::runCoplanar(command.device(), options, command.progressOf("pairs of views"));
+    command.endProgress();
+
+    const auto columns = coplanarColumns();
+    command.console().table(experiments::tableOf(columns, results));
+    command.console().line(fmt::format(
+        "\n{}; {} pairs of views of the scene coplanar, {}x{}; polygon offset is the best of 40 settings over {} "
+        "other views; commit {}",
+        command.opened().text(), options.views, options.width, options.height, options.searchViews,
+        host::buildInfo().commit));
+    auto document = command.makeDocument({{"width", options.width},
+                                          {"height", options.height},
+                                          {"views", options.views},
+                                          {"search_views", options.searchViews},
+                                          {"threads", options.threads},
+                                          {"seed", options.seed},
+                                          {"snap_bits", options.snapBits}});
+    for (const experiments::CoplanarResult& result : results) {
+        auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
+        if (!result.picture.pixels.empty()) {
+            std::string name = result.technique + "_" + result.method + ".png";
+            std::replace(name.begin(), name.end(), ' ', '_');
+            folder.write("picture", name, result.picture, row);
+        }
+    }
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, CoplanarArguments& arguments) {
+    experiments::CoplanarOptions& options = arguments.options;
+    addFrames(command, options.views, "Random views, each with a second one from 0.01 aside");
+    command
+        .add_option("--search-views", options.searchViews,
+                    "Views that settings of polygon offset are compared over")
+        ->check(CLI::Range(1u, 10'000u))
+        ->capture_default_str();
+    addSize(command, options.width, options.height);
+    addThreads(command, options.threads, "Threads that render and cast the truth");
+    addSeed(command, options.seed, "Seed of the views");
+    addSnapBits(command, options.snapBits);
+    addTechniques(command, options.techniques);
+    command.add_option("--out", arguments.folder, "Folder for the heat map of every method's worst view");
+}
+
+} // namespace
+
+void addCoplanar(CLI::App& program, const GlobalOptions& global) {
+    addCommand<CoplanarArguments>(
+        program, global, "coplanar",
+        "Which of two faces at the same place is seen: as it comes, by polygon offset, by layers", addOptions,
+        run);
+}
+
+} // namespace cdr::cli

@@ -1,0 +1,199 @@
+#include "coplanar.h"
+
+#include <cdr/base/error.h>
+#include <cdr/measure/compare/flips.h>
+#include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/render/renderer.h>
+#include <scenes/coplanar.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <utility>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// What polygon offset is searched over: all pairs.
+constexpr std::array kSlopes{0.0f, 0.25f, 1.0f, 2.0f, 4.0f};
+constexpr std::array kConstants{0.0f, 1.0f, 4.0f, 16.0f, 64.0f, 256.0f, 1024.0f, 4096.0f};
+constexpr render::LayerOptions kNoOffset{.method = render::LayerMethod::polygonOffset};
+
+/// A view, and one from a little aside.
+std::array<scene::Camera, 2> viewPair(std::uint64_t seed, std::uint32_t view) {
+    const scene::Camera first = scenes::coplanarView(seed, view);
+    scene::Camera second = first;
+    second.position += 0.01 * first.right;
+    return {first, second};
+}
+
+class Comparison {
+  public:
+    Comparison(const gpu::Device& device, const CoplanarOptions& options)
+        : m_device(device),
+          m_options(options),
+          m_workers(options.threads),
+          m_setup(scenes::makeCoplanar()),
+          m_gpuScene(device, m_setup.scene),
+          m_truth(m_setup.scene, m_workers),
+          m_subPixelBits(device.info().subPixelBits) {
+        if (options.snapBits > 0) {
+            m_subPixelBits = std::min(m_subPixelBits, options.snapBits);
+        }
+        const auto& names = m_setup.scene.objectNames;
+        m_hiddenId =
+            static_cast<std::uint32_t>(std::find(names.begin(), names.end(), "hidden sign") - names.begin()) +
+            1;
+    }
+
+    /// The setting with the fewest wrong pixels, over a few views.
+    render::LayerOptions bestOffset(const depth::Technique& technique) {
+        std::pair<std::uint64_t, render::LayerOptions> best{UINT64_MAX, {}};
+        for (const float slope : kSlopes) {
+            for (const float constant : kConstants) {
+                const render::LayerOptions layers{render::LayerMethod::polygonOffset, slope, constant};
+                const std::uint64_t wrong = wrongOver(technique, layers);
+                if (wrong < best.first) {
+                    best = {wrong, layers};
+                }
+            }
+        }
+        return best.second;
+    }
+
+    void add(const depth::NamedTechnique& named, std::string method, const render::LayerOptions& layers) {
+        m_results.push_back({.technique = named.name, .method = std::move(method), .layers = layers});
+        m_renderers.push_back(makeRenderer(named.technique, layers));
+        m_worst.push_back(0);
+    }
+
+    void compare(std::uint32_t view) {
+        const std::array cameras = viewPair(m_options.seed + 1, view);
+        const std::array truths{truthOf(cameras[0]), truthOf(cameras[1])};
+        const std::array inner{measure::innerMask(truths[0]), measure::innerMask(truths[1])};
+        const auto steady = measure::steadyMask(truths[0], inner[0], truths[1], inner[1]);
+        for (std::size_t i = 0; i < m_results.size(); ++i) {
+            std::array<image::ImageU32, 2> ids;
+            for (std::size_t eye = 0; eye < cameras.size(); ++eye) {
+                const render::Frame frame = m_renderers[i]->render(cameras[eye]);
+                ids[eye] = frame.ids();
+                count(i, frame, ids[eye], truths[eye], inner[eye]);
+            }
+            m_results[i].flips += measure::countFlips(ids[0], ids[1], steady).flips;
+        }
+    }
+
+    std::vector<CoplanarResult> results() && { return std::move(m_results); }
+
+  private:
+    measure::TruthImage truthOf(const scene::Camera& camera) {
+        return m_truth.cast(camera, m_options.width, m_options.height, m_workers);
+    }
+
+    std::unique_ptr<render::Renderer> makeRenderer(const depth::Technique& technique,
+                                                   const render::LayerOptions& layers) {
+        return std::make_unique<render::Renderer>(m_device, m_setup.scene, m_gpuScene,
+                                                  render::RenderOptions{.width = m_options.width,
+                                                                        .height = m_options.height,
+                                                                        .technique = technique,
+                                                                        .threads = m_options.threads,
+                                                                        .layers = layers,
+                                                                        .snapBits = m_options.snapBits});
+    }
+
+    std::uint64_t wrongOver(const depth::Technique& technique, const render::LayerOptions& layers) {
+        const std::unique_ptr<render::Renderer> renderer = makeRenderer(technique, layers);
+        std::uint64_t wrong = 0;
+        for (std::uint32_t view = 0; view < m_options.searchViews; ++view) {
+            const scene::Camera camera = scenes::coplanarView(m_options.seed, view);
+            if (view == m_searchTruths.size()) {
+                m_searchTruths.push_back(truthOf(camera));
+            }
+            wrong += measure::countWrong(renderer->render(camera).ids(), m_searchTruths[view]).wrong;
+        }
+        return wrong;
+    }
+
+    /// Whether an object that the truth does not show at a pixel's centre is so near to it that rounded vertices cover it.
+    bool isCovering(const scene::Camera& camera, std::uint32_t x, std::uint32_t y, std::uint32_t id) {
+        const scene::Frustum frustum = scene::frustumOf(camera, m_options.width, m_options.height);
+        const double slopeX = frustum.tanX * ((2.0 * x + 1.0) / m_options.width - 1.0);
+        const double slopeY = frustum.tanY * (1.0 - (2.0 * y + 1.0) / m_options.height);
+        const glm::dvec3 ray = -camera.back + slopeX * camera.right + slopeY * camera.up;
+        scene::Camera narrow = scene::lookAlong(camera, camera.position, ray);
+        const double pixel = 2.0 * frustum.tanY / m_options.height;
+        narrow.fovY = 8.0 * pixel * render::layerSlope(m_subPixelBits);
+        const measure::TruthImage around = m_truth.cast(narrow, 5, 5, m_workers);
+        return std::any_of(around.pixels.begin(), around.pixels.end(),
+                           [&](const measure::TruthPixel& seen) { return seen.id == id; });
+    }
+
+    void count(std::size_t i, const render::Frame& frame, const image::ImageU32& ids,
+               const measure::TruthImage& truth, const image::Raster<std::uint8_t>& inner) {
+        CoplanarResult& result = m_results[i];
+        const measure::WrongPixels wrong = measure::countWrong(ids, truth, inner);
+        result.pixels += wrong.pixels;
+        std::uint64_t covering = 0;
+        for (std::uint32_t y = 0; y < ids.height; ++y) {
+            for (std::uint32_t x = 0; x < ids.width; ++x) {
+                const measure::TruthPixel& seen = truth.at(x, y);
+                const std::uint32_t id = ids.at(x, y);
+                if (inner.at(x, y) == 0 || id == seen.id) {
+                    continue;
+                }
+                result.through += id == m_hiddenId ? 1 : 0;
+                covering += id != seen.secondId && isCovering(frame.camera, x, y, id) ? 1 : 0;
+            }
+        }
+        const std::uint64_t count = wrong.wrong - covering;
+        result.coverage += covering;
+        result.wrong += count;
+        result.wrongViews += count > 0 ? 1 : 0;
+        if (count > m_worst[i]) {
+            m_worst[i] = count;
+            result.picture = measure::heatMap(ids, truth, frame.color);
+        }
+    }
+
+    const gpu::Device& m_device;
+    const CoplanarOptions& m_options;
+    host::WorkerPool m_workers;
+    scene::SceneSetup m_setup;
+    render::GpuScene m_gpuScene;
+    measure::TruthCaster m_truth;
+    std::uint32_t m_subPixelBits;
+    std::uint32_t m_hiddenId = 0;
+    std::vector<measure::TruthImage> m_searchTruths;
+    std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by result
+    std::vector<std::uint64_t> m_worst;                         ///< wrong pixels of a view, by result
+    std::vector<CoplanarResult> m_results;
+};
+
+} // namespace
+
+std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const CoplanarOptions& options,
+                                        const CoplanarProgress& progress) {
+    if (options.views < 1 || options.searchViews < 1) {
+        throw base::InputError("coplanar needs a view to measure and a view to search settings by");
+    }
+    const std::span<const depth::NamedTechnique> techniques =
+        options.techniques.empty() ? depth::presets() : std::span(options.techniques);
+    const std::size_t all = techniques.size() + options.views;
+    std::size_t done = 0;
+    Comparison comparison(device, options);
+    for (const depth::NamedTechnique& named : techniques) {
+        progress(done++, all);
+        comparison.add(named, "none", kNoOffset);
+        comparison.add(named, "polygon offset", comparison.bestOffset(named.technique));
+        comparison.add(named, "layers", {});
+    }
+    for (std::uint32_t view = 0; view < options.views; ++view) {
+        progress(done++, all);
+        comparison.compare(view);
+    }
+    return std::move(comparison).results();
+}
+
+} // namespace cdr::experiments

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cdr/depth/technique.h>
+#include <cdr/gpu/device.h>
+#include <cdr/image/image.h>
+#include <cdr/render/geometry/layers.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// Which of two faces at the same place is seen, over random views of the scene `coplanar`: as it comes, with Vulkan's
+/// depth bias (polygon offset) at the best of many settings, and by layers in scene units.
+struct CoplanarOptions {
+    std::uint64_t seed = 2013;
+    std::uint32_t width = 320;
+    std::uint32_t height = 180;
+    std::uint32_t views = 500;      ///< each with a second one from 0.01 aside
+    std::uint32_t searchViews = 24; ///< that settings of polygon offset are compared over
+    std::size_t threads = 1;
+    std::uint32_t snapBits = 0;                    ///< render::RenderOptions::snapBits
+    std::vector<depth::NamedTechnique> techniques; ///< none: all presets
+};
+
+/// One technique and method over all views. Pixels are inner ones (measure::WrongPixels).
+struct CoplanarResult {
+    std::string technique{};
+    std::string method{};          ///< "none", "polygon offset" or "layers"
+    render::LayerOptions layers{}; ///< how it was drawn
+    std::uint64_t pixels = 0;
+    std::uint64_t wrong = 0; ///< that show another object than the truth, but for `coverage`
+    std::uint64_t coverage =
+        0; ///< whose object touches the pixel's centre by what the device rounds vertices alone
+    std::uint64_t wrongViews = 0; ///< with any
+    std::uint64_t through = 0;    ///< that show what lies behind the thin wall
+    std::uint64_t flips = 0; ///< from a view to its second one, measure::countFlips(), `coverage` included
+    image::ImageRgba8
+        picture{}; ///< heat map of the view with the most wrong pixels; empty where there is none
+};
+
+/// Called before each step with how many of all are done.
+using CoplanarProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// By technique, then by method. base::InputError for no views.
+std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const CoplanarOptions& options,
+                                        const CoplanarProgress& progress);
+
+} // namespace cdr::experiments
