@@ -53,6 +53,29 @@ TEST(TruthVisibility, OnePixelLooksAlongTheAxis) {
     EXPECT_EQ(castMiddle(scene, makePlainCamera()), (TruthPixel{1, 2, 9.5, 19.5}));
 }
 
+TEST(TruthVisibility, LayersDecideWhichSurfaceIsFirst) {
+    scene::Scene scene = squareScene(glm::mat3(1.0f), kSingleSided);
+    scene.materials.push_back({.name = "upper", .layer = 0.5f});
+    scene.materials.push_back({.name = "lower", .layer = -0.5f});
+    addObject(scene, 3, {0.0, 0.0, -5.25}, glm::mat3(1.0f), 2);
+    addObject(scene, 3, {0.0, 0.0, -4.75}, glm::mat3(1.0f), 3);
+    EXPECT_EQ(castMiddle(scene, makePlainCamera()), (TruthPixel{2, 1, 5.25, 5.0, 0.5f, 0.0f}));
+    scene.materials[2].layer = 0.125f;
+    EXPECT_EQ(castMiddle(scene, makePlainCamera()), (TruthPixel{1, 2, 5.0, 5.25, 0.0f, 0.125f}));
+}
+
+/// Tiles end early where nothing farther can be seen, which a layer may.
+TEST(TruthVisibility, LayersReachThroughManyNearerSurfaces) {
+    scene::Scene scene = makeEmptyScene();
+    scene.meshes.push_back(makeSquare());
+    scene.materials.push_back({.name = "upper", .layer = 50.0f});
+    for (int i = 0; i < 40; ++i) {
+        addObject(scene, 3, {0.0, 0.0, -5.0 - 0.5 * i});
+    }
+    const std::uint32_t far = addObject(scene, 3, {0.0, 0.0, -30.0}, glm::mat3(1.0f), 2);
+    EXPECT_EQ(castMiddle(scene, makePlainCamera()), (TruthPixel{far + 1, 1, 30.0, 5.0, 50.0f, 0.0f}));
+}
+
 TEST(TruthVisibility, PixelsRunFromTheTopLeft) {
     scene::Scene scene = makeEmptyScene();
     const double slope = std::tan(30.0 * kDegree);

@@ -1,0 +1,46 @@
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace cdr::cli_test {
+
+namespace {
+
+using nlohmann::json;
+
+TEST(CoplanarCommand, CountsWhichOfTwoFacesIsSeen) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("--validate coplanar --frames 2 --search-views 1 --size 160x90 --techniques "
+                   "reversed,anchored --out pictures --json c.json",
+                   folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "c.json"));
+    EXPECT_EQ(document.at("command"), "coplanar");
+    std::vector<std::string> methods;
+    for (const json& row : document.at("results")) {
+        methods.push_back(row.at("technique").get<std::string>() + ", " +
+                          row.at("method").get<std::string>());
+        EXPECT_GT(row.at("pixels").get<int>(), 1000);
+        const bool isNone = row.at("method") == "none";
+        EXPECT_EQ(row.at("wrong_share").get<double>() > 0.01, isNone) << methods.back();
+        EXPECT_EQ(row.at("wrong_views").get<int>() > 2, isNone) << methods.back();
+        EXPECT_EQ(row.at("slope_factor").is_null(), row.at("method") != "polygon offset");
+        if (isNone) {
+            EXPECT_TRUE(
+                std::filesystem::exists(folder.path() / "pictures" / row.at("picture").get<std::string>()));
+        }
+    }
+    EXPECT_EQ(methods,
+              (std::vector<std::string>{"reversed, none", "reversed, polygon offset", "reversed, layers",
+                                        "anchored, none", "anchored, polygon offset", "anchored, layers"}));
+    EXPECT_NE(result.out.find("through a wall"), std::string::npos);
+}
+
+} // namespace
+
+} // namespace cdr::cli_test

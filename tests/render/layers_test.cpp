@@ -1,0 +1,213 @@
+#include "fixture.h"
+#include "snapping.h"
+
+#include <cdr/base/error.h>
+#include <cdr/measure/truth/layered_truth.h>
+#include <cdr/render/geometry/layers.h>
+#include <scenes/coplanar.h>
+#include <scenes/sheets.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace cdr::render_test {
+
+namespace {
+
+class LayersTest : public RenderTest {
+  protected:
+    /// Views that show roads, walls, machines and the thin wall, near and far, steep and grazing.
+    static constexpr std::uint32_t kViews = 8;
+
+    render::RenderOptions optionsFor(const depth::Technique& technique) {
+        render::RenderOptions options = smallOptions(technique);
+        options.width = 320;
+        options.height = 180;
+        return options;
+    }
+
+    measure::WrongPixels wrongOver(const scene::Scene& scene, const render::RenderOptions& options) {
+        const render::GpuScene gpuScene(device(), scene);
+        render::Renderer renderer(device(), scene, gpuScene, options);
+        const double reach = snapReach(device());
+        measure::WrongPixels all;
+        for (std::uint32_t view = 0; view < kViews; ++view) {
+            const scene::Camera camera = scenes::coplanarView(7, view);
+            const measure::TruthImage truth =
+                measure::castTruth(scene, camera, options.width, options.height, m_workers);
+            const render::Frame frame = renderer.render(camera);
+            measure::WrongPixels wrong = measure::countWrong(frame.ids(), truth);
+            if (reach > 0.0) {
+                // Slivers narrower than what the device rounds vertices by.
+                const measure::WrongPixels least{.pixels = wrong.pixels, .wrong = wrong.pixels / 10'000};
+                wrong.wrong -= std::min(wrong.wrong, least.wrong);
+            }
+            all += wrong;
+        }
+        return all;
+    }
+
+    host::WorkerPool m_workers{2};
+};
+
+scene::Material inLayer(float layer) {
+    return {.name = "layer", .layer = layer};
+}
+
+TEST(LayerPlaces, AreRankedByOffsetFromThoseWithoutOne) {
+    const std::vector<scene::Material> materials{inLayer(0.0f),  inLayer(2.0f), inLayer(0.5f),
+                                                 inLayer(-1.0f), inLayer(2.0f), inLayer(-3.0f)};
+    std::vector<float> ranks;
+    for (const render::LayerPlace& place : render::layerPlaces(materials)) {
+        ranks.push_back(place.rank);
+    }
+    EXPECT_EQ(ranks, (std::vector<float>{0.0f, 2.0f, 1.0f, -1.0f, 2.0f, -2.0f}));
+}
+
+TEST(LayerPlaces, NeedNoMaterialWithoutALayer) {
+    const std::vector<scene::Material> materials{inLayer(2.0f), inLayer(-1.0f)};
+    EXPECT_EQ(render::layerPlaces(materials)[0], (render::LayerPlace{2.0f, 1.0f}));
+    EXPECT_EQ(render::layerPlaces(materials)[1], (render::LayerPlace{-1.0f, -1.0f}));
+}
+
+TEST_F(LayersTest, EveryTechniqueShowsTheUpperOfFacesAtOnePlace) {
+    const scene::SceneSetup setup = scenes::makeCoplanar();
+    for (const depth::NamedTechnique& named : depth::presets()) {
+        const measure::WrongPixels wrong = wrongOver(setup.scene, optionsFor(named.technique));
+        EXPECT_GT(wrong.pixels, 100'000u);
+        EXPECT_EQ(wrong.wrong, 0u) << named.name;
+    }
+}
+
+/// Else the test above would show nothing.
+TEST_F(LayersTest, WithoutAnOffsetFacesAtOnePlaceFight) {
+    const scene::SceneSetup setup = scenes::makeCoplanar();
+    render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
+    options.layers.method = render::LayerMethod::polygonOffset;
+    EXPECT_GT(wrongOver(setup.scene, options).fraction(), 0.05);
+    options.layers.constantFactor = 16.0f;
+    EXPECT_LT(wrongOver(setup.scene, options).fraction(), 0.05);
+}
+
+TEST_F(LayersTest, HoldWhereVerticesAreRoundedToSubPixels) {
+    const scene::SceneSetup setup = scenes::makeCoplanar();
+    for (const std::uint32_t bits : {4u, 8u}) {
+        render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
+        options.snapBits = bits;
+        const measure::WrongPixels wrong = wrongOver(setup.scene, options);
+        EXPECT_LT(wrong.fraction(), 1e-4) << bits; // slivers that rounding moves over a pixel's centre
+    }
+}
+
+TEST_F(LayersTest, GiveOnePictureHoweverTheFrameIsDrawn) {
+    const scene::SceneSetup setup = scenes::makeCoplanar();
+    const scene::Camera camera = setup.path.at(6);
+    render::RenderOptions options = optionsFor(depth::parseTechnique("cdr"));
+    const std::string wanted = hashOf(draw(setup.scene, camera, options));
+    for (const render::TargetsKind targets :
+         {render::TargetsKind::accumulate, render::TargetsKind::pool, render::TargetsKind::layers}) {
+        render::RenderOptions other = options;
+        other.targets = targets;
+        other.threads = 3;
+        EXPECT_EQ(hashOf(draw(setup.scene, camera, other)), wanted);
+    }
+    for (const render::Submission submission : submissions()) {
+        render::RenderOptions other = options;
+        other.submission = submission;
+        EXPECT_EQ(hashOf(draw(setup.scene, camera, other)), wanted);
+    }
+    for (const render::Batching batching : render::kBatchings) {
+        render::RenderOptions other = options;
+        other.batching = batching;
+        EXPECT_EQ(hashOf(draw(setup.scene, camera, other)), wanted);
+    }
+}
+
+TEST_F(LayersTest, OnePassKeepsThem) {
+    const scene::SceneSetup setup = scenes::makeCoplanar();
+    render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
+    options.targets = render::TargetsKind::onePass;
+    EXPECT_EQ(wrongOver(setup.scene, options).wrong, 0u);
+}
+
+/// Only what is seen changes, not how far away it is.
+TEST_F(LayersTest, KeepTheDistanceOfASurface) {
+    scene::Scene scene = boxScene();
+    scene.materials[0].layer = 0.25f;
+    addBox(scene, {0.0, 0.0, -10.0});
+    const render::Frame frame = draw(scene, scene::Camera{}, optionsFor(depth::parseTechnique("anchored")));
+    EXPECT_NEAR(frame.distanceView(160, 90), 9.5, 1e-5);
+}
+
+/// A square in front of a wall, and a layer by which the wall is moved before it, or not quite.
+TEST_F(LayersTest, MoveByTheirOffsetInSceneUnits) {
+    for (const char* technique : {"standard", "reversed", "log", "anchored"}) {
+        for (const double distance : {2.0, 300.0}) {
+            for (const float layer : {0.7f, 1.3f}) {
+                scene::Scene scene = boxScene();
+                scene.meshes.push_back(scenes::makeSquare(1.0f));
+                scene.materials.push_back(inLayer(layer));
+                scene::addInstance(scene, 1, 0, 0, {0.0, 0.0, -distance}, glm::mat3(1.0f));
+                scene::addInstance(scene, 1, 1, 1, {0.0, 0.0, -distance - 1.0}, glm::mat3(1.0f));
+                scene::Camera camera;
+                camera.farView = 1000.0;
+                const render::Frame frame = draw(scene, camera, optionsFor(depth::parseTechnique(technique)));
+                EXPECT_EQ(frame.id(160, 90), layer > 1.0f ? 2u : 1u) << technique << distance << layer;
+            }
+        }
+    }
+}
+
+TEST_F(LayersTest, OrderBlendedSurfacesToo) {
+    scene::Scene scene = boxScene();
+    scene.meshes.push_back(scenes::makeSquare(1.0f));
+    scene.materials[0].unlit = true;
+    const auto addSheet = [&](const glm::vec4& color, float layer, double distance) {
+        scene.materials.push_back({.name = "sheet",
+                                   .baseColorFactor = color,
+                                   .unlit = true,
+                                   .alphaMode = scene::AlphaMode::blend,
+                                   .layer = layer});
+        const auto material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+        scene::addInstance(scene, 1, material, static_cast<std::uint32_t>(scene.instances.size()),
+                           {0.0, 0.0, -distance}, glm::mat3(1.0f));
+    };
+    addBox(scene, {0.0, 0.0, -5.5});                // its front is at 5
+    addSheet({1.0f, 0.0f, 0.0f, 0.5f}, 0.2f, 5.1);  // within the box by less than its layer
+    addSheet({0.0f, 0.0f, 1.0f, 0.5f}, 0.1f, 5.05); // nearer, and lower
+    addSheet({0.0f, 1.0f, 0.0f, 0.5f}, 0.2f, 5.3);  // within the box by more
+    render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
+    options.translucency.method = render::Translucency::sorted;
+    const scene::Camera camera;
+    const render::Frame frame = draw(scene, camera, options);
+    const measure::LayeredTruth truth =
+        measure::castLayers(scene, camera, options.width, options.height, m_workers);
+    EXPECT_EQ(truth.at(160, 90).fragments, 2u);
+    const image::Rgba8 wanted = measure::pictureOf(truth).at(160, 90);
+    const image::Rgba8 shown = frame.color.at(160, 90);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        EXPECT_NEAR(int{shown[channel]}, int{wanted[channel]}, 1) << channel;
+    }
+}
+
+TEST_F(LayersTest, NeedAGBuffer) {
+    const scene::SceneSetup setup = scenes::makeCoplanar();
+    render::RenderOptions options = optionsFor(depth::parseTechnique("anchored"));
+    options.surface = render::SurfacePath::visibility;
+    EXPECT_THROW(draw(setup.scene, setup.path.at(0), options), base::InputError);
+}
+
+TEST_F(LayersTest, MustBeFinite) {
+    for (const float layer :
+         {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+        scene::Scene scene = boxScene();
+        scene.materials[0].layer = layer;
+        EXPECT_THROW(render::GpuScene(device(), scene), base::InputError);
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test
