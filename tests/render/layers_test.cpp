@@ -157,6 +157,36 @@ TEST_F(LayersTest, MoveByTheirOffsetInSceneUnits) {
     }
 }
 
+/// What a layer moves out of a cascade at its near end, the next one draws.
+TEST_F(LayersTest, KeepTheirOrderAcrossTheEndOfACascade) {
+    for (const char* technique : {"standard/at:10", "log/at:10", "anchored/at:10"}) {
+        scene::Scene scene = boxScene();
+        scene.meshes.push_back(scenes::makeSquare(1.0f));
+        scene.meshes.push_back(scenes::makeSquare(0.1f));
+        for (const float layer : {0.3f, 0.2f, -0.2f, 0.4f}) {
+            scene.materials.push_back(inLayer(layer));
+        }
+        const auto add = [&](std::uint32_t mesh, std::uint32_t material, double x, double distance) {
+            const auto object = static_cast<std::uint32_t>(scene.instances.size());
+            scene::addInstance(scene, mesh, material, object, {x, 0.0, -distance}, glm::mat3(1.0f));
+        };
+        add(1, 1, -2.0, 10.1); // upper, drawn first
+        add(1, 2, -2.0, 10.1);
+        add(1, 0, 0.0, 9.9);
+        add(1, 3, 0.0, 9.9);   // lower, drawn last
+        add(2, 4, 2.0, 10.25); // smaller than its offset
+        add(1, 3, 4.5, 9.9);   // lower, alone
+        scene::Camera camera;
+        camera.farView = 1000.0;
+        const render::Frame frame = draw(scene, camera, optionsFor(depth::parseTechnique(technique)));
+        ASSERT_EQ(frame.cascades.size(), 2u);
+        EXPECT_EQ(frame.id(127, 90), 1u) << technique;
+        EXPECT_EQ(frame.id(160, 90), 3u) << technique;
+        EXPECT_EQ(frame.id(192, 90), 5u) << technique;
+        EXPECT_EQ(frame.id(235, 90), 6u) << technique;
+    }
+}
+
 TEST_F(LayersTest, OrderBlendedSurfacesToo) {
     scene::Scene scene = boxScene();
     scene.meshes.push_back(scenes::makeSquare(1.0f));
