@@ -6,7 +6,7 @@
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
 #include <cdr/render/geometry/batching.h>
-#include <cdr/render/geometry/layers.h>
+#include <cdr/render/layer_options.h>
 #include <cdr/render/submit/submission.h>
 #include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets_choice.h>

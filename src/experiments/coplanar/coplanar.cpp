@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <utility>
@@ -124,7 +125,7 @@ class Comparison {
         const glm::dvec3 ray = -camera.back + slopeX * camera.right + slopeY * camera.up;
         scene::Camera narrow = scene::lookAlong(camera, camera.position, ray);
         const double pixel = 2.0 * frustum.tanY / m_options.height;
-        narrow.fovY = 8.0 * pixel * render::layerSlope(m_subPixelBits);
+        narrow.fovY = 8.0 * pixel * std::exp2(-static_cast<double>(m_subPixelBits));
         const measure::TruthImage around = m_truth.cast(narrow, 5, 5, m_workers);
         return std::any_of(around.pixels.begin(), around.pixels.end(),
                            [&](const measure::TruthPixel& seen) { return seen.id == id; });

@@ -3,7 +3,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
-#include <cdr/render/geometry/layers.h>
+#include <cdr/render/layer_options.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -2,6 +2,7 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
+#include <cdr/render/geometry/layers.h>
 #include <cdr/render/targets/gbuffer.h>
 #include <cdr/shaders/geometry_depth_faceted_frag.h>
 #include <cdr/shaders/geometry_depth_frag.h>

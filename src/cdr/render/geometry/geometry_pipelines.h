@@ -3,7 +3,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/render/geometry/batching.h>
-#include <cdr/render/geometry/layers.h>
+#include <cdr/render/layer_options.h>
 
 #include <glm/glm.hpp>
 #include <vulkan/vulkan.hpp>

@@ -24,19 +24,4 @@ std::vector<LayerPlace> layerPlaces(std::span<const scene::Material> materials);
 /// Pixels by which two surfaces can be shifted against each other where vertices are rounded to so many sub-pixel bits.
 float layerSlope(std::uint32_t subPixelBits);
 
-/// How layers become depth.
-enum class LayerMethod : std::uint8_t {
-    sceneUnits,    ///< by their offset
-    polygonOffset, ///< by Vulkan's depth bias, times the rank: today's practice, for comparison
-};
-
-/// How surfaces in layers are drawn.
-struct LayerOptions {
-    LayerMethod method = LayerMethod::sceneUnits;
-    float slopeFactor = 0.0f;    ///< of polygonOffset, towards the camera: depthBiasSlopeFactor
-    float constantFactor = 0.0f; ///< of polygonOffset, towards the camera: depthBiasConstantFactor
-
-    bool operator==(const LayerOptions&) const = default;
-};
-
 } // namespace cdr::render
