@@ -14,10 +14,9 @@ namespace cdr::scenes {
 
 namespace {
 
-constexpr double kFovY = 60.0 * kDegree;
 constexpr std::uint32_t kPathFrames = 96;
 constexpr double kCell = 10.0;
-constexpr scene::Camera kLens{.fovY = kFovY, .nearView = 0.1, .farView = 1e4};
+constexpr scene::Camera kLens{.fovY = 60.0 * kDegree, .nearView = 0.1, .farView = 1e4};
 
 glm::dmat3 turnedAboutZ(double angle) {
     return {

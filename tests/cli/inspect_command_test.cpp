@@ -87,6 +87,20 @@ TEST(InspectCommand, NamesACoplanarPairAndItsRemedy) {
     EXPECT_GT(std::count(picture.begin(), picture.end(), image::Rgba8{255, 0, 255, 255}), 100);
 }
 
+/// The remedy that it names.
+TEST(InspectCommand, FindsNothingWhereALayerSaysWhichIsSeen) {
+    const TemporaryFolder folder;
+    writeSquares(folder.path() / "a.gltf", {{"wall", {0.3, 0.0, -30.1}, 20.0},
+                                            {"poster@layer=0.01", {1.7, 1.1, -30.1}, 4.0},
+                                            {"board", {-3.0, 0.0, -20.0}, 3.0}});
+    const InspectRun run =
+        inspect("a.gltf --fail-above 0.01 --technique anchored" + std::string(kSmall), folder);
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(findings(run.document), std::vector<std::string>());
+    EXPECT_EQ(run.document.at("coplanar_fraction"), 0.0);
+    EXPECT_EQ(rowOf(run.document, "anchored", "d32f").at("wrong"), 0);
+}
+
 TEST(InspectCommand, FindsANearPairFarAwayAndWhatSuffices) {
     const TemporaryFolder folder;
     constexpr double kGap = 3e-5; // at 3000: 1e-8 of the distance, finer than reversed depth

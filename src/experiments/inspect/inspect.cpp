@@ -79,9 +79,8 @@ void predict(const InspectedView& view, const depth::Cascades& cascades, Inspect
     for (std::size_t i = 0; i < view.truth.pixels.size(); ++i) {
         const measure::TruthPixel& pixel = view.truth.pixels[i];
         if (view.judgedPixels.pixels[i] != 0 && pixel.secondId != 0) {
-            const OrderChance chance =
-                orderChance(technique.technique, cascades, pixel.distanceView,
-                            pixel.secondDistanceView - pixel.distanceView, pixel.secondId > pixel.id);
+            const OrderChance chance = orderChance(technique.technique, cascades, pixel.distanceView,
+                                                   pixel.gapView(), pixel.secondId > pixel.id);
             technique.undecided += chance.undecided;
             technique.predictedWrong += chance.wrong;
         }

@@ -77,7 +77,7 @@ image::Raster<std::uint8_t> PairCollector::coplanarMask(const scene::Camera& cam
             if (pixel.id == 0 || pixel.secondId == 0) {
                 continue;
             }
-            const double gapView = pixel.secondDistanceView - pixel.distanceView;
+            const double gapView = pixel.gapView();
             const auto isWithin = [&](double extents) {
                 return gapView <= kVertexRounding * extents + kTruthRounding * pixel.distanceView;
             };
@@ -123,7 +123,7 @@ void PairCollector::add(const scene::Camera& camera, const measure::TruthImage& 
             pair.back = ids.second - 1;
             ++pair.pixels;
             pair.coplanar += isCoplanar ? 1 : 0;
-            const double gapView = pixel.secondDistanceView - pixel.distanceView;
+            const double gapView = pixel.gapView();
             pair.widestGapView = std::max(pair.widestGapView, gapView);
             found.close += gapView <= kClose * m_extents[pair.back] ? 1 : 0;
             if (gapView * pair.atView < pair.gapView * pixel.distanceView || pair.pixels == 1) {

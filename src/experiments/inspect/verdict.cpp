@@ -55,8 +55,8 @@ std::string stepText(const ObjectPair& pair, const scene::Camera& camera, const 
 std::string coplanarLine(const ObjectPair& pair, const scene::Scene& scene, const scene::Camera& camera,
                          const depth::LengthText& lengthText) {
     return fmt::format(
-        "{} lie in one plane at {}: no technique separates them. Take one away, or move it by more "
-        "than {} or {}.",
+        "{} lie in one plane at {}: no technique separates them. Take one away, move it by more than {} or "
+        "{}, or give it a layer of as much (cdr_layer in its extras).",
         both(scene, pair, "and"), lengthText(pair.atView), stepText(pair, camera, "reversed", lengthText),
         stepText(pair, camera, "anchored", lengthText));
 }

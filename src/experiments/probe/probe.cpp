@@ -41,7 +41,7 @@ bool tells(const measure::TruthPixel& pixel, bool inner, const scenes::LadderOpt
         return false;
     }
     const double separation = scenes::ladderSeparation(ladder, pairOf(pixel.id));
-    return pixel.secondDistanceView - pixel.distanceView >= 0.5 * separation;
+    return pixel.gapView() >= 0.5 * separation;
 }
 
 /// The smallest separation that is resolved. Of surfaces a depth buffer cannot tell apart the one drawn last

@@ -26,6 +26,9 @@ struct TruthPixel {
     float layer = 0.0f; ///< of the nearest surface's material
     float secondLayer = 0.0f;
 
+    /// By how much the nearest surface is before the second, layers included.
+    double gapView() const { return (secondDistanceView - secondLayer) - (distanceView - layer); }
+
     bool operator==(const TruthPixel&) const = default;
 };
 
