@@ -159,8 +159,8 @@ Columns<Row> joined(const std::vector<Columns<Row>>& lists) {
 
 /// A column of a CSV file: a value in rows of JSON.
 struct CsvField {
-    CsvField(
-        const char* key); // NOLINT(google-explicit-constructor): so that a list of fields is one of names
+    // NOLINTNEXTLINE(google-explicit-constructor): so that a list of fields is one of names
+    CsvField(const char* key);
     CsvField(std::string name, std::string path);
 
     std::string heading;
