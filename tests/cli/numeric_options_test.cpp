@@ -151,6 +151,15 @@ const std::vector<Numbers> kNumbersOfCommands{
      "Focus"},
     {"effects --frames 1 --size 16x16", {"--occlusion @", "--fog @"}, "Effects"},
     {"detail --frames 1 --size 16x16", {"--pixels @"}, "Detail"},
+    {"coplanar --frames 1 --search-views 1 --size 16x16 --techniques standard",
+     {"--seed @", "--threads @", "--snap-bits @"},
+     "Coplanar"},
+    {"inspect cubes --size 16x16 --techniques standard",
+     {"--fail-above @", "--seed @", "--threads @", "--snap-bits @"},
+     "Inspect"},
+    {"inspect cubes --size 16x16 --techniques standard --eye 0,0,5",
+     {"--fov @", "--near @", "--far @"},
+     "InspectLens"},
     {"translucency --size 16x16 --repeats 0 --cascades 1",
      {"--translucency-memory @", "--seed @"},
      "Translucency"},
@@ -241,13 +250,16 @@ INSTANTIATE_TEST_SUITE_P(Commands, NumericOptions, testing::ValuesIn(kNumbersOfC
 /// Options that take a number by itself stand above, or are named here with why not.
 TEST(NumericOptionsList, HoldsEveryOption) {
     const std::set<std::string> left{
-        "report --threads",   "report --seed",   // hours; the same checks as elsewhere
-        "pictures --frames",  "timing --frames", // the same check as render's
-        "flicker --frames",   "focus --frames",    "effects --frames",       "detail --frames",
-        "orbit --frames",     "focus --cameras",   "scaling --draws",        "scaling --threads",
-        "scaling --cascades", "scaling --repeats", "translucency --repeats", "translucency --threads",
-        "orbit --threads",    "focus --threads",   "effects --threads",      "effects --seed",
-        "detail --threads",   "detail --seed"};
+        "report --threads",     "report --seed",   // hours; the same checks as elsewhere
+        "pictures --frames",    "timing --frames", // the same check as render's
+        "flicker --frames",     "focus --frames",    "effects --frames",       "detail --frames",
+        "orbit --frames",       "focus --cameras",   "scaling --draws",        "scaling --threads",
+        "scaling --cascades",   "scaling --repeats", "translucency --repeats", "translucency --threads",
+        "orbit --threads",      "focus --threads",   "effects --threads",      "effects --seed",
+        "detail --threads",     "detail --seed",     "coplanar --frames",      "coplanar --search-views",
+        "inspect --frames",                         // the same check, and slow
+        "inspect --gltf-scene", "inspect --camera", // render's
+        "timing --rounds"};                         // starts another program
     std::set<std::string> commands;
     std::set<std::string> listed = left;
     for (const Numbers& numbers : kNumbersOfCommands) {
