@@ -76,6 +76,20 @@ TEST(TruthVisibility, LayersReachThroughManyNearerSurfaces) {
     EXPECT_EQ(castMiddle(scene, makePlainCamera()), (TruthPixel{far + 1, 1, 30.0, 5.0, 50.0f, 0.0f}));
 }
 
+/// Steep surfaces come early, by their nearest corner, and are met far behind it.
+TEST(TruthVisibility, LayersReachBeforeSurfacesThatWereMetFirst) {
+    scene::Scene scene = makeEmptyScene();
+    scene.meshes.push_back(makeSquare());
+    scene.materials.push_back({.name = "upper", .layer = 50.0f});
+    const glm::mat3 steep(10.0f, 0.0f, -17.0f, 0.0f, 20.0f, 0.0f, 17.0f, 0.0f, 10.0f);
+    addObject(scene, 3, {0.0, 0.0, -20.0}, steep);
+    addObject(scene, 3, {0.0, 0.0, -20.5}, steep);
+    addObject(scene, 3, {0.0, 0.0, -54.0}, glm::mat3(1.0f), 2);
+    const TruthPixel pixel = castMiddle(scene, makePlainCamera());
+    EXPECT_EQ(pixel.id, 3u);
+    EXPECT_EQ(pixel.secondId, 1u);
+}
+
 TEST(TruthVisibility, PixelsRunFromTheTopLeft) {
     scene::Scene scene = makeEmptyScene();
     const double slope = std::tan(30.0 * kDegree);
