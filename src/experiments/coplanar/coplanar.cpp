@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/measure/compare/flips.h>
 #include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/measure/truth/object_ray.h>
 #include <cdr/render/renderer.h>
 #include <scenes/coplanar.h>
 
@@ -120,9 +121,8 @@ class Comparison {
     /// Whether an object that the truth does not show at a pixel's centre is so near to it that rounded vertices cover it.
     bool isCovering(const scene::Camera& camera, std::uint32_t x, std::uint32_t y, std::uint32_t id) {
         const scene::Frustum frustum = scene::frustumOf(camera, m_options.width, m_options.height);
-        const double slopeX = frustum.tanX * ((2.0 * x + 1.0) / m_options.width - 1.0);
-        const double slopeY = frustum.tanY * (1.0 - (2.0 * y + 1.0) / m_options.height);
-        const glm::dvec3 ray = -camera.back + slopeX * camera.right + slopeY * camera.up;
+        const measure::PixelSlopes slopes = measure::pixelSlopes(camera, m_options.width, m_options.height);
+        const glm::dvec3 ray = -camera.back + slopes.x[x] * camera.right + slopes.y[y] * camera.up;
         scene::Camera narrow = scene::lookAlong(camera, camera.position, ray);
         const double pixel = 2.0 * frustum.tanY / m_options.height;
         narrow.fovY = 8.0 * pixel * std::exp2(-static_cast<double>(m_subPixelBits));
