@@ -7,6 +7,7 @@
 #include <cdr/host/child_process.h>
 #include <cdr/host/file.h>
 #include <cdr/host/worker_pool.h>
+#include <experiments/readable.h>
 #include <report/folder.h>
 #include <report/page.h>
 #include <report/plan.h>
@@ -133,7 +134,8 @@ nlohmann::ordered_json fillFolder(Command& command, const ReportArguments& argum
         folder.keep();
         console.endProgress();
         forecast.done(section, outcome.seconds);
-        console.line(fmt::format("{}/{} {}: {:.1f} s{}", i + 1, plan.size(), section.name, outcome.seconds,
+        console.line(fmt::format("{}/{} {}: {} s{}", i + 1, plan.size(), section.name,
+                                 experiments::Readable{outcome.seconds},
                                  outcome.failure.empty() ? "" : ", failed: " + outcome.failure));
         manifest["results"].push_back(describe(section, outcome, global));
         documents[section.name] = outcome.document;

@@ -60,14 +60,8 @@ experiments::Columns<RenderRow> renderColumns(bool showsHash) {
          .value = [](const RenderRow& row) { return row.made.frame().stats.translucency.draws; }},
         {.key = "translucent_bytes",
          .value = [](const RenderRow& row) { return row.made.frame().stats.translucency.bytes; }},
-        {.key = "record_ms",
-         .value = ofTimes(&render::FrameTimes::recordMs),
-         .heading = "record ms",
-         .format = {"{:.2f}"}},
-        {.key = "execute_ms",
-         .value = ofTimes(&render::FrameTimes::executeMs),
-         .heading = "execute ms",
-         .format = {"{:.2f}"}}};
+        {.key = "record_ms", .value = ofTimes(&render::FrameTimes::recordMs), .heading = "record ms"},
+        {.key = "execute_ms", .value = ofTimes(&render::FrameTimes::executeMs), .heading = "execute ms"}};
     for (const auto& wrong : experiments::wrongPixelsColumns({.share = "wrong"})) {
         columns.push_back({.key = wrong.key,
                            .value =

@@ -1,5 +1,7 @@
 #include "columns.h"
 
+#include "readable.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -28,16 +30,14 @@ std::string cellOf(const Json& value, const CellFormat& format) {
     if (value.is_null() || value.is_discarded()) {
         return format.missing;
     }
+    const auto readable = [&](const Json& number) {
+        return Readable{format.scale * number.get<double>(), format.unit};
+    };
     if (value.is_array()) {
-        return fmt::format(pattern, format.scale * value.at(0).get<double>(),
-                           format.scale * value.at(1).get<double>());
+        return fmt::format(pattern, readable(value.at(0)), readable(value.at(1)));
     }
     if (value.is_number_float()) {
-        const double number = format.scale * value.get<double>();
-        const bool hasDecimals = format.pattern.find("{:") != std::string::npos;
-        return hasDecimals
-                   ? fmt::format(pattern, number)
-                   : fmt::format(pattern, base::quantityText(number, format.unit, base::NumberStyle::plain));
+        return fmt::format(pattern, readable(value));
     }
     return fmt::format(pattern, plainText(value));
 }

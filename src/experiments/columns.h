@@ -21,10 +21,9 @@ using Json = nlohmann::ordered_json;
 
 /// How a table writes a value.
 struct CellFormat {
-    std::string pattern =
-        "{}";           ///< of fmt, "{}" for base::quantityText(); for an array of two numbers it takes both
-    double scale = 1.0; ///< numbers are multiplied by it, such as 100 for percent
-    std::string missing{};                          ///< what stands for null and for what is absent
+    std::string pattern = "{}"; ///< of fmt, in which numbers are Readable; for an array of two it takes both
+    double scale = 1.0;         ///< numbers are multiplied by it, such as 100 for percent
+    std::string missing{};      ///< what stands for null and for what is absent
     base::LengthUnit unit = base::LengthUnit::none; ///< of a length
 };
 

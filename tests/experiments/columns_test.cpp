@@ -23,11 +23,11 @@ const Columns<Row>& columns() {
     static const Columns<Row> kColumns{
         {.key = "name", .value = &Row::name, .heading = "who"},
         {.key = "twice", .value = &Row::twice},
-        {.key = "share", .value = &Row::share, .heading = "share", .format = {"{:.1f} %", 100.0}},
+        {.key = "share", .value = &Row::share, .heading = "share", .format = {"{} %", 100.0}},
         {.key = "bound",
          .value = [](const Row& row) { return finiteOrNull(row.bound); },
          .heading = "bound",
-         .format = {.pattern = "{:.2f}", .missing = "never"},
+         .format = {.missing = "never"},
          .before = "share"},
         {.key = "left_out", .value = [](const Row&) { return absent(); }},
         {.value =
@@ -35,7 +35,7 @@ const Columns<Row>& columns() {
                  return jsonOf(measure::Interval{row.share, row.twice()});
              },
          .heading = "interval",
-         .format = {"{:.1f} to {:.1f}"}}};
+         .format = {"{:+} to {:+}"}}};
     return kColumns;
 }
 
@@ -47,8 +47,8 @@ TEST(Columns, OneListMakesJsonAndTheTable) {
                                                R"({"name":"b","twice":1.0,"share":0.5,"bound":null}])");
     const Table table = tableOf(columns(), kRows);
     EXPECT_EQ(table.header, (std::vector<std::string>{"who", "bound", "share", "interval"}));
-    EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"a", "3.00", "25.0 %", "0.2 to 0.5"},
-                                                                 {"b", "never", "50.0 %", "0.5 to 1.0"}}));
+    EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"a", "3", "25 %", "+0.25 to +0.5"},
+                                                                 {"b", "never", "50 %", "+0.5 to +1"}}));
 }
 
 TEST(Columns, OfAPartStandAmongTheRowsOwn) {

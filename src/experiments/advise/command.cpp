@@ -5,6 +5,7 @@
 #include <cli/commands.h>
 #include <experiments/advise/measured_advice.h>
 #include <experiments/columns.h>
+#include <experiments/readable.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -85,9 +86,9 @@ std::string measuredText(const depth::Measurement& measured, base::LengthUnit un
 }
 
 std::string timeText(const depth::Measurement& measured) {
-    const auto percent = [](double ratio) { return 100.0 * (ratio - 1.0); };
-    return fmt::format("{:+.1f} % ({:+.1f} to {:+.1f})", percent(measured.timeRatio),
-                       percent(measured.timeRatioLow), percent(measured.timeRatioHigh));
+    const auto percent = [](double ratio) { return experiments::Readable{100.0 * (ratio - 1.0)}; };
+    return fmt::format("{:+} % ({:+} to {:+})", percent(measured.timeRatio), percent(measured.timeRatioLow),
+                       percent(measured.timeRatioHigh));
 }
 
 using Row = depth::AdviceRow;

@@ -42,7 +42,7 @@ experiments::Columns<experiments::CoplanarResult> coplanarColumns() {
                                               static_cast<double>(std::max<std::uint64_t>(result.pixels, 1)));
                  },
              .heading = "of all",
-             .format = {.pattern = "{:.4f} %", .scale = 100.0}},
+             .format = {.pattern = "{} %", .scale = 100.0}},
             {.key = "coverage", .value = &Result::coverage},
             {.key = "wrong_views", .value = &Result::wrongViews, .heading = "views with any"},
             {.key = "through", .value = &Result::through, .heading = "through a wall"},

@@ -2,6 +2,7 @@
 #include <cli/comparison.h>
 #include <experiments/columns.h>
 #include <experiments/detail/detail.h>
+#include <experiments/readable.h>
 
 #include <fmt/format.h>
 
@@ -20,28 +21,27 @@ experiments::Columns<experiments::DetailResult> detailColumns() {
     using Result = experiments::DetailResult;
     const auto othersShare = [](const Result& result) {
         const double share = static_cast<double>(result.otherIds) / static_cast<double>(result.pixels);
-        return base::quantityText(100.0 * share, base::NumberStyle::plain) + " %";
+        return fmt::format("{} %", experiments::percent(share));
     };
-    return {
-        {.key = "mode", .value = &Result::mode, .heading = "detail"},
-        {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms", .format = {"{:.2f}"}},
-        {.key = "record_ms", .value = &Result::recordMs},
-        {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms", .format = {"{:.2f}"}},
-        {.key = "execute_speedup", .value = &Result::speedup, .heading = "speed-up", .format = {"{:.2f}"}},
-        {.key = "ci95",
-         .value = [](const Result& result) { return experiments::jsonOf(result.speedup95); },
-         .heading = "95 % interval",
-         .format = {"{:.2f} to {:.2f}"}},
-        {.key = "triangles",
-         .value = &Result::triangles,
-         .heading = "triangles",
-         .format = {"{:.0f}"},
-         .before = "frame ms"},
-        {.key = "flip", .value = &Result::flip, .heading = "FLIP", .format = {"{:.5f}"}},
-        {.key = "largest_flip", .value = &Result::largestFlip},
-        {.key = "pixels", .value = &Result::pixels},
-        {.key = "other_ids", .value = &Result::otherIds, .heading = "other objects", .text = othersShare},
-        {.key = "cracks", .value = &Result::cracks, .heading = "cracks"}};
+    return {{.key = "mode", .value = &Result::mode, .heading = "detail"},
+            {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms"},
+            {.key = "record_ms", .value = &Result::recordMs},
+            {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"},
+            {.key = "execute_speedup", .value = &Result::speedup, .heading = "speed-up"},
+            {.key = "ci95",
+             .value = [](const Result& result) { return experiments::jsonOf(result.speedup95); },
+             .heading = "95 % interval",
+             .format = {"{} to {}"}},
+            {.key = "triangles",
+             .value = &Result::triangles,
+             .heading = "triangles",
+             .format = {"{}"},
+             .before = "frame ms"},
+            {.key = "flip", .value = &Result::flip, .heading = "FLIP"},
+            {.key = "largest_flip", .value = &Result::largestFlip},
+            {.key = "pixels", .value = &Result::pixels},
+            {.key = "other_ids", .value = &Result::otherIds, .heading = "other objects", .text = othersShare},
+            {.key = "cracks", .value = &Result::cracks, .heading = "cracks"}};
 }
 
 void run(Command& command, DetailArguments& arguments) {
@@ -58,12 +58,12 @@ void run(Command& command, DetailArguments& arguments) {
 
     const auto columns = detailColumns();
     command.console().table(experiments::tableOf(columns, report.results));
-    command.console().line(
-        fmt::format("\n{}; {} of {} triangles, {} levels made in {:.0f} ms; {} frames, {}x{}, {} "
-                    "pixels of error, {} {}, {} threads; commit {}",
-                    command.opened().text(), options.scene, report.sceneTriangles, report.meshLevels,
-                    report.makeMs, options.frames, options.width, options.height, options.pixels,
-                    arguments.depth, arguments.split, options.threads, host::buildInfo().commit));
+    command.console().line(fmt::format(
+        "\n{}; {} of {} triangles, {} levels made in {} ms; {} frames, {}x{}, {} "
+        "pixels of error, {} {}, {} threads; commit {}",
+        command.opened().text(), options.scene, report.sceneTriangles, report.meshLevels,
+        experiments::Readable{report.makeMs}, options.frames, options.width, options.height, options.pixels,
+        arguments.depth, arguments.split, options.threads, host::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options);
     settings.update({{"mapping", nameOf(options.technique.mapping)},
                      {"split", nameOf(options.technique.split)},

@@ -3,6 +3,7 @@
 #include <cli/comparison.h>
 #include <experiments/columns.h>
 #include <experiments/effects/effects.h>
+#include <experiments/readable.h>
 
 #include <fmt/format.h>
 
@@ -18,12 +19,12 @@ struct EffectsArguments {
 experiments::Columns<experiments::EffectsResult> effectsColumns() {
     using Result = experiments::EffectsResult;
     return {{.key = "mode", .value = &Result::mode, .heading = "effect"},
-            {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms", .format = {"{:.2f}"}},
-            {.key = "execute_ratio", .value = &Result::ratio, .heading = "over plain", .format = {"{:.3f}"}},
+            {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"},
+            {.key = "execute_ratio", .value = &Result::ratio, .heading = "over plain"},
             {.key = "ci95",
              .value = [](const Result& result) { return experiments::jsonOf(result.ratio95); },
              .heading = "95 % interval",
-             .format = {"{:.3f} to {:.3f}"}},
+             .format = {"{} to {}"}},
             {.key = "least_alike", .value = &Result::leastAlike, .heading = "under"},
             {.key = "differing",
              .value = &Result::differing,
@@ -44,8 +45,8 @@ void run(Command& command, EffectsArguments& arguments) {
 
     const auto columns = effectsColumns();
     command.console().table(experiments::tableOf(columns, report.results));
-    command.console().line(fmt::format("\nocclusion per layer leaves {:.3f} % of the pixels too bright",
-                                       100.0 * report.lostPerLayer));
+    command.console().line(fmt::format("\nocclusion per layer leaves {} % of the pixels too bright",
+                                       experiments::percent(report.lostPerLayer)));
     command.console().line(fmt::format(
         "{}; {}, {} frames, {}x{}, radius {}, visibility {}, {} threads; differing: by "
         "more than {} of 255 from anchored, which preset most",

@@ -42,9 +42,8 @@ experiments::Columns<experiments::FlickerResult> flickerColumns() {
           {.key = "compared", .value = [](const Result& result) { return result.flips.compared; }},
           {.key = "flips_per_thousand",
            .value = [](const Result& result) { return result.flips.perThousand(); },
-           .heading = "flips / 1000",
-           .format = {"{:.4f}"}},
-          {.key = "mean_flip", .value = &Result::meanFlip, .heading = "mean FLIP", .format = {"{:.6f}"}},
+           .heading = "flips / 1000"},
+          {.key = "mean_flip", .value = &Result::meanFlip, .heading = "mean FLIP"},
           {.key = "flip_frames", .value = &Result::flipFrames},
           {.key = "duplication", .value = &Result::duplication},
           {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}}});
@@ -84,10 +83,10 @@ experiments::Columns<experiments::FlickerPair> pairColumns() {
          .value = &Pair::agree,
          .heading = "agree",
          .text = [](const Pair& pair) { return pair.agree() ? "yes" : "no"; }},
-        {.key = "chi_squared", .value = &Pair::chiSquared, .heading = "chi-squared", .format = {"{:.3f}"}},
+        {.key = "chi_squared", .value = &Pair::chiSquared, .heading = "chi-squared"},
         {.key = "chi_squared_p",
          .value = [](const Pair& pair) { return measure::chiSquaredTail(pair.chiSquared()); }},
-        {.key = "binomial_p", .value = &Pair::binomialP, .heading = "binomial p", .format = {"{:.5f}"}}};
+        {.key = "binomial_p", .value = &Pair::binomialP, .heading = "binomial p"}};
 }
 
 std::vector<depth::NamedTechnique> techniquesOf(const FlickerArguments& arguments) {

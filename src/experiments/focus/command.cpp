@@ -2,6 +2,7 @@
 #include <cli/comparison.h>
 #include <experiments/columns.h>
 #include <experiments/focus/focus.h>
+#include <experiments/readable.h>
 
 #include <fmt/format.h>
 
@@ -19,24 +20,23 @@ struct FocusArguments {
 experiments::Columns<experiments::FocusResult> focusColumns() {
     using Result = experiments::FocusResult;
     const auto megapixels = [](const Result& result) {
-        return fmt::format("{:.2f}", static_cast<double>(result.pixels) / 1e6);
+        return fmt::format("{}", experiments::Readable{static_cast<double>(result.pixels) / 1e6});
     };
-    return {
-        {.key = "mode", .value = &Result::mode, .heading = "lens"},
-        {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms", .format = {"{:.2f}"}},
-        {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms", .format = {"{:.2f}"}},
-        {.key = "execute_speedup", .value = &Result::speedup, .heading = "speed-up", .format = {"{:.3f}"}},
-        {.key = "ci95",
-         .value = [](const Result& result) { return experiments::jsonOf(result.speedup95); },
-         .heading = "95 % interval",
-         .format = {"{:.3f} to {:.3f}"}},
-        {.key = "pixels",
-         .value = &Result::pixels,
-         .heading = "megapixels",
-         .text = megapixels,
-         .before = "frame ms"},
-        {.key = "flip", .value = &Result::flip, .heading = "FLIP", .format = {"{:.4f}"}},
-        {.key = "rmse", .value = &Result::rmse, .heading = "RMSE", .format = {"{:.4f}"}}};
+    return {{.key = "mode", .value = &Result::mode, .heading = "lens"},
+            {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms"},
+            {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"},
+            {.key = "execute_speedup", .value = &Result::speedup, .heading = "speed-up"},
+            {.key = "ci95",
+             .value = [](const Result& result) { return experiments::jsonOf(result.speedup95); },
+             .heading = "95 % interval",
+             .format = {"{} to {}"}},
+            {.key = "pixels",
+             .value = &Result::pixels,
+             .heading = "megapixels",
+             .text = megapixels,
+             .before = "frame ms"},
+            {.key = "flip", .value = &Result::flip, .heading = "FLIP"},
+            {.key = "rmse", .value = &Result::rmse, .heading = "RMSE"}};
 }
 
 experiments::Columns<experiments::FocusCascade> cascadeColumns() {
@@ -62,8 +62,9 @@ void run(Command& command, FocusArguments& arguments) {
     const auto columns = focusColumns();
     command.console().table(experiments::tableOf(columns, report.results));
     for (const auto& cascade : report.cascades) {
-        command.console().line(fmt::format("cascade from {:.4g} to {:.4g}: {} pixels a pixel",
-                                           cascade.nearView, cascade.farView, cascade.scale));
+        command.console().line(fmt::format("cascade from {} to {}: {} pixels a pixel",
+                                           experiments::Readable{cascade.nearView},
+                                           experiments::Readable{cascade.farView}, cascade.scale));
     }
     command.console().line(
         fmt::format("\n{}; {}, {} frames, {}x{}, sharp at {} through {}, {} cameras, {}, {} threads; "

@@ -9,6 +9,7 @@
 #include <experiments/inspect/views.h>
 #include <experiments/number_checks.h>
 #include <experiments/orbit/orbit.h>
+#include <experiments/readable.h>
 #include <experiments/wrong_pixels_columns.h>
 #include <scenes/open_scene.h>
 
@@ -129,13 +130,11 @@ void print(const Command& command, const InspectArguments& arguments, const Insp
         console.line(line);
     }
     if (arguments.failAbove) {
-        const auto percent = [](double share) {
-            return base::quantityText(100.0 * share, base::NumberStyle::plain) + " %";
-        };
-        console.line(fmt::format("{}: {} of the pixels are wrong and {} coplanar; at most {} are allowed.",
-                                 nameOf(inspection.techniques[inspection.judged]),
-                                 percent(inspection.techniques[inspection.judged].wrong.fraction()),
-                                 percent(inspection.coplanarFraction()), percent(*arguments.failAbove)));
+        console.line(fmt::format(
+            "{}: {} % of the pixels are wrong and {} % coplanar; at most {} % are allowed.",
+            nameOf(inspection.techniques[inspection.judged]),
+            experiments::percent(inspection.techniques[inspection.judged].wrong.fraction()),
+            experiments::percent(inspection.coplanarFraction()), experiments::percent(*arguments.failAbove)));
     }
 }
 

@@ -1,7 +1,7 @@
 #include "verdict.h"
 
-#include <cdr/base/quantity_text.h>
 #include <cdr/depth/forecast.h>
+#include <experiments/readable.h>
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kNamed = 5;
 
 std::string shareText(double share) {
-    return base::quantityText(100.0 * share, base::NumberStyle::plain) + " %";
+    return fmt::format("{} %", percent(share));
 }
 
 std::string both(const scene::Scene& scene, const ObjectPair& pair, const char* between) {

@@ -3,6 +3,7 @@
 #include <cli/picture_folder.h>
 #include <experiments/gnuplot.h>
 #include <experiments/orbit/orbit.h>
+#include <experiments/readable.h>
 #include <experiments/wrong_pixels_columns.h>
 #include <scenes/orbit/orbit.h>
 
@@ -39,11 +40,11 @@ void writePictures(const PictureFolder& folder, const std::vector<experiments::P
         folder.write(fileName(result) + ".png", result.picture);
         folder.write(fileName(result) + "_wrong.png", result.heatMap);
     }
-    folder.write(
-        "orbit_sheet.png",
-        experiments::makeContactSheet(results, fmt::format("cdr orbit: paint 5 mm over the runway, seen from "
-                                                           "420 km through {:.3g} degrees; red is wrong; {}",
-                                                           results.front().fovYDegrees, device)));
+    folder.write("orbit_sheet.png",
+                 experiments::makeContactSheet(
+                     results, fmt::format("cdr orbit: paint 5 mm over the runway, seen from "
+                                          "420 km through {} degrees; red is wrong; {}",
+                                          experiments::Readable{results.front().fovYDegrees}, device)));
 }
 
 /// @param pictures of the last frame that were written.
@@ -78,10 +79,10 @@ void printTable(const Console& console, const std::vector<experiments::OrbitResu
             header.push_back(result.technique);
         }
         if (rows.empty() || rows.back().front() != std::to_string(result.frame)) {
-            rows.push_back({std::to_string(result.frame), fmt::format("{:.4f}", result.fovYDegrees)});
+            rows.push_back(
+                {std::to_string(result.frame), fmt::format("{}", experiments::Readable{result.fovYDegrees})});
         }
-        rows.back().push_back(base::quantityText(100.0 * result.wrong.fraction(), base::NumberStyle::plain) +
-                              " %");
+        rows.back().push_back(fmt::format("{} %", experiments::percent(result.wrong.fraction())));
     }
     console.table({header, rows});
 }

@@ -1,6 +1,7 @@
 #include "pictures.h"
 
 #include <cdr/image/compose.h>
+#include <experiments/readable.h>
 
 #include <fmt/format.h>
 
@@ -26,7 +27,7 @@ void caption(image::ImageRgba8& sheet, const std::string& text, std::uint32_t x,
 }
 
 std::string wrongText(const measure::WrongPixels& wrong) {
-    return fmt::format("{:.3g} % wrong", 100.0 * wrong.fraction());
+    return fmt::format("{} % wrong", percent(wrong.fraction()));
 }
 
 } // namespace

@@ -44,7 +44,7 @@ experiments::Columns<experiments::PrecisionCell> precisionColumns(base::LengthUn
              return experiments::Json(100.0 * (cell.reachedFirstView / *cell.thesisView - 1.0));
          }),
          .heading = "difference",
-         .format = {"{:+.4f} %"}}};
+         .format = {"{:+} %"}}};
 }
 
 void writeCurve(const std::string& file, const experiments::PrecisionResult& result) {

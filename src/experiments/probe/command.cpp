@@ -3,6 +3,7 @@
 #include <cli/commands.h>
 #include <experiments/columns.h>
 #include <experiments/probe/probe.h>
+#include <experiments/readable.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,7 +36,7 @@ experiments::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit uni
     };
     const auto ratioText = [](const Result& result) {
         const std::optional<double> ratio = ratioOf(result);
-        return ratio && *ratio > 0.0 ? fmt::format("{:.2f}", *ratio) : "";
+        return ratio && *ratio > 0.0 ? fmt::format("{}", experiments::Readable{*ratio}) : "";
     };
     return {
         {.key = "technique", .value = &Result::technique, .heading = "technique"},

@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/host/child_process.h>
+#include <experiments/readable.h>
 #include <experiments/shuffled_order.h>
 
 #include <fmt/format.h>
@@ -131,8 +132,9 @@ Comparison compare(const BuildTimes& times, std::uint64_t seed) {
 }
 
 std::string verdictOf(const Comparison& comparison) {
-    return comparison.isSeen ? fmt::format("{:.3f} times", comparison.ratio)
-                             : fmt::format("no difference seen, noise ±{:.1f} %", comparison.noisePercent);
+    return comparison.isSeen
+               ? fmt::format("{} times", Readable{comparison.ratio})
+               : fmt::format("no difference seen, noise ±{} %", Readable{comparison.noisePercent});
 }
 
 AgainstReport runAgainst(const AgainstOptions& options,

@@ -7,6 +7,7 @@
 #include <cli/commands.h>
 #include <experiments/columns.h>
 #include <experiments/gnuplot.h>
+#include <experiments/readable.h>
 #include <experiments/timing/tables.h>
 #include <experiments/timing/timing.h>
 
@@ -50,9 +51,10 @@ auto partOf(double experiments::TimingParts::*part) {
 experiments::Columns<experiments::TimingResult> timingColumns() {
     using Result = experiments::TimingResult;
     using Parts = experiments::TimingParts;
-    const experiments::CellFormat micros{.pattern = "{:.0f}", .missing = "-"};
+    const experiments::CellFormat micros{.missing = "-"};
     const auto range = [](const Result& result) {
-        return fmt::format("{:.0f}-{:.0f}", result.lowUs, result.highUs);
+        return fmt::format("{} to {}", experiments::Readable{result.lowUs},
+                           experiments::Readable{result.highUs});
     };
     return {
         {.key = "mode", .value = [](const Result& result) { return result.mode.preset; }},
@@ -75,15 +77,15 @@ experiments::Columns<experiments::TimingResult> timingColumns() {
         {.key = "overhead_pct",
          .value = &Result::overheadPercent,
          .heading = "overhead",
-         .format = {"{:+.2f} %"}},
+         .format = {"{:+} %"}},
         {.key = "ci95",
          .value = [](const Result& result) { return experiments::jsonOf(result.overheadPercent95); },
          .heading = "95 % interval",
-         .format = {"{:+.2f} to {:+.2f}"}},
+         .format = {"{:+} to {:+}"}},
         {.key = "thesis_pct",
          .value = [](const Result& result) { return experiments::finiteOrNull(result.mode.thesisPercent); },
          .heading = "thesis",
-         .format = {"{:+.1f} %"}}};
+         .format = {"{:+} %"}}};
 }
 
 void writeCsv(const std::filesystem::path& path, const experiments::Json& rows) {
@@ -265,9 +267,11 @@ void timeModes(Command& command, TimingArguments& arguments) {
     console.line(fmt::format("\n{}; {} frames a mode after {} dropped, seed {}, {} threads, {}x{}; commit {}",
                              device, options.frames, experiments::kWarmUpFrames, options.seed,
                              options.threads, options.width, options.height, host::buildInfo().commit));
-    console.line(fmt::format("Noise floor, standard over itself: {:+.2f} %, 95 % {:+.2f} to {:+.2f}",
-                             results.at(1).overheadPercent, results.at(1).overheadPercent95.low,
-                             results.at(1).overheadPercent95.high));
+    const experiments::TimingResult& again = results.at(1);
+    console.line(fmt::format("Noise floor, standard over itself: {:+} %, 95 % {:+} to {:+}",
+                             experiments::Readable{again.overheadPercent},
+                             experiments::Readable{again.overheadPercent95.low},
+                             experiments::Readable{again.overheadPercent95.high}));
     if (!arguments.csv.empty()) {
         writeCsv(arguments.csv, experiments::jsonOf(timingColumns(), results));
     }

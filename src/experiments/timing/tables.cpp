@@ -1,6 +1,7 @@
 #include "tables.h"
 
 #include <cdr/host/machine_state.h>
+#include <experiments/readable.h>
 
 #include <fmt/format.h>
 
@@ -9,14 +10,14 @@ namespace cdr::experiments {
 Columns<Comparison> againstColumns() {
     return {
         {.key = "name", .value = &Comparison::name, .heading = "mode"},
-        {.key = "here_us", .value = &Comparison::hereUs, .heading = "here us", .format = {"{:.0f}"}},
-        {.key = "against_us", .value = &Comparison::againstUs, .heading = "against us", .format = {"{:.0f}"}},
-        {.key = "ratio", .value = &Comparison::ratio, .heading = "ratio", .format = {"{:.3f}"}},
+        {.key = "here_us", .value = &Comparison::hereUs, .heading = "here us"},
+        {.key = "against_us", .value = &Comparison::againstUs, .heading = "against us"},
+        {.key = "ratio", .value = &Comparison::ratio, .heading = "ratio"},
         {.key = "ci95",
          .value = [](const Comparison& row) { return jsonOf(row.ratio95); },
          .heading = "95 % interval",
-         .format = {"{:.3f} to {:.3f}"}},
-        {.key = "noise_pct", .value = &Comparison::noisePercent, .heading = "noise", .format = {"±{:.1f} %"}},
+         .format = {"{} to {}"}},
+        {.key = "noise_pct", .value = &Comparison::noisePercent, .heading = "noise", .format = {"±{} %"}},
         {.key = "seen", .value = &Comparison::isSeen, .heading = "over the other build", .text = verdictOf}};
 }
 
@@ -24,29 +25,23 @@ Columns<StageCost> stageColumns(const std::string& mode) {
     return {{.key = "mode", .value = [mode](const StageCost&) { return mode; }, .heading = "mode"},
             {.key = "stage", .value = &StageCost::name, .heading = "stage"},
             {.key = "how", .value = &StageCost::how, .heading = "left out"},
-            {.key = "median_us", .value = &StageCost::medianUs, .heading = "us", .format = {"{:.0f}"}},
+            {.key = "median_us", .value = &StageCost::medianUs, .heading = "us"},
             {.key = "ci95",
              .value = [](const StageCost& row) { return jsonOf(row.us95); },
              .heading = "95 % interval",
-             .format = {"{:.0f} to {:.0f}"}},
+             .format = {"{} to {}"}},
             {.key = "frame_pct",
              .value = &StageCost::framePercent,
              .heading = "of the frame",
-             .format = {"{:.1f} %"}}};
+             .format = {"{} %"}}};
 }
 
 Columns<MemoryCost> memoryColumns() {
     return {{.key = "what", .value = &MemoryCost::what, .heading = "what"},
             {.key = "per", .value = &MemoryCost::per, .heading = "per"},
             {.key = "on", .value = &MemoryCost::on, .heading = "on"},
-            {.key = "predicted_bytes",
-             .value = &MemoryCost::predictedBytes,
-             .heading = "predicted bytes",
-             .format = {"{:.1f}"}},
-            {.key = "measured_bytes",
-             .value = &MemoryCost::measuredBytes,
-             .heading = "measured bytes",
-             .format = {"{:.1f}"}}};
+            {.key = "predicted_bytes", .value = &MemoryCost::predictedBytes, .heading = "predicted bytes"},
+            {.key = "measured_bytes", .value = &MemoryCost::measuredBytes, .heading = "measured bytes"}};
 }
 
 Json machineJson() {
@@ -58,7 +53,7 @@ Json machineJson() {
 std::string machineText() {
     const host::MachineState state = host::machineState();
     return fmt::format("governor {}, load {}", state.governor.value_or("not known"),
-                       state.load ? fmt::format("{:.1f}", *state.load) : "not known");
+                       state.load ? fmt::format("{}", Readable{*state.load}) : "not known");
 }
 
 } // namespace cdr::experiments

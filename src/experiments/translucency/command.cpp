@@ -2,6 +2,7 @@
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
 #include <experiments/columns.h>
+#include <experiments/readable.h>
 #include <experiments/translucency/translucency.h>
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ experiments::Columns<experiments::TranslucencyResult> translucencyColumns() {
     const experiments::Columns<Difference> differences{
         {.key = "pixels", .value = &Difference::translucent},
         {.key = "max_error", .value = &Difference::largestError, .heading = "max error"},
-        {.key = "mean_error", .value = &Difference::meanError, .heading = "mean error", .format = {"{:.3f}"}},
+        {.key = "mean_error", .value = &Difference::meanError, .heading = "mean error"},
         {.key = "within_one_step",
          .value = &Difference::withinFraction,
          .heading = "within 1/255",
@@ -44,7 +45,7 @@ experiments::Columns<experiments::TranslucencyResult> translucencyColumns() {
     const experiments::Columns<Stats> stats{{.key = "draws", .value = &Stats::draws, .heading = "draws"},
                                             {.key = "fragments", .value = &Stats::fragments}};
     const auto mebibytes = [](const Result& result) {
-        return fmt::format("{:.1f}", static_cast<double>(result.stats.bytes) / 0x1p20);
+        return fmt::format("{}", experiments::Readable{static_cast<double>(result.stats.bytes) / 0x1p20});
     };
     return experiments::joined<Result>(
         {{{.key = "method",
@@ -58,7 +59,7 @@ experiments::Columns<experiments::TranslucencyResult> translucencyColumns() {
            .value = [](const Result& result) { return result.stats.bytes; },
            .heading = "MiB",
            .text = mebibytes},
-          {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms", .format = {"{:.1f}"}},
+          {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"},
           {.key = "note", .value = &Result::note}}});
 }
 

@@ -23,7 +23,8 @@ export function number(value, digits = 4) {
         const [mantissa] = Math.abs(value).toExponential(kept - 1).split("e");
         return `${sign}${trimZeros(mantissa)}\u00b710${superscript(exponent)}`;
     }
-    return sign + trimZeros(fixed(Math.abs(value), Math.max(0, kept - 1 - exponent)));
+    const [whole, fraction] = trimZeros(Math.abs(value).toFixed(Math.max(0, kept - 1 - exponent))).split(".");
+    return sign + whole.replace(/\B(?=(\d{3})+$)/g, ",") + (fraction ? `.${fraction}` : "");
 }
 
 /** How many digits are shown, and the power of ten of the first of them once rounded. */
@@ -35,6 +36,7 @@ function readable(size, digits) {
 }
 
 const kExactDigits = 41;
+const kSignedDigits = 3; // what is measured over something else is never known better
 const kUnits = [[1e-6, "\u00b5m", "um"], [1e-3, "mm", "mm"], [1, "m", "m"], [1e3, "km", "km"], [1e9, `million${kSpace}km`]];
 
 /** What a length may be written in, in the order of a choice. */
@@ -51,29 +53,14 @@ export function lengthIn(metres, unit, digits = 4) {
     return `${number(metres / size, digits)}${kSpace}${name}`;
 }
 
-/** A fixed number of decimals, thousands grouped. */
-export function fixed(value, decimals) {
-    if (!Number.isFinite(value)) {
-        return "none";
-    }
-    const [whole, fraction] = Math.abs(value).toFixed(decimals).split(".");
-    const grouped = whole.replace(/\B(?=(\d{3})+$)/g, ",");
-    const text = fraction ? `${grouped}.${fraction}` : grouped;
-    return value < 0 && /[1-9]/.test(text) ? kMinus + text : text;
-}
-
 /** A share of 1 as percent. */
 export function percent(share, digits = 4) {
     return Number.isFinite(share) ? `${number(100 * share, digits)}${kSpace}%` : "none";
 }
 
 /** A difference already in percent, its sign always there. */
-export function signedPercent(value, decimals = 1) {
-    if (!Number.isFinite(value)) {
-        return "none";
-    }
-    const text = fixed(value, decimals);
-    return `${text.startsWith(kMinus) ? "" : "+"}${text}${kSpace}%`;
+export function signedPercent(value) {
+    return Number.isFinite(value) ? `${value > 0 ? "+" : ""}${number(value, kSignedDigits)}${kSpace}%` : "none";
 }
 
 /** Seconds as people say them. */

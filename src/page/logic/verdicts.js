@@ -2,7 +2,7 @@
 // results, so another device gets other sentences.
 
 import { observerWins, pairRows, techniques } from "./flicker.js";
-import { duration, fixed, list, number, percent, signedPercent } from "./format.js";
+import { duration, list, number, percent, signedPercent } from "./format.js";
 import { find } from "./pictures.js";
 import { checkPercentages, tableRows, worstCell } from "./precision.js";
 import { listingReliability, reliability } from "./probe.js";
@@ -54,7 +54,7 @@ function judgeTable41(document) {
     if (!worst) {
         return { status: "missing", sentence: "Only near 0.001 and far 10\u2078 have values in the thesis." };
     }
-    const most = `the largest difference is ${number(Math.abs(worst.differencePct), 2)}\u202f%, ${techniqueTitles[worst.technique]} at ${fixed(worst.thesis, 3)}`;
+    const most = `the largest difference is ${number(Math.abs(worst.differencePct), 2)}\u202f%, ${techniqueTitles[worst.technique]} at ${number(worst.thesis)}`;
     return off.length === 0
         ? { status: "yes", sentence: `All ${cells.length} distances agree within 0.1\u202f%: ${most}.` }
         : { status: off.length < cells.length / 2 ? "partly" : "no",
@@ -65,7 +65,7 @@ function judgePercentages() {
     const claims = checkPercentages();
     const wrong = claims.filter((claim) => !claim.agrees);
     const corrections = wrong.map((claim) =>
-        `${techniqueTitles[claim.of]} over ${techniqueTitles[claim.over]} is ${fixed(claim.fromTable, 0)}\u202f%, not the ${fixed(claim.percent, 0)}\u202f% of the ${claim.where}`);
+        `${techniqueTitles[claim.of]} over ${techniqueTitles[claim.over]} is ${number(claim.fromTable)}\u202f%, not the ${number(claim.percent)}\u202f% of the ${claim.where}`);
     const kept = claims.length - wrong.length;
     return {
         status: wrong.length === 0 ? "yes" : "partly",
@@ -161,7 +161,7 @@ function judgeTiming(document) {
     const inside = bars.filter((bar) => bar.agrees);
     const tau = rankAgreement(bars);
     const widest = Math.max(...bars.map((bar) => bar.high - bar.low));
-    const facts = `${inside.length} of ${bars.length} of the thesis\u2019 overheads lie in our 95\u202f% intervals, the rank order agrees with Kendall\u2019s \u03c4 = ${fixed(tau, 2)}, and standard over itself gives ${signedPercent(noise.overhead)} (${signedPercent(noise.low)} to ${signedPercent(noise.high)})`;
+    const facts = `${inside.length} of ${bars.length} of the thesis\u2019 overheads lie in our 95\u202f% intervals, the rank order agrees with Kendall\u2019s \u03c4 = ${number(tau, 2)}, and standard over itself gives ${signedPercent(noise.overhead)} (${signedPercent(noise.low)} to ${signedPercent(noise.high)})`;
     if (widest > kTooWide || document.options.frames < kTooFew) {
         return {
             status: "open",

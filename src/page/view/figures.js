@@ -1,6 +1,6 @@
 // Numbers in elements that know all their digits: what is selected is copied with these, and lengths follow the unit chosen.
 
-import { fixed, lengthIn, lengthUnits, number, percent } from "../logic/format.js";
+import { lengthIn, lengthUnits, number, percent, signedPercent } from "../logic/format.js";
 import { h } from "./elements.js";
 
 const kKept = "cdr-length-unit"; // in the browser's storage
@@ -11,9 +11,14 @@ export function figure(value, digits) {
     return exactly(number(value, digits), value);
 }
 
-/** A number with as many decimals as its neighbours. */
-export function decimals(value, count) {
-    return exactly(fixed(value, count), value);
+/** Both ends of an interval. */
+export function interval([low, high]) {
+    return h("span", {}, figure(low), " to ", figure(high));
+}
+
+/** A difference already in percent, its sign always there. */
+export function difference(value) {
+    return exactly(signedPercent(value), Number.isFinite(value) ? `${value}\u00a0%` : value);
 }
 
 /** A share of 1 as percent. */

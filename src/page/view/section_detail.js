@@ -1,7 +1,7 @@
-import { fixed, number } from "../logic/format.js";
+import { number } from "../logic/format.js";
 import { worstAndBest } from "../logic/pictures.js";
 import { h, slot, table } from "./elements.js";
-import { decimals, figure, share } from "./figures.js";
+import { figure, interval, share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
 const titles = { none: "In full", object: "By object", cascade: "By cascade", "none-again": "In full, again" };
@@ -34,6 +34,6 @@ function makeTable(document) {
     return table("Execute over drawing in full, the median of the ratios frame by frame; FLIP and the rest compare with the same frames in full.",
         ["Detail", "triangles", "execute, ms", "times faster", "95 % interval", "FLIP", "other object shown", "cracks"],
         document.results.map((row) => [
-            h("span", {}, titles[row.mode] ?? row.mode), figure(row.triangles), figure(row.execute_ms), decimals(row.execute_speedup, 2),
-            row.ci95.map((end) => fixed(end, 2)).join(" to "), figure(row.flip), share(row.other_ids / row.pixels), figure(row.cracks)]));
+            h("span", {}, titles[row.mode] ?? row.mode), figure(row.triangles), figure(row.execute_ms), figure(row.execute_speedup),
+            interval(row.ci95), figure(row.flip), share(row.other_ids / row.pixels), figure(row.cracks)]));
 }

@@ -1,8 +1,8 @@
-import { fixed, percent } from "../logic/format.js";
+import { number, percent } from "../logic/format.js";
 import { modesOrWorst } from "../logic/pictures.js";
 import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table } from "./elements.js";
-import { decimals, figure, share } from "./figures.js";
+import { figure, interval, share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
 const titles = { plain: "Plain", edges: "Smooth edges", occlusion: "Ambient occlusion", "occlusion-layers": "Occlusion per layer", fog: "Fog" };
@@ -20,7 +20,7 @@ export function fillEffects(document, folder) {
 }
 
 function itemOf(row, folder) {
-    return { technique: row.mode, title: titleOf(row), note: `${fixed(row.execute_ratio, 2)} times the time of a plain frame`, picture: `${folder}/${row.picture}` };
+    return { technique: row.mode, title: titleOf(row), note: `${number(row.execute_ratio)} times the time of a plain frame`, picture: `${folder}/${row.picture}` };
 }
 
 function altOf(item) {
@@ -31,6 +31,6 @@ function makeTable(document) {
     return table("Execute over a plain frame, the median of the ratios frame by frame; pixels that differ from anchored\u2019s, under the preset where most do.",
         ["Effect", "execute, ms", "over plain", "95 % interval", "differing", "under"],
         document.results.map((row) => [
-            h("span", {}, titleOf(row)), figure(row.execute_ms), decimals(row.execute_ratio, 2), row.ci95.map((end) => fixed(end, 2)).join(" to "),
+            h("span", {}, titleOf(row)), figure(row.execute_ms), figure(row.execute_ratio), interval(row.ci95),
             share(row.differing), techniqueTitles[row.least_alike] ?? row.least_alike]));
 }

@@ -2,7 +2,7 @@ import { flipsPerThousand, movedBoundaries, observerWins, pairRows, techniques }
 import { list, number, percent } from "../logic/format.js";
 import { table62, techniqueTitles, thesisTechniques } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel, wideOnly } from "./elements.js";
-import { decimals, figure, share } from "./figures.js";
+import { figure, share } from "./figures.js";
 
 const title = (name) => techniqueTitles[name] ?? name;
 
@@ -60,7 +60,7 @@ function people(document) {
             rows.map((row) => [
                 `${title(row.left)} : ${title(row.right)}`, row.chosen.join(" : "), row.observer ? title(row.observer) : "neither",
                 h("span", { class: row.agree ? "mark-good" : "mark-bad" }, row.agree ? "yes" : "no"),
-                decimals(row.chiSquared, 3), decimals(row.recomputed, 3), figure(row.chiSquaredP), figure(row.exactP)])),
+                figure(row.chiSquared), figure(row.recomputed), figure(row.chiSquaredP), figure(row.exactP)])),
         table("Table 6.2: how often each was chosen. People: of 36 times shown to twelve. Observer: of 3 pairs.",
             ["", ...thesisTechniques.map(title)],
             [["People", ...thesisTechniques.map((name) => table62[name])], ["Observer", ...thesisTechniques.map((name) => wins[name] ?? 0)]]),

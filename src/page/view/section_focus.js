@@ -1,7 +1,7 @@
-import { fixed } from "../logic/format.js";
+import { number } from "../logic/format.js";
 import { modesOrWorst } from "../logic/pictures.js";
 import { h, slot, table } from "./elements.js";
-import { decimals, figure } from "./figures.js";
+import { figure, interval } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
 const titles = { single: "Sharp, one target", layers: "Sharp, layers", focus: "By cascade", "focus-blend": "By cascade, fading", cameras: "Many cameras" };
@@ -19,7 +19,7 @@ export function fillFocus(document, folder) {
 }
 
 function itemOf(row, folder) {
-    return { technique: row.mode, title: titleOf(row), note: `mean FLIP ${fixed(row.flip, 4)} to the cameras`, picture: `${folder}/${row.picture}` };
+    return { technique: row.mode, title: titleOf(row), note: `mean FLIP ${number(row.flip)} to the cameras`, picture: `${folder}/${row.picture}` };
 }
 
 function altOf(item) {
@@ -30,6 +30,6 @@ function makeTable(document) {
     return table("Execute over drawing the same layers sharp, the median of the ratios frame by frame; FLIP and RMSE compare with the mean of the cameras.",
         ["Lens", "megapixels", "execute, ms", "times faster", "95 % interval", "FLIP", "RMSE"],
         document.results.map((row) => [
-            h("span", {}, titleOf(row)), decimals(row.pixels / 1e6, 2), figure(row.execute_ms), decimals(row.execute_speedup, 2),
-            row.ci95.map((end) => fixed(end, 2)).join(" to "), decimals(row.flip, 4), decimals(row.rmse, 4)]));
+            h("span", {}, titleOf(row)), figure(row.pixels / 1e6), figure(row.execute_ms), figure(row.execute_speedup),
+            interval(row.ci95), figure(row.flip), figure(row.rmse)]));
 }

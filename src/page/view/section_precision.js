@@ -1,5 +1,5 @@
 import { checkPercentages, curvesAndThesis, formatRows, tableRows } from "../logic/precision.js";
-import { fixed, percent } from "../logic/format.js";
+import { number, percent } from "../logic/format.js";
 import { techniqueTitles, thesisTechniques } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
 import { length } from "./figures.js";
@@ -40,7 +40,7 @@ function makeFigure(document) {
 function makePercentages() {
     const rows = checkPercentages().map((claim) => [
         `${techniqueTitles[claim.of]} over ${techniqueTitles[claim.over]}`, claim.where,
-        `${fixed(claim.percent, 0)}\u202f%`, `${fixed(claim.fromTable, 0)}\u202f%`,
+        `${number(claim.percent)}\u202f%`, `${number(claim.fromTable)}\u202f%`,
         h("span", { class: claim.agrees ? "mark-good" : "mark-bad" }, claim.agrees ? "agrees" : "does not"),
     ]);
     return [

@@ -1,7 +1,7 @@
-import { fixed, number } from "../logic/format.js";
+import { number } from "../logic/format.js";
 import { choices, nameOf, series, summary } from "../logic/scaling.js";
 import { h, slot, table } from "./elements.js";
-import { decimals, figure } from "./figures.js";
+import { figure } from "./figures.js";
 import { makePlot } from "./plot.js";
 
 export function fillScaling(document) {
@@ -25,7 +25,7 @@ function sentence(document) {
         ? `All ${points} points drew the very image of one thread.`
         : `${differing} of ${points} points drew another image than one thread: a fault.`;
     const speed = best && best.threads > 1
-        ? `With no more threads than this machine\u2019s ${cpus} processors, recording was at best ${fixed(best.speedup, 2)} times as fast as on one, on ${best.threads} threads (${nameOf(best)}, ${cascadesText(best.cascades)}, ${number(best.draws, 6)} draws).`
+        ? `With no more threads than this machine\u2019s ${cpus} processors, recording was at best ${number(best.speedup)} times as fast as on one, on ${best.threads} threads (${nameOf(best)}, ${cascadesText(best.cascades)}, ${number(best.draws, 6)} draws).`
         : `On this machine\u2019s ${cpus} processors no number of threads recorded faster than one.`;
     return `${speed} The least a draw took to record was ${number(fastest, 3)} ns. ${images}`;
 }
@@ -46,6 +46,6 @@ function plotOf(document, cascades, cubes, field, title, yLabel, ideal = false) 
 function makeTable(document) {
     return table("Medians in milliseconds; record and execute stay apart.",
         ["Targets", "cascades", "threads", "draws", "record", "ns per draw", "speed-up", "efficiency", "execute", "frame"],
-        document.results.map((r) => [nameOf(r), r.cascades, r.threads, figure(r.draws), decimals(r.record_ms, 3), decimals(r.record_ns_per_draw, 0),
-            decimals(r.speedup, 2), decimals(r.efficiency, 2), decimals(r.execute_ms, 2), decimals(r.frame_ms, 2)]));
+        document.results.map((r) => [nameOf(r), r.cascades, r.threads, figure(r.draws), figure(r.record_ms), figure(r.record_ns_per_draw),
+            figure(r.speedup), figure(r.efficiency), figure(r.execute_ms), figure(r.frame_ms)]));
 }

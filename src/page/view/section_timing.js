@@ -1,6 +1,7 @@
-import { fixed, number, signedPercent } from "../logic/format.js";
+import { number, signedPercent } from "../logic/format.js";
 import { bars, noiseFloor } from "../logic/timing.js";
 import { h, slot, svg, table, wideOnly } from "./elements.js";
+import { difference, figure } from "./figures.js";
 
 export function fillTiming(document) {
     const rows = bars(document);
@@ -12,9 +13,9 @@ export function fillTiming(document) {
         table(`Figure 6.4: overhead over standard, from ${number(scale.low, 2)} to ${number(scale.high, 2)} percent. Standard over itself is the noise floor, ${signedPercent(noise.low)} to ${signedPercent(noise.high)}; ${document.options.frames} frames a mode on ${document.device.name}.`,
             ["Mode", "", "measured", wideOnly("95\u202f% interval"), "thesis", wideOnly("frame, ms")],
             rows.map((row) => [
-                row.name, strip(row, noise, scale), signedPercent(row.overhead),
-                wideOnly(`${signedPercent(row.low)} to ${signedPercent(row.high)}`),
-                row.thesis === null ? "" : signedPercent(row.thesis), wideOnly(fixed(row.medianUs / 1000, 2))])),
+                row.name, strip(row, noise, scale), difference(row.overhead),
+                wideOnly(h("span", {}, difference(row.low), " to ", difference(row.high))),
+                row.thesis === null ? "" : difference(row.thesis), wideOnly(figure(row.medianUs / 1000))])),
         h("p", { class: "quiet" }, "The thesis measured on a Quadro 4000 under Windows 7, and gives neither field nor lens: here 400\u00b3 units, 60 degrees, near 0.1, far 100,000. Times are of one frame from the camera to the device being done."));
 }
 

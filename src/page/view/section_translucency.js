@@ -1,7 +1,7 @@
-import { fixed, percent } from "../logic/format.js";
+import { number, percent } from "../logic/format.js";
 import { worstAndBest } from "../logic/pictures.js";
 import { h, slot, table } from "./elements.js";
-import { decimals, figure, share } from "./figures.js";
+import { figure, share } from "./figures.js";
 import { makeWipe } from "./wipe.js";
 
 const titles = { weighted: "Weighted", sorted: "Sorted" };
@@ -21,7 +21,7 @@ function itemOf(row, folder) {
     return {
         technique: `${row.method}-${row.cascades}`,
         title: titleOf(row),
-        note: `mean error ${fixed(row.mean_error, 2)} of 255 steps, ${percent(row.within_one_step)} of pixels within one`,
+        note: `mean error ${number(row.mean_error)} of 255 steps, ${percent(row.within_one_step)} of pixels within one`,
         picture: `${folder}/${row.picture}`,
         heatMap: `${folder}/${row.error_picture}`,
     };
@@ -35,6 +35,6 @@ function makeTable(document) {
     return table("Against the float64 sorted truth, in 8-bit steps of the worst channel, off silhouettes.",
         ["Method", "largest error", "mean error", "within one step", "miscounted", "MiB", "execute, ms"],
         document.results.map((row) => [
-            h("span", {}, titleOf(row)), figure(row.max_error), decimals(row.mean_error, 3), share(row.within_one_step),
-            figure(row.miscounted), decimals(row.bytes / 2 ** 20, 1), figure(row.execute_ms)]));
+            h("span", {}, titleOf(row)), figure(row.max_error), figure(row.mean_error), share(row.within_one_step),
+            figure(row.miscounted), figure(row.bytes / 2 ** 20), figure(row.execute_ms)]));
 }

@@ -1,4 +1,4 @@
-import { fixed, number, percent } from "../logic/format.js";
+import { number, percent } from "../logic/format.js";
 import { binomialP } from "../logic/statistics.js";
 import { techniqueTitles } from "../logic/thesis.js";
 import { agreement, tally } from "../logic/trials.js";
@@ -46,10 +46,10 @@ export function makeTally(answers) {
     const rows = tally(answers).map((row) => [
         `${techniqueTitles[row.pair.left]} : ${techniqueTitles[row.pair.right]}`,
         row.counts.join(" : "),
-        Number.isFinite(row.chiSquared) ? fixed(row.chiSquared, 3) : "",
+        Number.isFinite(row.chiSquared) ? number(row.chiSquared) : "",
         Number.isFinite(row.exactP) ? number(row.exactP) : "",
         row.pair.chosen.join(" : "),
-        fixed(row.pair.chiSquared, 3),
+        number(row.pair.chiSquared),
         number(binomialP(...row.pair.chosen)),
     ]);
     return table("How often each of a pair was said to flicker less, here and in 2013.",

@@ -1,5 +1,6 @@
 #include "overlay.h"
 
+#include <cdr/base/quantity_text.h>
 #include <cdr/scene/frustum.h>
 #include <viewer/state/plain_words.h>
 #include <viewer/state/technique_label.h>
@@ -177,7 +178,8 @@ void drawLines(const Canvas& canvas, const ViewerModel& model) {
     add(model.isWrongCurrent ? kInk : kQuietInk, wrongText(model.wrong));
     add(kQuietInk, lagText(model.lagSeconds));
     if (model.video) {
-        add(kProblem, fmt::format("recording a video, {:.0f} s; F11 ends it", model.video->seconds()));
+        add(kProblem, fmt::format("recording a video, {} s; F11 ends it",
+                                  base::quantityText(std::floor(model.video->seconds()))));
     }
     if (model.motion == Motion::tour) {
         add(kInk, std::string(tourCaption(scene::degreesOf(model.camera.fovY))));

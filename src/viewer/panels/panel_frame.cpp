@@ -1,5 +1,7 @@
 #include "panels.h"
 
+#include <cdr/base/quantity_text.h>
+#include <viewer/state/plain_words.h>
 #include <viewer/state/view_picture.h>
 
 #include <fmt/format.h>
@@ -67,7 +69,7 @@ void drawStageTable(const FrameStatistics& statistics) {
     const auto row = [](const StageSummary& summary) {
         for (const float ms : {summary.last, summary.median, summary.p95, summary.p99}) {
             ImGui::TableNextColumn();
-            ImGui::Text("%.2f", static_cast<double>(ms));
+            ImGui::TextUnformatted(base::quantityText(static_cast<double>(ms)).c_str());
         }
     };
     for (std::size_t i = 0; i < kFrameStages.size(); ++i) {
@@ -108,7 +110,8 @@ void drawTracks(const WorkerTimeline& timeline) {
         const auto color = known == kFrameStages.end() ? kStageColors.back()
                                                        : kStageColors[static_cast<std::size_t>(*known)];
         if (bar(0, stage.beginMs, stage.endMs, color)) {
-            ImGui::SetTooltip("%s: %.3f ms", stage.name.c_str(), stage.endMs - stage.beginMs);
+            ImGui::SetTooltip("%s: %s", stage.name.c_str(),
+                              millisecondsText(stage.endMs - stage.beginMs).c_str());
         }
     }
     for (std::size_t worker = 0; worker < timeline.workers; ++worker) {
@@ -119,7 +122,7 @@ void drawTracks(const WorkerTimeline& timeline) {
         if (bar(job.worker + 1, job.beginMs, job.endMs, color)) {
             const std::string what =
                 job.cascade ? fmt::format("cascade {}, {} draws", *job.cascade, job.draws) : "cull or bin";
-            ImGui::SetTooltip("%s: %.3f ms", what.c_str(), job.endMs - job.beginMs);
+            ImGui::SetTooltip("%s: %s", what.c_str(), millisecondsText(job.endMs - job.beginMs).c_str());
         }
     }
     ImGui::Dummy({nameWidth + width, static_cast<float>(timeline.workers + 1) * rowHeight});
@@ -130,11 +133,11 @@ void drawTracks(const WorkerTimeline& timeline) {
 void drawFrameGraph(const Widgets& widgets, const ViewerModel& model) {
     widgets.heading("Frame");
     const StageSummary total = model.statistics.total();
-    widgets.value("rendered",
-                  fmt::format("{:.1f} frames a second, {:.1f} ms", model.framesPerSecond, total.last));
-    widgets.value("interface", fmt::format("{:.1f} ms a frame", model.uiFrameMs));
+    widgets.value("rendered", fmt::format("{} frames a second, {}", base::quantityText(model.framesPerSecond),
+                                          millisecondsText(static_cast<double>(total.last))));
+    widgets.value("interface", millisecondsText(model.uiFrameMs) + " a frame");
     const float mostMs = std::max(total.max, 1.0f);
-    widgets.value("highest", fmt::format("{:.1f} ms", mostMs));
+    widgets.value("highest", millisecondsText(static_cast<double>(mostMs)));
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, letters(kGraphHeight)};
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + size.y},
@@ -150,8 +153,9 @@ void drawTimeline(const Widgets& widgets, const ViewerModel& model) {
         return;
     }
     for (const SideResult& side : model.shown->sides) {
-        widgets.sentence(fmt::format("{}, {:.1f} ms; jobs in their cascades' colours",
-                                     nameOf(side.options.technique), side.timeline.lengthMs));
+        widgets.sentence(fmt::format("{}, {}; jobs in their cascades' colours",
+                                     nameOf(side.options.technique),
+                                     millisecondsText(side.timeline.lengthMs)));
         drawTracks(side.timeline);
     }
 }

@@ -58,7 +58,7 @@ void drawCascades(const SideResult& side, base::LengthUnit unit) {
 
 std::string megabytes(std::uint64_t bytes) {
     constexpr double kMegabyte = 1e6;
-    return fmt::format("{:.1f} MB", static_cast<double>(bytes) / kMegabyte);
+    return base::quantityText(static_cast<double>(bytes) / kMegabyte) + "\u00a0MB";
 }
 
 } // namespace
@@ -70,9 +70,9 @@ void drawCascadesPanel(const Widgets& widgets, const ViewerModel& model) {
     }
     for (const SideResult& side : model.shown->sides) {
         const render::FrameStats& stats = side.frame->stats;
-        widgets.sentence(fmt::format("{}: {} visible, {} draws, each {:.3f} times",
+        widgets.sentence(fmt::format("{}: {} visible, {} draws, each {} times",
                                      nameOf(side.options.technique), stats.visible, stats.draws,
-                                     stats.duplication));
+                                     base::quantityText(stats.duplication)));
         ImGui::PushID(&side);
         drawCascades(side, model.unit);
         ImGui::PopID();

@@ -88,6 +88,7 @@ void drawHelp(ViewerModel& model) {
     ImGui::Begin("Help", &model.showsHelp,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PushTextWrapPos(0.9f * window.x - 2.0f * ImGui::GetFontSize() - ImGui::GetStyle().ScrollbarSize);
     for (const HelpSection& section : helpText()) {
         ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%.*s",
                            static_cast<int>(section.title.size()), section.title.data());
@@ -97,6 +98,7 @@ void drawHelp(ViewerModel& model) {
             ImGui::TextDisabled("%.*s", static_cast<int>(line.meaning.size()), line.meaning.data());
         }
     }
+    ImGui::PopTextWrapPos();
     model.hiddenHelp = ImGui::GetScrollMaxY();
     ImGui::End();
     ImGui::PopStyleVar(2);

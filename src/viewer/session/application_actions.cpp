@@ -2,6 +2,7 @@
 #include "startup.h"
 
 #include <cdr/base/error.h>
+#include <cdr/base/quantity_text.h>
 #include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 #include <viewer/state/camera/framing.h>
@@ -62,8 +63,8 @@ void Application::toggleVideo() {
     if (m_model.video != nullptr) {
         const auto video = std::exchange(m_model.video, nullptr);
         video->finish();
-        m_model.say(fmt::format("{} holds {}, {:.1f} s", video->file().string(),
-                                counted(video->pictures(), "picture"), video->seconds()));
+        m_model.say(fmt::format("{} holds {}, {} s", video->file().string(),
+                                counted(video->pictures(), "picture"), base::quantityText(video->seconds())));
     } else if (m_model.shown != nullptr) {
         const std::vector<SideResult>& sides = m_model.shown->sides;
         const image::ImageRgba8& first = *sides.front().picture;

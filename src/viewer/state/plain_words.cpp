@@ -11,9 +11,16 @@ std::string counted(std::uint64_t count, std::string_view noun) {
                        count == 1 ? "" : "s");
 }
 
+std::string millisecondsText(double ms) {
+    return base::quantityText(ms) + "\u00a0ms";
+}
+
 std::string lagText(double seconds) {
     constexpr double kNoticed = 0.5;
-    return seconds < kNoticed ? "" : fmt::format("rendering, {:.1f}\u00a0s behind", seconds);
+    constexpr int kDigits = 2; // more of them flicker
+    return seconds < kNoticed ? ""
+                              : fmt::format("rendering, {}\u00a0s behind",
+                                            base::quantityText(seconds, base::NumberStyle::typeset, kDigits));
 }
 
 } // namespace cdr::viewer

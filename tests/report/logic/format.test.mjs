@@ -1,14 +1,15 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { duration, fixed, list, percent, powerOfTen, signedPercent } from "../../../src/page/logic/format.js";
+import { duration, list, percent, powerOfTen, signedPercent } from "../../../src/page/logic/format.js";
 
 const plain = (text) => text.replaceAll("\u00a0", " ");
 
-test("a rounded zero has no sign", () => {
-    assert.equal(fixed(-0.001, 1), "0.0");
-    assert.equal(plain(signedPercent(-0.001)), "+0.0 %");
-    assert.equal(plain(signedPercent(-1.26)), "\u22121.3 %");
+test("differences have a sign and three digits", () => {
+    assert.equal(plain(signedPercent(0)), "0 %");
+    assert.equal(plain(signedPercent(-1.2649)), "\u22121.26 %");
     assert.equal(plain(signedPercent(7.1)), "+7.1 %");
+    assert.equal(plain(signedPercent(539.21)), "+539 %");
+    assert.equal(signedPercent(NaN), "none");
 });
 
 test("shares, durations, lists and ticks", () => {

@@ -3,7 +3,9 @@
 #include <cdr/measure/truth/object_ray.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -22,41 +24,76 @@ std::vector<measure::Shape> shapesOf(const scene::Scene& scene, host::WorkerPool
     return shapes;
 }
 
-/// Whether a sphere comes near the straight way `from` + t * `way`, t from 0 to 1.
-bool isInReach(const scene::Instances& instances, std::size_t i, const glm::dvec3& from,
-               const glm::dvec3& way) {
-    const glm::dvec3 centre = instances.position(i) - from;
-    const double t = std::clamp(glm::dot(centre, way) / glm::dot(way, way), 0.0, 1.0);
-    const double radius = instances.radius[i];
-    const glm::dvec3 off = centre - t * way;
-    return radius >= 0.0 && glm::dot(off, off) <= radius * radius;
-}
-
 } // namespace
+
+struct Obstacles::Way {
+    glm::dvec3 from;
+    glm::dvec3 along;
+    double share = 1.0; ///< of `along` that is clear as far as is known
+
+    /// Whether it may come near a sphere whose centre is in the box.
+    bool mayMeet(const visibility::InstanceCells::Box& box) const {
+        const glm::dvec3 low = glm::min(from, from + along);
+        const glm::dvec3 high = glm::max(from, from + along);
+        return glm::all(glm::lessThanEqual(low, box.high + box.radius)) &&
+               glm::all(glm::greaterThanEqual(high, box.low - box.radius));
+    }
+    bool meets(const glm::dvec3& centre, double radius) const {
+        const glm::dvec3 to = centre - from;
+        const double t = std::clamp(glm::dot(to, along) / glm::dot(along, along), 0.0, 1.0);
+        const glm::dvec3 off = to - t * along;
+        return glm::dot(off, off) <= radius * radius;
+    }
+};
 
 Obstacles::Obstacles(const scene::Scene& scene, host::WorkerPool& workers)
     : m_scene(scene),
-      m_shapes(shapesOf(scene, workers)) {}
+      m_shapes(shapesOf(scene, workers)) {
+    m_cells.build(scene, workers);
+}
 
 double Obstacles::clearWay(const glm::dvec3& from, const glm::dvec3& to) const {
-    const glm::dvec3 way = to - from;
-    const double length = glm::length(way);
+    Way way{.from = from, .along = to - from};
+    const double length = glm::length(way.along);
+    const std::size_t levels = m_cells.levels().size();
+    const std::size_t tops = length > 0.0 && levels > 0 ? m_cells.levels().back().size() : 0;
+    for (std::size_t node = 0; node < tops; ++node) {
+        shortenBelow(levels - 1, node, way);
+    }
+    return way.share * length;
+}
+
+void Obstacles::shortenBelow(std::size_t level, std::size_t node, Way& way) const {
+    constexpr std::size_t kFan = visibility::InstanceCells::kFan;
+    if (!way.mayMeet(m_cells.levels()[level][node])) {
+        return;
+    }
+    if (level == 0) {
+        shortenInCell(node, way);
+        return;
+    }
+    const std::size_t end = std::min((node + 1) * kFan, m_cells.levels()[level - 1].size());
+    for (std::size_t child = node * kFan; child < end; ++child) {
+        shortenBelow(level - 1, child, way);
+    }
+}
+
+void Obstacles::shortenInCell(std::size_t cell, Way& way) const {
     const scene::Instances& instances = m_scene.instances;
-    double share = 1.0;
-    for (std::size_t i = 0; i < instances.size() && length > 0.0; ++i) {
-        const scene::Material& material = m_scene.materials[instances.material[i]];
-        if (!isInReach(instances, i, from, way) || material.alphaMode == scene::AlphaMode::blend) {
-            continue;
-        }
-        if (const auto inverse = measure::invertBasis(instances.basis[i])) {
+    for (std::uint64_t held = m_cells.held(cell); held != 0; held &= held - 1) {
+        const std::uint32_t i = m_cells.instancesOf(cell)[std::countr_zero(held)];
+        const auto inverse = way.meets(instances.position(i), instances.radius[i])
+                                 ? measure::invertBasis(instances.basis[i])
+                                 : std::nullopt;
+        if (inverse) {
             // The difference first: exact far from the origin, too.
-            const measure::ObjectRay ray{inverse->worldToObject * (from - instances.position(i)),
-                                         inverse->worldToObject * way};
-            share =
-                std::min(share, m_shapes[instances.mesh[i]].nearest(ray, material.doubleSided, {0.0, share}));
+            const measure::ObjectRay ray{inverse->worldToObject * (way.from - instances.position(i)),
+                                         inverse->worldToObject * way.along};
+            const bool isDoubleSided = m_scene.materials[instances.material[i]].doubleSided;
+            way.share = std::min(way.share,
+                                 m_shapes[instances.mesh[i]].nearest(ray, isDoubleSided, {0.0, way.share}));
         }
     }
-    return share * length;
 }
 
 scene::Camera stopped(const scene::Camera& before, scene::Camera after, const Obstacles& obstacles) {

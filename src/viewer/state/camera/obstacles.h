@@ -4,6 +4,7 @@
 #include <cdr/measure/truth/shape.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
+#include <cdr/visibility/instance_cells.h>
 
 #include <vector>
 
@@ -20,7 +21,12 @@ class Obstacles {
     double clearWay(const glm::dvec3& from, const glm::dvec3& to) const;
 
   private:
+    struct Way;
+    void shortenBelow(std::size_t level, std::size_t node, Way& way) const;
+    void shortenInCell(std::size_t cell, Way& way) const;
+
     const scene::Scene& m_scene;
+    visibility::InstanceCells m_cells;
     std::vector<measure::Shape> m_shapes; ///< per mesh
 };
 
