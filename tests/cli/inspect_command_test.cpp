@@ -1,6 +1,7 @@
 #include "planted_gltf.h"
 #include "program.h"
 
+#include <cdr/base/quantity_text.h>
 #include <cdr/host/file.h>
 
 #include <gtest/gtest.h>
@@ -55,6 +56,20 @@ bool isSaid(const json& document, const std::string& words) {
     });
 }
 
+/// The sentences put together again from their parts.
+json joined(const json& allParts) {
+    json lines = json::array();
+    for (const json& parts : allParts) {
+        std::string line;
+        for (const json& part : parts) {
+            line += part.is_string() ? part.get<std::string>()
+                                     : base::quantityText(part.get<double>(), base::NumberStyle::plain);
+        }
+        lines.push_back(line);
+    }
+    return lines;
+}
+
 TEST(InspectCommand, FindsNothingWhereNothingIsWrong) {
     const TemporaryFolder folder;
     writeSquares(folder.path() / "a.gltf", {{"wall", {0.0, 0.0, -30.0}, 20.0},
@@ -68,6 +83,8 @@ TEST(InspectCommand, FindsNothingWhereNothingIsWrong) {
     EXPECT_EQ(run.document.at("coplanar_fraction"), 0.0);
     EXPECT_EQ(rowOf(run.document, "reversed", "d32f").at("wrong"), 0);
     EXPECT_TRUE(isSaid(run.document, "no pixels are wrong"));
+    EXPECT_EQ(joined(run.document.at("advice_parts")), run.document.at("advice"));
+    EXPECT_TRUE(run.document.at("advice_parts").back().at(1).is_number());
     EXPECT_TRUE(isSaid(run.document, "'sign' lies before 'wall' by 0.5"));
 }
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <ostream>
 
 namespace cdr::viewer_test {
@@ -67,6 +69,19 @@ TEST_F(ViewerTest, OpensWhatItCopied) {
     const RunResult second = play(line[0].substr(std::string("cdr render ").size()), "wait-frame\n" + copies);
     EXPECT_EQ(second.lines("cdr render"), line) << second.out;
     EXPECT_EQ(picture("cdr-picture-0002.png"), picture("cdr-picture-0001.png"));
+}
+
+/// As it is printed, but for where the program was built.
+TEST_F(ViewerTest, RunsWhatTheReadmePrints) {
+    std::ifstream readme(CDR_SOURCE_DIR "/README.md");
+    const std::string program = "build/release/bin/cdr-viewer ";
+    std::string line;
+    while (std::getline(readme, line) && line.find(program) != 0) {
+    }
+    const RunResult run =
+        play(line.substr(std::min(program.size(), line.size())), "wait-frame\nstate\nquit\n");
+    ASSERT_EQ(run.lines("scene=orbit").size(), 1u) << line << "\n" << run.out;
+    EXPECT_NE(run.out.find("technique=reversed"), std::string::npos);
 }
 
 const std::string kMoved =

@@ -6,13 +6,13 @@
 #include <experiments/advise/measured_advice.h>
 #include <experiments/columns.h>
 #include <experiments/readable.h>
+#include <experiments/sentence_parts.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 namespace cdr::cli {
 
@@ -58,26 +58,6 @@ depth::AdviceQuestion questionOf(const AdviseArguments& arguments) {
 
 depth::LengthText lengthTextIn(base::LengthUnit unit) {
     return [unit](double view) { return base::quantityText(view, unit, base::NumberStyle::plain); };
-}
-
-constexpr char kLengthMark = '\x1f';
-
-/// Sentences in parts: texts, and numbers where a length stands, for whoever writes lengths another way.
-Json partsOf(const depth::AdviceQuestion& question, const depth::Advice& advice) {
-    const auto marked = [](double view) {
-        return std::isfinite(view) ? fmt::format("{0}{1}{0}", kLengthMark, view) : depth::plainLength(view);
-    };
-    Json lines = Json::array();
-    for (const std::string& line : depth::explain(question, advice, marked)) {
-        Json parts = Json::array();
-        std::istringstream text(line);
-        bool isLength = false;
-        for (std::string part; std::getline(text, part, kLengthMark); isLength = !isLength) {
-            parts.push_back(isLength ? Json::parse(part) : Json(part));
-        }
-        lines.push_back(std::move(parts));
-    }
-    return lines;
 }
 
 std::string measuredText(const depth::Measurement& measured, base::LengthUnit unit) {
@@ -236,7 +216,8 @@ void run(Command& command, AdviseArguments& arguments) {
                                            : nlohmann::ordered_json(nullptr);
     document["widest_span"] = advice.widestSpanView;
     document["advice"] = depth::explain(question, advice);
-    document["advice_parts"] = partsOf(question, advice);
+    document["advice_parts"] =
+        experiments::sentenceParts(depth::explain(question, advice, experiments::markedLength));
     command.writeDocument(document);
 }
 

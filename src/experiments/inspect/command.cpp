@@ -10,6 +10,7 @@
 #include <experiments/number_checks.h>
 #include <experiments/orbit/orbit.h>
 #include <experiments/readable.h>
+#include <experiments/sentence_parts.h>
 #include <experiments/wrong_pixels_columns.h>
 #include <scenes/open_scene.h>
 
@@ -182,6 +183,8 @@ void run(Command& command, InspectArguments& arguments) {
             ? experiments::jsonOf(techniqueColumns(), inspection.techniques[*inspection.simplest])
             : nlohmann::ordered_json(nullptr);
     document["advice"] = experiments::explain(inspection, setup.scene, cameras.front());
+    document["advice_parts"] = experiments::sentenceParts(
+        experiments::explain(inspection, setup.scene, cameras.front(), experiments::markedLength));
     document["fail_above"] = arguments.failAbove ? nlohmann::ordered_json(*arguments.failAbove) : nullptr;
     document["fails"] = fails;
     command.writeDocument(document);

@@ -37,9 +37,9 @@ export function openingSentences(orbit) {
         return [];
     }
     return [
-        `Both sides show the same runway from 420 km above, through a lens of ${number(standard.fov_degrees, 2)} degrees: paint 5 mm over a slab that lies 2 cm over the soil.`,
+        `Both sides show the same runway from 420\u00a0km above, through a lens of ${number(standard.fov_degrees, 2)}\u00a0degrees: paint 5\u00a0mm over a slab that lies 2\u00a0cm over the soil.`,
         `Standard depth stores one number for all three, so the wrong one shows in ${percent(standard.wrong_fraction)} of the pixels: that is z-fighting.`,
-        `Anchored depth measures from a plane near the runway instead of from the camera, and is wrong in ${percent(anchored.wrong_fraction)}.`,
+        `Anchored depth measures from a plane near the runway instead of from the camera, and is wrong in ${anchored.wrong_fraction === 0 ? "no pixel" : percent(anchored.wrong_fraction)}.`,
     ];
 }
 

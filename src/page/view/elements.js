@@ -45,7 +45,7 @@ export function wideOnly(content) {
 
 /** A technique's name with its colour, by which plots know it too. */
 export function techniqueLabel(name, title) {
-    return h("span", {}, h("span", { class: "swatch", style: `--colour: var(--${colourOf(name)})`, "aria-hidden": "true" }), title);
+    return h("span", { class: "technique" }, h("span", { class: "swatch", style: `--colour: var(--${colourOf(name)})`, "aria-hidden": "true" }), title);
 }
 
 /** The custom property that holds a technique's or targets' colour. */

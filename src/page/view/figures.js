@@ -26,20 +26,21 @@ export function share(value, digits) {
     return exactly(percent(value, digits), Number.isFinite(value) ? `${100 * value}\u00a0%` : value);
 }
 
-/** A length in scene units, written in the unit chosen. */
-export function length(value, digits = 4) {
-    const element = exactly("", value);
+/** A length in scene units, written in the unit chosen, and until then in `unit`. */
+export function length(value, digits = 4, unit = "none") {
+    const element = exactly("none", value);
     if (Number.isFinite(value)) {
         element.classList.add("length");
         element.dataset.digits = digits;
+        element.dataset.unit = unit;
+        write(element, chosenUnit());
     }
-    write(element, chosenUnit());
     return element;
 }
 
-/** A sentence of the program in parts: texts, and numbers where a length stands. */
+/** A sentence of the program in parts: texts, and numbers where a length stands. Words ask for units. */
 export function sentence(parts) {
-    return parts.map((part) => (typeof part === "string" ? part : length(part)));
+    return parts.map((part) => (typeof part === "string" ? part : length(part, 4, "auto")));
 }
 
 function exactly(text, full) {
@@ -47,22 +48,21 @@ function exactly(text, full) {
 }
 
 function write(element, unit) {
-    const value = Number(element.value === "none" ? NaN : element.value);
-    element.textContent = lengthIn(value, unit, Number(element.dataset.digits));
+    element.textContent = lengthIn(Number(element.value), unit ?? element.dataset.unit, Number(element.dataset.digits));
 }
 
 function chosenUnit() {
     try {
         const kept = localStorage.getItem(kKept);
-        return lengthUnits.includes(kept) ? kept : "none";
+        return lengthUnits.includes(kept) ? kept : null;
     } catch { // storage is switched off
-        return "none";
+        return null;
     }
 }
 
 /** The choice of the unit of all lengths of the page, and of those to come. */
 export function unitChoice() {
-    const unit = chosenUnit();
+    const unit = chosenUnit() ?? "none";
     const select = h("select", {}, lengthUnits.map((name) => h("option", { value: name, selected: name === unit }, kTitles[name] ?? name)));
     select.addEventListener("change", () => {
         try {

@@ -7,6 +7,7 @@ import { around, panned } from "../logic/ranges.js";
 import { colourOf, h, svg } from "./elements.js";
 
 const kHeight = 380;
+const kLabelRoom = 38; // pixels for the label of a power of ten
 const kStep = 1.6; // zoom factor of one press
 const dashes = { standard: [], cdr: [9, 4], log: [], logcdr: [9, 4], reversed: [3, 3], anchored: [14, 4, 3, 4] };
 
@@ -220,10 +221,11 @@ function logLabel(value) {
     return Math.abs(exponent - Math.round(exponent)) < 1e-6 ? powerOfTen(value) : number(value, 3);
 }
 
-/** Of a logarithmic axis' splits only whole powers of ten, every other one where they would crowd. */
+/** Of a logarithmic axis' splits only whole powers of ten, and of these as few as do not crowd. */
 function decades(plot, splits, axis) {
     const { min, max } = plot.scales[plot.axes[axis].scale];
-    const every = Math.ceil(Math.log10(max / min) / 11);
+    const room = (axis === 0 ? plot.bbox.width : plot.bbox.height) / devicePixelRatio;
+    const every = Math.ceil(Math.log10(max / min) / Math.min(11, room / kLabelRoom));
     const keep = (value) => Number.isInteger(Math.round(1e6 * Math.log10(value)) / 1e6 / every);
     return Math.log10(max / min) < 1 ? splits : splits.map((value) => (keep(value) ? value : null));
 }

@@ -1,12 +1,12 @@
 import { techniqueTitles } from "../logic/thesis.js";
 import { h, slot, table, techniqueLabel } from "./elements.js";
-import { figure, length, share } from "./figures.js";
+import { figure, length, sentence, share } from "./figures.js";
 
 const kPairs = 12; // the JSON has all
 
 /** @param {string} picture the heat map's file. */
 export function fillInspect(document, picture) {
-    slot("inspect", "advice").append(h("ol", { class: "advice" }, document.advice.map((line) => h("li", {}, line))));
+    slot("inspect", "advice").append(h("ol", { class: "advice" }, document.advice_parts.map((parts) => h("li", {}, sentence(parts)))));
     slot("inspect", "pairs").append(makePairs(document));
     slot("inspect", "table").append(makeTable(document));
     const { technique, format } = document.options;

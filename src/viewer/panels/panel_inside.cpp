@@ -2,6 +2,7 @@
 
 #include <cdr/render/targets/gbuffer.h>
 #include <viewer/panels/resident_memory.h>
+#include <viewer/state/plain_words.h>
 #include <viewer/state/technique_label.h>
 #include <viewer/state/view_picture.h>
 
@@ -70,9 +71,9 @@ void drawCascadesPanel(const Widgets& widgets, const ViewerModel& model) {
     }
     for (const SideResult& side : model.shown->sides) {
         const render::FrameStats& stats = side.frame->stats;
-        widgets.sentence(fmt::format("{}: {} visible, {} draws, each {} times",
-                                     nameOf(side.options.technique), stats.visible, stats.draws,
-                                     base::quantityText(stats.duplication)));
+        widgets.sentence(fmt::format("{}: {} visible, {}, {} for each", nameOf(side.options.technique),
+                                     base::quantityText(static_cast<double>(stats.visible)),
+                                     counted(stats.draws, "draw"), base::quantityText(stats.duplication)));
         ImGui::PushID(&side);
         drawCascades(side, model.unit);
         ImGui::PopID();

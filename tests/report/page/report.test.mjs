@@ -334,6 +334,9 @@ test("lengths follow the unit chosen, and stay in it", async () => {
     const distance = page.locator("#probe tbody tr").last().locator("data.length").first();
     await openAll(page);
     const inUnits = await distance.textContent();
+    assert.match(await page.locator("#advise .advice li").first().textContent(), /resolves \S+\u00a0µm at 1,000\u00a0km, and 10\u00a0mm/);
+    assert.match(await page.locator("#inspect .advice li").last().textContent(), / by \S+\u00a0mm at \S+\u00a0km: /);
+    assert.equal(await page.locator("#advise tbody tr", { hasText: "Standard" }).first().locator("td").nth(2).textContent(), "none");
     await choice.selectOption("km");
     assert.match(await distance.textContent(), /\u00a0km$/);
     assert.match(await page.locator("#advise .advice li").first().textContent(), /resolves \S+\u00a0km at 1,000\u00a0km/);
