@@ -1,6 +1,5 @@
 #include "commands.h"
 #include "exit_status.h"
-#include "help_format.h"
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
@@ -8,6 +7,7 @@
 #include <cdr/host/document.h>
 #include <cdr/host/standard_streams.h>
 #include <cdr/host/unfinished_file.h>
+#include <experiments/help_format.h>
 
 #include <fmt/format.h>
 
@@ -51,7 +51,7 @@ int run(int argc, char** argv) {
     CLI::App program("Cascaded deferred rendering: see far without z-fighting.", "cdr");
     program.require_subcommand(1);
     program.fallthrough(); // global options are found behind the command too
-    const auto format = std::make_shared<cdr::cli::HelpFormat>();
+    const auto format = std::make_shared<cdr::experiments::HelpFormat>();
     format->label("SUBCOMMAND", "COMMAND");
     program.formatter(format);
     cdr::cli::GlobalOptions global;

@@ -1,6 +1,6 @@
 #include "manual.h"
 
-#include "help_format.h"
+#include <experiments/help_format.h>
 
 #include <fmt/format.h>
 
@@ -19,8 +19,9 @@ std::string plain(const std::string& text) {
 
 std::string optionsOf(const CLI::App& app) {
     std::string page;
-    for (const CLI::Option* option : shownOptions(app)) {
-        page += fmt::format(".TP\n.B {}\n{}\n", plain(optionTitle(*option)), plain(optionMeaning(*option)));
+    for (const CLI::Option* option : experiments::shownOptions(app)) {
+        page += fmt::format(".TP\n.B {}\n{}\n", plain(experiments::optionTitle(*option)),
+                            plain(experiments::optionMeaning(*option)));
     }
     return page;
 }

@@ -29,6 +29,11 @@ void addFrame(const render::Frame& frame, const measure::TruthImage& truth,
     ++result.frames;
 }
 
+/// A scene may have fewer frames than are asked for.
+std::uint32_t framesOf(const scene::SceneSetup& setup, const PicturesOptions& options) {
+    return std::min(options.frames, setup.path.frames);
+}
+
 /// All techniques over one scene; they share the truth of each frame.
 std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOptions& options,
                                     const scene::SceneSetup& setup,
@@ -53,7 +58,7 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
         result.fovYDegrees = setup.path.at(0).fovY * 180.0 / std::numbers::pi;
         results.push_back(std::move(result));
     }
-    const std::uint32_t frames = std::min(options.frames, setup.path.frames);
+    const std::uint32_t frames = framesOf(setup, options);
     for (std::uint32_t i = 0; i < frames; ++i) {
         const auto number = static_cast<std::uint32_t>(std::uint64_t{i} * setup.path.frames / frames);
         const scene::Camera camera = setup.path.at(number);
@@ -77,7 +82,10 @@ std::vector<PictureResult> runPictures(const gpu::Device& device, std::vector<sc
     if (options.techniques.empty()) {
         options.techniques.assign(depth::presets().begin(), depth::presets().end());
     }
-    const std::size_t all = scenes.size() * options.techniques.size() * options.frames;
+    std::size_t all = 0;
+    for (const scene::SceneSetup& scene : scenes) {
+        all += options.techniques.size() * framesOf(scene, options);
+    }
     std::size_t done = 0;
     std::vector<PictureResult> results;
     for (scene::SceneSetup& scene : scenes) {

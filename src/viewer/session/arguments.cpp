@@ -4,11 +4,14 @@
 #include <cdr/base/error.h>
 #include <cdr/host/document.h>
 #include <cdr/host/worker_pool.h>
+#include <experiments/help_format.h>
 #include <experiments/number_checks.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <memory>
 
 namespace cdr::viewer {
 
@@ -94,6 +97,7 @@ void addMeasuringOptions(CLI::App& program, Arguments& arguments) {
 
 void addViewerOptions(CLI::App& program, Arguments& arguments) {
     const host::BuildInfo build = host::buildInfo();
+    program.formatter(std::make_shared<experiments::HelpFormat>());
     program.set_version_flag("--version",
                              fmt::format("{} {} ({})", program.get_name(), build.version, build.commit));
     addViewOptions(program, arguments);

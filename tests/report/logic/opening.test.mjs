@@ -12,9 +12,9 @@ const orbit = { results: [
 
 test("the page opens with what the last frame of the zoom counted", () => {
     const [scene, standard, anchored] = openingSentences(orbit);
-    assert.match(scene, /0\.002 degrees/);
+    assert.match(scene, /0\.002\u00a0degrees/);
     assert.match(standard, /76\.6/);
-    assert.match(anchored, /wrong in 0\u00a0%\.$/);
+    assert.match(anchored, /wrong in no pixel\.$/);
     assert.deepEqual(openingSentences(undefined), []);
     assert.deepEqual(openingSentences({ results: orbit.results.slice(0, 3) }), []);
 });

@@ -139,7 +139,7 @@ test("files of others are counted once, with both tests; a strange file is named
     const rows = await page.$$eval("#tally tbody tr", (list) => list.map((row) => [...row.cells].map((cell) => cell.textContent)));
     assert.deepEqual(rows[0].slice(1), ["2 : 10", "5.333", "0.03857", "2 : 10", "5.333", "0.03857"]);
     assert.deepEqual(rows[5].slice(1, 4), ["1 : 11", "8.333", "0.006348"]);
-    assert.deepEqual(rows[1].slice(1, 4), ["0 : 12", "12.000", "0.0004883"]);
+    assert.deepEqual(rows[1].slice(1, 4), ["0 : 12", "12", "0.0004883"]);
     assert.equal(fromCsv(await savedBy(page, "#save-all")).length, 72);
     await screenshot(page, "compare-results");
     await close(page);

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace cdr::cli {
+namespace cdr::experiments {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::string HelpFormat::make_description(const CLI::App* app) const {
     return wrapped(app->get_description(), 0) + "\n";
 }
 
-} // namespace cdr::cli
+} // namespace cdr::experiments
