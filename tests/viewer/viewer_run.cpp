@@ -54,8 +54,13 @@ RunResult ViewerTest::play(const std::string& arguments, const std::string& scri
 }
 
 image::ImageRgba8 ViewerTest::picture(const std::string& name) const {
-    const std::string bytes = readText(folder() / name);
-    return image::decodeImage({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, name);
+    return readPicture(folder() / name);
+}
+
+image::ImageRgba8 readPicture(const fs::path& file) {
+    const std::string bytes = readText(file);
+    return image::decodeImage({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
+                              file.string());
 }
 
 std::string valueOf(const std::string& state, const std::string& name) {

@@ -40,6 +40,8 @@ class ViewerTest : public testing::Test {
     Display m_display;
 };
 
+image::ImageRgba8 readPicture(const std::filesystem::path& file);
+
 /// NAME=VALUE of a state line; empty without it.
 std::string valueOf(const std::string& state, const std::string& name);
 

@@ -16,7 +16,7 @@ std::string plain(double value) {
 } // namespace
 
 std::string statisticsReport(const ViewerModel& model, std::uint64_t results, double seconds,
-                             std::vector<double> intervals) {
+                             const std::vector<double>& intervals) {
     std::string text = fmt::format(
         "{}\n{} frames rendered in {} s, {} a second, at the end {}\n", model.device, results, plain(seconds),
         plain(static_cast<double>(results) / seconds), plain(model.framesPerSecond));

@@ -11,6 +11,6 @@ namespace cdr::viewer {
 /// What --statistics prints: rendered frames a second, the stages, and how evenly the interface was drawn.
 /// @param intervals between frames of the interface, milliseconds.
 std::string statisticsReport(const ViewerModel& model, std::uint64_t results, double seconds,
-                             std::vector<double> intervals);
+                             const std::vector<double>& intervals);
 
 } // namespace cdr::viewer

@@ -96,8 +96,11 @@ std::string describe(const PickedPoint& point, base::LengthUnit unit) {
 }
 
 std::string describe(const Span& span, base::LengthUnit unit) {
-    return fmt::format("{}, {} of it along the view, to within {}", base::quantityText(span.length, unit),
-                       base::quantityText(span.alongView, unit), base::quantityText(span.uncertainty, unit));
+    const std::string within = std::isfinite(span.uncertainty)
+                                   ? "to within " + base::quantityText(span.uncertainty, unit)
+                                   : "where nothing is told apart";
+    return fmt::format("{}, {} of it along the view, {}", base::quantityText(span.length, unit),
+                       base::quantityText(span.alongView, unit), within);
 }
 
 } // namespace cdr::viewer

@@ -96,6 +96,10 @@ TEST(Measuring, TwoClicksMeasureAndTheThirdBeginsAnew) {
     EXPECT_EQ(describe(*span, base::LengthUnit::automatic)
                   .find("5\u00a0mm, 4\u00a0mm of it along the view, to within 5."),
               0u);
+    Span lost = *span;
+    lost.uncertainty = INFINITY;
+    EXPECT_NE(describe(lost, base::LengthUnit::automatic).find("view, where nothing is told apart"),
+              std::string::npos);
     measuring.click(first);
     EXPECT_FALSE(measuring.span());
     EXPECT_TRUE(measuring.first());
