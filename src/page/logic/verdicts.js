@@ -161,7 +161,7 @@ function judgeTiming(document) {
     const inside = bars.filter((bar) => bar.agrees);
     const tau = rankAgreement(bars);
     const widest = Math.max(...bars.map((bar) => bar.high - bar.low));
-    const facts = `${inside.length} of ${bars.length} of the thesis\u2019 overheads lie in our 95\u202f% intervals, the rank order agrees with Kendall\u2019s \u03c4 = ${number(tau, 2)}, and standard over itself gives ${signedPercent(noise.overhead)} (${signedPercent(noise.low)} to ${signedPercent(noise.high)})`;
+    const facts = `${inside.length} of ${bars.length} of the thesis\u2019 overheads lie in our 95\u202f% intervals, the rank order agrees with Kendall\u2019s \u03c4\u00a0=\u00a0${number(tau, 2)}, and standard over itself gives ${signedPercent(noise.overhead)} (${signedPercent(noise.low)} to ${signedPercent(noise.high)})`;
     if (widest > kTooWide || document.options.frames < kTooFew) {
         return {
             status: "open",
