@@ -19,7 +19,7 @@ layout(depth_greater) out float gl_FragDepth; // than the tangent that the verte
 
 void main() {
 #ifdef CUTS
-    if (kWide != 0u && any(lessThan(clipDistances(inAhead, cascade), vec2(0.0)))) {
+    if (kWide != 0u && cdrIsOutside(clipDistances(inAhead, cascade))) {
         discard;
     }
 #endif

@@ -48,7 +48,7 @@ void main() {
 #endif
     // Clipping would round to the size of the triangle; the interpolated distance rounds to itself, and is the same in
     // every cascade, so cutting by it leaves no seam.
-    if (kWide != 0u && any(lessThan(inside, vec2(0.0)))) {
+    if (kWide != 0u && cdrIsOutside(inside)) {
         discard;
     }
 #ifdef FACETED

@@ -48,7 +48,7 @@ void main() {
 
     // Normals turn by the cofactor matrix: right under non-uniform scale, and mirrored ones come out mirrored.
     vec3 back = -record.ahead.xyz;
-    vec3 normal = decodeOctahedral(inNormal);
+    vec3 normal = cdrDecodeOctahedral(inNormal);
     vec3 turned = vec3(dot(cross(record.up.xyz, back), normal), dot(cross(back, record.right.xyz), normal),
                        dot(cross(record.right.xyz, record.up.xyz), normal));
     float mirrored = dot(cross(record.right.xyz, record.up.xyz), back);

@@ -21,7 +21,7 @@ void place(float x, float y, float ahead, float centreAhead) {
     vec2 inside = clipDistances(ahead, cascade);
     if (kWide != 0u) {
         // The fragment shader cuts wide draws; here only what lies behind the camera must go.
-        inside = vec2(gl_Position.w - 0.5 * (cascade.anchorView + cascade.nearAhead), 1.0);
+        inside = cdrInFront(gl_Position.w, cascade.anchorView + cascade.nearAhead);
     }
     gl_ClipDistance[0] = inside.x;
     gl_ClipDistance[1] = inside.y;

@@ -18,23 +18,10 @@ layout(set = 0, binding = 3, std430) readonly buffer Table { uint recordOf[]; };
 
 layout(location = 0) out vec2 outMotion;
 
-// The product as a pair: Dekker 1971, A Floating-Point Technique for Extending the Available Precision.
-vec2 exactProduct(float a, float b) {
-    precise float product = a * b;
-    precise float bigA = 4097.0 * a;
-    precise float highA = bigA - (bigA - a);
-    precise float lowA = a - highA;
-    precise float bigB = 4097.0 * b;
-    precise float highB = bigB - (bigB - b);
-    precise float lowB = b - highB;
-    precise float rest = ((highA * highB - product) + highA * lowB + lowA * highB) + lowA * lowB;
-    return vec2(product, rest);
-}
-
 // a * b + c of pairs, as a float.
 float turnedAndShifted(vec2 a, vec2 b, vec2 c) {
-    vec2 product = exactProduct(a.x, b.x);
-    vec2 sum = exactSum(product.x, c.x);
+    vec2 product = cdrExactProduct(a.x, b.x);
+    vec2 sum = cdrExactSum(product.x, c.x);
     precise float rest = ((product.y + (a.x * b.y + a.y * b.x)) + c.y) + sum.y;
     return sum.x + rest;
 }

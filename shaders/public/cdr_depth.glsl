@@ -64,10 +64,16 @@ vec4 cdrClipPositionLogTangent(vec2 projected, float ahead, float touchView, Cdr
 // rangeAhead: the planes of cdr::depth::clipRange(), less anchorView, subtracted in float64.
 vec2 cdrInside(float ahead, vec2 rangeAhead) { return vec2(ahead - rangeAhead.x, rangeAhead.y - ahead); }
 
+// The same for wide draws: triangles many times longer than their distance, which clip distances cut inexactly. It cuts only
+// what lies behind the camera. The fragment shader cuts the rest: it discards what cdrIsOutside() of its own `ahead`.
+vec2 cdrInFront(float distanceView, float nearView) { return vec2(distanceView - 0.5 * nearView, 1.0); }
+
+bool cdrIsOutside(vec2 inside) { return inside.x < 0.0 || inside.y < 0.0; }
+
 // One cascade: cdr::depth::CascadeConstants. Two vec4, so that its 32 bytes are the same as push constants, in a uniform
 // buffer, in a storage buffer, and in a constant buffer of HLSL.
 struct CdrCascade {
-    vec4 terms; // CdrDepth's anchorView, scale, offset; unused
+    vec4 terms; // CdrDepth's anchorView, scale, offset; what the first leaves out of the float64 anchor
     vec4 range; // nearAhead, farAhead, and what view-space x and y are multiplied by
 };
 
@@ -86,5 +92,13 @@ vec4 cdrCascadePosition(vec2 across, float ahead, CdrCascade cascade) {
 
 // cdrInside() of a cascade.
 vec2 cdrInsideCascade(float ahead, CdrCascade cascade) { return cdrInside(ahead, vec2(cascade.range.x, cascade.range.y)); }
+
+// cdrInFront() of a cascade, for the vertex shader of a wide draw.
+vec2 cdrInsideCascadeWide(float ahead, CdrCascade cascade) {
+    return cdrInFront(cascade.terms.x + ahead, cascade.terms.x + cascade.range.x);
+}
+
+// For the fragment shader of a wide draw: discard where this holds of the interpolated distance.
+bool cdrIsOutsideCascade(float ahead, CdrCascade cascade) { return cdrIsOutside(cdrInsideCascade(ahead, cascade)); }
 
 #endif

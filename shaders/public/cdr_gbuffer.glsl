@@ -1,10 +1,11 @@
 // The G-buffer of cdr::render for a host's own shaders: what Renderer::surfaces() hands out, and what HostFrame::draw writes.
 // An image of four 32-bit unsigned integers, VK_FORMAT_R32G32B32A32_UINT: cdr::render::GBufferPixel. This file needs GLSL
-// 4.00 or newer, or HLSL by cdr_gbuffer.hlsl, and float_pair.glsl beside it.
+// 4.00 or newer, or HLSL by cdr_gbuffer.hlsl, and what it includes.
 #ifndef CDR_GBUFFER_GLSL
 #define CDR_GBUFFER_GLSL
 
-#include "float_pair.glsl"
+#include "cdr_float_pair.glsl"
+#include "cdr_octahedral.glsl"
 
 // Object index + 1, 0 for background, of which nothing below means anything.
 uint cdrIdOf(uvec4 texel) { return texel.w & 0xffffffu; }
@@ -18,20 +19,14 @@ float cdrAheadOf(uvec4 texel) { return uintBitsToFloat(texel.z); }
 // View distance, metric, as a float and the rest that it leaves out: their difference from another such pair is exact
 // where a float's would be lost.
 // anchorView: Surfaces::anchorsView of the cascade, as a float and the rest of the double that it leaves out.
-vec2 cdrDistanceViewOf(uvec4 texel, vec2 anchorView) { return pairSum(anchorView, cdrAheadOf(texel)); }
+vec2 cdrDistanceViewOf(uvec4 texel, vec2 anchorView) { return cdrPairSum(anchorView, cdrAheadOf(texel)); }
 
 float cdrSnorm16(uint bits) { return max(float(int(bits << 16u) >> 16) / 32767.0, -1.0); }
 uint cdrToSnorm16(float value) { return uint(int(round(clamp(value, -1.0, 1.0) * 32767.0))) & 0xffffu; }
-float cdrSignNotZero(float value) { return value >= 0.0 ? 1.0 : -1.0; }
 
 // Unit normal in view space, which is right-handed and looks down -z.
 vec3 cdrNormalOf(uvec4 texel) {
-    float x = cdrSnorm16(texel.y);
-    float y = cdrSnorm16(texel.y >> 16u);
-    float z = 1.0 - abs(x) - abs(y);
-    vec3 upper = vec3(x, y, z);
-    vec3 lower = vec3((1.0 - abs(y)) * cdrSignNotZero(x), (1.0 - abs(x)) * cdrSignNotZero(y), z);
-    return normalize(z < 0.0 ? lower : upper);
+    return normalize(cdrDecodeOctahedral(vec2(cdrSnorm16(texel.y), cdrSnorm16(texel.y >> 16u))));
 }
 
 // Linear albedo in [0, 1].
@@ -53,14 +48,11 @@ vec2 cdrLastUv(vec2 uv, vec2 motion, vec2 pictureSize) { return uv + motion / pi
 // albedo: linear, in [0, 1]. normal: view space, not zero. ahead: beyond the anchor plane of `cascade`.
 // id: object index + 1, from 1 to 2^24 - 1. cascade: HostCascade::index.
 uvec4 cdrGBufferTexel(vec3 albedo, vec3 normal, float ahead, uint id, uint cascade) {
-    float x = normal.x / (abs(normal.x) + abs(normal.y) + abs(normal.z));
-    float y = normal.y / (abs(normal.x) + abs(normal.y) + abs(normal.z));
-    float u = normal.z >= 0.0 ? x : (1.0 - abs(y)) * cdrSignNotZero(x);
-    float v = normal.z >= 0.0 ? y : (1.0 - abs(x)) * cdrSignNotZero(y);
+    vec2 folded = cdrEncodeOctahedral(normal);
     uint red = uint(round(clamp(sqrt(albedo.x), 0.0, 1.0) * 255.0));
     uint green = uint(round(clamp(sqrt(albedo.y), 0.0, 1.0) * 255.0));
     uint blue = uint(round(clamp(sqrt(albedo.z), 0.0, 1.0) * 255.0));
-    return uvec4(red | (green << 8u) | (blue << 16u), cdrToSnorm16(u) | (cdrToSnorm16(v) << 16u), floatBitsToUint(ahead),
+    return uvec4(red | (green << 8u) | (blue << 16u), cdrToSnorm16(folded.x) | (cdrToSnorm16(folded.y) << 16u), floatBitsToUint(ahead),
                  (id & 0xffffffu) | (cascade << 24u));
 }
 

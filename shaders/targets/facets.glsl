@@ -2,7 +2,7 @@
 #ifndef CDR_SHADERS_FACETS_GLSL
 #define CDR_SHADERS_FACETS_GLSL
 
-#include "targets/octahedral.glsl"
+#include "public/cdr_octahedral.glsl"
 
 layout(set = 0, binding = FACETS_BINDING) uniform usamplerBuffer facetRecords;
 
@@ -16,7 +16,7 @@ FacetRecord facetAt(uint facet) {
 }
 
 // View space, unit.
-vec3 normalOf(FacetRecord facet) { return normalize(decodeOctahedral(facet.normal)); }
+vec3 normalOf(FacetRecord facet) { return normalize(cdrDecodeOctahedral(facet.normal)); }
 
 // Distance beyond the anchor plane at which a ray meets the facet's plane.
 // @param normal normalOf() the facet. @param anchorView the anchor plane.

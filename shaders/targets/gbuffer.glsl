@@ -8,10 +8,10 @@
 #ifndef CDR_SHADERS_GBUFFER_GLSL
 #define CDR_SHADERS_GBUFFER_GLSL
 
-#include "targets/octahedral.glsl"
+#include "public/cdr_octahedral.glsl"
 
 uint encodeAlbedo(vec3 albedo) { return packUnorm4x8(vec4(sqrt(albedo), 0.0)); }
-uint encodeNormal(vec3 normal) { return packSnorm2x16(encodeOctahedral(normal)); }
+uint encodeNormal(vec3 normal) { return packSnorm2x16(cdrEncodeOctahedral(normal)); }
 
 uvec4 encodeTexel(vec3 albedo, vec3 normal, float ahead, uint id) {
     return uvec4(encodeAlbedo(albedo), encodeNormal(normal), floatBitsToUint(ahead), id);
@@ -22,7 +22,7 @@ vec3 albedoOf(uvec4 texel) {
     return root * root;
 }
 
-vec3 normalOf(uvec4 texel) { return normalize(decodeOctahedral(unpackSnorm2x16(texel.y))); }
+vec3 normalOf(uvec4 texel) { return normalize(cdrDecodeOctahedral(unpackSnorm2x16(texel.y))); }
 
 float occlusionOf(uvec4 texel) { return unpackUnorm4x8(texel.x).a; }
 uint withOcclusion(uint albedo, float occlusion) { return (albedo & 0xffffffu) | (packUnorm4x8(vec4(occlusion, 0.0, 0.0, 0.0)) << 24); }

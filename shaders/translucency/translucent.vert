@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "translucency/translucent_shared.h"
-#include "targets/octahedral.glsl"
+#include "public/cdr_octahedral.glsl"
 
 layout(push_constant) uniform Push { TranslucentPush push; };
 
@@ -34,7 +34,7 @@ void main() {
 
     // As geometry.vert turns them.
     vec3 back = -inAhead.xyz;
-    vec3 normal = decodeOctahedral(inNormal);
+    vec3 normal = cdrDecodeOctahedral(inNormal);
     vec3 turned = vec3(dot(cross(inUp.xyz, back), normal), dot(cross(back, inRight.xyz), normal),
                        dot(cross(inRight.xyz, inUp.xyz), normal));
     float mirrored = dot(cross(inRight.xyz, inUp.xyz), back);

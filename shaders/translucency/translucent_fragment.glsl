@@ -5,7 +5,7 @@
 #include "shared.h"
 #include "translucency/translucent_shared.h"
 #include "targets/gbuffer.glsl"
-#include "public/float_pair.glsl"
+#include "public/cdr_float_pair.glsl"
 #define LIGHTING_SET 1
 #define LIGHTING_BINDING 1
 #include "shading/lighting.glsl"
@@ -34,7 +34,7 @@ struct TranslucentFragment {
 bool isOccluded(vec2 distanceView) {
     uvec4 texel = texelFetch(gbuffer, ivec2(gl_FragCoord.xy), 0);
     vec2 anchor = header.anchors[(texel.w >> kIdBits) & kCascadeMask];
-    return texel.w != 0u && isLess(pairSum(anchor, aheadOf(texel)), distanceView);
+    return texel.w != 0u && cdrPairLess(cdrPairSum(anchor, aheadOf(texel)), distanceView);
 }
 
 vec4 seenColor(vec4 baseColor, float ahead) {
@@ -63,7 +63,7 @@ TranslucentFragment translucentFragment() {
     if (!(ahead >= inCentreRange.z && ahead < inCentreRange.w)) {
         discard;
     }
-    vec2 distanceView = pairSum(pairSum(inCentreRange.xy, ahead), -shift);
+    vec2 distanceView = cdrPairSum(cdrPairSum(inCentreRange.xy, ahead), -shift);
     if (isOccluded(distanceView)) {
         discard;
     }

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define CDR_LIST_SET 0
 #include "translucency/fragment_list.glsl"
-#include "public/float_pair.glsl"
+#include "public/cdr_float_pair.glsl"
 
 // Sorts a pixel's fragments, nearest first, and lays them over the opaque picture by gpu::Blend::over.
 layout(push_constant) uniform Push {
@@ -18,7 +18,7 @@ bool isNearer(uint a, uint b) {
     vec2 distanceA = vec2(nodes[a].distance, nodes[a].rest);
     vec2 distanceB = vec2(nodes[b].distance, nodes[b].rest);
     if (distanceA != distanceB) {
-        return isLess(distanceA, distanceB);
+        return cdrPairLess(distanceA, distanceB);
     }
     if (nodes[a].id != nodes[b].id) {
         return nodes[a].id < nodes[b].id;

@@ -13,7 +13,7 @@ function dedented(code) {
     return `${lines.map((line) => line.slice(indent)).join("\n")}\n`;
 }
 
-const sources = files().filter((path) => /(\.(cpp|h|vert|frag|glsl|hlsl)|CMakeLists\.txt)$/.test(path));
+const sources = files().filter((path) => /(\.(cpp|h|vert|frag|comp|glsl|hlsl)|CMakeLists\.txt)$/.test(path));
 const quotations = sources.flatMap((source) =>
     [...read(source).matchAll(kMark)].map(([, page, code]) => ({ source, page, code: dedented(code) })));
 

@@ -4,19 +4,20 @@
 
 #include <cdr/render/targets/gbuffer.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace cdr::render_test {
 
 namespace {
 
-struct SquarePush {
+struct RectanglePush {
     depth::CascadeConstants cascade;
-    float place[4];
+    std::array<float, 4> place;
     std::uint32_t names[2];
 };
 
-constexpr auto kSquareStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+constexpr auto kRectangleStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
 vk::UniqueSemaphore makeTimeline(const gpu::Device& device) {
     const vk::SemaphoreTypeCreateInfo type{.semaphoreType = vk::SemaphoreType::eTimeline, .initialValue = 0};
@@ -73,14 +74,12 @@ void HostSide::submit() {
     gpu::submit(m_device, {&m_commands, 1}, {}, {}, {&signal, 1});
 }
 
-HostSquares::HostSquares(const gpu::Device& device, vk::Format format, Language language)
+HostRectangles::HostRectangles(const gpu::Device& device, vk::Format format, const HostShaders& shaders)
     : m_layout(gpu::makePipelineLayout(
-          device, {}, {{.stageFlags = kSquareStages, .size = sizeof(SquarePush)}}, "host squares")) {
-    const std::vector<std::uint32_t> vertex =
-        readSpirv(language == Language::glsl ? CDR_HOST_SURFACE_VERT : CDR_HOST_SURFACE_VERT_HLSL);
-    const std::vector<std::uint32_t> fragment =
-        readSpirv(language == Language::glsl ? CDR_HOST_SURFACE_FRAG : CDR_HOST_SURFACE_FRAG_HLSL);
-    m_pipeline = gpu::makeGraphicsPipeline(device, {.name = "host squares",
+          device, {}, {{.stageFlags = kRectangleStages, .size = sizeof(RectanglePush)}}, "host rectangles")) {
+    const std::vector<std::uint32_t> vertex = readSpirv(shaders.vertexPath);
+    const std::vector<std::uint32_t> fragment = readSpirv(shaders.fragmentPath);
+    m_pipeline = gpu::makeGraphicsPipeline(device, {.name = "host rectangles",
                                                     .vertexSpirv = vertex,
                                                     .fragmentSpirv = fragment,
                                                     .constants = {},
@@ -91,20 +90,22 @@ HostSquares::HostSquares(const gpu::Device& device, vk::Format format, Language 
                                                     .depthFormat = format});
 }
 
-void HostSquares::draw(const render::HostCascade& cascade, const Square& square) const {
+void HostRectangles::draw(const render::HostCascade& cascade, const Square& square) const {
+    draw(cascade, {square.x, 0.0, square.distanceView - cascade.anchorView, square.halfSide}, square.object);
+}
+
+void HostRectangles::draw(const render::HostCascade& cascade, const std::array<double, 4>& place,
+                          std::uint32_t object) const {
     const vk::CommandBuffer commands = cascade.commands;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *m_pipeline);
     commands.setCullMode(vk::CullModeFlagBits::eNone);
     commands.setFrontFace(vk::FrontFace::eCounterClockwise);
-    for (const int half :
-         {0, 1}) { // of a square that the shader makes of four corners, as a list of triangles
-        const SquarePush push{.cascade = cascade.constants,
-                              .place = {static_cast<float>(square.x), 0.0f,
-                                        static_cast<float>(square.distanceView - cascade.anchorView),
-                                        static_cast<float>(square.halfSide)},
-                              .names = {cascade.index, square.object + 1}};
-        commands.pushConstants<SquarePush>(*m_layout, kSquareStages, 0, push);
-        commands.draw(3, 1, static_cast<std::uint32_t>(half), 0);
+    RectanglePush push{.cascade = cascade.constants, .place = {}, .names = {cascade.index, object + 1}};
+    std::transform(place.begin(), place.end(), push.place.begin(),
+                   [](double value) { return static_cast<float>(value); });
+    commands.pushConstants<RectanglePush>(*m_layout, kRectangleStages, 0, push);
+    for (const std::uint32_t half : {0u, 1u}) { // of the four corners, as a list of triangles
+        commands.draw(3, 1, half, 0);
     }
 }
 

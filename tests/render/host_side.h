@@ -7,6 +7,7 @@
 
 #include <vulkan/vulkan.hpp>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -46,13 +47,23 @@ class HostSide {
     vk::CommandBuffer m_commands;
 };
 
-/// Draws squares of a host's that face the camera, as src/examples/host_compositing does.
-class HostSquares {
-  public:
-    enum class Language : std::uint8_t { glsl, hlsl };
-    /// @param format of the cascades' depth
-    HostSquares(const gpu::Device& device, vk::Format format, Language language = Language::glsl);
+/// Shaders of a host that make four corners from push constants: CascadeConstants, a vec4, and two names.
+struct HostShaders {
+    const char* vertexPath; ///< of SPIR-V
+    const char* fragmentPath;
+};
+inline constexpr HostShaders kSquare{CDR_HOST_SURFACE_VERT, CDR_HOST_SURFACE_FRAG};
+inline constexpr HostShaders kSquareHlsl{CDR_HOST_SURFACE_VERT_HLSL, CDR_HOST_SURFACE_FRAG_HLSL};
+inline constexpr HostShaders kGround{CDR_HOST_GROUND_VERT, CDR_HOST_GROUND_FRAG};
+inline constexpr HostShaders kGroundHlsl{CDR_HOST_GROUND_VERT_HLSL, CDR_HOST_GROUND_FRAG_HLSL};
 
+/// Draws rectangles of a host's inside cascades, as src/examples/host_compositing does.
+class HostRectangles {
+  public:
+    /// @param format of the cascades' depth
+    HostRectangles(const gpu::Device& device, vk::Format format, const HostShaders& shaders = kSquare);
+
+    /// One that faces the camera, for kSquare.
     struct Square {
         double x = 0.0; ///< view space
         double distanceView = 0.0;
@@ -60,6 +71,10 @@ class HostSquares {
         std::uint32_t object = 0;
     };
     void draw(const render::HostCascade& cascade, const Square& square) const;
+
+    /// @param place as the shaders take it
+    void draw(const render::HostCascade& cascade, const std::array<double, 4>& place,
+              std::uint32_t object) const;
 
   private:
     vk::UniquePipelineLayout m_layout;

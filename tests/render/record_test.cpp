@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 #include <vector>
 
 namespace cdr::render_test {
@@ -113,8 +114,8 @@ TEST_F(RecordTest, HlslDrawsWhatGlslDraws) {
     const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     std::vector<std::vector<image::Rgba8>> pictures;
     std::vector<std::vector<render::GBufferPixel>> surfaces;
-    for (const HostSquares::Language language : {HostSquares::Language::glsl, HostSquares::Language::hlsl}) {
-        const HostSquares squares(device(), device().depthFormat(depth::DepthFormat::d32f), language);
+    for (const HostShaders& shaders : {kSquare, kSquareHlsl}) {
+        const HostRectangles squares(device(), device().depthFormat(depth::DepthFormat::d32f), shaders);
         HostSide host(device(), extentOf(options));
         render::Renderer renderer(device(), scene, gpuScene, options);
         render::HostFrame frame = host.begin();
@@ -139,6 +140,58 @@ TEST_F(RecordTest, HlslDrawsWhatGlslDraws) {
               500);
 }
 
+/// Two triangles from 10 units behind the camera to 100 km ahead: each pixel below the horizon shows the ground, once, at
+/// its distance and from the cascade that holds it. GLSL and HLSL agree to the bit.
+TEST_F(RecordTest, GroundOfAHostsIsCutWhereCascadesMeet) {
+    constexpr double kHeight = 2.0;
+    constexpr double kFarEndView = 1e5;
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.5, .farView = 2e5};
+    const scene::Scene scene = boxScene();
+    const render::GpuScene gpuScene(device(), scene);
+    const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/ratio:4"));
+    std::vector<std::vector<render::GBufferPixel>> surfaces;
+    for (const HostShaders& shaders : {kGround, kGroundHlsl}) {
+        const HostRectangles ground(device(), device().depthFormat(depth::DepthFormat::d32f), shaders);
+        HostSide host(device(), extentOf(options));
+        render::Renderer renderer(device(), scene, gpuScene, options);
+        render::HostFrame frame = host.begin();
+        frame.occupied = {{camera.nearView, camera.farView}};
+        std::vector<depth::Cascade> ranges(64);
+        std::vector<double> anchorsView(64);
+        frame.draw = [&](const render::HostCascade& cascade) {
+            ranges.at(cascade.index) = cascade.clipRange;
+            anchorsView.at(cascade.index) = cascade.anchorView;
+            ground.draw(cascade,
+                        {1e6, -kHeight, -10.0 - cascade.anchorView, kFarEndView - cascade.anchorView}, 10);
+        };
+        renderer.record(camera, frame);
+        host.submit();
+        const render::SurfaceImage gbuffer = renderer.surfaces().gbuffer;
+        const auto pixels =
+            readImage<render::GBufferPixel>(device(), gbuffer.image, gbuffer.extent, gbuffer.layout);
+        std::set<std::uint32_t> cascades;
+        for (std::uint32_t y = options.height / 2; y < options.height; ++y) {
+            const double below = ((y + 0.5) / options.height * 2.0 - 1.0) * std::tan(0.5 * camera.fovY);
+            const double wantedView = kHeight / below;
+            for (std::uint32_t x = 0; x < options.width; ++x) {
+                const render::GBufferPixel& pixel = pixels.at(x, y);
+                ASSERT_EQ(pixel.id(), 11u) << x << " " << y;
+                cascades.insert(pixel.cascade());
+                const double distanceView = anchorsView[pixel.cascade()] + static_cast<double>(pixel.ahead);
+                ASSERT_NEAR(distanceView, wantedView, 1e-3 * wantedView) << x << " " << y;
+                const depth::Cascade& range = ranges[pixel.cascade()];
+                ASSERT_GE(distanceView, range.nearView * (1.0 - 1e-6));
+                ASSERT_LE(distanceView, range.farView * (1.0 + 1e-6));
+            }
+        }
+        EXPECT_GT(cascades.size(), 3u);
+        surfaces.push_back(pixels.pixels);
+    }
+    EXPECT_EQ(std::memcmp(surfaces[0].data(), surfaces[1].data(),
+                          surfaces[0].size() * sizeof(render::GBufferPixel)),
+              0);
+}
+
 /// Squares of the host's, 0.00001 units before and behind the faces of boxes 1,000 km away, and one where cdr draws
 /// nothing. Every target and submission shows of each pair the nearer one.
 TEST_F(RecordTest, AHostsObjectsShareTheDepthOfEachCascade) {
@@ -148,12 +201,12 @@ TEST_F(RecordTest, AHostsObjectsShareTheDepthOfEachCascade) {
     for (const double x : {-1.0, 1.0}) {
         addBox(scene, {x, 0.0, -kFaceView - 0.5});
     }
-    const std::vector<HostSquares::Square> squares{{-1.0, kFaceView - kGapView, 0.25, 10},
-                                                   {1.0, kFaceView + kGapView, 0.25, 11},
-                                                   {-1.5, 0.5 * kFaceView, 0.25, 12},
-                                                   {1.5, 2.0 * kFaceView, 1.0, 13}};
+    const std::vector<HostRectangles::Square> squares{{-1.0, kFaceView - kGapView, 0.25, 10},
+                                                      {1.0, kFaceView + kGapView, 0.25, 11},
+                                                      {-1.5, 0.5 * kFaceView, 0.25, 12},
+                                                      {1.5, 2.0 * kFaceView, 1.0, 13}};
     const scene::Camera camera{.fovY = 4e-6, .nearView = 1.0, .farView = 1e8};
-    const HostSquares host(device(), device().depthFormat(depth::DepthFormat::d32f));
+    const HostRectangles host(device(), device().depthFormat(depth::DepthFormat::d32f));
     const render::GpuScene gpuScene(device(), scene);
     for (const render::TargetsKind targets : render::kTargetsKinds) {
         for (const render::Submission submission : recordable()) {
@@ -164,11 +217,11 @@ TEST_F(RecordTest, AHostsObjectsShareTheDepthOfEachCascade) {
             render::Renderer renderer(device(), scene, gpuScene, options);
             render::HostFrame frame = side.begin();
             frame.depth = side.depth(1.0);
-            for (const HostSquares::Square& square : squares) {
+            for (const HostRectangles::Square& square : squares) {
                 frame.occupied.push_back({square.distanceView - 1.0, square.distanceView + 1.0});
             }
             frame.draw = [&](const render::HostCascade& cascade) {
-                for (const HostSquares::Square& square : squares) {
+                for (const HostRectangles::Square& square : squares) {
                     host.draw(cascade, square);
                 }
             };

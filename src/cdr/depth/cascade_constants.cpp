@@ -1,4 +1,5 @@
 #include <cdr/depth/cascade_constants.h>
+#include <cdr/depth/view_constants.h>
 
 #include <cmath>
 
@@ -10,9 +11,11 @@ CascadeConstants cascadeConstants(Mapping mapping, const Cascades& cascades, std
     const bool isLast = index + 1 == cascades.size();
     const ClipTerms terms = clipTerms(depthRange(mapping, range, isLast ? farEnd : FarEnd::closed));
     const double tangent = std::tan(0.5 * projection.fovY);
-    return {.anchorView = static_cast<float>(terms.anchorView),
+    const FloatPair anchor = floatPair(terms.anchorView);
+    return {.anchorView = anchor.value,
             .scale = static_cast<float>(terms.scale),
             .offset = static_cast<float>(terms.offset),
+            .anchorRest = anchor.rest,
             .nearAhead = static_cast<float>(range.nearView - terms.anchorView),
             .farAhead = static_cast<float>(range.farView - terms.anchorView),
             .projectionX = static_cast<float>(1.0 / (projection.aspect * tangent)),

@@ -19,7 +19,7 @@ struct CascadeConstants {
     float anchorView = 0.0f;  ///< ClipTerms
     float scale = 0.0f;       ///< ClipTerms
     float offset = 0.0f;      ///< ClipTerms
-    float unused = 0.0f;      ///< fills the vec4
+    float anchorRest = 0.0f;  ///< what `anchorView` leaves out of the float64 anchor, for cdr_view.glsl
     float nearAhead = 0.0f;   ///< clipRange() less anchorView, subtracted in float64
     float farAhead = 0.0f;    ///< the same of the far end
     float projectionX = 0.0f; ///< 1 / (aspect tan(fovY / 2))

@@ -1,3 +1,4 @@
+#include <cdr/depth/view_constants.h>
 #include <cdr/render/view_transform.h>
 
 namespace cdr::render {
@@ -32,8 +33,8 @@ shaders::DrawRecord DrawRecordMaker::make(const DrawSource& source, const Materi
 }
 
 glm::vec2 splitDouble(double value) {
-    const auto high = static_cast<float>(value);
-    return {high, static_cast<float>(value - static_cast<double>(high))};
+    const depth::FloatPair pair = depth::floatPair(value);
+    return {pair.value, pair.rest};
 }
 
 shaders::LightRecord makeLightRecord(const scene::PointLight& light, const scene::Camera& camera) {

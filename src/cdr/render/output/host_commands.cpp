@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/depth/view_constants.h>
 #include <cdr/render/geometry/begin_cascade.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/output/depth_output.h>
@@ -88,6 +89,7 @@ HostCascade hostCascadeOf(const gpu::Device& device, const RenderOptions& option
             .constants = {.anchorView = push.anchorView,
                           .scale = push.depthScale,
                           .offset = push.depthOffset,
+                          .anchorRest = depth::floatPair(made.terms.anchorView).rest,
                           .nearAhead = push.nearAhead,
                           .farAhead = push.farAhead,
                           .projectionX = push.projectionX,

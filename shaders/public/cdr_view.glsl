@@ -1,0 +1,42 @@
+// Where objects lie that the device itself moves or culls, on devices without float64. The CPU makes one CdrView a frame and
+// one CdrCascade a cascade; places of objects are pairs of floats, as cdr::depth::floatPair() makes them. This file needs GLSL
+// 4.00 or newer, or HLSL by cdr_view.hlsl, and what it includes.
+#ifndef CDR_VIEW_GLSL
+#define CDR_VIEW_GLSL
+
+#include "cdr_depth.glsl"
+#include "cdr_float_pair.glsl"
+
+// A camera: cdr::depth::ViewConstants. Eight vec4, so that its 128 bytes are the same in every kind of buffer. What a name
+// with `Rest` holds is added to the one before it; the fourth component of each is unused.
+struct CdrView {
+    vec4 eye, eyeRest; // world space
+    vec4 right, rightRest;
+    vec4 up, upRest;
+    vec4 forward, forwardRest;
+};
+
+// One coordinate of an object about the eye.
+vec2 cdrFromEye(float place, float placeRest, float eye, float eyeRest) {
+    return cdrPairAdd(vec2(place, placeRest), vec2(-eye, -eyeRest));
+}
+
+// How far (x, y, z) reaches along an axis.
+vec2 cdrAlong(vec2 x, vec2 y, vec2 z, vec4 axis, vec4 axisRest) {
+    return cdrPairAdd(cdrPairAdd(cdrPairProduct(x, vec2(axis.x, axisRest.x)), cdrPairProduct(y, vec2(axis.y, axisRest.y))),
+                      cdrPairProduct(z, vec2(axis.z, axisRest.z)));
+}
+
+// View-space x and y of a place, and its view distance beyond the cascade's anchor, to which a vertex shader adds what lies
+// about that place. Off by at most 2^-43 of the numbers that go in: a ten-thousandth of a unit at 10^9 units.
+// place + placeRest: world space.
+vec3 cdrPlace(vec3 place, vec3 placeRest, CdrView view, CdrCascade cascade) {
+    vec2 x = cdrFromEye(place.x, placeRest.x, view.eye.x, view.eyeRest.x);
+    vec2 y = cdrFromEye(place.y, placeRest.y, view.eye.y, view.eyeRest.y);
+    vec2 z = cdrFromEye(place.z, placeRest.z, view.eye.z, view.eyeRest.z);
+    vec2 distanceView = cdrAlong(x, y, z, view.forward, view.forwardRest);
+    vec2 ahead = cdrPairAdd(distanceView, vec2(-cascade.terms.x, -cascade.terms.w));
+    return vec3(cdrAlong(x, y, z, view.right, view.rightRest).x, cdrAlong(x, y, z, view.up, view.upRest).x, ahead.x);
+}
+
+#endif
