@@ -359,7 +359,7 @@ TEST_F(WorldTest, AnyEditsGiveThePictureOfASceneBuiltAnew) {
     std::array<Group, 2> groups;
     for (const render::RenderOptions& options :
          {optionsFor("cdr", Submission::secondaries, TargetsKind::single, 1, 1),
-          optionsFor("cdr", Submission::primaries, TargetsKind::accumulate, 2, 3),
+          optionsFor("cdr", Submission::primaries, TargetsKind::accumulate, 8, 3),
           optionsFor("cdr", Submission::gpuDriven, TargetsKind::pool, 2, 3)}) {
         if (options.submission == Submission::gpuDriven && !canDrawGpuDriven()) {
             continue;
@@ -367,7 +367,7 @@ TEST_F(WorldTest, AnyEditsGiveThePictureOfASceneBuiltAnew) {
         groups[0].push_back(std::make_unique<render::Renderer>(device(), onDevice, options));
     }
     for (render::RenderOptions options :
-         {optionsFor("anchored", Submission::secondaries, TargetsKind::layers, 3, 2),
+         {optionsFor("anchored", Submission::secondaries, TargetsKind::layers, 16, 2),
           optionsFor("anchored", Submission::gpuDriven, TargetsKind::single, 1, 1)}) {
         if (options.submission == Submission::gpuDriven && !canDrawGpuDriven()) {
             continue;
