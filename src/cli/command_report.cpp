@@ -6,6 +6,7 @@
 #include <cdr/base/error.h>
 #include <cdr/host/child_process.h>
 #include <cdr/host/file.h>
+#include <cdr/host/standard_streams.h>
 #include <cdr/host/worker_pool.h>
 #include <experiments/readable.h>
 #include <report/folder.h>
@@ -110,6 +111,12 @@ nlohmann::ordered_json makeManifest(const Command& command, const report::PlanOp
     return manifest;
 }
 
+/// At once, into files and pipes too.
+void sayNow(const Console& console, const std::string& line) {
+    console.line(line);
+    host::flushStandardOutput();
+}
+
 /// Runs the plan into a folder; the results and the page's data go there too.
 nlohmann::ordered_json fillFolder(Command& command, const ReportArguments& arguments,
                                   report::PendingFolder& folder) {
@@ -124,7 +131,7 @@ nlohmann::ordered_json fillFolder(Command& command, const ReportArguments& argum
     if (!arguments.plan.videos) {
         console.line("No videos: ffmpeg is not installed (Debian, Ubuntu: ffmpeg)");
     }
-    console.line(fmt::format("{} sections, about {}", plan.size(), timeText(forecast.secondsLeft())));
+    sayNow(console, fmt::format("{} sections, about {}", plan.size(), timeText(forecast.secondsLeft())));
     for (std::size_t i = 0; i < plan.size(); ++i) {
         const report::Section& section = plan[i];
         GlobalOptions inside = global;
@@ -134,9 +141,9 @@ nlohmann::ordered_json fillFolder(Command& command, const ReportArguments& argum
         folder.keep();
         console.endProgress();
         forecast.done(section, outcome.seconds);
-        console.line(fmt::format("{}/{} {}: {} s{}", i + 1, plan.size(), section.name,
-                                 experiments::Readable{outcome.seconds},
-                                 outcome.failure.empty() ? "" : ", failed: " + outcome.failure));
+        sayNow(console, fmt::format("{}/{} {}: {} s{}", i + 1, plan.size(), section.name,
+                                    experiments::Readable{outcome.seconds},
+                                    outcome.failure.empty() ? "" : ", failed: " + outcome.failure));
         manifest["results"].push_back(describe(section, outcome, global));
         documents[section.name] = outcome.document;
     }
