@@ -110,8 +110,11 @@ void writeCsv(const std::filesystem::path& path, const experiments::Json& rows) 
 /// What can be wrong with the arguments, before anything is made.
 void checkArguments(TimingArguments& arguments, CommandFiles& files) {
     const bool isPlain = arguments.against.empty() && !arguments.stages && !arguments.memory;
-    if (!isPlain && (!arguments.csv.empty() || !arguments.plot.empty() || !arguments.trace.empty())) {
-        throw base::InputError("--csv, --plot and --trace go with none of --against, --stages and --memory");
+    if (!isPlain && (!arguments.csv.empty() || !arguments.trace.empty())) {
+        throw base::InputError("--csv and --trace go with none of --against, --stages and --memory");
+    }
+    if (!arguments.plot.empty() && (!arguments.against.empty() || arguments.memory)) {
+        throw base::InputError("--plot goes with neither --against nor --memory");
     }
     if (!isPlain && arguments.options.framesInFlight > 1) {
         throw base::InputError("--in-flight goes with none of --against, --stages and --memory");
@@ -209,6 +212,7 @@ void runStages(Command& command, const TimingArguments& arguments) {
         modes.insert(modes.end(), options.modes.begin() + 2, options.modes.end());
     }
     auto rows = experiments::Json::array();
+    std::vector<experiments::ModeStages> plotted;
     for (const experiments::TimingMode& mode : modes) {
         options.modes = {mode};
         const std::vector<experiments::StageCost> stages =
@@ -219,6 +223,10 @@ void runStages(Command& command, const TimingArguments& arguments) {
         for (const experiments::Json& row : experiments::jsonOf(columns, stages)) {
             rows.push_back(row);
         }
+        plotted.push_back({mode.name, stages});
+    }
+    if (!arguments.plot.empty()) {
+        experiments::writePlot(arguments.plot, experiments::stagesPlot(plotted, command.opened().text()));
     }
     command.console().line(fmt::format("\n{}; {} frames of each variant in turns; {}",
                                        command.opened().text(), options.frames, experiments::machineText()));

@@ -1,8 +1,12 @@
+#include "stages.h"
 #include "timing.h"
 
 #include <experiments/gnuplot.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
 
 namespace cdr::experiments {
 
@@ -35,6 +39,33 @@ std::string timingPlot(const std::vector<TimingResult>& results, const std::stri
         "title 'thesis, Figure 6.4'\n",
         gnuplotQuote("Frame time over standard, " + measuredOn), static_cast<double>(results.size()) - 0.3,
         noise.low, noise.high, rows);
+}
+
+std::string stagesPlot(const std::vector<ModeStages>& modes, const std::string& measuredOn) {
+    const std::size_t parts = modes.front().stages.size() - 1; // the last is the whole frame
+    std::string rows = "mode";
+    for (std::size_t i = 0; i < parts; ++i) {
+        rows += fmt::format(" \"{}\"", modes.front().stages[i].name);
+    }
+    for (const ModeStages& mode : modes) {
+        rows += fmt::format("\n\"{}\"", mode.mode);
+        for (std::size_t i = 0; i < parts; ++i) {
+            rows += fmt::format(" {}", std::max(0.0, mode.stages[i].medianUs / 1000.0));
+        }
+    }
+    return fmt::format("set title {}\n"
+                       "set ylabel 'milliseconds a frame, medians'\n"
+                       "set yrange [0:]\n"
+                       "set xtics rotate by -40 nomirror\n"
+                       "set grid ytics lc rgb '#dddddd'\n"
+                       "set key outside right reverse Left invert\n"
+                       "set style data histograms\n"
+                       "set style histogram rowstacked\n"
+                       "set style fill solid 0.8 border rgb '#ffffff'\n"
+                       "set boxwidth 0.6\n"
+                       "$data << END\n{}\nEND\n"
+                       "plot for [i=2:{}] $data using i:xtic(1) title columnheader\n",
+                       gnuplotQuote("What each stage of a frame costs, " + measuredOn), rows, parts + 1);
 }
 
 } // namespace cdr::experiments

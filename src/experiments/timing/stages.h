@@ -28,4 +28,15 @@ struct StageCost {
 std::vector<StageCost> runStages(const gpu::Device& device, const TimingOptions& options,
                                  const TimingProgress& progress);
 
+/// The stages of one mode.
+struct ModeStages {
+    std::string mode;              ///< TimingMode::name
+    std::vector<StageCost> stages; ///< of runStages()
+};
+
+/// A bar for each mode, cut into stages by their medians, as a gnuplot script. A median below 0, which differences of noisy
+/// times may have, is drawn as 0.
+/// @param modes at least one
+std::string stagesPlot(const std::vector<ModeStages>& modes, const std::string& measuredOn);
+
 } // namespace cdr::experiments
