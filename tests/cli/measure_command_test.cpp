@@ -138,6 +138,21 @@ TEST(TimingCommand, TellsTheStagesOfAFrame) {
     EXPECT_NEAR(document.at("results").back().at("frame_pct").get<double>(), 100.0, 1e-9);
 }
 
+TEST(TimingCommand, PlotsTheStagesOfEachMode) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("timing --stages --frames 2 --size 64x36 --modes cdr-2 --plot t.svg", folder.path());
+    if (result.err.find("need gnuplot") != std::string::npos) {
+        GTEST_SKIP() << "gnuplot is not installed";
+    }
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::string plot = readText(folder.path() / "t.svg");
+    for (const char* word :
+         {"</svg>", "standard", "cdr-2", "cull and bin", "vertices and set-up", "lights"}) {
+        EXPECT_NE(plot.find(word), std::string::npos) << word;
+    }
+}
+
 /// What is foretold is what is taken, but for alignment and for what allocators round.
 TEST(TimingCommand, ForetellsMemory) {
     const TemporaryFolder folder;
