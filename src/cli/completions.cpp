@@ -99,7 +99,9 @@ std::string zshScript(const CLI::App& program) {
         cases += fmt::format("    {})\n        _arguments '*:file:_files'{} ;;\n", command->get_name(),
                              zshOptions(*command));
     }
+    // A file of fpath is the body of a function; sourced, it says whose completion that function is.
     return fmt::format(R"(#compdef cdr
+_cdr() {{
 local -a commands=(
 {1})
 case ${{words[(r)({0})]}} in
@@ -107,6 +109,8 @@ case ${{words[(r)({0})]}} in
         _describe command commands
         _arguments{2} ;;
 {3}esac
+}}
+if [[ $funcstack[1] == _cdr ]]; then _cdr "$@"; else compdef _cdr cdr; fi
 )",
                        fmt::join(commandNames(program), "|"), commands, zshOptions(program), cases);
 }

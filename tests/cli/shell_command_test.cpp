@@ -67,6 +67,19 @@ TEST(ShellCommands, BashCompletesCommandsAndTheirOptions) {
     EXPECT_EQ(completed("cdr render cu", 2), "\n"); // files
 }
 
+TEST(ShellCommands, ZshTakesItsScriptSourcedToo) {
+    const TemporaryFolder folder;
+    if (runProgram("--version > /dev/null && zsh -fc true", folder.path()).status != 0) {
+        GTEST_SKIP() << "no zsh";
+    }
+    std::ofstream(folder.path() / "cdr.zsh") << runProgram("completions zsh", folder.path()).out;
+    std::ofstream(folder.path() / "try.zsh")
+        << "autoload -U compinit; compinit -D -u; source ./cdr.zsh; echo $_comps[cdr]\n";
+    const ProgramResult result = runProgram("--version > /dev/null; zsh -f try.zsh", folder.path());
+    EXPECT_EQ(result.out, "_cdr\n");
+    EXPECT_EQ(result.err, "");
+}
+
 TEST(ShellCommands, EveryShellAndTheManualNameEveryCommand) {
     const TemporaryFolder folder;
     for (const char* what : {"completions bash", "completions zsh", "completions fish", "manual"}) {
