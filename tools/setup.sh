@@ -24,6 +24,8 @@ packages=(
     gnuplot-nox
     # videos: optional, only flicker's --videos and the report ask for it, and say so where it is missing
     ffmpeg
+    # several machines: optional, without them cdr is built for one, and the tests of ranks skip and say so
+    libopenmpi-dev openmpi-bin
     # tests, benchmarks and checks
     libbenchmark-dev libgtest-dev clang-format clang-tidy
 )

@@ -1,19 +1,42 @@
 #include "command.h"
 
+#include "rank_machine.h"
+
+#include <cdr/base/error.h>
 #include <scenes/open_scene.h>
 
+#include <fmt/format.h>
+
 namespace cdr::cli {
+
+bool takesPart(const GlobalOptions& global, const std::string& name, RankUse use) {
+    if (use == RankUse::none && !global.ranks->isAlone()) {
+        throw base::InputError(
+            fmt::format("{} runs in one process, and not as {} ranks: start it without mpirun", name,
+                        global.ranks->place().count));
+    }
+    return use == RankUse::all || global.ranks->isFirst();
+}
 
 Command::Command(std::string name, const GlobalOptions& global, OutputOptions output)
     : m_name(std::move(name)),
       m_global(global),
       m_output(std::move(output)),
       m_console(global, m_output) {
+    divideProcessors(ranks().place());
+    m_device = global.device == "each" ? dealtDevice(ranks().place()) : global.device;
     if (global.section.empty()) { // a report has looked already
-        requireKnownDevice(global.device);
+        requireKnownDevice(m_device);
     }
+
     if (m_output.json && *m_output.json != "-") {
         m_files.writes("--json", *m_output.json);
+    }
+}
+
+void Command::sayRanks() const {
+    if (!ranks().isAlone()) {
+        m_console.line(textOf(ranks().place()));
     }
 }
 
@@ -39,7 +62,7 @@ void Command::note(const std::vector<std::string>& ignored) {
 
 const OpenedDevice& Command::opened() {
     if (!m_opened) {
-        m_opened.emplace(m_global.device, m_global.validate);
+        m_opened.emplace(m_device, m_global.validate);
     }
     return *m_opened;
 }
@@ -67,7 +90,7 @@ nlohmann::ordered_json Command::makeDocument(nlohmann::ordered_json options) con
 }
 
 void Command::writeDocument(nlohmann::ordered_json document) const {
-    if (m_output.json) {
+    if (m_output.json && ranks().isFirst()) {
         if (m_notes) {
             document["notes"] = *m_notes;
         }

@@ -32,6 +32,9 @@ class Command {
     const OutputOptions& output() const { return m_output; }
     const Console& console() const { return m_console; }
     CommandFiles& files() { return m_files; }
+    ranks::Ranks& ranks() const { return *m_global.ranks; }
+    /// Where several ranks work on the command, says how many and how they share the machine.
+    void sayRanks() const;
 
     /// Opens a scene as scenes::openScene(), or of a glTF file what is chosen, and notes what of the file is
     /// not drawn. base::InputError when something is chosen of a scene that is no file.
@@ -64,22 +67,38 @@ class Command {
     Console m_console;
     CommandFiles m_files;
     std::optional<std::vector<std::string>> m_notes; ///< none where no scene was opened
+    std::string m_device;                            ///< of this rank, as gpu::Device takes it
     std::optional<OpenedDevice> m_opened;
 };
+
+/// Which ranks of a run a command runs on.
+enum class RankUse : std::uint8_t {
+    none,  ///< in one process alone, as what measures time
+    first, ///< takes next to no time, so the first rank does it while the others wait
+    all    ///< each takes its units
+};
+
+/// Whether a command runs on this rank. base::InputError where it may not run on several.
+bool takesPart(const GlobalOptions& global, const std::string& name, RankUse use);
 
 /// Adds a command to the program, with --json; it runs when it is chosen.
 /// @param addOptions the options that fill the arguments.
 template <typename Arguments>
 void addCommand(CLI::App& program, const GlobalOptions& global, const std::string& name,
                 const std::string& help, void (*addOptions)(CLI::App&, Arguments&),
-                void (*run)(Command&, Arguments&)) {
+                void (*run)(Command&, Arguments&), RankUse use = RankUse::none) {
     CLI::App* app = program.add_subcommand(name, help);
     auto arguments = std::make_shared<std::pair<Arguments, OutputOptions>>();
     addOptions(*app, arguments->first);
     addJson(*app, arguments->second);
-    app->callback([&global, name, arguments, run] {
-        Command command(name, global, arguments->second);
-        run(command, arguments->first);
+    app->callback([&global, name, arguments, run, use] {
+        if (takesPart(global, name, use)) {
+            Command command(name, global, arguments->second);
+            if (use == RankUse::all) {
+                command.sayRanks();
+            }
+            run(command, arguments->first);
+        }
     });
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <ranks/join.h>
 
 namespace cdr::cli {
 
@@ -50,8 +51,11 @@ void runDevices(Command& command, NoArguments&) {
     } else {
         command.console().table(experiments::tableOf(deviceColumns(), devices));
     }
+    const std::string mpi = ranks::mpiLibrary();
+    command.console().line(mpi.empty() ? "built without MPI: runs on one machine" : "built with " + mpi);
     auto document = command.makeDocument(nlohmann::ordered_json::object());
     document["results"] = experiments::jsonOf(deviceColumns(), devices);
+    document["mpi"] = mpi.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(mpi);
     command.writeDocument(document);
 }
 
@@ -60,7 +64,7 @@ void runDevices(Command& command, NoArguments&) {
 void addDevices(CLI::App& program, const GlobalOptions& global) {
     addCommand<NoArguments>(
         program, global, "devices", "List every Vulkan device and what it can do here",
-        [](CLI::App&, NoArguments&) {}, runDevices);
+        [](CLI::App&, NoArguments&) {}, runDevices, RankUse::first);
 }
 
 } // namespace cdr::cli

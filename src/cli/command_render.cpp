@@ -10,6 +10,7 @@
 #include <experiments/camera_options.h>
 #include <experiments/effect_options.h>
 #include <experiments/frame_notes.h>
+#include <experiments/units.h>
 #include <scenes/colours.h>
 #include <scenes/moving_scene.h>
 #include <scenes/open_scene.h>
@@ -135,10 +136,14 @@ class FrameMaker {
         }
     }
 
+    /// Goes past a frame that another rank makes.
+    void skip(std::uint32_t number, const scene::Camera& camera) {
+        show(number);
+        m_renderer.skip(camera);
+    }
+
     FrameOutput make(std::uint32_t number, const scene::Camera& camera) {
-        if (m_moving != nullptr) {
-            m_moving->show(number);
-        }
+        show(number);
         if (m_options.trace != nullptr) {
             m_options.trace->beginFrame(fmt::format("frame {}", number));
         }
@@ -151,6 +156,12 @@ class FrameMaker {
     }
 
   private:
+    void show(std::uint32_t number) {
+        if (m_moving != nullptr) {
+            m_moving->show(number);
+        }
+    }
+
     const render::RenderOptions& m_options;
     host::WorkerPool& m_workers;
     scenes::MovingScene* m_moving;
@@ -160,16 +171,18 @@ class FrameMaker {
 };
 
 /// What differs from what was asked, in words.
-void sayNotes(Command& command, std::uint32_t number, bool isFirst, const FrameOutput& made) {
+std::vector<std::string> notesOn(Command& command, bool isFirst, const FrameOutput& made) {
     const render::Frame& frame = made.frame();
+    std::vector<std::string> notes;
     if (const auto& refusal = frame.stats.translucency.refusal) {
         const std::string why =
             experiments::noteOn(*refusal, command.device().info().name, frame.width(), frame.height());
-        command.console().line(fmt::format("frame {} drawn with --translucency weighted: {}", number, why));
+        notes.push_back(fmt::format("frame {} drawn with --translucency weighted: {}", made.number(), why));
     }
     if (isFirst && frame.stats.lostShine) {
-        command.console().line(fmt::format("drawn otherwise than asked: {}", experiments::noteOnLostShine()));
+        notes.push_back(fmt::format("drawn otherwise than asked: {}", experiments::noteOnLostShine()));
     }
+    return notes;
 }
 
 /// Where the pictures are, or that there are none.
@@ -199,6 +212,9 @@ void runRender(Command& command, RenderArguments& arguments) {
     host::WorkerPool workers(arguments.threads);
     std::optional<host::Trace> trace;
     if (!arguments.trace.empty()) {
+        if (!command.ranks().isAlone()) {
+            throw base::InputError("--trace is of one process: start it without mpirun");
+        }
         options.trace = &trace.emplace(options.threads);
     }
     scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
@@ -219,20 +235,36 @@ void runRender(Command& command, RenderArguments& arguments) {
     auto document = command.makeDocument(optionsJson(arguments, options.technique));
     const auto columns = renderColumns(arguments.hash);
     experiments::Table table = experiments::tableOf(columns, std::vector<RenderRow>());
-    for (std::uint32_t i = 0; i < cameras.frames; ++i) {
-        const std::uint32_t number = cameras.first + i;
-        console.progress(i, cameras.frames, arguments.scene);
-        const FrameOutput made = maker.make(number, cameras.at(setup.path, number));
-        command.opened().requireSilentValidation();
-        sayNotes(command, number, i == 0, made);
-        if (!arguments.file.empty()) {
-            made.write(name.at(number), aov);
+    std::uint32_t next = cameras.first;
+    const auto make = [&](std::size_t unit) {
+        const auto number = cameras.first + static_cast<std::uint32_t>(unit);
+        console.progress(unit, cameras.frames, arguments.scene);
+        for (; next < number; ++next) {
+            maker.skip(next, cameras.at(setup.path, next));
         }
+        const FrameOutput made = maker.make(next++, cameras.at(setup.path, number));
+        command.opened().requireSilentValidation();
         const std::string hash = arguments.hash || command.output().json ? made.hash(aov) : "";
         const RenderRow row{made, options, arguments.scene, technique, hash};
-        document["results"].push_back(experiments::jsonOf(columns, row));
-        table.rows.push_back(experiments::cellsOf(columns, row));
-    }
+        return experiments::Json{
+            {"notes", notesOn(command, unit == 0, made)},
+            {"row", experiments::jsonOf(columns, row)},
+            {"cells", experiments::cellsOf(columns, row)},
+            {"file", arguments.file.empty() ? experiments::Json()
+                                            : experiments::Json::binary(made.encoded(name.at(number), aov))}};
+    };
+    experiments::forEachUnit(
+        command.ranks(), cameras.frames, make, [&](std::size_t unit, experiments::Json made) {
+            for (const experiments::Json& note : made.at("notes")) {
+                console.line(note.get<std::string>());
+            }
+            if (!arguments.file.empty()) {
+                host::writeFile(name.at(cameras.first + static_cast<std::uint32_t>(unit)),
+                                made.at("file").get_binary());
+            }
+            document["results"].push_back(std::move(made.at("row")));
+            table.rows.push_back(made.at("cells").get<std::vector<std::string>>());
+        });
     command.endProgress();
     console.table(table);
     console.line(command.opened().text());
@@ -311,7 +343,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
 
 void addRender(CLI::App& program, const GlobalOptions& global) {
     addCommand<RenderArguments>(program, global, "render", "Render a scene into pictures", addRenderOptions,
-                                runRender);
+                                runRender, RankUse::all);
 }
 
 } // namespace cdr::cli

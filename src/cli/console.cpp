@@ -25,8 +25,9 @@ void print(const std::string& text, bool toError) {
 
 Console::Console(const GlobalOptions& global, const OutputOptions& output)
     : m_toError(output.json == "-"),
-      m_quiet(global.quiet || !global.section.empty()),
-      m_showsProgress(!global.quiet && ::isatty(STDERR_FILENO) != 0),
+      m_isSilent(!global.ranks->isFirst()),
+      m_quiet(m_isSilent || global.quiet || !global.section.empty()),
+      m_showsProgress(!m_isSilent && !global.quiet && ::isatty(STDERR_FILENO) != 0),
       m_section(global.section.empty() ? "" : global.section + ": ") {}
 
 void Console::line(const std::string& text) const {
@@ -36,7 +37,9 @@ void Console::line(const std::string& text) const {
 }
 
 void Console::warning(const std::string& text) const {
-    print(text, m_quiet || m_toError);
+    if (!m_isSilent) {
+        print(text, m_quiet || m_toError);
+    }
 }
 
 void Console::table(const experiments::Table& table) const {

@@ -34,7 +34,8 @@ class Console {
 
   private:
     bool m_toError;
-    bool m_quiet; ///< no lines and tables
+    bool m_isSilent; ///< not even warnings: the first rank has them
+    bool m_quiet;    ///< no lines and tables
     bool m_showsProgress;
     std::string m_section; ///< of a report, in front of the progress; else empty
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();

@@ -17,12 +17,10 @@ FrameOutput::FrameOutput(std::uint32_t number, render::Frame frame, std::optiona
     }
 }
 
-void FrameOutput::write(const std::filesystem::path& path, experiments::Aov aov) const {
-    if (path.extension() == ".exr") {
-        image::writeExr(path, experiments::channelsOf(m_frame, aov, truth()));
-    } else {
-        image::writeImage(path, experiments::pictureOf(m_frame, aov, truth()));
-    }
+host::Bytes FrameOutput::encoded(const std::filesystem::path& path, experiments::Aov aov) const {
+    return path.extension() == ".exr"
+               ? image::encodeExr(path, experiments::channelsOf(m_frame, aov, truth()))
+               : image::encodeImage(path, experiments::pictureOf(m_frame, aov, truth()));
 }
 
 experiments::Columns<RenderRow> renderColumns(bool showsHash) {

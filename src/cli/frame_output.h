@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/host/file.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
@@ -22,8 +23,8 @@ class FrameOutput {
     std::uint32_t number() const { return m_number; }
     const render::Frame& frame() const { return m_frame; }
 
-    /// As .png, .tga or .exr.
-    void write(const std::filesystem::path& path, experiments::Aov aov) const;
+    /// The file that it is written as: .png, .tga or .exr.
+    host::Bytes encoded(const std::filesystem::path& path, experiments::Aov aov) const;
     std::string hash(experiments::Aov aov) const { return hashOf(m_frame, aov, truth()); }
     /// Where there is a truth.
     const std::optional<measure::WrongPixels>& wrong() const { return m_wrong; }

@@ -10,8 +10,10 @@
 #include <experiments/help_format.h>
 
 #include <fmt/format.h>
+#include <ranks/join.h>
 
 #include <exception>
+#include <functional>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -47,7 +49,24 @@ void addCommands(CLI::App& program, const cdr::cli::GlobalOptions& global) {
     cdr::cli::addShellCommands(program);
 }
 
-int run(int argc, char** argv) {
+void printOnce(const cdr::ranks::Ranks& ranks, const std::string& text) {
+    if (ranks.isFirst()) {
+        cdr::host::printOutput(text);
+    }
+}
+
+/// Ranks of another version, or on other arguments, would wait for each other for ever.
+void requireSameProgram(cdr::ranks::Ranks& ranks, int argc, char** argv) {
+    const cdr::host::BuildInfo build = cdr::host::buildInfo();
+    std::string text = fmt::format("cdr {} ({})", build.version, build.commit);
+    for (int i = 1; i < argc; ++i) {
+        text += fmt::format(" {}", argv[i]);
+    }
+    ranks.requireSame(text);
+}
+
+int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
+    requireSameProgram(ranks, argc, argv);
     CLI::App program("Cascaded deferred rendering: see far without z-fighting.", "cdr");
     program.require_subcommand(1);
     program.fallthrough(); // global options are found behind the command too
@@ -55,7 +74,10 @@ int run(int argc, char** argv) {
     format->label("SUBCOMMAND", "COMMAND");
     program.formatter(format);
     cdr::cli::GlobalOptions global;
-    program.add_option("--device", global.device, "Vulkan device by number or part of its name");
+    global.ranks = &ranks;
+    program.add_option(
+        "--device", global.device,
+        "Vulkan device by number or part of its name; each: the ranks of a machine take them in turn");
     program.add_flag("--validate", global.validate,
                      "Run under the Khronos validation layer; any message is a failure");
     program
@@ -69,7 +91,7 @@ int run(int argc, char** argv) {
     addCommands(program, global);
     program.footer("cdr COMMAND --help says what a command takes."); // its own, not the commands'
     if (argc <= 1) {
-        cdr::host::printOutput(program.help());
+        printOnce(ranks, program.help());
         return 0;
     }
     try {
@@ -77,7 +99,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& success) {
         std::ostringstream text;
         const int status = program.exit(success, text, text);
-        cdr::host::printOutput(text.str());
+        printOnce(ranks, text.str());
         return status;
     } catch (const CLI::RequiredError& error) {
         throw cdr::base::InputError(explainMissing(program, error));
@@ -87,20 +109,48 @@ int run(int argc, char** argv) {
     return 0;
 }
 
+cdr::ranks::Ending endingOf(const std::exception_ptr& error) {
+    try {
+        std::rethrow_exception(error);
+    } catch (const cdr::cli::ExitStatus& asked) {
+        return {.status = asked.status()};
+    } catch (...) {
+        const cdr::gpu::Failure failure = cdr::gpu::failureOf(error);
+        return {.status = failure.status, .line = failure.line};
+    }
+}
+
+/// Runs the program, and tells how that went.
+cdr::ranks::Ending outcomeOf(const std::function<int()>& program) {
+    try {
+        const int status = program();
+        cdr::host::flushStandardOutput();
+        return {.status = status};
+    } catch (...) {
+        return endingOf(std::current_exception());
+    }
+}
+
+void printLine(const cdr::ranks::Ending& ending) {
+    if (!ending.line.empty()) {
+        cdr::host::printError("cdr: " + ending.line);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     cdr::host::removeUnfinishedFilesOnSignals();
-    try {
-        const int status = run(argc, argv);
-        cdr::host::flushStandardOutput();
-        return status;
-    } catch (const cdr::cli::ExitStatus& asked) {
-        cdr::host::flushStandardOutput();
-        return asked.status();
-    } catch (...) {
-        const cdr::gpu::Failure failure = cdr::gpu::failureOf(std::current_exception());
-        cdr::host::printError("cdr: " + failure.line);
-        return failure.status;
+    std::unique_ptr<cdr::ranks::Ranks> ranks;
+    const cdr::ranks::Ending joining = outcomeOf([&] {
+        ranks = cdr::ranks::join(endingOf);
+        return 0;
+    });
+    if (ranks == nullptr) {
+        printLine(joining);
+        return joining.status;
     }
+    const cdr::ranks::Ending ending = ranks->end(outcomeOf([&] { return run(argc, argv, *ranks); }));
+    printLine(ending);
+    return ending.status;
 }

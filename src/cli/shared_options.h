@@ -6,6 +6,8 @@
 #include <experiments/camera_options.h>
 #include <experiments/effect_options.h>
 
+#include <ranks/ranks.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -21,6 +23,7 @@ struct GlobalOptions {
     bool validate = false;
     bool quiet = false;
     base::LengthUnit unit = base::LengthUnit::none; ///< of lengths in tables and sentences
+    ranks::Ranks* ranks = nullptr;                  ///< of the run; main() fills it in
     std::string section; ///< of a report that the command runs for: only its progress shows, under this name
 };
 

@@ -3,6 +3,7 @@
 #include <experiments/probe/probe.h>
 
 #include <gtest/gtest.h>
+#include <ranks/one_process.h>
 
 #include <cstdio>
 
@@ -20,7 +21,9 @@ TEST_F(Probe, PredictionsHoldOverTechniquesFormatsAndDistances) {
     options.distancesView = {10.0, 1e6};
     options.threads = 2;
     std::size_t resolved = 0;
-    for (const ProbeResult& row : runProbe(device(), options, [](auto, auto, const auto&) {})) {
+    ranks::OneProcess alone;
+    for (const ProbeResult& row : runProbe(
+             device(), options, [](auto, auto, const auto&) {}, alone)) {
         const std::string name = row.technique + " " + row.format + " at " + std::to_string(row.distanceView);
         if (!row.resolvedView) {
             EXPECT_GT(row.predictedView, row.largestView / 4.0) << name;

@@ -43,16 +43,20 @@ ImageRgba8 decodeImage(std::span<const std::uint8_t> encoded, const std::string&
     throw base::InputError(fmt::format("{}: neither PNG nor JPEG", name));
 }
 
-void writeImage(const std::filesystem::path& path, const ImageRgba8& image) {
+std::vector<std::uint8_t> encodeImage(const std::filesystem::path& path, const ImageRgba8& image) {
     const std::string extension = lowerCase(path.extension().string());
     if (extension == ".png") {
-        host::writeFile(path, encodePng(image));
-    } else if (extension == ".tga") {
-        host::writeFile(path, encodeTga(image));
-    } else {
-        throw base::InputError(
-            fmt::format("{}: cannot write '{}' pictures, use .png or .tga", path.string(), extension));
+        return encodePng(image);
     }
+    if (extension == ".tga") {
+        return encodeTga(image);
+    }
+    throw base::InputError(
+        fmt::format("{}: cannot write '{}' pictures, use .png or .tga", path.string(), extension));
+}
+
+void writeImage(const std::filesystem::path& path, const ImageRgba8& image) {
+    host::writeFile(path, encodeImage(path, image));
 }
 
 } // namespace cdr::image

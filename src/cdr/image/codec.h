@@ -30,6 +30,11 @@ std::vector<std::uint8_t> encodePng(const ImageRgba8& image);
 /// 24-bit uncompressed TGA (the thesis' frame format); alpha is dropped.
 std::vector<std::uint8_t> encodeTga(const ImageRgba8& image);
 
+/// PNG or TGA by the extension of `path`, which names the file in messages. InputError for another extension.
+std::vector<std::uint8_t> encodeImage(const std::filesystem::path& path, const ImageRgba8& image);
+/// 32-bit float channels, all of one size, as OpenEXR. InputError, which begins with `path`, for unusable channels.
+std::vector<std::uint8_t> encodeExr(const std::filesystem::path& path, std::span<const ExrChannel> channels);
+
 /// Writes `path` as PNG or TGA by its extension, whole or not at all. InputError for another extension.
 void writeImage(const std::filesystem::path& path, const ImageRgba8& image);
 /// Writes 32-bit float channels, all of one size, as OpenEXR, whole or not at all.

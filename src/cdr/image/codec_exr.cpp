@@ -5,11 +5,14 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace cdr::image {
 
@@ -39,7 +42,27 @@ void requireWritableChannels(const std::filesystem::path& path, std::span<const 
     }
 }
 
-void writeChannels(const std::filesystem::path& path, std::span<const ExrChannel> channels) {
+/// A file in memory, as OpenEXR writes one: it goes back to fill in where its lines begin.
+class MemoryStream final : public Imf::OStream {
+  public:
+    explicit MemoryStream(const std::string& name) : OStream(name.c_str()) {}
+
+    void write(const char* bytes, int count) override {
+        m_bytes.resize(std::max(m_bytes.size(), m_place + static_cast<std::size_t>(count)));
+        std::copy_n(bytes, count, m_bytes.begin() + static_cast<std::ptrdiff_t>(m_place));
+        m_place += static_cast<std::size_t>(count);
+    }
+    std::uint64_t tellp() override { return m_place; }
+    void seekp(std::uint64_t place) override { m_place = place; }
+
+    std::vector<std::uint8_t> takeBytes() { return std::move(m_bytes); }
+
+  private:
+    std::vector<std::uint8_t> m_bytes;
+    std::size_t m_place = 0;
+};
+
+void writeChannels(Imf::OStream& stream, std::span<const ExrChannel> channels) {
     const ImageFloat& first = channels.front().values;
     Imf::Header header(static_cast<int>(first.width), static_cast<int>(first.height));
     header.compression() = Imf::ZIP_COMPRESSION;
@@ -51,23 +74,27 @@ void writeChannels(const std::filesystem::path& path, std::span<const ExrChannel
         pixels.insert(channel.name,
                       Imf::Slice(Imf::FLOAT, values, sizeof(float), sizeof(float) * channel.values.width));
     }
-    Imf::OutputFile file(path.c_str(), header);
+    Imf::OutputFile file(stream, header);
     file.setFrameBuffer(pixels);
     file.writePixels(static_cast<int>(first.height));
 }
 
 } // namespace
 
-void writeExr(const std::filesystem::path& path, std::span<const ExrChannel> channels) {
+std::vector<std::uint8_t> encodeExr(const std::filesystem::path& path, std::span<const ExrChannel> channels) {
     requireWritableChannels(path, channels);
+    MemoryStream stream(path.string());
+    try {
+        writeChannels(stream, channels);
+    } catch (const std::exception& error) {
+        throw base::RunError(fmt::format("{}: EXR write failed: {}", path.string(), error.what()));
+    }
+    return stream.takeBytes();
+}
+
+void writeExr(const std::filesystem::path& path, std::span<const ExrChannel> channels) {
     host::requireWritable(path);
-    host::writeBesideThenRename(path, [&](const std::filesystem::path& temporary) {
-        try {
-            writeChannels(temporary, channels);
-        } catch (const std::exception& error) {
-            throw base::RunError(fmt::format("{}: EXR write failed: {}", path.string(), error.what()));
-        }
-    });
+    host::writeFile(path, encodeExr(path, channels));
 }
 
 } // namespace cdr::image

@@ -224,6 +224,19 @@ void Renderer::forgetFrames() {
     }
 }
 
+void Renderer::skip(const scene::Camera& camera) {
+    scene::requireUsable(camera);
+    followScene();
+    if (m_motion != nullptr) {
+        m_motion->follow(m_drawn, camera);
+    }
+    if (m_passes->cutter.needsVisible()) {
+        FrameView view = m_passes->cutter.look(camera);
+        cull(view);
+        m_passes->cutter.cut(view, *m_visible);
+    }
+}
+
 void Renderer::cull(const FrameView& view) {
     visibility::cullCells(m_drawn.uploaded.cells(m_workers), view.camera, view.frustum, m_workers,
                           *m_visible);

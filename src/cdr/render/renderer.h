@@ -55,6 +55,10 @@ class CDR_EXPORT Renderer {
     /// RenderOptions::motion where instances of one object moved apart since the last frame.
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);
 
+    /// Goes past a frame without drawing it: the next one is the same as if this one had been rendered. It costs culling
+    /// where a fitted split keeps to the frame before, and next to nothing where no frame depends on another.
+    void skip(const scene::Camera& camera);
+
     /// The next frame is rendered as a first one is: a fitted split does not keep to the last frame's, and nothing moved.
     void forgetFrames();
 

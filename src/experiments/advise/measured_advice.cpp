@@ -4,6 +4,8 @@
 #include <experiments/probe/probe.h>
 #include <experiments/timing/timing.h>
 
+#include <ranks/one_process.h>
+
 #include <algorithm>
 
 namespace cdr::experiments {
@@ -36,7 +38,8 @@ std::vector<ProbeResult> probe(const gpu::Device& device, const depth::AdviceQue
                                .height = options.height,
                                .threads = options.threads,
                                .seed = options.seed};
-    return runProbe(device, probing, progress);
+    ranks::OneProcess alone;
+    return runProbe(device, probing, progress, alone);
 }
 
 std::vector<TimingResult> time(const gpu::Device& device,

@@ -52,9 +52,12 @@ experiments::Columns<experiments::CoplanarResult> coplanarColumns() {
 void run(Command& command, CoplanarArguments& arguments) {
     experiments::CoplanarOptions& options = arguments.options;
     const PictureFolder folder(arguments.folder, command.files());
-    const auto results =
-        experiments::runCoplanar(command.device(), options, command.progressOf("pairs of views"));
+    const auto results = experiments::runCoplanar(command.device(), options,
+                                                  command.progressOf("pairs of views"), command.ranks());
     command.endProgress();
+    if (!command.ranks().isFirst()) {
+        return;
+    }
 
     const auto columns = coplanarColumns();
     command.console().table(experiments::tableOf(columns, results));
@@ -103,7 +106,7 @@ void addCoplanar(CLI::App& program, const GlobalOptions& global) {
     addCommand<CoplanarArguments>(
         program, global, "coplanar",
         "Which of two faces at the same place is seen: as it comes, by polygon offset, by layers", addOptions,
-        run);
+        run, RankUse::all);
 }
 
 } // namespace cdr::cli

@@ -5,6 +5,7 @@
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/render/renderer.h>
+#include <experiments/units.h>
 #include <scenes/coplanar.h>
 
 #include <algorithm>
@@ -30,6 +31,15 @@ std::array<scene::Camera, 2> viewPair(std::uint64_t seed, std::uint32_t view) {
     second.position += 0.01 * first.right;
     return {first, second};
 }
+
+/// One technique and method in a pair of views.
+struct PairCount {
+    std::array<std::uint64_t, 2> pixels{};
+    std::array<std::uint64_t, 2> wrong{}; ///< but for `coverage`
+    std::array<std::uint64_t, 2> coverage{};
+    std::array<std::uint64_t, 2> through{};
+    std::uint64_t flips = 0;
+};
 
 class Comparison {
   public:
@@ -69,21 +79,65 @@ class Comparison {
         m_results.push_back({.technique = named.name, .method = std::move(method), .layers = layers});
         m_renderers.push_back(makeRenderer(named.technique, layers));
         m_worst.push_back(0);
+        m_shownWrong.push_back(0);
     }
 
-    void compare(std::uint32_t view) {
+    /// All techniques and methods in a pair of views, and heat maps that may be the worst one's. Views come in ascending
+    /// order, and fitted splits remember those that other ranks look from.
+    Json compare(std::uint32_t view) {
+        for (; m_next < view; ++m_next) {
+            for (const scene::Camera& camera : viewPair(m_options.seed + 1, m_next)) {
+                for (const auto& renderer : m_renderers) {
+                    renderer->skip(camera);
+                }
+            }
+        }
+        ++m_next;
         const std::array cameras = viewPair(m_options.seed + 1, view);
         const std::array truths{truthOf(cameras[0]), truthOf(cameras[1])};
         const std::array inner{measure::innerMask(truths[0]), measure::innerMask(truths[1])};
         const auto steady = measure::steadyMask(truths[0], inner[0], truths[1], inner[1]);
+        std::vector<PairCount> counts(m_results.size());
+        Json pictures = Json::array();
         for (std::size_t i = 0; i < m_results.size(); ++i) {
             std::array<image::ImageU32, 2> ids;
             for (std::size_t eye = 0; eye < cameras.size(); ++eye) {
                 const render::Frame frame = m_renderers[i]->render(cameras[eye]);
                 ids[eye] = frame.ids();
-                count(i, frame, ids[eye], truths[eye], inner[eye]);
+                count(frame, ids[eye], truths[eye], inner[eye], eye, counts[i]);
+                if (counts[i].wrong[eye] > m_worst[i]) {
+                    m_worst[i] = counts[i].wrong[eye];
+                    pictures.push_back(
+                        {{"result", i},
+                         {"wrong", m_worst[i]},
+                         {"picture", packedPicture(measure::heatMap(ids[eye], truths[eye], frame.color))}});
+                }
             }
-            m_results[i].flips += measure::countFlips(ids[0], ids[1], steady).flips;
+            counts[i].flips = measure::countFlips(ids[0], ids[1], steady).flips;
+        }
+        return {{"counts", packed(counts)}, {"pictures", std::move(pictures)}};
+    }
+
+    /// Adds what compare() made on some rank.
+    void take(const Json& made) {
+        const std::vector<PairCount> counts = unpacked<PairCount>(made.at("counts"));
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            CoplanarResult& result = m_results[i];
+            for (std::size_t eye = 0; eye < 2; ++eye) {
+                result.pixels += counts[i].pixels[eye];
+                result.wrong += counts[i].wrong[eye];
+                result.coverage += counts[i].coverage[eye];
+                result.through += counts[i].through[eye];
+                result.wrongViews += counts[i].wrong[eye] > 0 ? 1 : 0;
+            }
+            result.flips += counts[i].flips;
+        }
+        for (const Json& picture : made.at("pictures")) {
+            const auto i = picture.at("result").get<std::size_t>();
+            if (const auto wrong = picture.at("wrong").get<std::uint64_t>(); wrong > m_shownWrong[i]) {
+                m_shownWrong[i] = wrong;
+                m_results[i].picture = unpackedPicture(picture.at("picture"));
+            }
         }
     }
 
@@ -131,12 +185,10 @@ class Comparison {
                            [&](const measure::TruthPixel& seen) { return seen.id == id; });
     }
 
-    void count(std::size_t i, const render::Frame& frame, const image::ImageU32& ids,
-               const measure::TruthImage& truth, const image::Raster<std::uint8_t>& inner) {
-        CoplanarResult& result = m_results[i];
+    void count(const render::Frame& frame, const image::ImageU32& ids, const measure::TruthImage& truth,
+               const image::Raster<std::uint8_t>& inner, std::size_t eye, PairCount& counted) {
         const measure::WrongPixels wrong = measure::countWrong(ids, truth, inner);
-        result.pixels += wrong.pixels;
-        std::uint64_t covering = 0;
+        counted.pixels[eye] = wrong.pixels;
         for (std::uint32_t y = 0; y < ids.height; ++y) {
             for (std::uint32_t x = 0; x < ids.width; ++x) {
                 const measure::TruthPixel& seen = truth.at(x, y);
@@ -144,18 +196,11 @@ class Comparison {
                 if (inner.at(x, y) == 0 || id == seen.id) {
                     continue;
                 }
-                result.through += id == m_hiddenId ? 1 : 0;
-                covering += id != seen.secondId && isCovering(frame.camera, x, y, id) ? 1 : 0;
+                counted.through[eye] += id == m_hiddenId ? 1 : 0;
+                counted.coverage[eye] += id != seen.secondId && isCovering(frame.camera, x, y, id) ? 1 : 0;
             }
         }
-        const std::uint64_t count = wrong.wrong - covering;
-        result.coverage += covering;
-        result.wrong += count;
-        result.wrongViews += count > 0 ? 1 : 0;
-        if (count > m_worst[i]) {
-            m_worst[i] = count;
-            result.picture = measure::heatMap(ids, truth, frame.color);
-        }
+        counted.wrong[eye] = wrong.wrong - counted.coverage[eye];
     }
 
     const gpu::Device& m_device;
@@ -168,32 +213,44 @@ class Comparison {
     std::uint32_t m_hiddenId = 0;
     std::vector<measure::TruthImage> m_searchTruths;
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by result
-    std::vector<std::uint64_t> m_worst;                         ///< wrong pixels of a view, by result
+    std::vector<std::uint64_t> m_worst;      ///< wrong pixels of a view of this rank, by result
+    std::vector<std::uint64_t> m_shownWrong; ///< of the view that a result's picture is of
+    std::uint32_t m_next = 0;                ///< pair that comes after those done or skipped
     std::vector<CoplanarResult> m_results;
 };
 
 } // namespace
 
 std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const CoplanarOptions& options,
-                                        const CoplanarProgress& progress) {
+                                        const CoplanarProgress& progress, ranks::Ranks& ranks) {
     if (options.views < 1 || options.searchViews < 1) {
         throw base::InputError("coplanar needs a view to measure and a view to search settings by");
     }
     const std::span<const depth::NamedTechnique> techniques =
         options.techniques.empty() ? depth::presets() : std::span(options.techniques);
     const std::size_t all = techniques.size() + options.views;
-    std::size_t done = 0;
     Comparison comparison(device, options);
-    for (const depth::NamedTechnique& named : techniques) {
-        progress(done++, all);
-        comparison.add(named, "none", kNoOffset);
-        comparison.add(named, "polygon offset", comparison.bestOffset(named.technique));
-        comparison.add(named, "layers", {});
+    std::vector<render::LayerOptions> offsets;
+    forEachUnit(
+        ranks, techniques.size(),
+        [&](std::size_t unit) {
+            progress(unit, all);
+            return packed(std::vector{comparison.bestOffset(techniques[unit].technique)});
+        },
+        [&](std::size_t, const Json& best) { offsets.push_back(unpacked<render::LayerOptions>(best)[0]); });
+    offsets = unpacked<render::LayerOptions>(Json::binary(ranks.share(packed(offsets).get_binary())));
+    for (std::size_t i = 0; i < techniques.size(); ++i) {
+        comparison.add(techniques[i], "none", kNoOffset);
+        comparison.add(techniques[i], "polygon offset", offsets[i]);
+        comparison.add(techniques[i], "layers", {});
     }
-    for (std::uint32_t view = 0; view < options.views; ++view) {
-        progress(done++, all);
-        comparison.compare(view);
-    }
+    forEachUnit(
+        ranks, options.views,
+        [&](std::size_t unit) {
+            progress(techniques.size() + unit, all);
+            return comparison.compare(static_cast<std::uint32_t>(unit));
+        },
+        [&](std::size_t, const Json& made) { comparison.take(made); });
     return std::move(comparison).results();
 }
 

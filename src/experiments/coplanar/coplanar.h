@@ -5,6 +5,8 @@
 #include <cdr/image/image.h>
 #include <cdr/render/layer_options.h>
 
+#include <ranks/ranks.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -45,8 +47,9 @@ struct CoplanarResult {
 /// Called before each step with how many of all are done.
 using CoplanarProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// By technique, then by method. base::InputError for no views.
+/// By technique, then by method; counts and pictures are the first rank's, which share techniques and then views.
+/// base::InputError for no views.
 std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const CoplanarOptions& options,
-                                        const CoplanarProgress& progress);
+                                        const CoplanarProgress& progress, ranks::Ranks& ranks);
 
 } // namespace cdr::experiments

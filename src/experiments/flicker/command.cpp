@@ -115,12 +115,13 @@ std::vector<experiments::FlickerResult> measure(Command& command, const FlickerA
         names.push_back(technique.name);
     }
     std::optional<experiments::PairVideos> videos;
-    if (arguments.videos) {
+    if (arguments.videos && command.ranks().isFirst()) {
         videos.emplace(*arguments.videos, names, options.width, options.height, options.frames);
     }
     experiments::FlickerHooks hooks;
     hooks.progress = command.progress();
-    if (videos || arguments.tga) {
+    hooks.ranks = &command.ranks();
+    if (arguments.videos || arguments.tga) {
         hooks.pictures = [&](std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) {
             if (videos) {
                 videos->add(pictures);
@@ -148,6 +149,9 @@ void run(Command& command, FlickerArguments& arguments) {
         command.files().writes("--state", *options.state);
     }
     const auto results = measure(command, arguments);
+    if (!command.ranks().isFirst()) {
+        return;
+    }
     const auto pairs = experiments::comparePairs(results);
     const Console& console = command.console();
     const auto columns = flickerColumns();
@@ -199,7 +203,7 @@ void addFlicker(CLI::App& program, const GlobalOptions& global) {
     addCommand<FlickerArguments>(
         program, global, "flicker",
         "Wrong pixels, flips and FLIP over the 2AFC experiment's frames (thesis section 6.1)", addOptions,
-        run);
+        run, RankUse::all);
 }
 
 } // namespace cdr::cli

@@ -6,12 +6,15 @@
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/measure/truth/truth_shading.h>
 #include <cdr/render/renderer.h>
+#include <experiments/units.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
+#include <ranks/one_process.h>
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace cdr::experiments {
@@ -28,9 +31,31 @@ struct TruthFrame {
 /// One technique on its way through the frames.
 struct Lane {
     std::unique_ptr<render::Renderer> renderer;
-    bool remembers = false;    ///< whether a frame depends on those before it
+    std::uint32_t next = 0;    ///< frame that comes after those rendered or skipped
     image::ImageU32 idsBefore; ///< of the frame before; empty at first
 };
+
+/// One technique in one frame.
+struct Figures {
+    measure::WrongPixels wrong{};
+    measure::FlipCount flips{};
+    double flip = 0.0;           ///< mean FLIP, where it is taken
+    std::uint32_t flipTaken = 0; ///< 1 where it is
+    double duplication = 1.0;
+    std::size_t cascades = 0;
+};
+
+void add(const Figures& figures, FlickerResult& result) {
+    result.wrong += figures.wrong;
+    result.flips += figures.flips;
+    if (figures.flipTaken > 0) {
+        result.flipSum += figures.flip;
+        ++result.flipFrames;
+    }
+    result.duplicationSum += figures.duplication;
+    result.cascades = std::max(result.cascades, figures.cascades);
+    ++result.frames;
+}
 
 /// The experiment as it runs.
 class Flicker {
@@ -49,7 +74,7 @@ class Flicker {
                                                          .height = options.height,
                                                          .technique = technique,
                                                          .threads = options.threads}),
-                               .remembers = std::holds_alternative<depth::SplitFitted>(technique.split),
+                               .next = 0,
                                .idsBefore = {}});
             FlickerResult result;
             result.scene = m_setup.scene.name;
@@ -59,18 +84,29 @@ class Flicker {
         }
     }
 
-    std::vector<FlickerResult> run(const FlickerStateFile* file) {
+    std::vector<FlickerResult> run(const FlickerStateFile* file, ranks::Ranks& ranks) {
         if (file != nullptr) {
             file->load(m_state);
         }
-        catchUp();
-        while (m_state.framesDone < m_options.frames) {
-            measureFrame(m_state.framesDone);
-            ++m_state.framesDone;
-            if (file != nullptr) {
-                file->save(m_state);
+        const std::uint32_t done = unpacked<std::uint32_t>(
+            Json::binary(ranks.share(packed(std::vector{m_state.framesDone}).get_binary())))[0];
+        const std::uint32_t begin = m_hooks.pictures ? 0 : done;
+        // A range begins with the frame before it, which flips need, so the ranges of several ranks have some length.
+        const auto rangesOfEach = 4 * static_cast<std::uint32_t>(ranks.place().count);
+        const std::uint32_t length =
+            ranks.isAlone() ? 1 : std::clamp((m_options.frames - begin) / rangesOfEach, 1u, 8u);
+        const auto makeRange = [&](std::size_t unit) {
+            Json range = Json::array();
+            const std::uint32_t first = begin + static_cast<std::uint32_t>(unit) * length;
+            for (std::uint32_t frame = first; frame < std::min(first + length, m_options.frames); ++frame) {
+                range.push_back(frame < done ? showFrame(frame) : measureFrame(frame));
             }
-        }
+            return range;
+        };
+        forEachUnit(ranks, (m_options.frames - begin + length - 1) / length, makeRange,
+                    [&](std::size_t unit, const Json& range) {
+                        takeRange(begin + static_cast<std::uint32_t>(unit) * length, range, file);
+                    });
         return m_state.results;
     }
 
@@ -87,25 +123,39 @@ class Flicker {
         }
     }
 
-    /// Renders again what an earlier run has measured, as far as what follows depends on it: fitted splits
-    /// remember the frame before, flips need its ids, and pictures are wanted from the first frame on.
-    void catchUp() {
-        for (std::uint32_t frame = 0; frame < m_state.framesDone; ++frame) {
-            const bool last = frame + 1 == m_state.framesDone && m_state.framesDone < m_options.frames;
-            std::vector<image::ImageRgba8> pictures;
-            for (std::size_t i = 0; i < m_lanes.size(); ++i) {
-                if (m_hooks.pictures || m_lanes[i].remembers || last) {
-                    step(frame, i);
-                    render::Frame rendered = m_lanes[i].renderer->render(cameraAt(frame));
-                    m_lanes[i].idsBefore = rendered.ids();
-                    pictures.push_back(std::move(rendered.color));
-                }
-            }
-            if (last) {
-                m_truthBefore = truthAt(frame);
-            }
-            handOut(frame, pictures);
+    /// Past the frames that other ranks or an earlier run rendered, which fitted splits remember.
+    render::Frame render(std::uint32_t frame, std::size_t lane) {
+        step(frame, lane);
+        Lane& own = m_lanes[lane];
+        for (; own.next < frame; ++own.next) {
+            own.renderer->skip(cameraAt(own.next));
         }
+        ++own.next;
+        return own.renderer->render(cameraAt(frame));
+    }
+
+    /// A frame that an earlier run has measured.
+    Json showFrame(std::uint32_t frame) {
+        std::vector<image::ImageRgba8> pictures;
+        for (std::size_t i = 0; i < m_lanes.size(); ++i) {
+            render::Frame rendered = render(frame, i);
+            m_lanes[i].idsBefore = rendered.ids();
+            pictures.push_back(std::move(rendered.color));
+        }
+        return wireOf({}, pictures);
+    }
+
+    /// Has at hand what the flips of a frame are counted against.
+    void bringBefore(std::uint32_t frame) {
+        if (frame == 0 || m_truthFrame == frame - 1) {
+            return;
+        }
+        for (std::size_t i = 0; i < m_lanes.size(); ++i) {
+            if (m_lanes[i].next < frame) { // else its ids are there
+                m_lanes[i].idsBefore = render(frame - 1, i).ids();
+            }
+        }
+        m_truthBefore = truthAt(frame - 1);
     }
 
     TruthFrame truthAt(std::uint32_t frame) {
@@ -122,46 +172,71 @@ class Flicker {
 
     bool takesFlip(std::uint32_t frame) const { return frame % m_options.flipEvery == 0; }
 
-    void measureFrame(std::uint32_t frame) {
+    Json measureFrame(std::uint32_t frame) {
+        bringBefore(frame);
         TruthFrame truth = truthAt(frame);
         image::Raster<std::uint8_t> steady;
         if (frame > 0) {
             steady = measure::steadyMask(m_truthBefore.truth, m_truthBefore.inner, truth.truth, truth.inner);
         }
+        std::vector<Figures> figures;
         std::vector<image::ImageRgba8> pictures;
         for (std::size_t i = 0; i < m_lanes.size(); ++i) {
-            step(frame, i);
-            render::Frame rendered = m_lanes[i].renderer->render(cameraAt(frame));
-            addFrame(rendered, truth, steady, m_lanes[i], m_state.results[i]);
+            render::Frame rendered = render(frame, i);
+            figures.push_back(measure(rendered, truth, steady, m_lanes[i]));
             pictures.push_back(std::move(rendered.color));
         }
         m_truthBefore = std::move(truth);
-        handOut(frame, pictures);
+        m_truthFrame = frame;
+        return wireOf(figures, pictures);
     }
 
-    /// Adds one frame of one technique to its result.
-    void addFrame(const render::Frame& rendered, const TruthFrame& truth,
-                  const image::Raster<std::uint8_t>& steady, Lane& lane, FlickerResult& result) {
+    Figures measure(const render::Frame& rendered, const TruthFrame& truth,
+                    const image::Raster<std::uint8_t>& steady, Lane& lane) {
         image::ImageU32 ids = rendered.ids();
-        result.wrong += measure::countWrong(ids, truth.truth, truth.inner);
+        Figures figures{.wrong = measure::countWrong(ids, truth.truth, truth.inner),
+                        .duplication = rendered.stats.duplication,
+                        .cascades = rendered.cascades.size()};
         if (!lane.idsBefore.pixels.empty()) {
-            result.flips += measure::countFlips(lane.idsBefore, ids, steady);
+            figures.flips = measure::countFlips(lane.idsBefore, ids, steady);
         }
         if (!truth.picture.pixels.empty()) {
             const image::ImageRgba8 ordered =
                 measure::orderByTruth(rendered.color, ids, truth.truth, truth.picture);
-            result.flipSum += m_flip.mean(ordered, rendered.color, m_workers);
-            ++result.flipFrames;
+            figures.flip = m_flip.mean(ordered, rendered.color, m_workers);
+            figures.flipTaken = 1;
         }
-        result.duplicationSum += rendered.stats.duplication;
-        result.cascades = std::max(result.cascades, rendered.cascades.size());
-        ++result.frames;
         lane.idsBefore = std::move(ids);
+        return figures;
     }
 
-    void handOut(std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures) const {
+    Json wireOf(const std::vector<Figures>& figures, const std::vector<image::ImageRgba8>& pictures) const {
+        Json wire{{"figures", packed(figures)}, {"pictures", Json::array()}};
         if (m_hooks.pictures) {
-            m_hooks.pictures(frame, pictures);
+            for (const image::ImageRgba8& picture : pictures) {
+                wire["pictures"].push_back(packedPicture(picture));
+            }
+        }
+        return wire;
+    }
+
+    void takeRange(std::uint32_t frame, const Json& range, const FlickerStateFile* file) {
+        for (const Json& wire : range) {
+            if (m_hooks.pictures) {
+                std::vector<image::ImageRgba8> pictures;
+                for (const Json& picture : wire.at("pictures")) {
+                    pictures.push_back(unpackedPicture(picture));
+                }
+                m_hooks.pictures(frame, pictures);
+            }
+            const std::vector<Figures> figures = unpacked<Figures>(wire.at("figures"));
+            for (std::size_t i = 0; i < figures.size(); ++i) {
+                add(figures[i], m_state.results[i]);
+            }
+            m_state.framesDone = std::max(m_state.framesDone, ++frame);
+        }
+        if (file != nullptr && frame == m_state.framesDone) {
+            file->save(m_state);
         }
     }
 
@@ -175,6 +250,7 @@ class Flicker {
     std::vector<Lane> m_lanes;
     FlickerState m_state;
     TruthFrame m_truthBefore;
+    std::optional<std::uint32_t> m_truthFrame; ///< that it is of
 };
 
 } // namespace
@@ -188,11 +264,13 @@ std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOp
     if (complete.frames < 1 || complete.flipEvery < 1) {
         throw base::InputError("flicker: there must be at least one frame, and FLIP of every first or more");
     }
+    ranks::OneProcess alone;
+    ranks::Ranks& ranks = hooks.ranks != nullptr ? *hooks.ranks : alone;
     std::optional<FlickerStateFile> file;
-    if (complete.state) {
+    if (complete.state && ranks.isFirst()) {
         file.emplace(*complete.state, complete, device.info());
     }
-    return Flicker(device, complete, hooks).run(file ? &*file : nullptr);
+    return Flicker(device, complete, hooks).run(file ? &*file : nullptr, ranks);
 }
 
 std::vector<depth::NamedTechnique> movedBoundaries() {

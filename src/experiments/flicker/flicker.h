@@ -6,6 +6,8 @@
 #include <cdr/measure/compare/flips.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 
+#include <ranks/ranks.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -49,13 +51,15 @@ struct FlickerResult {
     double duplication() const { return frames ? duplicationSum / frames : 1.0; }
 };
 
-/// What a caller may do while the frames go by. Either may be empty.
+/// What a caller may do while the frames go by. Each may be empty; whether `pictures` is must be alike on all ranks.
 struct FlickerHooks {
     /// Called before each frame with how many of all are done.
     std::function<void(std::size_t done, std::size_t all, const std::string& what)> progress;
     /// Receives every frame's pictures in the techniques' order, from the first frame on also where a run
     /// resumes.
     std::function<void(std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures)> pictures;
+    /// That share the frames; null where the process is alone. The first one has results and pictures, and keeps the state.
+    ranks::Ranks* ranks = nullptr;
 };
 
 /// One result per technique, in their order. base::InputError for unusable options or a state that belongs to

@@ -100,8 +100,11 @@ void run(Command& command, OrbitArguments& arguments) {
     const auto [setup, notes] = scenes::openOrbit(arguments.files);
     command.note(notes);
     const experiments::OrbitRun result =
-        experiments::runOrbit(command.device(), setup, options, command.progress());
+        experiments::runOrbit(command.device(), setup, options, command.progress(), command.ranks());
     command.endProgress();
+    if (!command.ranks().isFirst()) {
+        return;
+    }
 
     const Console& console = command.console();
     const std::string device = command.opened().text();
@@ -153,7 +156,7 @@ void addOrbit(CLI::App& program, const GlobalOptions& global) {
     addCommand<OrbitArguments>(
         program, global, "orbit",
         "Zoom from a station's window to a runway 420 km below: which technique reads its numbers",
-        addOptions, run);
+        addOptions, run, RankUse::all);
 }
 
 } // namespace cdr::cli

@@ -6,6 +6,8 @@
 #include <cdr/scene/scene_setup.h>
 #include <experiments/pictures/pictures.h>
 
+#include <ranks/ranks.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,6 +33,7 @@ struct OrbitResult {
     measure::WrongPixels wrong;
 };
 
+/// On the first rank; empty on others.
 struct OrbitRun {
     std::vector<OrbitResult> results; ///< by frame, then technique
     std::vector<PictureResult> last;  ///< of the path's last frame, by technique
@@ -40,9 +43,10 @@ struct OrbitRun {
 /// The frames that are looked at: `count` of a path's `length`, evenly, ascending, the last always.
 std::vector<std::uint32_t> zoomFrames(std::uint32_t length, std::uint32_t count);
 
+/// Frames are units of the ranks.
 /// @param setup the scene; other scenes with a path do as well.
 OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, const OrbitOptions& given,
-                  const Progress& progress);
+                  const Progress& progress, ranks::Ranks& ranks);
 
 /// A gnuplot script: wrong pixels over the lens, a line per technique.
 /// @param measuredOn device and picture, for the title.

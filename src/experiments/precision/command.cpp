@@ -95,7 +95,7 @@ void addOptions(CLI::App& command, PrecisionArguments& arguments) {
 void addPrecision(CLI::App& program, const GlobalOptions& global) {
     addCommand<PrecisionArguments>(program, global, "precision",
                                    "Smallest resolvable separation over distance, by formula (Table 4.1)",
-                                   addOptions, run);
+                                   addOptions, run, RankUse::first);
 }
 
 } // namespace cdr::cli

@@ -80,8 +80,12 @@ void run(Command& command, ProbeArguments& arguments) {
         options.formats.push_back(depth::parseDepthFormat(name));
     }
     const std::vector<std::string_view> missing = missingFormats(command.device(), options);
-    const auto results = experiments::runProbe(command.device(), options, command.progress());
+    const auto results =
+        experiments::runProbe(command.device(), options, command.progress(), command.ranks());
     command.endProgress();
+    if (!command.ranks().isFirst()) {
+        return;
+    }
     const auto columns = probeColumns(command.global().unit);
     command.console().table(experiments::tableOf(columns, results));
     if (!missing.empty()) {
@@ -116,7 +120,7 @@ void addOptions(CLI::App& command, ProbeArguments& arguments) {
 void addProbe(CLI::App& program, const GlobalOptions& global) {
     addCommand<ProbeArguments>(program, global, "probe",
                                "Smallest separation each technique resolves, measured and predicted",
-                               addOptions, run);
+                               addOptions, run, RankUse::all);
 }
 
 } // namespace cdr::cli

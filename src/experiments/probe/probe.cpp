@@ -6,6 +6,7 @@
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/frustum.h>
+#include <experiments/units.h>
 #include <scenes/ladder.h>
 
 #include <fmt/format.h>
@@ -93,52 +94,110 @@ depth::ForecastScene forecastScene(const scene::SceneSetup& setup, const scenes:
             .somethingNear = false};
 }
 
-} // namespace
+/// What a picture comes to.
+struct Probed {
+    std::optional<double> resolvedView;
+    double predictedView = 0.0;
+    double guaranteedView = 0.0;
+    std::size_t cascades = 0;
+};
 
-std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions& options,
-                                  const ProbeProgress& progress) {
-    const std::vector<depth::NamedTechnique> techniques =
-        options.techniques.empty() ? std::vector(depth::presets().begin(), depth::presets().end())
-                                   : options.techniques;
-    for (const double distanceView : options.distancesView) {
-        ladderAt(distanceView, options); // an unusable one ends here, before any work
+class Prober {
+  public:
+    Prober(const gpu::Device& device, const ProbeOptions& options)
+        : m_device(device),
+          m_options(options),
+          m_workers(options.threads) {
+        if (m_options.techniques.empty()) {
+            m_options.techniques.assign(depth::presets().begin(), depth::presets().end());
+        }
+        if (m_options.formats.empty()) {
+            m_options.formats = device.info().depthFormats;
+        }
     }
-    const std::vector<depth::DepthFormat>& formats =
-        options.formats.empty() ? device.info().depthFormats : options.formats;
-    host::WorkerPool workers(options.threads);
-    const std::size_t all = options.distancesView.size() * techniques.size() * formats.size();
-    std::vector<ProbeResult> results;
-    for (const double distanceView : options.distancesView) {
-        const scenes::LadderOptions ladder = ladderAt(distanceView, options);
-        const scene::SceneSetup setup = scenes::makeLadder(options.seed, ladder);
+
+    /// Pictures of a distance.
+    std::size_t pictures() const { return m_options.techniques.size() * m_options.formats.size(); }
+
+    /// Every technique in every format, in their order.
+    std::vector<Probed>
+    probe(double distanceView,
+          const std::function<void(std::size_t done, const std::string& name)>& progress) {
+        const scenes::LadderOptions ladder = ladderAt(distanceView, m_options);
+        const scene::SceneSetup setup = scenes::makeLadder(m_options.seed, ladder);
         const scene::Camera camera = setup.path.at(0);
-        const render::GpuScene gpuScene(device, setup.scene);
+        const render::GpuScene gpuScene(m_device, setup.scene);
         const measure::TruthImage truth =
-            measure::castTruth(setup.scene, camera, options.width, options.height, workers);
-        for (auto [name, technique] : techniques) {
-            for (const depth::DepthFormat format : formats) {
+            measure::castTruth(setup.scene, camera, m_options.width, m_options.height, m_workers);
+        std::vector<Probed> all;
+        for (auto [name, technique] : m_options.techniques) {
+            for (const depth::DepthFormat format : m_options.formats) {
                 technique.format = format;
-                progress(results.size(), all, fmt::format("{} at {}", name, distanceView));
-                render::Renderer renderer(device, setup.scene, gpuScene,
-                                          {.width = options.width,
-                                           .height = options.height,
+                progress(all.size(), name);
+                render::Renderer renderer(m_device, setup.scene, gpuScene,
+                                          {.width = m_options.width,
+                                           .height = m_options.height,
                                            .technique = technique,
-                                           .threads = options.threads});
+                                           .threads = m_options.threads});
                 const render::Frame frame = renderer.render(camera);
                 const auto forecast =
-                    depth::forecast(technique, forecastScene(setup, ladder, options.height));
+                    depth::forecast(technique, forecastScene(setup, ladder, m_options.height));
+                all.push_back({.resolvedView = smallestResolved(frame.ids(), truth, ladder),
+                               .predictedView = forecast.resolvedView(),
+                               .guaranteedView = forecast.guaranteedView(),
+                               .cascades = frame.cascades.size()});
+            }
+        }
+        return all;
+    }
+
+    /// Their rows.
+    void addRows(double distanceView, const std::vector<Probed>& all,
+                 std::vector<ProbeResult>& results) const {
+        const scenes::LadderOptions ladder = ladderAt(distanceView, m_options);
+        auto probed = all.begin();
+        for (const auto& [name, technique] : m_options.techniques) {
+            for (const depth::DepthFormat format : m_options.formats) {
                 results.push_back({.technique = name,
                                    .format = std::string(nameOf(format)),
                                    .distanceView = distanceView,
-                                   .resolvedView = smallestResolved(frame.ids(), truth, ladder),
-                                   .predictedView = forecast.resolvedView(),
-                                   .guaranteedView = forecast.guaranteedView(),
+                                   .resolvedView = probed->resolvedView,
+                                   .predictedView = probed->predictedView,
+                                   .guaranteedView = probed->guaranteedView,
                                    .smallestView = scenes::ladderSeparation(ladder, 0),
                                    .largestView = scenes::ladderSeparation(ladder, scenes::kLadderPairs - 1),
-                                   .cascades = frame.cascades.size()});
+                                   .cascades = probed->cascades});
+                ++probed;
             }
         }
     }
+
+  private:
+    const gpu::Device& m_device;
+    ProbeOptions m_options; ///< with what was left to the presets and the device
+    host::WorkerPool m_workers;
+};
+
+} // namespace
+
+std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions& options,
+                                  const ProbeProgress& progress, ranks::Ranks& ranks) {
+    const std::vector<double>& distances = options.distancesView;
+    for (const double distanceView : distances) {
+        ladderAt(distanceView, options); // an unusable one ends here, before any work
+    }
+    Prober prober(device, options);
+    const auto make = [&](std::size_t unit) {
+        const auto step = [&](std::size_t done, const std::string& name) {
+            progress(unit * prober.pictures() + done, distances.size() * prober.pictures(),
+                     fmt::format("{} at {}", name, distances[unit]));
+        };
+        return packed(prober.probe(distances[unit], step));
+    };
+    std::vector<ProbeResult> results;
+    forEachUnit(ranks, distances.size(), make, [&](std::size_t unit, const Json& made) {
+        prober.addRows(distances[unit], unpacked<Probed>(made), results);
+    });
     return results;
 }
 

@@ -3,6 +3,8 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 
+#include <ranks/ranks.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -47,8 +49,9 @@ struct ProbeResult {
 /// Called before each picture with how many of all are done.
 using ProbeProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
 
-/// base::InputError for an unusable distance or a depth format the device lacks.
+/// Distances are units of the ranks; the first rank has the results, others an empty list. base::InputError for an
+/// unusable distance or a depth format the device lacks.
 std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions& options,
-                                  const ProbeProgress& progress);
+                                  const ProbeProgress& progress, ranks::Ranks& ranks);
 
 } // namespace cdr::experiments

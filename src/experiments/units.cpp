@@ -1,0 +1,25 @@
+#include "units.h"
+
+namespace cdr::experiments {
+
+void forEachUnit(ranks::Ranks& ranks, std::size_t count, const std::function<Json(std::size_t unit)>& make,
+                 const std::function<void(std::size_t unit, Json made)>& take) {
+    // CBOR keeps every bit of a number, infinity, and the order of fields.
+    ranks.forEachUnit(
+        count, [&](std::size_t unit) { return Json::to_cbor(make(unit)); },
+        [&](std::size_t unit, const host::Bytes& made) { take(unit, Json::from_cbor(made)); });
+}
+
+Json packedPicture(const image::ImageRgba8& picture) {
+    return {{"width", picture.width}, {"height", picture.height}, {"pixels", packed(picture.pixels)}};
+}
+
+image::ImageRgba8 unpackedPicture(const Json& json) {
+    image::ImageRgba8 picture;
+    picture.width = json.at("width").get<std::uint32_t>();
+    picture.height = json.at("height").get<std::uint32_t>();
+    picture.pixels = unpacked<image::Rgba8>(json.at("pixels"));
+    return picture;
+}
+
+} // namespace cdr::experiments

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <ranks/ranks.h>
+
+#include <memory>
+#include <string>
+
+namespace cdr::ranks {
+
+/// The ranks of the run that this process is a part of, if mpirun, mpiexec or srun started it as one; else it is alone.
+/// Once per process, from main().
+/// @param explain what the error of a rank's unit is to the first rank.
+/// base::InputError where it was started as one of several and the program was built without MPI.
+std::unique_ptr<Ranks> join(Explain explain);
+
+/// The MPI library that the program was built with, such as "Open MPI v4.1.4"; empty for none.
+std::string mpiLibrary();
+
+} // namespace cdr::ranks

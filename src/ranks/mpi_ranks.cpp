@@ -1,0 +1,361 @@
+#include <cdr/base/error.h>
+
+#include <climits>
+#include <fmt/format.h>
+#include <mpi.h>
+#include <ranks/mpi_ranks.h>
+#include <ranks/unit_order.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <cstring>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace cdr::ranks {
+
+namespace {
+
+/// Added to the counter of units, so that no more are claimed: more than there are units, and far from overflowing.
+constexpr std::uint64_t kStop = std::uint64_t{1} << 40u;
+/// Between two looks at whether something has arrived. MPI's own waits keep a processor busy, which another rank may need.
+constexpr auto kPause = std::chrono::milliseconds(1);
+
+enum Tag : int { kMadeTag = 1, kDoneTag = 2 };
+
+/// What a rank tells of itself where ranks meet; of one size, so that it needs no second message.
+struct Word {
+    std::int32_t status = 0;
+    std::int32_t isLast = 0; ///< whether the rank has come to its end
+    std::array<char, 1000> line{};
+};
+
+Word wordOf(const Ending& ending, bool isLast) {
+    Word word{.status = ending.status, .isLast = isLast ? 1 : 0};
+    ending.line.copy(word.line.data(), word.line.size() - 1);
+    return word;
+}
+
+std::string hostName() {
+    std::array<char, MPI_MAX_PROCESSOR_NAME> name{};
+    int length = 0;
+    MPI_Get_processor_name(name.data(), &length);
+    return {name.data(), static_cast<std::size_t>(length)};
+}
+
+Place makePlace() {
+    const auto sizesOf = [](MPI_Comm ranks) {
+        int index = 0;
+        int count = 1;
+        MPI_Comm_rank(ranks, &index);
+        MPI_Comm_size(ranks, &count);
+        return std::pair(static_cast<std::size_t>(index), static_cast<std::size_t>(count));
+    };
+    MPI_Comm node = MPI_COMM_NULL;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+    const auto [index, count] = sizesOf(MPI_COMM_WORLD);
+    const auto [indexOnNode, countOnNode] = sizesOf(node);
+    MPI_Comm_free(&node);
+    return {.index = index, .count = count, .indexOnNode = indexOnNode, .countOnNode = countOnNode};
+}
+
+/// MPI as long as it lives. MPI calls of one thread at a time.
+class Session {
+  public:
+    Session() {
+        int level = MPI_THREAD_SINGLE;
+        MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &level);
+        if (level < MPI_THREAD_SERIALIZED) {
+            MPI_Finalize();
+            throw base::RunError("this MPI allows no threads (MPI_THREAD_SERIALIZED)");
+        }
+    }
+    ~Session() { MPI_Finalize(); }
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+};
+
+/// A number on the first rank that all ranks read and change, without the first rank's doing.
+class Counter {
+  public:
+    Counter() {
+        MPI_Win_allocate(sizeof(std::uint64_t), 1, MPI_INFO_NULL, MPI_COMM_WORLD, &m_memory, &m_window);
+        MPI_Win_lock_all(0, m_window);
+    }
+    ~Counter() {
+        MPI_Win_unlock_all(m_window);
+        MPI_Win_free(&m_window);
+    }
+    Counter(const Counter&) = delete;
+    Counter& operator=(const Counter&) = delete;
+
+    std::uint64_t add(std::uint64_t amount) { return change(amount, MPI_SUM); }
+    void set(std::uint64_t value) { change(value, MPI_REPLACE); }
+
+  private:
+    std::uint64_t change(std::uint64_t value, MPI_Op how) {
+        std::uint64_t before = 0;
+        MPI_Fetch_and_op(&value, &before, MPI_UINT64_T, 0, 0, how, m_window);
+        MPI_Win_flush(0, m_window);
+        return before;
+    }
+
+    void* m_memory = nullptr;
+    MPI_Win m_window = MPI_WIN_NULL;
+};
+
+class MpiRanks final : public Ranks {
+  public:
+    MpiRanks(std::unique_ptr<Session> session, Explain explain)
+        : Ranks(makePlace()),
+          m_session(std::move(session)),
+          m_explain(std::move(explain)) {}
+
+    void requireSame(const std::string& text) override {
+        const host::Bytes own(text.begin(), text.end());
+        const host::Bytes first = broadcast(own);
+        meet({.status = first == own ? 0 : 2, .line = "was started otherwise than the first rank: " + text});
+    }
+
+    void forEachUnit(std::size_t count, const Make& make, const Take& take) override {
+        if (isFirst()) {
+            m_counter.set(0);
+        }
+        meet({});
+        Word verdict;
+        if (isFirst()) {
+            verdict = lead(count, make, take);
+        } else {
+            follow(count, make);
+        }
+        MPI_Request request = MPI_REQUEST_NULL;
+        MPI_Ibcast(&verdict, sizeof verdict, MPI_BYTE, 0, MPI_COMM_WORLD, &request);
+        sleepUntilDone(request);
+        requireWell(verdict);
+    }
+
+    host::Bytes share(host::Bytes ofFirst) override {
+        meet({});
+        return broadcast(std::move(ofFirst));
+    }
+
+    Ending end(const Ending& mine) override {
+        if (!m_isOver) {
+            const Word first = firstFailure(exchange(wordOf(named(mine), true)));
+            m_status = first.status;
+            return {.status = m_status, .line = isFirst() ? first.line.data() : ""};
+        }
+        return {.status = m_status, .line = isFirst() ? mine.line : ""};
+    }
+
+  private:
+    /// Results of other ranks on their way to the first.
+    struct Inbox {
+        std::mutex mutex;
+        std::vector<std::pair<std::size_t, host::Bytes>> made{};
+        std::vector<Word> endings{}; ///< of the ranks that will send no more
+    };
+
+    static void sleepUntilDone(MPI_Request request) {
+        int isDone = 0;
+        while (MPI_Test(&request, &isDone, MPI_STATUS_IGNORE), isDone == 0) {
+            std::this_thread::sleep_for(kPause);
+        }
+    }
+
+    std::vector<Word> exchange(const Word& mine) const {
+        std::vector<Word> words(place().count);
+        MPI_Request request = MPI_REQUEST_NULL;
+        MPI_Iallgather(&mine, sizeof mine, MPI_BYTE, words.data(), sizeof mine, MPI_BYTE, MPI_COMM_WORLD,
+                       &request);
+        sleepUntilDone(request);
+        return words;
+    }
+
+    /// One of status 0 where all are well.
+    static Word firstFailure(const std::vector<Word>& words) {
+        const auto failed =
+            std::find_if(words.begin(), words.end(), [](const Word& word) { return word.status != 0; });
+        return failed != words.end() ? *failed : Word{};
+    }
+
+    /// Waits for all ranks and learns whether each is well.
+    void meet(const Ending& mine) {
+        const std::vector<Word> words = exchange(wordOf(named(mine), false));
+        Word first = firstFailure(words);
+        if (first.status == 0 &&
+            std::any_of(words.begin(), words.end(), [](const Word& word) { return word.isLast != 0; })) {
+            first = wordOf({.status = 1, .line = "ranks went different ways; was a file changed meanwhile?"},
+                           false);
+        }
+        requireWell(first);
+    }
+
+    void requireWell(const Word& word) {
+        if (word.status == 0) {
+            return;
+        }
+        m_isOver = true;
+        m_status = word.status;
+        if (!isFirst()) {
+            throw EndedElsewhere();
+        }
+        if (m_own) {
+            std::rethrow_exception(std::exchange(m_own, nullptr));
+        }
+        if (word.status == 2) {
+            throw base::InputError(word.line.data());
+        }
+        throw base::RunError(word.line.data());
+    }
+
+    /// With the rank in front; the first rank's errors read as if it were alone.
+    Ending named(const Ending& ending) const {
+        return isFirst() || ending.line.empty()
+                   ? ending
+                   : Ending{.status = ending.status,
+                            .line = fmt::format("rank {} on {}: {}", place().index, hostName(), ending.line)};
+    }
+
+    static host::Bytes broadcast(host::Bytes bytes) {
+        std::uint64_t size = bytes.size();
+        MPI_Bcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
+        bytes.resize(size);
+        MPI_Bcast(bytes.data(), countOf(bytes), MPI_BYTE, 0, MPI_COMM_WORLD);
+        return bytes;
+    }
+
+    static int countOf(const host::Bytes& bytes) {
+        if (bytes.size() > INT_MAX) {
+            throw base::RunError(fmt::format("{} bytes are too many for one message of MPI", bytes.size()));
+        }
+        return static_cast<int>(bytes.size());
+    }
+
+    std::uint64_t claim() {
+        const std::lock_guard lock(m_mpi);
+        return m_counter.add(1);
+    }
+
+    void stop() {
+        const std::lock_guard lock(m_mpi);
+        m_counter.add(kStop);
+    }
+
+    /// Makes units and sends them to the first rank; last how that went.
+    void follow(std::size_t count, const Make& make) {
+        Word word;
+        try {
+            for (std::uint64_t unit = claim(); unit < count; unit = claim()) {
+                host::Bytes made = make(unit);
+                const auto* number = reinterpret_cast<const std::uint8_t*>(&unit);
+                made.insert(made.end(), number, number + sizeof unit);
+                MPI_Send(made.data(), countOf(made), MPI_BYTE, 0, kMadeTag, MPI_COMM_WORLD);
+            }
+        } catch (...) {
+            stop();
+            word = wordOf(named(m_explain(std::current_exception())), false);
+        }
+        MPI_Send(&word, sizeof word, MPI_BYTE, 0, kDoneTag, MPI_COMM_WORLD);
+    }
+
+    /// Makes units, while a thread receives those of other ranks; that thread also serves their claims, where the
+    /// network needs this rank's doing for it.
+    Word lead(std::size_t count, const Make& make, const Take& take) {
+        Inbox inbox;
+        std::jthread receiver([&] { receiveAll(inbox); });
+        UnitOrder order;
+        try {
+            for (std::uint64_t unit = claim(); unit < count; unit = claim()) {
+                order.put(unit, make(unit));
+                sort(inbox, order);
+                order.handOn(take);
+            }
+            while (!sort(inbox, order)) {
+                order.handOn(take);
+                std::this_thread::sleep_for(kPause);
+            }
+            order.handOn(take);
+        } catch (...) {
+            stop();
+            m_own = std::current_exception();
+        }
+        receiver.join();
+        return m_own ? wordOf(m_explain(m_own), false) : firstFailure(inbox.endings);
+    }
+
+    /// Whether all other ranks have sent their last.
+    bool sort(Inbox& inbox, UnitOrder& order) const {
+        const std::lock_guard lock(inbox.mutex);
+        for (auto& [unit, made] : inbox.made) {
+            order.put(unit, std::move(made));
+        }
+        inbox.made.clear();
+        return inbox.endings.size() + 1 == place().count;
+    }
+
+    /// Until each other rank has sent its last. Like MPI itself it does not go on without memory.
+    void receiveAll(Inbox& inbox) noexcept {
+        for (std::size_t open = place().count - 1; open > 0;) {
+            const int tag = receiveOne(inbox);
+            open -= tag == kDoneTag ? 1 : 0;
+            if (tag == 0) {
+                std::this_thread::sleep_for(kPause);
+            }
+        }
+    }
+
+    /// The tag of what was received; 0 for nothing.
+    int receiveOne(Inbox& inbox) {
+        const std::lock_guard lock(m_mpi);
+        int isThere = 0;
+        MPI_Status status;
+        MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &isThere, &status);
+        if (isThere == 0) {
+            return 0;
+        }
+        int size = 0;
+        MPI_Get_count(&status, MPI_BYTE, &size);
+        host::Bytes bytes(static_cast<std::size_t>(size));
+        MPI_Recv(bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD,
+                 MPI_STATUS_IGNORE);
+        const std::lock_guard inboxLock(inbox.mutex);
+        if (status.MPI_TAG == kDoneTag) {
+            std::memcpy(&inbox.endings.emplace_back(), bytes.data(), sizeof(Word));
+            return kDoneTag;
+        }
+        std::uint64_t unit = 0;
+        bytes.resize(bytes.size() - sizeof unit);
+        std::memcpy(&unit, bytes.data() + bytes.size(), sizeof unit);
+        inbox.made.emplace_back(unit, std::move(bytes));
+        return kMadeTag;
+    }
+
+    std::unique_ptr<Session> m_session; ///< ends after all below
+    Explain m_explain;
+    Counter m_counter;
+    std::mutex m_mpi;         ///< of the first rank, whose receiver calls MPI too
+    std::exception_ptr m_own; ///< what ended the first rank's units
+    bool m_isOver = false;    ///< whether all ranks know that one has failed
+    int m_status = 0;         ///< that all end with
+};
+
+} // namespace
+
+std::unique_ptr<Ranks> makeMpiRanks(Explain explain) {
+    return std::make_unique<MpiRanks>(std::make_unique<Session>(), std::move(explain));
+}
+
+std::string mpiLibraryVersion() {
+    std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
+    int length = 0;
+    MPI_Get_library_version(text.data(), &length);
+    const std::string whole(text.data(), static_cast<std::size_t>(length));
+    return whole.substr(0, whole.find_first_of(",\n"));
+}
+
+} // namespace cdr::ranks

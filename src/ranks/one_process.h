@@ -1,0 +1,18 @@
+#pragma once
+
+#include <ranks/ranks.h>
+
+namespace cdr::ranks {
+
+/// A process that was started alone.
+class OneProcess final : public Ranks {
+  public:
+    OneProcess() : Ranks({}) {}
+
+    void requireSame(const std::string& text) override;
+    void forEachUnit(std::size_t count, const Make& make, const Take& take) override;
+    host::Bytes share(host::Bytes ofFirst) override;
+    Ending end(const Ending& mine) override;
+};
+
+} // namespace cdr::ranks

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cdr/host/file.h>
+
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <string>
+
+namespace cdr::ranks {
+
+/// How a process ends: its exit status, and its line on standard error, which is empty where it has nothing to say.
+struct Ending {
+    int status = 0;
+    std::string line{};
+};
+
+/// The ending that an error stands for.
+using Explain = std::function<Ending(const std::exception_ptr& error)>;
+
+/// Thrown where another rank has ended the run. The first rank says why.
+class EndedElsewhere : public std::exception {
+  public:
+    const char* what() const noexcept override { return "another rank ended the run"; }
+};
+
+/// Where a process stands among those of a run.
+struct Place {
+    std::size_t index = 0; ///< of the rank, from 0; the first one prints and writes
+    std::size_t count = 1;
+    std::size_t indexOnNode = 0;
+    std::size_t countOnNode = 1;
+};
+
+/// The processes that one command was started as, its ranks; a process that was started alone is the first and only one.
+///
+/// All ranks run the same program on the same arguments, and call the functions below in the same order. Each
+/// function that waits for other ranks throws where one of them has failed: on the first rank an error that names the
+/// rank and the cause, on the others EndedElsewhere.
+class Ranks {
+  public:
+    /// The result of a unit.
+    using Make = std::function<host::Bytes(std::size_t unit)>;
+    using Take = std::function<void(std::size_t unit, const host::Bytes& made)>;
+
+    explicit Ranks(const Place& place) : m_place(place) {}
+    virtual ~Ranks() = default;
+    Ranks(const Ranks&) = delete;
+    Ranks& operator=(const Ranks&) = delete;
+
+    const Place& place() const { return m_place; }
+    bool isFirst() const { return m_place.index == 0; }
+    bool isAlone() const { return m_place.count == 1; }
+
+    /// base::InputError on the first rank unless all give the same text.
+    virtual void requireSame(const std::string& text) = 0;
+
+    /// Makes each of `count` independent units on some rank; a rank is given units in ascending order. The first rank
+    /// makes units too, and takes all results, in the order of the units.
+    virtual void forEachUnit(std::size_t count, const Make& make, const Take& take) = 0;
+
+    /// The bytes of the first rank, on every rank.
+    virtual host::Bytes share(host::Bytes ofFirst) = 0;
+
+    /// The last call of a run: waits for all ranks, of which one that failed makes all end as it does.
+    /// @param mine how this rank ends, or would end alone.
+    virtual Ending end(const Ending& mine) = 0;
+
+  private:
+    Place m_place;
+};
+
+} // namespace cdr::ranks

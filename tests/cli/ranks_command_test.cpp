@@ -1,0 +1,222 @@
+#include "../support/launched.h"
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace cdr::cli_test;
+namespace fs = std::filesystem;
+
+/// The program as several ranks on this machine.
+ProgramResult runAsRanks(int ranks, const std::string& arguments, const fs::path& folder) {
+    return runProgram(arguments, folder, cdr::test::launched(CDR_MPIEXEC, ranks));
+}
+
+class RanksCommand : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (std::string(CDR_MPIEXEC).empty()) {
+            GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin)";
+        }
+    }
+};
+
+/// Every file of a folder, without what measures time.
+std::map<std::string, std::string> filesIn(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) {
+            const std::string text = readText(entry.path());
+            files[entry.path().lexically_relative(folder).string()] =
+                entry.path().extension() == ".json"
+                    ? std::regex_replace(text, std::regex("(\"[a-z_]+_ms\": )[^,\n]+"), "$1")
+                    : text;
+        }
+    }
+    return files;
+}
+
+/// Whether so many ranks leave the files that one process leaves.
+void expectSameFiles(const std::string& arguments, std::size_t fileCount,
+                     const std::vector<int>& counts = {1, 2, 4}) {
+    const TemporaryFolder alone;
+    const ProgramResult one = runProgram(arguments, alone.path());
+    ASSERT_EQ(one.status, 0) << one.err;
+    const auto expected = filesIn(alone.path());
+    EXPECT_EQ(expected.size(), fileCount);
+    for (const int ranks : counts) {
+        const TemporaryFolder folder;
+        const ProgramResult several = runAsRanks(ranks, arguments, folder.path());
+        EXPECT_EQ(several.status, 0) << several.err;
+        const auto files = filesIn(folder.path());
+        ASSERT_EQ(files.size(), expected.size()) << arguments << ", " << ranks << " ranks";
+        for (const auto& [name, text] : expected) {
+            EXPECT_TRUE(files.at(name) == text) << arguments << ", " << ranks << " ranks: " << name;
+        }
+    }
+}
+
+/// A fitted split keeps to the frames before, whoever renders them, and 16 bits of depth show where it cut.
+TEST_F(RanksCommand, RenderWritesTheFilesOfOneProcess) {
+    expectSameFiles(
+        "render afc-near --depth standard --split fitted:1,max=2 --format d16 --size 160x90 --frames 24 "
+        "-o f%03d.png --json all.json",
+        25);
+    expectSameFiles(
+        "render traffic --technique anchored --size 96x54 --frame 3 --frames 6 --aov distance -o f%02d.exr "
+        "--json all.json",
+        7);
+}
+
+TEST_F(RanksCommand, ProbeFindsWhatOneProcessDoes) {
+    expectSameFiles(
+        "probe --distances 10,1e3,1e6 --techniques reversed,anchored --formats d32f --size 160x90 --json all.json",
+        1);
+}
+
+TEST_F(RanksCommand, CoplanarCountsWhatOneProcessDoes) {
+    expectSameFiles(
+        "coplanar --frames 12 --search-views 1 --size 64x36 --techniques standard,anchored --out out "
+        "--json all.json",
+        3, {3});
+}
+
+TEST_F(RanksCommand, FlickerFindsWhatOneProcessDoes) {
+    expectSameFiles(
+        "flicker --frames 21 --size 96x54 --near-object --techniques standard,anchored --fitted-range --format d16 "
+        "--flip-every 2 --tga tga --json all.json",
+        1 + 3 * 21);
+}
+
+TEST_F(RanksCommand, OnlyTheFirstPrints) {
+    const TemporaryFolder folder;
+    const ProgramResult one = runProgram("precision", folder.path());
+    const ProgramResult three = runAsRanks(3, "precision", folder.path());
+    EXPECT_EQ(three.status, 0) << three.err;
+    EXPECT_EQ(three.out, one.out);
+    EXPECT_EQ(runAsRanks(3, "--help", folder.path()).out, runProgram("--help", folder.path()).out);
+    EXPECT_NE(runAsRanks(3, "render cubes --size 32x18", folder.path())
+                  .out.find("3 ranks, 3 of them on this machine"),
+              std::string::npos);
+}
+
+TEST_F(RanksCommand, BadInputIsOneLine) {
+    const TemporaryFolder folder;
+    for (const char* arguments : {"render nosuch", "render cubes --size 0x0", "render cubes -o missing/a.png",
+                                  "probe --distances 0", "render cubes --device each --format d17",
+                                  "flicker --frames 2 --size 32x18 --state missing/state.json"}) {
+        const ProgramResult one = runProgram(arguments, folder.path());
+        const ProgramResult three = runAsRanks(3, arguments, folder.path());
+        EXPECT_EQ(three.status, 2) << arguments;
+        EXPECT_EQ(three.err, one.err) << arguments;
+        EXPECT_EQ(three.out.find("cascades"), std::string::npos) << three.out;
+    }
+    EXPECT_TRUE(folder.isEmpty());
+}
+
+TEST_F(RanksCommand, WhatMeasuresTimeIsRefused) {
+    const TemporaryFolder folder;
+    for (const std::string name : {"timing", "report"}) {
+        const ProgramResult result = runAsRanks(2, name, folder.path());
+        EXPECT_EQ(result.status, 2) << name;
+        EXPECT_EQ(result.err,
+                  "cdr: " + name + " runs in one process, and not as 2 ranks: start it without mpirun\n");
+    }
+    EXPECT_TRUE(folder.isEmpty());
+}
+
+TEST_F(RanksCommand, DealsOutTheDevicesOfAMachine) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runAsRanks(2, "render cubes --device each --size 32x18 --frames 3 --json all.json", folder.path());
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("3"), std::string::npos);
+}
+
+/// For a shell: kills a rank once the state is another than before, and a random time more has passed.
+std::string killing(const std::string& victim, double seconds) {
+    return "{ { i=0; while [ $i -lt 500 ] && { [ ! -e state.json ] || cmp -s state.json before.json; }; do sleep 0.02; "
+           "i=$((i+1)); done; sleep " +
+           std::to_string(seconds) + "; kill -9 $(cat " + victim + "); } 2>kill.err & } && ";
+}
+
+/// Some rank is killed at some moment, again and again, and each start takes up what is missing with other ranks.
+TEST_F(RanksCommand, AFlickerRunThatIsKilledEndsAsOneThatIsNot) {
+    const bool isLong = std::getenv("CDR_ALL_CASES") != nullptr;
+    const std::string arguments =
+        "flicker --frames " + std::string(isLong ? "900" : "150") +
+        " --size 96x54 --near-object --techniques anchored --fitted-range --format d16 "
+        "--flip-every 4 --json all.json --state state.json";
+    const TemporaryFolder whole;
+    ASSERT_EQ(runProgram(arguments, whole.path()).status, 0);
+    const TemporaryFolder folder;
+    // A shell that says its number, and becomes the rank.
+    const std::string numbered = " sh -c 'echo $$ >pid.$OMPI_COMM_WORLD_RANK$PMI_RANK; exec \"$@\"' sh";
+    std::mt19937 random(2013);
+    int killed = 0;
+    const int attempts = isLong ? 50 : 6;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        const unsigned ranks = 1 + random() % 4;
+        const std::string victim = "pid." + std::to_string(random() % ranks);
+        const std::string environment = killing(victim, 0.01 * static_cast<double>(random() % 10)) +
+                                        cdr::test::launched(CDR_MPIEXEC, static_cast<int>(ranks)) + numbered;
+        killed += runProgram(arguments, folder.path(), environment).status != 0 ? 1 : 0;
+        for (unsigned rank = 0; rank < ranks; ++rank) {
+            fs::remove(folder.path() / ("pid." + std::to_string(rank)));
+        }
+        if (fs::exists(folder.path() / "state.json")) {
+            fs::copy_file(folder.path() / "state.json", folder.path() / "before.json",
+                          fs::copy_options::overwrite_existing);
+        }
+    }
+    std::printf("%d of %d runs were killed\n", killed, attempts);
+    const ProgramResult last = runAsRanks(3, arguments, folder.path());
+    EXPECT_EQ(last.status, 0) << last.err;
+    EXPECT_EQ(readText(folder.path() / "all.json"), readText(whole.path() / "all.json"));
+    EXPECT_EQ(readText(folder.path() / "state.json"), readText(whole.path() / "state.json"));
+}
+
+/// A job's scripts, as Slurm would start them.
+TEST_F(RanksCommand, JobsOfSlurmRun) {
+    const TemporaryFolder folder;
+    const auto runJob = [&](const std::string& command) {
+        return std::system(("cd '" + folder.path().string() + "' && CDR='" CDR_PROGRAM "' " + command +
+                            " >'" + folder.path().string() + ".log' 2>&1")
+                               .c_str());
+    };
+    const std::string jobs = CDR_SOURCE_DIR "/tools/slurm/";
+    EXPECT_EQ(runJob("SLURM_ARRAY_TASK_ID=3 " + jobs + "sweep.sh out --size 64x36 --techniques reversed"), 0);
+    const auto row = nlohmann::json::parse(readText(folder.path() / "out/probe_3.json")).at("results").at(0);
+    EXPECT_EQ(row.at("distance"), 1000.0);
+    EXPECT_NE(runJob(jobs + "sweep.sh out"), 0);
+
+    const std::string launcher = cdr::test::launched(CDR_MPIEXEC, 2);
+    const std::string environment = launcher.substr(0, launcher.find('\''));
+    EXPECT_EQ(runJob("MPIRUN='" CDR_MPIEXEC "' " + environment + jobs +
+                     "frames.sh cubes frames/%02d.png --size 32x18 --frames 2"),
+              0)
+        << readText(folder.path().string() + ".log");
+    EXPECT_TRUE(fs::exists(folder.path() / "frames/01.png"));
+    EXPECT_NE(runJob(jobs + "frames.sh cubes"), 0);
+    fs::remove(folder.path().string() + ".log");
+}
+
+TEST(Devices, SayWhetherMpiIsIn) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("devices --json", folder.path());
+    const auto mpi = nlohmann::json::parse(result.out).at("mpi");
+    EXPECT_EQ(mpi.is_null(), std::string(CDR_MPIEXEC).empty());
+    EXPECT_NE(result.err.find(mpi.is_null() ? "built without MPI" : "built with " + mpi.get<std::string>()),
+              std::string::npos);
+}
+
+} // namespace

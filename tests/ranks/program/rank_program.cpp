@@ -1,0 +1,108 @@
+// Makes units on all ranks; the first one prints them. Words say what goes wrong, and where.
+
+#include <cdr/base/error.h>
+
+#include <ranks/join.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace {
+
+using cdr::ranks::Ending;
+using cdr::ranks::Ranks;
+
+Ending endingOf(const std::exception_ptr& error) {
+    try {
+        std::rethrow_exception(error);
+    } catch (const cdr::base::InputError& bad) {
+        return {.status = 2, .line = bad.what()};
+    } catch (const std::exception& other) {
+        return {.status = 1, .line = other.what()};
+    }
+}
+
+struct Trouble {
+    std::string kind = "none";
+    std::size_t rank = 0;
+    std::size_t unit = 0;
+};
+
+/// Of all sizes, up to far more than one message holds at once.
+std::string textOf(std::size_t unit) {
+    return "unit " + std::to_string(unit) + " " + std::string(unit % 7 == 3 ? 300'000 : unit, 'x');
+}
+
+void makeTrouble(const Ranks& ranks, const Trouble& trouble, std::size_t unit) {
+    if (ranks.place().index != trouble.rank || unit < trouble.unit) {
+        return;
+    }
+    if (trouble.kind == "input") {
+        throw cdr::base::InputError("no such thing");
+    }
+    if (trouble.kind == "run") {
+        throw std::runtime_error("it broke");
+    }
+    if (trouble.kind == "die") {
+        std::raise(SIGKILL);
+    }
+}
+
+void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
+    const bool isTheOne = ranks.place().index == trouble.rank;
+    ranks.requireSame(trouble.kind == "differ" && isTheOne ? "otherwise" : "alike");
+    if (trouble.kind == "before" && isTheOne) {
+        throw cdr::base::InputError("cannot begin");
+    }
+    const std::string shared = "from rank " + std::to_string(ranks.place().index);
+    const cdr::host::Bytes from = ranks.share({shared.begin(), shared.end()});
+    std::map<std::string, std::size_t> made;
+    for (int round = 0; round < 2; ++round) {
+        ranks.forEachUnit(
+            count,
+            [&](std::size_t unit) {
+                makeTrouble(ranks, trouble, unit);
+                std::this_thread::sleep_for(std::chrono::milliseconds(unit % 3)); // so that all get some
+                const std::string text = textOf(unit);
+                return cdr::host::Bytes(text.begin(), text.end());
+            },
+            [&](std::size_t unit, const cdr::host::Bytes& bytes) {
+                if (trouble.kind == "take" && unit == trouble.unit) {
+                    throw std::runtime_error("the disk is full");
+                }
+                const std::string text(bytes.begin(), bytes.end());
+                std::printf("%zu %zu %s\n", unit, text.size(), text == textOf(unit) ? "whole" : "DAMAGED");
+            });
+    }
+    if (ranks.isFirst() || std::string(from.begin(), from.end()) != "from rank 0") {
+        std::printf("shared %s\n", std::string(from.begin(), from.end()).c_str());
+    }
+    if (trouble.kind == "after" && isTheOne) {
+        throw std::runtime_error("cannot end");
+    }
+}
+
+} // namespace
+
+/// rank_program COUNT [KIND RANK UNIT]
+int main(int argc, char** argv) {
+    const std::unique_ptr<Ranks> ranks = cdr::ranks::join(endingOf);
+    const Trouble trouble = argc > 4 ? Trouble{argv[2], std::stoul(argv[3]), std::stoul(argv[4])} : Trouble{};
+    Ending mine;
+    try {
+        run(*ranks, std::stoul(argv[1]), trouble);
+    } catch (...) {
+        mine = endingOf(std::current_exception());
+    }
+    const Ending ending = ranks->end(mine);
+    if (!ending.line.empty()) {
+        std::fprintf(stderr, "%s\n", ending.line.c_str());
+    }
+    return ending.status;
+}

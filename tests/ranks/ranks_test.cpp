@@ -1,0 +1,136 @@
+#include "../support/launched.h"
+#include "../support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <ranks/join.h>
+#include <ranks/unit_order.h>
+#include <sys/wait.h>
+
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace cdr::ranks {
+namespace {
+
+struct Outcome {
+    int status = -1;
+    std::string out;
+    std::string err;
+};
+
+std::string textIn(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+Outcome runAs(int ranks, const std::string& arguments) {
+    const test::TemporaryFolder folder;
+    const std::string out = (folder.path() / "out").string();
+    const std::string err = (folder.path() / "err").string();
+    const int status = std::system((test::launched(CDR_MPIEXEC, ranks) + " '" RANK_PROGRAM "' " + arguments +
+                                    " >'" + out + "' 2>'" + err + "' </dev/null")
+                                       .c_str());
+    return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .out = textIn(out), .err = textIn(err)};
+}
+
+std::string whatOneProcessPrints(std::size_t count) {
+    return runAs(0, std::to_string(count)).out;
+}
+
+class LaunchedRanks : public testing::TestWithParam<int> {
+  protected:
+    void SetUp() override {
+        if (std::string(CDR_MPIEXEC).empty()) {
+            GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin)";
+        }
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Counts, LaunchedRanks, testing::Values(1, 2, 4));
+
+TEST_P(LaunchedRanks, HandOverEveryUnitOnceAndInOrder) {
+    for (const std::size_t count : {0u, 3u, 40u}) {
+        const Outcome outcome = runAs(GetParam(), std::to_string(count));
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_EQ(outcome.out, whatOneProcessPrints(count));
+    }
+}
+
+/// What goes wrong on the last rank, with the status and the end of the line.
+TEST_P(LaunchedRanks, EndAsTheOneThatFailed) {
+    struct Case {
+        const char* kind;
+        int status;
+        const char* line;
+    };
+    const int last = GetParam() - 1;
+    for (const Case& each : {Case{"input", 2, "no such thing"}, Case{"run", 1, "it broke"},
+                             Case{"before", 2, "cannot begin"}, Case{"after", 1, "cannot end"}}) {
+        const Outcome outcome =
+            runAs(GetParam(), "60 " + std::string(each.kind) + " " + std::to_string(last) + " 5");
+        EXPECT_EQ(outcome.status, each.status) << each.kind;
+        const std::string by = last == 0 ? "" : "rank " + std::to_string(last) + " on .+: ";
+        EXPECT_TRUE(std::regex_match(outcome.err, std::regex(by + each.line + "\n")))
+            << each.kind << ": " << outcome.err;
+    }
+}
+
+TEST_P(LaunchedRanks, EndWhereTheFirstCannotTakeAUnit) {
+    const Outcome outcome = runAs(GetParam(), "60 take 0 20");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "the disk is full\n");
+    EXPECT_EQ(outcome.out, whatOneProcessPrints(60).substr(0, outcome.out.size()));
+    EXPECT_NE(outcome.out.find("\n19 "), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("\n20 "), std::string::npos) << outcome.out;
+}
+
+TEST_P(LaunchedRanks, RefuseOneThatWasStartedOtherwise) {
+    const int last = GetParam() - 1;
+    const Outcome outcome = runAs(GetParam(), "3 differ " + std::to_string(last) + " 0");
+    EXPECT_EQ(outcome.status, last == 0 ? 0 : 2);
+    EXPECT_TRUE(last == 0 || outcome.err.find("was started otherwise than the first rank: otherwise\n") !=
+                                 std::string::npos)
+        << outcome.err;
+}
+
+/// The launcher itself says who died.
+TEST_P(LaunchedRanks, EndWhereOneIsKilled) {
+    const int last = GetParam() - 1;
+    const Outcome outcome = runAs(GetParam(), "60 die " + std::to_string(last) + " 30");
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_EQ(outcome.out, whatOneProcessPrints(60).substr(0, outcome.out.size()));
+}
+
+TEST(UnitOrder, WaitsForTheUnitThatIsMissing) {
+    UnitOrder order;
+    std::vector<std::size_t> taken;
+    const auto take = [&](std::size_t unit, const host::Bytes& made) {
+        EXPECT_EQ(made, host::Bytes{static_cast<std::uint8_t>(unit)});
+        taken.push_back(unit);
+    };
+    order.put(2, {2});
+    order.put(1, {1});
+    order.handOn(take);
+    EXPECT_TRUE(taken.empty());
+    order.put(0, {0});
+    order.put(4, {4});
+    order.handOn(take);
+    EXPECT_EQ(taken, (std::vector<std::size_t>{0, 1, 2}));
+    EXPECT_EQ(order.done(), 3u);
+}
+
+TEST(OneProcess, IsFirstAndAloneWithoutALauncher) {
+    const std::unique_ptr<Ranks> ranks = join([](const std::exception_ptr&) { return Ending{}; });
+    EXPECT_TRUE(ranks->isFirst());
+    EXPECT_TRUE(ranks->isAlone());
+    EXPECT_EQ(ranks->share({7}), host::Bytes{7});
+    EXPECT_EQ(ranks->end({.status = 3}).status, 3);
+}
+
+} // namespace
+} // namespace cdr::ranks

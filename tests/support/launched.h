@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace cdr::test {
+
+/// What a shell puts in front of a program to start it as that many ranks of this machine; nothing for 0 of them. Ranks may
+/// outnumber processors, root may start them, and the launcher keeps its own messages to itself.
+inline std::string launched(const std::string& launcher, int ranks) {
+    if (ranks == 0) {
+        return "";
+    }
+    return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
+           "OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_orte_execute_quiet=1 "
+           "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_default_binding_policy=none '" +
+           launcher + "' -n " + std::to_string(ranks);
+}
+
+} // namespace cdr::test
