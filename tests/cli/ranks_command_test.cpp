@@ -134,12 +134,10 @@ TEST_F(RanksCommand, WhatMeasuresTimeIsRefused) {
     EXPECT_TRUE(folder.isEmpty());
 }
 
-TEST_F(RanksCommand, DealsOutTheDevicesOfAMachine) {
-    const TemporaryFolder folder;
-    const ProgramResult result =
-        runAsRanks(2, "render cubes --device each --size 32x18 --frames 3 --json all.json", folder.path());
-    EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_NE(result.out.find("3"), std::string::npos);
+/// With a machine of one device they all take that.
+TEST_F(RanksCommand, DealOutTheDevicesOfAMachineUnderValidation) {
+    expectSameFiles(
+        "--device each --validate render cubes --size 64x36 --frames 3 -o f%d.png --json all.json", 4, {2});
 }
 
 /// For a shell: kills a rank once the state is another than before, and a random time more has passed.
