@@ -27,6 +27,7 @@ check_all() {
     fi
     CDR_ALL_CASES=1 build/release/bin/test_cli --gtest_brief=1 \
         --gtest_filter='*FaultSweep*:*FileFaults*:*NumericOptions*:Signals*'
+    CDR_ALL_CASES=1 ctest --preset release --tests-regex '^Documents$'
     tools/fuzz.sh
 }
 

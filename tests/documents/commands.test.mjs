@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, symlinkSync } from "node:fs";
+import { existsSync, mkdtempSync, rmSync, symlinkSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
@@ -71,11 +71,21 @@ function runInFolder({ line, arguments: words }) {
     }
 }
 
-// The tests of the viewer run its command, those of the report a smaller one.
+// The tests of the viewer run its command.
+const printedByReadme = blockCommands(read("README.md")).filter(({ program }) => program === "cdr");
+const isReport = (command) => command.arguments[0] === "report";
+
 test("the README's commands run as they are printed", () => {
-    const run = blockCommands(read("README.md")).filter(({ program, arguments: words }) => program === "cdr" && words[0] !== "report");
+    const run = printedByReadme.filter((command) => !isReport(command));
     assert.ok(run.length >= 2);
     run.forEach((command) => runInFolder(command));
+});
+
+const minutes = process.env.CDR_ALL_CASES ? false : "it takes minutes: tools/check.sh runs it";
+test("the README's report runs as it is printed", { skip: minutes }, () => {
+    const [report] = printedByReadme.filter(isReport);
+    runInFolder(report);
+    assert.ok(existsSync(join(folder, report.arguments.at(-1), "index.html")));
 });
 
 test("the README shows what its commands print", () => {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <memory>
 
@@ -38,7 +39,7 @@ render::Effects effectsOf(std::size_t mode, const EffectsOptions& options) {
 /// By how much one pixel's channels differ at most; `signedly` only where `a` is brighter.
 int apart(const image::Rgba8& a, const image::Rgba8& b, bool signedly) {
     int most = 0;
-    for (int channel = 0; channel < 3; ++channel) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
         const int difference = int{a[channel]} - int{b[channel]};
         most = std::max(most, signedly ? difference : std::abs(difference));
     }

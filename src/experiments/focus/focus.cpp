@@ -13,6 +13,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 
 namespace cdr::experiments {
@@ -43,7 +44,7 @@ double rmseOf(const image::ImageRgba8& a, const image::ImageRgba8& b) {
     const std::array<double, 256>& linear = image::linearOfSrgb();
     double sum = 0.0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        for (int channel = 0; channel < 3; ++channel) {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
             const double apart = linear[a.pixels[i][channel]] - linear[b.pixels[i][channel]];
             sum += apart * apart;
         }

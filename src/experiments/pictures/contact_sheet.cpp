@@ -36,11 +36,11 @@ image::ImageRgba8 makeContactSheet(const std::vector<PictureResult>& results, co
     if (results.empty()) {
         return {};
     }
-    const auto rows =
-        static_cast<std::uint32_t>(std::count_if(results.begin(), results.end(), [&](const auto& r) {
-            return r.technique == results.front().technique;
-        }));
-    const auto columns = static_cast<std::uint32_t>(results.size()) / rows;
+    const auto alike = std::count_if(results.begin(), results.end(), [&](const auto& result) {
+        return result.technique == results.front().technique;
+    });
+    const std::uint32_t rows = std::max(1u, static_cast<std::uint32_t>(alike)); // the first is like itself
+    const std::uint32_t columns = static_cast<std::uint32_t>(results.size()) / rows;
     const image::ImageRgba8& first = results.front().picture;
     const std::uint32_t factor = std::max(1u, first.width / kCellWidth);
     const std::uint32_t cellHeight = first.height / factor;
