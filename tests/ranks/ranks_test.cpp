@@ -45,7 +45,7 @@ class LaunchedRanks : public testing::TestWithParam<int> {
   protected:
     void SetUp() override {
         if (std::string(CDR_MPIEXEC).empty()) {
-            GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin)";
+            GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin), or under ThreadSanitizer";
         }
     }
 };
