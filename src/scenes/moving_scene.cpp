@@ -12,11 +12,13 @@ MovingScene::MovingScene(scene::Scene scene, scene::InstancePaths motion)
     }
 }
 
-void MovingScene::show(std::uint32_t frame) {
-    if (frame != m_frame) {
-        m_world.setTransforms(m_instances, m_motion(frame));
-        m_frame = frame;
+bool MovingScene::show(std::uint32_t frame) {
+    if (frame == m_frame) {
+        return false;
     }
+    m_world.setTransforms(m_instances, m_motion(frame));
+    m_frame = frame;
+    return true;
 }
 
 } // namespace cdr::scenes

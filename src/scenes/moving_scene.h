@@ -14,8 +14,8 @@ class MovingScene {
     /// @param motion of the scene's instances. base::InputError as scene::World.
     MovingScene(scene::Scene scene, scene::InstancePaths motion);
 
-    /// Brings all to where they are at a frame.
-    void show(std::uint32_t frame);
+    /// Brings all to where they are at a frame. Whether that was another one than is shown.
+    bool show(std::uint32_t frame);
 
     const scene::World& world() const { return m_world; }
 

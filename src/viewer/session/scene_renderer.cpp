@@ -118,12 +118,14 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
     RenderResult result{.serial = request.serial,
                         .sceneName = m_sceneName,
                         .settings = request.settings,
-                        .scene = m_scene->opened,
-                        .obstacles = m_scene->obstacles};
+                        .scene = m_scene->opened};
     result.frame = request.frame;
-    if (m_scene->moving != nullptr) {
-        m_scene->moving->show(request.frame);
+    if (m_scene->moving != nullptr && m_scene->moving->show(request.frame)) {
+        host::WorkerPool workers(request.settings.threads);
+        m_scene->obstacles = std::make_shared<const Obstacles>(
+            m_scene->obstacles->moved(m_scene->moving->world().scene(), workers));
     }
+    result.obstacles = m_scene->obstacles;
     result.camera = request.camera ? *request.camera : m_scene->opened->setup.path.at(0);
     const std::size_t sides = request.settings.second ? 2 : 1;
     for (std::size_t side = 0; side < sides; ++side) {

@@ -48,8 +48,16 @@ struct Obstacles::Way {
 
 Obstacles::Obstacles(const scene::Scene& scene, host::WorkerPool& workers)
     : m_scene(scene),
-      m_shapes(shapesOf(scene, workers)) {
+      m_instances(std::shared_ptr<void>(), &scene.instances),
+      m_shapes(std::make_shared<const std::vector<measure::Shape>>(shapesOf(scene, workers))) {
     m_cells.build(scene, workers);
+}
+
+Obstacles Obstacles::moved(const scene::Scene& shown, host::WorkerPool& workers) const {
+    Obstacles there(*this);
+    there.m_instances = std::make_shared<const scene::Instances>(shown.instances);
+    there.m_cells.build(shown, workers);
+    return there;
 }
 
 double Obstacles::clearWay(const glm::dvec3& from, const glm::dvec3& to) const {
@@ -79,7 +87,7 @@ void Obstacles::shortenBelow(std::size_t level, std::size_t node, Way& way) cons
 }
 
 void Obstacles::shortenInCell(std::size_t cell, Way& way) const {
-    const scene::Instances& instances = m_scene.instances;
+    const scene::Instances& instances = *m_instances;
     for (std::uint64_t held = m_cells.held(cell); held != 0; held &= held - 1) {
         const std::uint32_t i = m_cells.instancesOf(cell)[std::countr_zero(held)];
         const auto inverse = way.meets(instances.position(i), instances.radius[i])
@@ -90,8 +98,8 @@ void Obstacles::shortenInCell(std::size_t cell, Way& way) const {
             const measure::ObjectRay ray{inverse->worldToObject * (way.from - instances.position(i)),
                                          inverse->worldToObject * way.along};
             const bool isDoubleSided = m_scene.materials[instances.material[i]].doubleSided;
-            way.share = std::min(way.share,
-                                 m_shapes[instances.mesh[i]].nearest(ray, isDoubleSided, {0.0, way.share}));
+            way.share = std::min(
+                way.share, (*m_shapes)[instances.mesh[i]].nearest(ray, isDoubleSided, {0.0, way.share}));
         }
     }
 }

@@ -6,6 +6,7 @@
 #include <cdr/scene/scene.h>
 #include <cdr/visibility/instance_cells.h>
 
+#include <memory>
 #include <vector>
 
 namespace cdr::viewer {
@@ -15,6 +16,9 @@ class Obstacles {
   public:
     /// @param scene must outlive the obstacles, its meshes unchanged.
     Obstacles(const scene::Scene& scene, host::WorkerPool& workers);
+
+    /// The same meshes where `shown` has them now, which may move on at once.
+    Obstacles moved(const scene::Scene& shown, host::WorkerPool& workers) const;
 
     /// How far a straight way leads before a surface, at most its own length. From the back of a single-sided one it
     /// leads out.
@@ -26,8 +30,9 @@ class Obstacles {
     void shortenInCell(std::size_t cell, Way& way) const;
 
     const scene::Scene& m_scene;
+    std::shared_ptr<const scene::Instances> m_instances; ///< the scene's, or a copy of what moved
     visibility::InstanceCells m_cells;
-    std::vector<measure::Shape> m_shapes; ///< per mesh
+    std::shared_ptr<const std::vector<measure::Shape>> m_shapes; ///< per mesh
 };
 
 /// The camera on its way from `before`, stopped two near planes short of the first surface, so that none is cut open.

@@ -60,6 +60,28 @@ TEST(Obstacles, StopAFlightInEveryDirection) {
     EXPECT_GT(stops, 100);
 }
 
+/// Of cubes that move it stops at those where they are, and where one was it flies through.
+TEST(Obstacles, MoveWithTheScene) {
+    scene::Scene scene;
+    scene.meshes.push_back(scene::makeBox(glm::vec3(0.5f)));
+    scene.materials.push_back({.name = "white"});
+    scene::addInstance(scene, 0, 0, 0, {0.0, 0.0, -5.0}, glm::mat3(1.0f));
+    host::WorkerPool workers(1);
+    const Obstacles before(scene, workers);
+    scene::Scene shown = scene;
+    shown.instances = {};
+    scene::addInstance(shown, 0, 0, 0, {20.0, 0.0, 0.0}, glm::mat3(1.0f));
+    const Obstacles after = before.moved(shown, workers);
+    shown = {}; // what was taken from it stays
+    const glm::dvec3 from(0.0);
+    const glm::dvec3 ahead(0.0, 0.0, -100.0);
+    const glm::dvec3 right(100.0, 0.0, 0.0);
+    EXPECT_NEAR(before.clearWay(from, ahead), 4.5, 1e-9);
+    EXPECT_EQ(before.clearWay(from, right), 100.0);
+    EXPECT_EQ(after.clearWay(from, ahead), 100.0);
+    EXPECT_NEAR(after.clearWay(from, right), 19.5, 1e-9);
+}
+
 /// What boxes of neighbours leave out changes nothing: ways past each cube, and into it.
 TEST(Obstacles, AreMetAsIfEachWereLookedAt) {
     const scene::Scene scene = scenes::makeTraffic(2013, 2000).scene;
