@@ -171,7 +171,7 @@ void InstanceCells::refreshBoxes() {
     }
     for (std::size_t level = 1; level < m_levels.size(); ++level) {
         for (std::uint32_t& node : m_stale) {
-            node /= kFan;
+            node /= static_cast<std::uint32_t>(kFan);
         }
         std::sort(m_stale.begin(), m_stale.end());
         m_stale.erase(std::unique(m_stale.begin(), m_stale.end()), m_stale.end());
