@@ -57,11 +57,11 @@ check_changed() {
         sed 's/[.]h$/.cpp/' | sort --unique | while read -r file; do [[ ! -e $file ]] || echo "$file"; done | at_most 40)
     if ((${#sources[@]})); then tools/tidy.sh "${sources[@]}"; fi
 
-    # A room is named by its folder. The programs and the window have tests of their own, too long for this.
+    # A room is named by its folder. Tests of the programs, the window and the page take too long for this.
     mapfile -t rooms < <(git diff --name-only "$base" -- src tests |
         sed -nE 's,^(src/cdr|src|tests)/([a-z]+)/.*,\2,p' | sort --unique)
     for room in "${rooms[@]}"; do
-        if [[ -e tests/$room/CMakeLists.txt && $room != cli && $room != viewer ]] &&
+        if [[ -e tests/$room/CMakeLists.txt && $room != cli && $room != viewer && $room != report ]] &&
             grep --quiet "cdr_test(test_$room " "tests/$room/CMakeLists.txt"; then
             targets+=("test_$room")
         fi
