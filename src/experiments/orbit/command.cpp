@@ -43,7 +43,7 @@ void writePictures(const PictureFolder& folder, const std::vector<experiments::P
     folder.write("orbit_sheet.png",
                  experiments::makeContactSheet(
                      results, fmt::format("cdr orbit: paint 5 mm over the runway, seen from "
-                                          "420 km through {} degrees; red is wrong; {}",
+                                          "420 km through {} degrees; share of wrong pixels, in red; {}",
                                           experiments::Readable{results.front().fovYDegrees}, device)));
 }
 

@@ -57,8 +57,10 @@ void writePictures(const PictureFolder& folder, const std::vector<experiments::P
         folder.write(stemOf(result) + ".png", result.picture);
         folder.write(stemOf(result) + "_wrong.png", result.heatMap);
     }
-    folder.write(kSheet, experiments::makeContactSheet(
-                             results, "cdr pictures: red is wrong, orange wrong on an edge; " + device));
+    folder.write(kSheet,
+                 experiments::makeContactSheet(
+                     results, "cdr pictures: share of wrong pixels; red is wrong, orange wrong on an edge; " +
+                                  device));
 }
 
 /// base::InputError for scenes or techniques whose pictures would have one name.

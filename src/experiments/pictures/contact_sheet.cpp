@@ -27,7 +27,7 @@ void caption(image::ImageRgba8& sheet, const std::string& text, std::uint32_t x,
 }
 
 std::string wrongText(const measure::WrongPixels& wrong) {
-    return fmt::format("{} % wrong", percent(wrong.fraction()));
+    return fmt::format("{} %", percent(wrong.fraction()));
 }
 
 } // namespace
