@@ -28,7 +28,6 @@ Command::Command(std::string name, const GlobalOptions& global, OutputOptions ou
     if (global.section.empty()) { // a report has looked already
         requireKnownDevice(m_device);
     }
-
     if (m_output.json && *m_output.json != "-") {
         m_files.writes("--json", *m_output.json);
     }

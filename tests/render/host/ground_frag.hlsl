@@ -1,14 +1,7 @@
-#include "cdr_depth.hlsl"
+#include "rectangle.hlsl"
 #include "cdr_gbuffer.hlsl"
 
 // ground.frag, for engines that write HLSL.
-struct Push {
-    CdrCascade cascade;
-    float4 place;
-    uint2 names;
-};
-[[vk::push_constant]] ConstantBuffer<Push> push;
-
 uint4 main([[vk::location(0)]] float ahead : AHEAD) : SV_Target0 {
     if (cdrIsOutsideCascade(ahead, push.cascade)) {
         discard;

@@ -1,14 +1,7 @@
-#include "cdr_depth.hlsl"
+#include "rectangle.hlsl"
 #include "cdr_gbuffer.hlsl"
 
 // surface.frag of src/examples/host_compositing, for engines that write HLSL.
-struct Push {
-    CdrCascade cascade;
-    float4 place;
-    uint2 names;
-};
-[[vk::push_constant]] ConstantBuffer<Push> push;
-
 uint4 main([[vk::location(0)]] float ahead : AHEAD) : SV_Target0 {
     return cdrGBufferTexel(float3(0.1, 0.4, 0.8), float3(0.0, 0.0, 1.0), ahead, push.names.y, push.names.x);
 }
