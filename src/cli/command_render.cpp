@@ -1,16 +1,17 @@
 #include "command.h"
 #include "commands.h"
+#include "frame_division.h"
 #include "frame_output.h"
 #include "sequence_name.h"
 
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
+#include <cdr/render/part_scene.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/lod/levels.h>
 #include <experiments/camera_options.h>
 #include <experiments/effect_options.h>
 #include <experiments/frame_notes.h>
-#include <experiments/units.h>
 #include <scenes/colours.h>
 #include <scenes/moving_scene.h>
 #include <scenes/open_scene.h>
@@ -19,6 +20,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -43,6 +45,7 @@ struct RenderArguments {
     std::size_t threads = 1;
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
+    std::string ranks = "frames";
     std::string aov = "color";
     std::string file;
     bool hash = false;
@@ -142,15 +145,19 @@ class FrameMaker {
         m_renderer.skip(camera);
     }
 
-    FrameOutput make(std::uint32_t number, const scene::Camera& camera) {
+    render::Frame draw(std::uint32_t number, const scene::Camera& camera) {
         show(number);
         if (m_options.trace != nullptr) {
             m_options.trace->beginFrame(fmt::format("frame {}", number));
         }
-        render::Frame frame = m_renderer.render(camera);
+        return m_renderer.render(camera);
+    }
+
+    /// Of the frame that was drawn last.
+    FrameOutput finish(std::uint32_t number, render::Frame frame) {
         std::optional<measure::TruthImage> truth;
         if (m_caster) {
-            truth = m_caster->cast(camera, m_options.width, m_options.height, m_workers);
+            truth = m_caster->cast(frame.camera, m_options.width, m_options.height, m_workers);
         }
         return {number, std::move(frame), std::move(truth)};
     }
@@ -169,6 +176,21 @@ class FrameMaker {
     render::Renderer m_renderer;
     std::optional<measure::TruthCaster> m_caster;
 };
+
+bool hasBlended(const scene::Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(), [](const scene::Material& material) {
+        return material.alphaMode == scene::AlphaMode::blend;
+    });
+}
+
+std::vector<scene::Camera> camerasOf(const scene::CameraPath& path,
+                                     const experiments::FrameCameras& cameras) {
+    std::vector<scene::Camera> all;
+    for (std::uint32_t frame = 0; frame < cameras.frames; ++frame) {
+        all.push_back(cameras.at(path, cameras.first + frame));
+    }
+    return all;
+}
 
 /// What differs from what was asked, in words.
 std::vector<std::string> notesOn(Command& command, bool isFirst, const FrameOutput& made) {
@@ -209,6 +231,11 @@ void runRender(Command& command, RenderArguments& arguments) {
     }
     const experiments::FrameCameras cameras(arguments.camera);
     checkArguments(arguments, cameras, name, command.files());
+    const FrameDivision division = parseFrameDivision(arguments.ranks);
+    const ranks::Place& place = command.ranks().place();
+    if (division == FrameDivision::cascades) {
+        options.part = {.index = place.index, .count = place.count};
+    }
     host::WorkerPool workers(arguments.threads);
     std::optional<host::Trace> trace;
     if (!arguments.trace.empty()) {
@@ -219,10 +246,18 @@ void runRender(Command& command, RenderArguments& arguments) {
     }
     scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
     scenes::paint(setup.scene, colours);
+    cameras.at(setup.path, cameras.first); // an unusable camera ends here, before the device is made
+    const bool finishes = division == FrameDivision::frames || command.ranks().isFirst();
+    const bool wantsTruth = aov == experiments::Aov::wrong && finishes;
+    if (division == FrameDivision::cascades) {
+        requireDivisible(options, hasBlended(setup.scene)); // one process refuses what several do
+        if (place.count > 1 && !setup.motion && !wantsTruth) {
+            dropOtherParts(setup.scene, options, camerasOf(setup.path, cameras), workers);
+        }
+    }
     if (options.detail.mode != visibility::DetailMode::none) {
         scene::makeLevels(setup.scene, workers);
     }
-    cameras.at(setup.path, cameras.first); // an unusable camera ends here, before the device is made
 
     const Console& console = command.console();
     std::optional<scenes::MovingScene> moving;
@@ -230,41 +265,52 @@ void runRender(Command& command, RenderArguments& arguments) {
         moving.emplace(std::move(setup.scene), setup.motion);
     }
     FrameMaker maker(command.device(), moving ? moving->world().scene() : setup.scene,
-                     moving ? &*moving : nullptr, options, aov == experiments::Aov::wrong, workers);
+                     moving ? &*moving : nullptr, options, wantsTruth, workers);
     const std::string technique = techniqueOf(arguments).name;
     auto document = command.makeDocument(optionsJson(arguments, options.technique));
     const auto columns = renderColumns(arguments.hash);
     experiments::Table table = experiments::tableOf(columns, std::vector<RenderRow>());
     std::uint32_t next = cameras.first;
-    const auto make = [&](std::size_t unit) {
-        const auto number = cameras.first + static_cast<std::uint32_t>(unit);
-        console.progress(unit, cameras.frames, arguments.scene);
-        for (; next < number; ++next) {
-            maker.skip(next, cameras.at(setup.path, next));
-        }
-        const FrameOutput made = maker.make(next++, cameras.at(setup.path, number));
-        command.opened().requireSilentValidation();
-        const std::string hash = arguments.hash || command.output().json ? made.hash(aov) : "";
-        const RenderRow row{made, options, arguments.scene, technique, hash};
-        return experiments::Json{
-            {"notes", notesOn(command, unit == 0, made)},
-            {"row", experiments::jsonOf(columns, row)},
-            {"cells", experiments::cellsOf(columns, row)},
-            {"file", arguments.file.empty() ? experiments::Json()
-                                            : experiments::Json::binary(made.encoded(name.at(number), aov))}};
+    const auto numberOf = [&](std::size_t frame) {
+        return cameras.first + static_cast<std::uint32_t>(frame);
     };
-    experiments::forEachUnit(
-        command.ranks(), cameras.frames, make, [&](std::size_t unit, experiments::Json made) {
-            for (const experiments::Json& note : made.at("notes")) {
-                console.line(note.get<std::string>());
-            }
-            if (!arguments.file.empty()) {
-                host::writeFile(name.at(cameras.first + static_cast<std::uint32_t>(unit)),
-                                made.at("file").get_binary());
-            }
-            document["results"].push_back(std::move(made.at("row")));
-            table.rows.push_back(made.at("cells").get<std::vector<std::string>>());
-        });
+    makeFrames(
+        command.ranks(), division, cameras.frames,
+        {.draw =
+             [&](std::size_t frame) {
+                 const std::uint32_t number = numberOf(frame);
+                 console.progress(frame, cameras.frames, arguments.scene);
+                 for (; next < number; ++next) {
+                     maker.skip(next, cameras.at(setup.path, next));
+                 }
+                 render::Frame drawn = maker.draw(next++, cameras.at(setup.path, number));
+                 command.opened().requireSilentValidation();
+                 return drawn;
+             },
+         .describe =
+             [&](std::size_t frame, render::Frame drawn) {
+                 const FrameOutput made = maker.finish(numberOf(frame), std::move(drawn));
+                 const std::string hash = arguments.hash || command.output().json ? made.hash(aov) : "";
+                 const RenderRow row{made, options, arguments.scene, technique, hash};
+                 return experiments::Json{
+                     {"notes", notesOn(command, frame == 0, made)},
+                     {"row", experiments::jsonOf(columns, row)},
+                     {"cells", experiments::cellsOf(columns, row)},
+                     {"file", arguments.file.empty()
+                                  ? experiments::Json()
+                                  : experiments::Json::binary(made.encoded(name.at(made.number()), aov))}};
+             },
+         .take =
+             [&](std::size_t frame, experiments::Json made) {
+                 for (const experiments::Json& note : made.at("notes")) {
+                     console.line(note.get<std::string>());
+                 }
+                 if (!arguments.file.empty()) {
+                     host::writeFile(name.at(numberOf(frame)), made.at("file").get_binary());
+                 }
+                 document["results"].push_back(std::move(made.at("row")));
+                 table.rows.push_back(made.at("cells").get<std::vector<std::string>>());
+             }});
     command.endProgress();
     console.table(table);
     console.line(command.opened().text());
@@ -325,6 +371,14 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     experiments::addSceneChoice(command, arguments.choice);
     addSeed(command, arguments.seed, "Seed of a random scene");
     experiments::addColours(command, arguments.colours);
+    command.option_defaults()->group("Ranks");
+    command
+        .add_option(
+            "--ranks", arguments.ranks,
+            "What the ranks of an MPI run divide: frames, or the cascades of each frame, which are drawn apart "
+            "and laid over each other, the nearest on top. Cascades go without smoothed edges, whole-picture "
+            "occlusion, a focus, blended materials and gpu-driven draws")
+        ->capture_default_str();
     command.option_defaults()->group("Output");
     addSize(command, arguments.width, arguments.height);
     addSnapBits(command, arguments.snapBits);

@@ -25,7 +25,7 @@ constexpr std::uint64_t kStop = std::uint64_t{1} << 40u;
 /// Between two looks at whether something has arrived. MPI's own waits keep a processor busy, which another rank may need.
 constexpr auto kPause = std::chrono::milliseconds(1);
 
-enum Tag : int { kMadeTag = 1, kDoneTag = 2 };
+enum Tag : int { kMadeTag = 1, kDoneTag = 2, kMergedTag = 3 };
 
 /// What a rank tells of itself where ranks meet; of one size, so that it needs no second message.
 struct Word {
@@ -143,6 +143,32 @@ class MpiRanks final : public Ranks {
         return broadcast(std::move(ofFirst));
     }
 
+    void merge(const std::function<host::Bytes()>& pack,
+               const std::function<void(const host::Bytes& later)>& take) override {
+        meet({});
+        std::exception_ptr failed;
+        std::size_t step = 1;
+        for (; place().index % (2 * step) == 0 && step < place().count; step *= 2) {
+            if (place().index + step < place().count) {
+                const host::Bytes later = receiveMerged(static_cast<int>(place().index + step));
+                attempt(failed, [&] { take(later); });
+            }
+        }
+        if (!isFirst()) {
+            host::Bytes mine; // none, where packing failed: nobody will use it
+            attempt(failed, [&] {
+                mine = pack();
+                countOf(mine);
+            });
+            MPI_Request request = MPI_REQUEST_NULL;
+            MPI_Isend(mine.data(), countOf(mine), MPI_BYTE, static_cast<int>(place().index - step),
+                      kMergedTag, MPI_COMM_WORLD, &request);
+            sleepUntilDone(request);
+        }
+        m_own = isFirst() ? failed : nullptr;
+        meet(failed ? m_explain(failed) : Ending{});
+    }
+
     Ending end(const Ending& mine) override {
         if (!m_isOver) {
             const Word first = firstFailure(exchange(wordOf(named(mine), true)));
@@ -226,6 +252,36 @@ class MpiRanks final : public Ranks {
         MPI_Bcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
         bytes.resize(size);
         MPI_Bcast(bytes.data(), countOf(bytes), MPI_BYTE, 0, MPI_COMM_WORLD);
+        return bytes;
+    }
+
+    /// Notes what goes wrong, since other ranks wait for this one all the same.
+    template <typename Action>
+    static void attempt(std::exception_ptr& failed, const Action& action) {
+        if (failed) {
+            return;
+        }
+        try {
+            action();
+        } catch (...) {
+            failed = std::current_exception();
+        }
+    }
+
+    /// Like MPI itself it does not go on without memory: the rank that sends would wait for ever.
+    static host::Bytes receiveMerged(int from) noexcept {
+        MPI_Message message = MPI_MESSAGE_NULL;
+        MPI_Status status;
+        int isThere = 0;
+        while (MPI_Improbe(from, kMergedTag, MPI_COMM_WORLD, &isThere, &message, &status), isThere == 0) {
+            std::this_thread::sleep_for(kPause);
+        }
+        int size = 0;
+        MPI_Get_count(&status, MPI_BYTE, &size);
+        host::Bytes bytes(static_cast<std::size_t>(size));
+        MPI_Request request = MPI_REQUEST_NULL;
+        MPI_Imrecv(bytes.data(), size, MPI_BYTE, &message, &request);
+        sleepUntilDone(request);
         return bytes;
     }
 

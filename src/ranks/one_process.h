@@ -12,6 +12,8 @@ class OneProcess final : public Ranks {
     void requireSame(const std::string& text) override;
     void forEachUnit(std::size_t count, const Make& make, const Take& take) override;
     host::Bytes share(host::Bytes ofFirst) override;
+    void merge(const std::function<host::Bytes()>& pack,
+               const std::function<void(const host::Bytes& later)>& take) override;
     Ending end(const Ending& mine) override;
 };
 

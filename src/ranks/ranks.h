@@ -62,6 +62,12 @@ class Ranks {
     /// The bytes of the first rank, on every rank.
     virtual host::Bytes share(host::Bytes ofFirst) = 0;
 
+    /// Brings what all ranks hold to the first one, in a tree: a rank takes what the ranks after it hold, in their order,
+    /// and hands on what it then holds.
+    /// @param pack what this rank holds. @param take adds what later ranks packed.
+    virtual void merge(const std::function<host::Bytes()>& pack,
+                       const std::function<void(const host::Bytes& later)>& take) = 0;
+
     /// The last call of a run: waits for all ranks, of which one that failed makes all end as it does.
     /// @param mine how this rank ends, or would end alone.
     virtual Ending end(const Ending& mine) = 0;

@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
+namespace cdr::cli_test {
 namespace {
 
-using namespace cdr::cli_test;
 namespace fs = std::filesystem;
 
 /// The program as several ranks on this machine.
 ProgramResult runAsRanks(int ranks, const std::string& arguments, const fs::path& folder) {
-    return runProgram(arguments, folder, cdr::test::launched(CDR_MPIEXEC, ranks));
+    return runProgram(arguments, folder, test::launched(CDR_MPIEXEC, ranks));
 }
 
 class RanksCommand : public testing::Test {
@@ -75,6 +75,54 @@ TEST_F(RanksCommand, RenderWritesTheFilesOfOneProcess) {
         "render traffic --technique anchored --size 96x54 --frame 3 --frames 6 --aov distance -o f%02d.exr "
         "--json all.json",
         7);
+}
+
+/// Every preset, and with fitted splits that keep to the frames before.
+TEST_F(RanksCommand, CascadesAreLaidOverEachOther) {
+    for (const char* technique : {"standard", "cdr", "log", "logcdr", "reversed", "anchored"}) {
+        expectSameFiles(
+            std::string("render afc-near --ranks cascades --size 160x90 --frame 7 -o f%d.png --json all.json "
+                        "--technique ") +
+                technique,
+            2, {1, 2, 3, 8});
+    }
+    const std::string fitted =
+        " afc-near --depth anchored --split fitted:0.1,max=4 --targets layers --size 160x90 "
+        "--frames 3 --aov distance -o f%d.exr --json all.json";
+    expectSameFiles("render --ranks cascades" + fitted, 4, {4});
+    const TemporaryFolder frames;
+    const TemporaryFolder cascades;
+    ASSERT_EQ(runProgram("render --ranks frames" + fitted, frames.path()).status, 0);
+    ASSERT_EQ(runAsRanks(3, "render --ranks cascades" + fitted, cascades.path()).status, 0);
+    EXPECT_EQ(filesIn(frames.path()), filesIn(cascades.path()));
+    expectSameFiles(
+        "render traffic --ranks cascades --technique cdr --size 96x54 --frame 3 --frames 4 -o f%02d.png "
+        "--json all.json",
+        5, {3});
+    expectSameFiles(
+        "render mixed --ranks cascades --technique cdr --aov wrong --size 96x54 -o f.png --json all.json", 2,
+        {2});
+}
+
+TEST_F(RanksCommand, CascadesThatCannotBeDividedAreRefusedInOneLine) {
+    const TemporaryFolder folder;
+    for (const auto& [arguments, what] :
+         {std::pair("cubes --antialias edges", "smoothed edges need"),
+          std::pair("sheets", "blended materials need"),
+          std::pair("cubes --occlusion 2", "ambient occlusion over the whole picture need"),
+          std::pair("cubes --submission gpu-driven", "gpu-driven draws need")}) {
+        for (const int ranks : {0, 2}) {
+            const std::string command =
+                std::string("render --ranks cascades -o a.png --size 32x18 ") + arguments;
+            const ProgramResult result =
+                ranks == 0 ? runProgram(command, folder.path()) : runAsRanks(ranks, command, folder.path());
+            EXPECT_EQ(result.status, 2);
+            EXPECT_EQ(result.err, std::string("cdr: cascades cannot be divided: ") + what + " all of them\n");
+        }
+    }
+    EXPECT_NE(runProgram("render cubes --ranks cascade", folder.path()).err.find("did you mean 'cascades'"),
+              std::string::npos);
+    EXPECT_TRUE(folder.isEmpty());
 }
 
 TEST_F(RanksCommand, ProbeFindsWhatOneProcessDoes) {
@@ -166,7 +214,7 @@ TEST_F(RanksCommand, AFlickerRunThatIsKilledEndsAsOneThatIsNot) {
         const unsigned ranks = 1 + random() % 4;
         const std::string victim = "pid." + std::to_string(random() % ranks);
         const std::string environment = killing(victim, 0.01 * static_cast<double>(random() % 10)) +
-                                        cdr::test::launched(CDR_MPIEXEC, static_cast<int>(ranks)) + numbered;
+                                        test::launched(CDR_MPIEXEC, static_cast<int>(ranks)) + numbered;
         killed += runProgram(arguments, folder.path(), environment).status != 0 ? 1 : 0;
         for (unsigned rank = 0; rank < ranks; ++rank) {
             fs::remove(folder.path() / ("pid." + std::to_string(rank)));
@@ -197,7 +245,7 @@ TEST_F(RanksCommand, JobsOfSlurmRun) {
     EXPECT_EQ(row.at("distance"), 1000.0);
     EXPECT_NE(runJob(jobs + "sweep.sh out"), 0);
 
-    const std::string launcher = cdr::test::launched(CDR_MPIEXEC, 2);
+    const std::string launcher = test::launched(CDR_MPIEXEC, 2);
     const std::string environment = launcher.substr(0, launcher.find('\''));
     EXPECT_EQ(runJob("MPIRUN='" CDR_MPIEXEC "' " + environment + jobs +
                      "frames.sh cubes frames/%02d.png --size 32x18 --frames 2"),
@@ -218,3 +266,4 @@ TEST(Devices, SayWhetherMpiIsIn) {
 }
 
 } // namespace
+} // namespace cdr::cli_test

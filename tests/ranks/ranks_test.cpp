@@ -50,7 +50,7 @@ class LaunchedRanks : public testing::TestWithParam<int> {
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Counts, LaunchedRanks, testing::Values(1, 2, 4));
+INSTANTIATE_TEST_SUITE_P(Counts, LaunchedRanks, testing::Values(1, 2, 4, 7));
 
 TEST_P(LaunchedRanks, HandOverEveryUnitOnceAndInOrder) {
     for (const std::size_t count : {0u, 3u, 40u}) {
@@ -58,6 +58,29 @@ TEST_P(LaunchedRanks, HandOverEveryUnitOnceAndInOrder) {
         EXPECT_EQ(outcome.status, 0) << outcome.err;
         EXPECT_EQ(outcome.err, "");
         EXPECT_EQ(outcome.out, whatOneProcessPrints(count));
+    }
+}
+
+/// In the order of the ranks, though they meet in a tree; and where one cannot, none waits for it.
+TEST_P(LaunchedRanks, MergeWhatTheyHold) {
+    const Outcome outcome = runAs(GetParam(), "0");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.substr(0, outcome.out.find('\n')), "merged whole");
+    const int last = GetParam() - 1;
+    if (last > 0) {
+        const Outcome packs = runAs(GetParam(), "0 pack " + std::to_string(last) + " 0");
+        EXPECT_EQ(packs.status, 1);
+        EXPECT_TRUE(
+            std::regex_match(packs.err, std::regex("rank " + std::to_string(last) + " on .+: it broke\n")))
+            << packs.err;
+        const Outcome lays = runAs(GetParam(), "0 lay 0 0");
+        EXPECT_EQ(lays.status, 2);
+        EXPECT_EQ(lays.err, "no such thing\n");
+    }
+    if (last > 2) {
+        const Outcome lays = runAs(GetParam(), "0 lay 2 0");
+        EXPECT_EQ(lays.status, 2);
+        EXPECT_TRUE(std::regex_match(lays.err, std::regex("rank 2 on .+: no such thing\n"))) << lays.err;
     }
 }
 

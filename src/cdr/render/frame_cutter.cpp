@@ -18,6 +18,7 @@ FrameCutter::FrameCutter(const RenderOptions& options, const Targets& targets)
       m_mapping(options.technique.mapping),
       m_detail(options.detail),
       m_focus(options.focus),
+      m_part(options.part),
       m_extent{options.width, options.height},
       m_split(options.technique) {}
 
@@ -26,7 +27,8 @@ FrameView FrameCutter::look(const scene::Camera& camera) const {
     return {.camera = camera,
             .frustum = frustum,
             .levels = visibility::levelRule(m_detail, frustum, m_extent.height),
-            .cascades = {}};
+            .cascades = {},
+            .drawn = {}};
 }
 
 void FrameCutter::cut(FrameView& view, const visibility::VisibleCells& visible,
@@ -38,6 +40,7 @@ void FrameCutter::cut(FrameView& view, const visibility::VisibleCells& visible,
     }
     const depth::Cascades drawn = lens && m_focus.blend ? lens->overlapping(ranges) : ranges;
     view.cascades.clear();
+    view.drawn = m_part.of(ranges.size());
     for (std::size_t i = 0; i < ranges.size(); ++i) {
         const bool isLast = i + 1 == ranges.size();
         const depth::FarEnd farEnd = isLast ? m_split.farEnd() : depth::FarEnd::closed;

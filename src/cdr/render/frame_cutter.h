@@ -34,6 +34,7 @@ class FrameCutter {
     depth::Mapping m_mapping;
     visibility::Detail m_detail;
     Focus m_focus;
+    CascadePart m_part;
     vk::Extent2D m_extent;
     FrameSplit m_split;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/depth/mapping.h>
+#include <cdr/host/worker_pool.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/level_choice.h>
@@ -33,6 +34,7 @@ struct FrameView {
     scene::Frustum frustum;            ///< of the camera and the picture
     visibility::LevelRule levels;      ///< at which level of detail each draw is drawn
     std::vector<CascadeView> cascades; ///< nearest first
+    host::IndexRange drawn;            ///< cascades that this renderer draws
 
     depth::Cascades ranges() const;
     depth::Cascades clipRanges() const;

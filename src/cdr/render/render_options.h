@@ -3,6 +3,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/host/trace.h>
 #include <cdr/host/worker_pool.h>
+#include <cdr/render/cascade_part.h>
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
 #include <cdr/render/geometry/batching.h>
@@ -42,6 +43,8 @@ struct RenderOptions {
     /// Works out motion: how far each pixel's surface is from where it was in the last frame (Surfaces::motion,
     /// HostFrame::motion, Frame::motion). Each object must move as one. Not with a focus.
     bool motion = false;
+    /// Which cascades of each frame it draws; all unless told. What a frame counts is of all of them.
+    CascadePart part{};
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
     /// none.
     host::Trace* trace = nullptr;

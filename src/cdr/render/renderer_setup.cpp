@@ -66,6 +66,9 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
                                            kMaxSnapBits, options.snapBits));
     }
     requireUsable(options.effects);
+    if (options.part != CascadePart{}) {
+        requireDivisible(options, hasBlended);
+    }
     requireFocusable(options);
     if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {
         throw base::InputError(fmt::format("ambient occlusion per layer needs targets with layers "

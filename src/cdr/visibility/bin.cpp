@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -62,6 +63,17 @@ void layOut(std::vector<BucketCounts>& counts, std::size_t buckets, DrawLists& l
 }
 
 } // namespace
+
+void keepCascades(DrawLists& lists, host::IndexRange cascades) {
+    const std::size_t first = lists.begins[2 * cascades.begin];
+    const std::size_t last = lists.begins[2 * cascades.end];
+    const auto entries = lists.instance.begin();
+    std::copy(entries + static_cast<std::ptrdiff_t>(first), entries + static_cast<std::ptrdiff_t>(last),
+              entries);
+    for (std::size_t& begin : lists.begins) {
+        begin = std::clamp(begin, first, last) - first;
+    }
+}
 
 void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges, double wideSpan,
                    host::WorkerPool& workers, DrawLists& lists) {

@@ -46,6 +46,9 @@ struct DrawLists {
     }
 };
 
+/// Empties the lists of all other cascades; before levels are chosen. `visible` stays.
+CDR_EXPORT void keepCascades(DrawLists& lists, host::IndexRange cascades);
+
 /// Puts every visible instance into each cascade whose range its sphere [w - r, w + r] meets (thesis chapter
 /// 3). The same lists for any number of workers. `lists` is reused, so binning allocates nothing once warm.
 /// @param clipRanges each cascade's depth::clipRange(), nearest first: near planes ascend. A range that ends

@@ -63,6 +63,27 @@ void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
     const std::string shared = "from rank " + std::to_string(ranks.place().index);
     const cdr::host::Bytes from = ranks.share({shared.begin(), shared.end()});
     std::map<std::string, std::size_t> made;
+    std::string merged = std::to_string(ranks.place().index) + " " + textOf(3);
+    ranks.merge(
+        [&] {
+            if (trouble.kind == "pack" && isTheOne) {
+                throw std::runtime_error("it broke");
+            }
+            return cdr::host::Bytes(merged.begin(), merged.end());
+        },
+        [&](const cdr::host::Bytes& later) {
+            if (trouble.kind == "lay" && isTheOne) {
+                throw cdr::base::InputError("no such thing");
+            }
+            merged.append(", ").append(later.begin(), later.end());
+        });
+    if (ranks.isFirst()) {
+        std::string whole = "0 " + textOf(3);
+        for (std::size_t rank = 1; rank < ranks.place().count; ++rank) {
+            whole += ", " + std::to_string(rank) + " " + textOf(3);
+        }
+        std::printf("merged %s\n", merged == whole ? "whole" : "DAMAGED");
+    }
     for (int round = 0; round < 2; ++round) {
         ranks.forEachUnit(
             count,

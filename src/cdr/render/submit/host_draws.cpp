@@ -7,11 +7,12 @@ namespace cdr::render {
 void HostDraws::bin(const FrameView& view, const visibility::VisibleCells& visible, FrameStats& stats) {
     const depth::Cascades clipRanges = view.clipRanges();
     m_binner.bin(visible, clipRanges, wideSpan(mapping(), clipRanges.size()), workers(), m_lists);
-    visibility::chooseLevels(m_context.scene, view.camera, clipRanges, view.levels, workers(), m_lists);
-    makeRoom(m_lists.draws());
     stats.visible = m_lists.visible;
     stats.draws = m_lists.draws();
     stats.duplication = m_lists.duplication();
+    visibility::keepCascades(m_lists, view.drawn);
+    visibility::chooseLevels(m_context.scene, view.camera, clipRanges, view.levels, workers(), m_lists);
+    makeRoom(m_lists.draws());
 }
 
 std::size_t HostDraws::roomFor(std::size_t draws) {

@@ -85,7 +85,7 @@ CascadeLayers::Layer CascadeLayers::makeLayer(std::size_t number) const {
 
 void CascadeLayers::record(CascadeCommands& commands, const FrameView& view) {
     if (m_perCascade) {
-        grow(view.cascades.size());
+        grow(view.drawn.size());
     }
     const std::vector<std::size_t> drawn = commands.drawnCascades(view.cascades.size());
     auto load = vk::AttachmentLoadOp::eClear;

@@ -1,0 +1,43 @@
+#include <cdr/base/error.h>
+#include <cdr/render/cascade_part.h>
+#include <cdr/render/render_options.h>
+
+#include <fmt/format.h>
+
+namespace cdr::render {
+
+namespace {
+
+/// Null where nothing is in the way.
+const char* whatNeedsAllCascades(const RenderOptions& options, bool hasBlended) {
+    if (options.effects.antialias != Antialias::none) {
+        return "smoothed edges";
+    }
+    if (options.effects.occlusion.radius > 0.0 && !options.effects.occlusion.perLayer) {
+        return "ambient occlusion over the whole picture";
+    }
+    if (options.focus.isOn()) {
+        return "a lens with a focus";
+    }
+    if (options.motion) {
+        return "motion";
+    }
+    if (hasBlended) {
+        return "blended materials";
+    }
+    return options.submission == Submission::gpuDriven ? "gpu-driven draws" : nullptr;
+}
+
+} // namespace
+
+void requireDivisible(const RenderOptions& options, bool hasBlended) {
+    if (const char* what = whatNeedsAllCascades(options, hasBlended)) {
+        throw base::InputError(fmt::format("cascades cannot be divided: {} need all of them", what));
+    }
+    if (options.part.index >= options.part.count) {
+        throw base::InputError(fmt::format("part {} of {} of the cascades: parts count from 0",
+                                           options.part.index, options.part.count));
+    }
+}
+
+} // namespace cdr::render

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cdr/base/export.h>
+#include <cdr/host/worker_pool.h>
+
+#include <cstddef>
+
+namespace cdr::render {
+
+struct RenderOptions;
+
+/// A renderer's part in frames that several draw: neighbouring cascades of each frame. The first part has the nearest
+/// ones, so the nearest part with a surface at a pixel decides it, without a comparison of depth. A part without cascades
+/// shows the background.
+struct CascadePart {
+    std::size_t index = 0; ///< below `count`
+    std::size_t count = 1; ///< parts, 1 or more
+
+    /// Its cascades, where a frame has so many.
+    host::IndexRange of(std::size_t cascades) const { return host::evenRange(cascades, index, count); }
+    bool operator==(const CascadePart&) const = default;
+};
+
+/// base::InputError for what looks beyond a pixel's own surface, or needs other cascades: edges smoothed, ambient
+/// occlusion over the whole picture, a lens with a focus, motion, blended surfaces, gpu-driven draws.
+/// @param hasBlended whether the scene has blended materials.
+CDR_EXPORT void requireDivisible(const RenderOptions& options, bool hasBlended);
+
+} // namespace cdr::render

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cdr/render/frame.h>
+#include <experiments/columns.h>
+
+#include <ranks/ranks.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+namespace cdr::cli {
+
+/// What of a command's frames its ranks divide among them.
+enum class FrameDivision : std::uint8_t {
+    frames,  ///< each frame is one rank's
+    cascades ///< each rank draws neighbouring cascades of every frame, which are laid over each other
+};
+
+/// "frames" or "cascades"; base::InputError with a suggestion for another name.
+FrameDivision parseFrameDivision(std::string_view name);
+
+/// The steps by which a frame becomes a result.
+struct FrameSteps {
+    std::function<render::Frame(std::size_t frame)> draw;
+    /// Of a whole frame: what take() is given.
+    std::function<experiments::Json(std::size_t frame, render::Frame drawn)> describe;
+    std::function<void(std::size_t frame, experiments::Json made)> take; ///< on the first rank, in order
+};
+
+/// Draws frames 0 to `count`. A rank is given frames in ascending order.
+void makeFrames(ranks::Ranks& ranks, FrameDivision division, std::size_t count, const FrameSteps& steps);
+
+} // namespace cdr::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cdr/host/file.h>
+#include <cdr/render/frame.h>
+
+#include <ranks/ranks.h>
+
+namespace cdr::experiments {
+
+/// Pixels of a frame that show a surface, with their colours, as bytes that another rank of the same program reads. What
+/// shows the background takes next to none.
+host::Bytes packedSurfaces(const render::Frame& frame);
+
+/// Lays what packedSurfaces() made of farther cascades under a frame of nearer ones.
+/// base::RunError for bytes that are not of a frame of its size; then the frame is half done.
+void layUnder(render::Frame& frame, const host::Bytes& farther);
+
+/// The first rank's frame becomes the whole one, where each rank has drawn its part (render::CascadePart) of the same.
+/// @param bytesSent grows by what this rank sends.
+void mergeParts(ranks::Ranks& ranks, render::Frame& frame, std::size_t& bytesSent);
+
+} // namespace cdr::experiments

@@ -1,0 +1,109 @@
+#include "../support/launched.h"
+#include "program.h"
+
+#include <cdr/host/file.h>
+#include <cdr/image/codec.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cdr::cli_test {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kSquares = 8;
+
+/// Squares of growing size and distance, each with a texture of 36 MiB and alone in its cascade.
+void writeTexturedSquares(const std::filesystem::path& folder) {
+    const std::filesystem::path picture = folder / "texture.png";
+    host::writeFile(picture, image::encodeImage(picture, image::ImageRgba8(4096, 2304, {90, 160, 40, 255})));
+    const std::vector<float> corners{-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
+    const std::vector<float> uv{0, 1, 1, 1, 1, 0, 0, 0};
+    const std::vector<std::uint32_t> indices{0, 1, 2, 0, 2, 3};
+    host::Bytes bytes;
+    const auto append = [&](const auto& values) {
+        const auto* begin = reinterpret_cast<const std::uint8_t*>(values.data());
+        bytes.insert(bytes.end(), begin, begin + values.size() * 4);
+    };
+    append(corners);
+    append(uv);
+    append(indices);
+    host::writeFile(folder / "squares.bin", bytes);
+    Json gltf{{"asset", {{"version", "2.0"}}},
+              {"buffers", {{{"uri", "squares.bin"}, {"byteLength", bytes.size()}}}},
+              {"bufferViews",
+               {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", 48}},
+                {{"buffer", 0}, {"byteOffset", 48}, {"byteLength", 32}},
+                {{"buffer", 0}, {"byteOffset", 80}, {"byteLength", 24}}}},
+              {"accessors",
+               {{{"bufferView", 0},
+                 {"componentType", 5126},
+                 {"count", 4},
+                 {"type", "VEC3"},
+                 {"min", {-1, -1, 0}},
+                 {"max", {1, 1, 0}}},
+                {{"bufferView", 1}, {"componentType", 5126}, {"count", 4}, {"type", "VEC2"}},
+                {{"bufferView", 2}, {"componentType", 5125}, {"count", 6}, {"type", "SCALAR"}}}}};
+    for (int i = 0; i < kSquares; ++i) {
+        const double size = std::pow(4.0, i);
+        gltf["images"].push_back({{"uri", "texture.png"}});
+        gltf["textures"].push_back({{"source", i}});
+        gltf["materials"].push_back({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", i}}}}}});
+        gltf["meshes"].push_back(
+            {{"primitives",
+              {{{"attributes", {{"POSITION", 0}, {"TEXCOORD_0", 1}}}, {"indices", 2}, {"material", i}}}}});
+        gltf["nodes"].push_back({{"mesh", i},
+                                 {"translation", {(i - 3.5) * 0.5 * size, 0, -10.0 * size}},
+                                 {"scale", {size, size, size}}});
+        gltf["scenes"][0]["nodes"].push_back(i);
+    }
+    host::writeText(folder / "squares.gltf", gltf.dump());
+}
+
+/// Under a limit of the address space that one process exceeds, four ranks draw its picture.
+TEST(CascadeMemory, ARankHoldsWhatItsCascadesTouch) {
+    if (std::string(CDR_MPIEXEC).empty()) {
+        GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin)";
+    }
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "a sanitizer takes terabytes of the address space";
+#endif
+    const TemporaryFolder folder;
+    writeTexturedSquares(folder.path());
+    const std::string render =
+        "render squares.gltf --depth anchored --split count:8 --size 320x180 --eye 0,0,0 "
+        "--target 0,0,-1 --fov 40 --near 5 --far 327680 --hash --ranks cascades -o ";
+    // The launcher's ranks share a machine, so lavapipe draws with one thread in each; here too.
+    const auto limited = [](long megabytes) {
+        return "LP_NUM_THREADS=1 sh -c 'ulimit -v " + std::to_string(megabytes * 1024) + "; exec \"$@\"' sh";
+    };
+    ASSERT_EQ(runProgram(render + "free.png", folder.path()).status, 0);
+    // What a process takes besides textures depends on the machine: the least that suffices is searched for.
+    constexpr long kStep = 100;
+    long tooLittle = 0;
+    for (long limit = 700; limit < 3000; limit += kStep) {
+        const ProgramResult one = runProgram(render + "one.png", folder.path(), limited(limit));
+        if (one.status == 0) {
+            break;
+        }
+        EXPECT_FALSE(std::filesystem::exists(folder.path() / "one.png"));
+        tooLittle = limit;
+    }
+    ASSERT_GT(tooLittle, 0);
+    const ProgramResult four = runProgram(render + "four.png", folder.path(),
+                                          test::launched(CDR_MPIEXEC, 4) + " " + "env " + limited(tooLittle));
+    EXPECT_EQ(four.status, 0) << four.err;
+    EXPECT_EQ(readText(folder.path() / "four.png"), readText(folder.path() / "free.png"));
+    std::printf("one process needs more than %ld MiB of address space, four ranks do not\n", tooLittle);
+}
+
+} // namespace
+} // namespace cdr::cli_test
