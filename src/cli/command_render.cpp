@@ -1,3 +1,4 @@
+#include "certificate_file.h"
 #include "command.h"
 #include "commands.h"
 #include "frame_division.h"
@@ -10,6 +11,7 @@
 #include <cdr/render/renderer.h>
 #include <cdr/scene/lod/levels.h>
 #include <experiments/camera_options.h>
+#include <experiments/certified_frame.h>
 #include <experiments/effect_options.h>
 #include <experiments/frame_notes.h>
 #include <scenes/colours.h>
@@ -22,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -50,6 +53,7 @@ struct RenderArguments {
     std::string file;
     bool hash = false;
     std::filesystem::path trace;
+    std::filesystem::path certify;
     experiments::CameraOptions camera;
     std::string colours = "thesis";
     std::uint64_t seed = scenes::kDefaultSeed;
@@ -93,6 +97,9 @@ void checkArguments(const RenderArguments& arguments, const experiments::FrameCa
     if (!arguments.trace.empty()) {
         files.writes("--trace", arguments.trace);
     }
+    if (!arguments.certify.empty()) {
+        files.writes("--certify", arguments.certify);
+    }
 }
 
 nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth::Technique& technique) {
@@ -121,21 +128,31 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::A
     return options;
 }
 
-/// Draws frame after frame of a scene, and casts its truth where the output shows it.
+/// What a command wants to know of its frames beside what is drawn.
+struct WantedOfFrames {
+    bool truth = false;
+    bool certificate = false;
+};
+
+/// Draws frame after frame of a scene, and casts its truth or certifies it where that is wanted.
 class FrameMaker {
   public:
     /// @param moving the scene, where it moves; else null.
     FrameMaker(const gpu::Device& device, const scene::Scene& scene, scenes::MovingScene* moving,
-               const render::RenderOptions& options, bool wantsTruth, host::WorkerPool& workers)
+               const render::RenderOptions& options, const WantedOfFrames& wanted, host::WorkerPool& workers)
         : m_options(options),
+          m_subPixelBits(device.info().subPixelBits),
           m_workers(workers),
           m_moving(moving),
           m_onDevice(moving != nullptr ? render::GpuScene(device, moving->world())
                                        : render::GpuScene(device, scene)),
           m_renderer(moving != nullptr ? render::Renderer(device, m_onDevice, options)
                                        : render::Renderer(device, scene, m_onDevice, options)) {
-        if (wantsTruth) {
+        if (wanted.truth) {
             m_caster.emplace(scene, workers);
+        }
+        if (wanted.certificate) {
+            m_certifier.emplace(scene, workers);
         }
     }
 
@@ -155,14 +172,30 @@ class FrameMaker {
 
     /// Of the frame that was drawn last.
     FrameOutput finish(std::uint32_t number, render::Frame frame) {
+        std::optional<CertifiedOutput> certified;
+        if (m_certifier) {
+            certified = certify(frame);
+        }
         std::optional<measure::TruthImage> truth;
         if (m_caster) {
             truth = m_caster->cast(frame.camera, m_options.width, m_options.height, m_workers);
         }
-        return {number, std::move(frame), std::move(truth)};
+        return {number, std::move(frame), std::move(truth), std::move(certified)};
     }
 
   private:
+    /// Certifies a frame and repairs it.
+    CertifiedOutput certify(render::Frame& frame) {
+        const auto begin = std::chrono::steady_clock::now();
+        const measure::DrawnFrame drawn = experiments::drawnFrame(frame, m_options, m_subPixelBits);
+        CertifiedOutput made{.certificate = m_certifier->certify(drawn, m_workers),
+                             .snapPixels = drawn.snapPixels};
+        experiments::putRight(frame, made.certificate);
+        made.milliseconds =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+        return made;
+    }
+
     void show(std::uint32_t number) {
         if (m_moving != nullptr) {
             m_moving->show(number);
@@ -170,11 +203,13 @@ class FrameMaker {
     }
 
     const render::RenderOptions& m_options;
+    std::uint32_t m_subPixelBits;
     host::WorkerPool& m_workers;
     scenes::MovingScene* m_moving;
     render::GpuScene m_onDevice;
     render::Renderer m_renderer;
     std::optional<measure::TruthCaster> m_caster;
+    std::optional<measure::Certifier> m_certifier;
 };
 
 bool hasBlended(const scene::Scene& scene) {
@@ -244,14 +279,18 @@ void runRender(Command& command, RenderArguments& arguments) {
         }
         options.trace = &trace.emplace(options.threads);
     }
+    if (!arguments.certify.empty()) {
+        experiments::requireCertifiable(options);
+    }
     scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
     scenes::paint(setup.scene, colours);
     cameras.at(setup.path, cameras.first); // an unusable camera ends here, before the device is made
     const bool finishes = division == FrameDivision::frames || command.ranks().isFirst();
-    const bool wantsTruth = aov == experiments::Aov::wrong && finishes;
+    const WantedOfFrames wanted{.truth = aov == experiments::Aov::wrong && finishes,
+                                .certificate = !arguments.certify.empty() && finishes};
     if (division == FrameDivision::cascades) {
         requireDivisible(options, hasBlended(setup.scene)); // one process refuses what several do
-        if (place.count > 1 && !setup.motion && !wantsTruth) {
+        if (place.count > 1 && !setup.motion && !wanted.truth && !wanted.certificate) {
             dropOtherParts(setup.scene, options, camerasOf(setup.path, cameras), workers);
         }
     }
@@ -265,10 +304,14 @@ void runRender(Command& command, RenderArguments& arguments) {
         moving.emplace(std::move(setup.scene), setup.motion);
     }
     FrameMaker maker(command.device(), moving ? moving->world().scene() : setup.scene,
-                     moving ? &*moving : nullptr, options, wantsTruth, workers);
+                     moving ? &*moving : nullptr, options, wanted, workers);
     const std::string technique = techniqueOf(arguments).name;
     auto document = command.makeDocument(optionsJson(arguments, options.technique));
-    const auto columns = renderColumns(arguments.hash);
+    std::optional<CertificateFile> certificates;
+    if (!arguments.certify.empty()) {
+        certificates.emplace(arguments.certify, command, optionsJson(arguments, options.technique));
+    }
+    const auto columns = renderColumns({.hash = arguments.hash, .certificate = certificates.has_value()});
     experiments::Table table = experiments::tableOf(columns, std::vector<RenderRow>());
     std::uint32_t next = cameras.first;
     const auto numberOf = [&](std::size_t frame) {
@@ -292,20 +335,28 @@ void runRender(Command& command, RenderArguments& arguments) {
                  const FrameOutput made = maker.finish(numberOf(frame), std::move(drawn));
                  const std::string hash = arguments.hash || command.output().json ? made.hash(aov) : "";
                  const RenderRow row{made, options, arguments.scene, technique, hash};
+                 const auto& certified = made.certified();
+                 const bool isWritten =
+                     !arguments.file.empty() && !(certified && certified->certificate.isRefused());
                  return experiments::Json{
                      {"notes", notesOn(command, frame == 0, made)},
                      {"row", experiments::jsonOf(columns, row)},
                      {"cells", experiments::cellsOf(columns, row)},
-                     {"file", arguments.file.empty()
-                                  ? experiments::Json()
-                                  : experiments::Json::binary(made.encoded(name.at(made.number()), aov))}};
+                     {"certificate", certified ? certificateOf(made.number(), made.frame().camera, *certified,
+                                                               made.hash(aov))
+                                               : experiments::Json()},
+                     {"file", isWritten ? experiments::Json::binary(made.encoded(name.at(made.number()), aov))
+                                        : experiments::Json()}};
              },
          .take =
              [&](std::size_t frame, experiments::Json made) {
                  for (const experiments::Json& note : made.at("notes")) {
                      console.line(note.get<std::string>());
                  }
-                 if (!arguments.file.empty()) {
+                 if (certificates) {
+                     certificates->add(std::move(made.at("certificate")));
+                 }
+                 if (!made.at("file").is_null()) {
                      host::writeFile(name.at(numberOf(frame)), made.at("file").get_binary());
                  }
                  document["results"].push_back(std::move(made.at("row")));
@@ -314,11 +365,16 @@ void runRender(Command& command, RenderArguments& arguments) {
     command.endProgress();
     console.table(table);
     console.line(command.opened().text());
-    console.line(whatWasWritten(arguments, cameras, name));
+    if (!certificates || !certificates->hasRefused()) {
+        console.line(whatWasWritten(arguments, cameras, name));
+    }
     if (trace) {
         trace->write(arguments.trace);
     }
     command.writeDocument(document);
+    if (certificates && command.ranks().isFirst()) {
+        certificates->finish();
+    }
 }
 
 void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
@@ -387,6 +443,10 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
         ->capture_default_str();
     command.add_option("-o,--output", arguments.file,
                        "Picture to write: .png, .tga or .exr; %04d stands for the frame");
+    command.add_option(
+        "--certify", arguments.certify,
+        "Show of each pixel that it is right, cast what is in doubt, put right what is wrong; the certificate to "
+        "write, .json. Status 3 where the device kept not to its limits");
     command.add_option(
         "--trace", arguments.trace,
         "Write workers, cascades and execute as a trace for ui.perfetto.dev or chrome://tracing");

@@ -8,10 +8,46 @@
 
 namespace cdr::cli {
 
-FrameOutput::FrameOutput(std::uint32_t number, render::Frame frame, std::optional<measure::TruthImage> truth)
+namespace {
+
+/// Of a certificate, absent where none was asked for.
+experiments::Columns<RenderRow> certificateColumns(bool isShown) {
+    const auto of = [](auto valueOf) {
+        return [valueOf](const RenderRow& row) {
+            const auto& certified = row.made.certified();
+            return certified ? experiments::Json(valueOf(*certified)) : experiments::absent();
+        };
+    };
+    return {
+        {.key = "certified",
+         .value = of([](const CertifiedOutput& made) { return made.certificate.certified; })},
+        {.key = "certified_fraction",
+         .value = of([](const CertifiedOutput& made) { return made.certificate.certifiedFraction(); }),
+         .heading = isShown ? "certified" : "",
+         .format = {.pattern = "{} %", .scale = 100.0}},
+        {.key = "cast",
+         .value = of([](const CertifiedOutput& made) { return made.certificate.cast; }),
+         .heading = isShown ? "cast" : ""},
+        {.key = "wrong_before",
+         .value = of([](const CertifiedOutput& made) { return made.certificate.wrong; }),
+         .heading = isShown ? "wrong before" : ""},
+        {.key = "repaired",
+         .value = of([](const CertifiedOutput& made) { return made.certificate.repairs.size(); }),
+         .heading = isShown ? "repaired" : ""},
+        {.key = "refused", .value = of([](const CertifiedOutput& made) { return made.certificate.refused; })},
+        {.key = "certify_ms",
+         .value = of([](const CertifiedOutput& made) { return made.milliseconds; }),
+         .heading = isShown ? "certify ms" : ""}};
+}
+
+} // namespace
+
+FrameOutput::FrameOutput(std::uint32_t number, render::Frame frame, std::optional<measure::TruthImage> truth,
+                         std::optional<CertifiedOutput> certified)
     : m_number(number),
       m_frame(std::move(frame)),
-      m_truth(std::move(truth)) {
+      m_truth(std::move(truth)),
+      m_certified(std::move(certified)) {
     if (m_truth) {
         m_wrong = measure::countWrong(m_frame.ids(), *m_truth);
     }
@@ -23,7 +59,7 @@ host::Bytes FrameOutput::encoded(const std::filesystem::path& path, experiments:
                : image::encodeImage(path, experiments::pictureOf(m_frame, aov, truth()));
 }
 
-experiments::Columns<RenderRow> renderColumns(bool showsHash) {
+experiments::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
     const auto ofStats = [](auto member) {
         return [member](const RenderRow& row) { return row.made.frame().stats.*member; };
     };
@@ -69,7 +105,9 @@ experiments::Columns<RenderRow> renderColumns(bool showsHash) {
                            .heading = wrong.heading,
                            .format = wrong.format});
     }
-    if (showsHash) {
+    const auto certificate = certificateColumns(shown.certificate);
+    columns.insert(columns.end(), certificate.begin(), certificate.end());
+    if (shown.hash) {
         columns.push_back({.heading = "sha-256", .text = &RenderRow::hash});
     }
     return columns;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "certificate_file.h"
+
 #include <cdr/host/file.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
@@ -18,7 +20,9 @@ namespace cdr::cli {
 class FrameOutput {
   public:
     /// @param truth of the same camera and size; Aov::wrong needs it.
-    FrameOutput(std::uint32_t number, render::Frame frame, std::optional<measure::TruthImage> truth);
+    /// @param certified of the frame, which has its repairs.
+    FrameOutput(std::uint32_t number, render::Frame frame, std::optional<measure::TruthImage> truth,
+                std::optional<CertifiedOutput> certified);
 
     std::uint32_t number() const { return m_number; }
     const render::Frame& frame() const { return m_frame; }
@@ -28,6 +32,8 @@ class FrameOutput {
     std::string hash(experiments::Aov aov) const { return hashOf(m_frame, aov, truth()); }
     /// Where there is a truth.
     const std::optional<measure::WrongPixels>& wrong() const { return m_wrong; }
+    /// Where a certificate was asked for.
+    const std::optional<CertifiedOutput>& certified() const { return m_certified; }
 
   private:
     const measure::TruthImage* truth() const { return m_truth ? &*m_truth : nullptr; }
@@ -36,6 +42,7 @@ class FrameOutput {
     render::Frame m_frame;
     std::optional<measure::TruthImage> m_truth;
     std::optional<measure::WrongPixels> m_wrong;
+    std::optional<CertifiedOutput> m_certified;
 };
 
 /// A row of what `render` prints and of its JSON.
@@ -47,7 +54,12 @@ struct RenderRow {
     std::string hash;
 };
 
-/// @param showsHash whether the table has it; JSON has it always.
-experiments::Columns<RenderRow> renderColumns(bool showsHash);
+/// What the table has beside the rest; JSON has it always.
+struct RenderHeadings {
+    bool hash = false;
+    bool certificate = false;
+};
+
+experiments::Columns<RenderRow> renderColumns(const RenderHeadings& shown);
 
 } // namespace cdr::cli

@@ -7,6 +7,7 @@
 // - DEVICE is "window" (devices with a swapchain), "render" (devices without) or "any".
 // - Calls are counted over all such devices. The first AFTER succeed, the next TIMES return RESULT, a VkResult.
 // - For vkGetPhysicalDeviceSurfaceCapabilitiesKHR, RESULT replaces both sides of currentExtent; -1 is "any".
+// - For vkCmdSetViewport, RESULT moves the viewport to the right, in 1/16 of a pixel: a driver that draws beside the place.
 //
 // A lost device stays lost, and so does the surface of the last swapchain.
 //
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -28,11 +30,13 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
 constexpr const char* kSurfaceCapabilities = "vkGetPhysicalDeviceSurfaceCapabilitiesKHR";
 constexpr const char* kCreateSwapchain = "vkCreateSwapchainKHR";
+constexpr const char* kSetViewport = "vkCmdSetViewport";
 
 /// Whether a function can return a result, by the specification. Those that wait, submit or read results tell of a lost
 /// device; those do not run out of device memory that never take any.
@@ -250,6 +254,18 @@ VKAPI_ATTR VkResult VKAPI_CALL createSwapchain(VkDevice handle, const VkSwapchai
                : device->call<PFN_vkCreateSwapchainKHR>(kCreateSwapchain)(handle, info, callbacks, made);
 }
 
+VKAPI_ATTR void VKAPI_CALL setViewport(VkCommandBuffer commands, std::uint32_t first, std::uint32_t count,
+                                       const VkViewport* viewports) {
+    const std::shared_ptr<NextDevice> device = deviceOf(commands);
+    std::vector<VkViewport> moved(viewports, viewports + count);
+    if (fault().call == kSetViewport && fault().hits(kSetViewport, device->hasSwapchain)) {
+        for (VkViewport& viewport : moved) {
+            viewport.x += static_cast<float>(fault().result) / 16.0f;
+        }
+    }
+    device->call<PFN_vkCmdSetViewport>(kSetViewport)(commands, first, count, moved.data());
+}
+
 /// `Function` as the layer implements it: fails when it must, else calls the next layer.
 template <typename Function>
 struct Call;
@@ -299,6 +315,7 @@ PFN_vkVoidFunction own(const char* name) {
         {"vkGetInstanceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(&getInstanceProc)},
         {"vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(&getDeviceProc)},
         {kCreateSwapchain, reinterpret_cast<PFN_vkVoidFunction>(&createSwapchain)},
+        {kSetViewport, reinterpret_cast<PFN_vkVoidFunction>(&setViewport)},
         {"vkDestroySurfaceKHR", reinterpret_cast<PFN_vkVoidFunction>(&destroySurface)},
         {kSurfaceCapabilities, reinterpret_cast<PFN_vkVoidFunction>(&surfaceCapabilities)}};
     if (const auto found = made.find(name); found != made.end()) {

@@ -66,7 +66,7 @@ PixelRect intersection(const PixelRect& a, const PixelRect& b) {
 }
 
 std::optional<Footprint> footprint(const ViewBox& box, const scene::Camera& camera, std::uint32_t width,
-                                   std::uint32_t height) {
+                                   std::uint32_t height, double marginPixels) {
     const double reach = std::abs(box.halfSides[0].z) + std::abs(box.halfSides[1].z) +
                          std::abs(box.halfSides[2].z) + box.rounding;
     if (box.centre.z - reach > camera.farView || box.centre.z + reach < camera.nearView) {
@@ -84,14 +84,14 @@ std::optional<Footprint> footprint(const ViewBox& box, const scene::Camera& came
         x.add(corner.x, corner.z, box.rounding);
         y.add(corner.y, corner.z, box.rounding);
     });
-    // The inverse of pixelSlopes, a hundredth of a pixel wider for its own rounding.
+    // The inverse of pixelSlopes.
     const double pixelsPerSlope = 0.5 * height / std::tan(0.5 * camera.fovY);
     const double middleX = 0.5 * (width - 1.0);
     const double middleY = 0.5 * (height - 1.0);
-    const auto columns = pixelsWithin(middleX + x.least * pixelsPerSlope - 0.01,
-                                      middleX + x.most * pixelsPerSlope + 0.01, width);
-    const auto rows = pixelsWithin(middleY - y.most * pixelsPerSlope - 0.01,
-                                   middleY - y.least * pixelsPerSlope + 0.01, height);
+    const auto columns = pixelsWithin(middleX + x.least * pixelsPerSlope - marginPixels,
+                                      middleX + x.most * pixelsPerSlope + marginPixels, width);
+    const auto rows = pixelsWithin(middleY - y.most * pixelsPerSlope - marginPixels,
+                                   middleY - y.least * pixelsPerSlope + marginPixels, height);
     const PixelRect pixels{columns[0], rows[0], columns[1], rows[1]};
     return pixels.empty() ? std::nullopt : std::optional(Footprint{pixels, nearestView});
 }

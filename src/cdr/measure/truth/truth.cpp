@@ -56,10 +56,44 @@ void enterHit(TruthPixel& pixel, const Seen& hit) {
     }
 }
 
-void castInstance(const VisibleInstance& instance, const PixelRect& pixels, const PixelSlopes& slopes,
-                  const scene::Camera& camera, TruthImage& truth) {
+/// The pixels to cast, all or some.
+class Wanted {
+  public:
+    /// @param wanted null for all.
+    explicit Wanted(const image::Raster<std::uint8_t>* wanted) : m_wanted(wanted) {}
+
+    bool has(std::uint32_t x, std::uint32_t y) const {
+        return m_wanted == nullptr || m_wanted->at(x, y) != 0;
+    }
+
+    /// The least rectangle that holds all of them that `pixels` holds.
+    PixelRect within(const PixelRect& pixels) const {
+        if (m_wanted == nullptr) {
+            return pixels;
+        }
+        PixelRect held{pixels.right, pixels.bottom, pixels.left, pixels.top};
+        for (std::uint32_t y = pixels.top; y < pixels.bottom; ++y) {
+            for (std::uint32_t x = pixels.left; x < pixels.right; ++x) {
+                if (m_wanted->at(x, y) != 0) {
+                    held = {std::min(held.left, x), std::min(held.top, y), std::max(held.right, x + 1),
+                            std::max(held.bottom, y + 1)};
+                }
+            }
+        }
+        return held;
+    }
+
+  private:
+    const image::Raster<std::uint8_t>* m_wanted;
+};
+
+void castInstance(const VisibleInstance& instance, const PixelRect& pixels, const Wanted& wanted,
+                  const PixelSlopes& slopes, const scene::Camera& camera, TruthImage& truth) {
     for (std::uint32_t y = pixels.top; y < pixels.bottom; ++y) {
         for (std::uint32_t x = pixels.left; x < pixels.right; ++x) {
+            if (!wanted.has(x, y)) {
+                continue;
+            }
             TruthPixel& pixel = truth.at(x, y);
             const double secondRank = secondOf(pixel).rank();
             if (instance.nearestRank() > secondRank) {
@@ -76,27 +110,34 @@ void castInstance(const VisibleInstance& instance, const PixelRect& pixels, cons
 }
 
 /// Beyond this distance less its layer nothing changes the tile any more.
-double farthestSecondRank(const PixelRect& pixels, const TruthImage& truth) {
+double farthestSecondRank(const PixelRect& pixels, const Wanted& wanted, const TruthImage& truth) {
     double farthest = -kNoHit;
     for (std::uint32_t y = pixels.top; y < pixels.bottom; ++y) {
         for (std::uint32_t x = pixels.left; x < pixels.right; ++x) {
-            farthest = std::max(farthest, secondOf(truth.at(x, y)).rank());
+            if (wanted.has(x, y)) {
+                farthest = std::max(farthest, secondOf(truth.at(x, y)).rank());
+            }
         }
     }
     return farthest;
 }
 
 void castTile(std::span<const VisibleInstance> nearestFirst, std::span<const std::uint32_t> members,
-              const PixelRect& tile, const PixelSlopes& slopes, const scene::Camera& camera,
-              TruthImage& truth) {
+              const PixelRect& tile, const Wanted& wanted, const PixelSlopes& slopes,
+              const scene::Camera& camera, TruthImage& truth) {
+    const PixelRect pixels = wanted.within(tile);
+    if (pixels.empty()) {
+        return;
+    }
     // Often enough to end early, seldom enough to cost nothing.
     constexpr std::size_t kCheckEvery = 8;
     for (std::size_t i = 0; i < members.size(); ++i) {
         const VisibleInstance& instance = nearestFirst[members[i]];
-        if (i % kCheckEvery == kCheckEvery - 1 && instance.nearestRank() > farthestSecondRank(tile, truth)) {
+        if (i % kCheckEvery == kCheckEvery - 1 &&
+            instance.nearestRank() > farthestSecondRank(pixels, wanted, truth)) {
             return;
         }
-        castInstance(instance, intersection(tile, instance.pixels), slopes, camera, truth);
+        castInstance(instance, intersection(pixels, instance.pixels), wanted, slopes, camera, truth);
     }
 }
 
@@ -114,12 +155,26 @@ TruthCaster::TruthCaster(const scene::Scene& scene, host::WorkerPool& workers) :
 
 TruthImage TruthCaster::cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
                              host::WorkerPool& workers) const {
+    TruthImage truth(width, height);
+    castInto(camera, nullptr, workers, truth);
+    return truth;
+}
+
+TruthImage TruthCaster::cast(const scene::Camera& camera, const image::Raster<std::uint8_t>& wanted,
+                             host::WorkerPool& workers) const {
+    TruthImage truth(wanted.width, wanted.height);
+    castInto(camera, &wanted, workers, truth);
+    return truth;
+}
+
+void TruthCaster::castInto(const scene::Camera& camera, const image::Raster<std::uint8_t>* wanted,
+                           host::WorkerPool& workers, TruthImage& truth) const {
     scene::requireUsable(camera);
-    if (width == 0 || height == 0) {
+    if (truth.width == 0 || truth.height == 0) {
         throw base::InputError("truth: a picture needs at least one pixel");
     }
     std::vector<VisibleInstance> nearestFirst =
-        visibleInstances(*m_scene, m_shapes, camera, width, height, workers);
+        visibleInstances(*m_scene, m_shapes, camera, truth.width, truth.height, workers);
     std::erase_if(nearestFirst, [&](const VisibleInstance& visible) {
         const std::uint32_t material = m_scene->instances.material[visible.instance];
         return m_scene->materials[material].alphaMode == scene::AlphaMode::blend;
@@ -129,13 +184,11 @@ TruthImage TruthCaster::cast(const scene::Camera& camera, std::uint32_t width, s
     for (const VisibleInstance& instance : nearestFirst) {
         rects.push_back(instance.pixels);
     }
-    const TileBins bins(width, height, rects);
-    const PixelSlopes slopes = pixelSlopes(camera, width, height);
-    TruthImage truth(width, height);
+    const TileBins bins(truth.width, truth.height, rects);
+    const PixelSlopes slopes = pixelSlopes(camera, truth.width, truth.height);
     workers.run(bins.tiles(), [&](std::size_t tile, std::size_t) {
-        castTile(nearestFirst, bins.members(tile), bins.pixels(tile), slopes, camera, truth);
+        castTile(nearestFirst, bins.members(tile), bins.pixels(tile), Wanted(wanted), slopes, camera, truth);
     });
-    return truth;
 }
 
 TruthImage castTruth(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,

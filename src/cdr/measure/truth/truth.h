@@ -55,8 +55,17 @@ class TruthCaster {
     /// finite or refers to a mesh, material or object that cannot be.
     TruthImage cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
                     host::WorkerPool& workers) const;
+    /// The same of the pixels that are not 0 in `wanted` alone; the others stay as they begin.
+    TruthImage cast(const scene::Camera& camera, const image::Raster<std::uint8_t>& wanted,
+                    host::WorkerPool& workers) const;
+
+    /// Of each mesh.
+    const std::vector<Shape>& shapes() const { return m_shapes; }
 
   private:
+    void castInto(const scene::Camera& camera, const image::Raster<std::uint8_t>* wanted,
+                  host::WorkerPool& workers, TruthImage& truth) const;
+
     const scene::Scene* m_scene;
     std::vector<Shape> m_shapes; ///< per mesh
 };

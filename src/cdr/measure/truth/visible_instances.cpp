@@ -60,7 +60,7 @@ struct Candidate {
 
 std::vector<Candidate> candidates(const scene::Scene& scene, std::span<const Shape> shapes,
                                   const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
-                                  host::WorkerPool& workers) {
+                                  host::WorkerPool& workers, double marginPixels) {
     constexpr std::size_t kChunk = 1024;
     const scene::Instances& instances = scene.instances;
     const std::size_t jobs = (instances.size() + kChunk - 1) / kChunk;
@@ -74,7 +74,7 @@ std::vector<Candidate> candidates(const scene::Scene& scene, std::span<const Sha
             }
             const ViewBox box = viewBox(shapes[instances.mesh[i]], camera, instances.position(i),
                                         instances.basis[i], inverse->skew);
-            if (const auto seen = footprint(box, camera, width, height)) {
+            if (const auto seen = footprint(box, camera, width, height, marginPixels)) {
                 found[job].push_back(
                     {static_cast<std::uint32_t>(i), *seen, scene.materials[instances.material[i]].layer});
             }
@@ -91,8 +91,10 @@ std::vector<Candidate> candidates(const scene::Scene& scene, std::span<const Sha
 
 std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::span<const Shape> shapes,
                                               const scene::Camera& camera, std::uint32_t width,
-                                              std::uint32_t height, host::WorkerPool& workers) {
-    std::vector<Candidate> nearestFirst = candidates(scene, shapes, camera, width, height, workers);
+                                              std::uint32_t height, host::WorkerPool& workers,
+                                              double marginPixels) {
+    std::vector<Candidate> nearestFirst =
+        candidates(scene, shapes, camera, width, height, workers, marginPixels);
     std::sort(nearestFirst.begin(), nearestFirst.end(), [](const Candidate& a, const Candidate& b) {
         return std::make_pair(a.nearestRank(), a.instance) < std::make_pair(b.nearestRank(), b.instance);
     });

@@ -32,8 +32,10 @@ struct VisibleInstance {
 /// the layer, then by instance index.
 /// base::InputError when an instance is not finite or refers to a mesh, material or object that cannot be.
 /// @param shapes one per mesh of the scene; must outlive the result.
+/// @param marginPixels as footprint() takes it: what lies so far off the pixel centres counts too.
 std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::span<const Shape> shapes,
                                               const scene::Camera& camera, std::uint32_t width,
-                                              std::uint32_t height, host::WorkerPool& workers);
+                                              std::uint32_t height, host::WorkerPool& workers,
+                                              double marginPixels = kLeastMargin);
 
 } // namespace cdr::measure

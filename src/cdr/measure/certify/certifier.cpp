@@ -1,0 +1,132 @@
+#include <cdr/base/error.h>
+#include <cdr/measure/certify/certifier.h>
+#include <cdr/measure/certify/device_bound.h>
+#include <cdr/measure/certify/screen_triangle.h>
+#include <cdr/measure/certify/true_surfaces.h>
+#include <cdr/measure/truth/visible_instances.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace cdr::measure {
+
+namespace {
+
+/// Rows that a job takes: an instance is placed once for each band that it touches.
+constexpr std::uint32_t kBandRows = 48;
+/// A device may move a corner by less, unless a triangle is far wider than its distance.
+constexpr double kMarginPixels = 1.0;
+
+void requireCertifiable(const scene::Scene& scene) {
+    for (const scene::Material& material : scene.materials) {
+        const char* what = material.alphaMode == scene::AlphaMode::blend  ? "is blended"
+                           : material.alphaMode == scene::AlphaMode::mask ? "is masked"
+                           : material.layer != 0.0f                       ? "is in a layer"
+                                                                          : nullptr;
+        if (what != nullptr) {
+            throw base::InputError(
+                fmt::format("certify: material '{}' {}, and only opaque surfaces in no layer "
+                            "can be certified",
+                            material.name, what));
+        }
+    }
+}
+
+void requireSound(const DrawnFrame& frame) {
+    scene::requireUsable(frame.camera);
+    if (frame.ids.width == 0 || frame.ids.height == 0 || frame.ids.width != frame.distancesView.width ||
+        frame.ids.height != frame.distancesView.height) {
+        throw base::InputError("certify: ids and distances must be of one size, of at least one pixel");
+    }
+}
+
+} // namespace
+
+Certifier::Certifier(const scene::Scene& scene, host::WorkerPool& workers)
+    : m_scene((requireCertifiable(scene), &scene)),
+      m_caster(scene, workers),
+      m_outlines(scene.meshes.size()) {
+    workers.run(m_outlines.size(),
+                [&](std::size_t mesh, std::size_t) { m_outlines[mesh] = outlineOf(scene.meshes[mesh]); });
+}
+
+Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& workers) const {
+    const std::uint32_t width = frame.ids.width;
+    const std::uint32_t height = frame.ids.height;
+    const DeviceBound bound(frame);
+    const std::vector<VisibleInstance> visible =
+        visibleInstances(*m_scene, m_caster.shapes(), frame.camera, width, height, workers, kMarginPixels);
+    const scene::Instances& instances = m_scene->instances;
+    Findings findings(width, height);
+    workers.run((height + kBandRows - 1) / kBandRows, [&](std::size_t band, std::size_t) {
+        const auto top = static_cast<std::uint32_t>(band) * kBandRows;
+        const PixelRect rows{0, top, width, std::min(top + kBandRows, height)};
+        OrderStrip strip(frame, bound, rows);
+        InstanceTriangles triangles(frame.camera, width, height, bound);
+        for (const VisibleInstance& candidate : visible) {
+            if (strip.hides(candidate.pixels, candidate.nearestView)) {
+                continue;
+            }
+            const MeshOutline& outline = m_outlines[instances.mesh[candidate.instance]];
+            for (const ScreenTriangle& triangle :
+                 triangles.of(instances, candidate.instance, outline, candidate.doubleSided)) {
+                strip.enter(triangle, candidate.id);
+            }
+        }
+        for (std::uint32_t y = rows.top; y < rows.bottom; ++y) {
+            for (std::uint32_t x = 0; x < width; ++x) {
+                findings.at(x, y) = strip.findingAt(x, y);
+            }
+        }
+    });
+    return findings;
+}
+
+void Certifier::repair(const DrawnFrame& frame, const Findings& findings, host::WorkerPool& workers,
+                       Certificate& certificate) const {
+    image::Raster<std::uint8_t> open(findings.width, findings.height);
+    std::transform(findings.pixels.begin(), findings.pixels.end(), open.pixels.begin(),
+                   [](const PixelFinding& finding) { return finding.verdict == PixelVerdict::open ? 1 : 0; });
+    const TruthImage truth = m_caster.cast(frame.camera, open, workers);
+    for (std::uint32_t y = 0; y < open.height; ++y) {
+        for (std::uint32_t x = 0; x < open.width; ++x) {
+            if (open.at(x, y) == 0) {
+                continue;
+            }
+            const TruthPixel& seen = truth.at(x, y);
+            const bool isWrong = seen.id != frame.ids.at(x, y);
+            certificate.wrong += isWrong ? 1 : 0;
+            // The right object may show a wrong surface of its own.
+            const double off = std::abs(frame.distancesView.at(x, y) - seen.distanceView);
+            if (isWrong || (seen.id != 0 && off > static_cast<double>(findings.at(x, y).offView))) {
+                certificate.repairs.push_back(
+                    {.x = x, .y = y, .id = seen.id, .distanceView = seen.distanceView});
+            }
+        }
+    }
+    lightRepairs(*m_scene, m_caster.shapes(), frame, workers, certificate.repairs);
+}
+
+Certificate Certifier::certify(const DrawnFrame& frame, host::WorkerPool& workers) const {
+    requireSound(frame);
+    const Findings findings = find(frame, workers);
+    Certificate certificate;
+    certificate.pixels = findings.pixels.size();
+    for (std::size_t i = 0; i < findings.pixels.size(); ++i) {
+        const PixelVerdict verdict = findings.pixels[i].verdict;
+        certificate.certified += verdict == PixelVerdict::certified ? 1 : 0;
+        certificate.cast += verdict == PixelVerdict::open ? 1 : 0;
+        if (verdict == PixelVerdict::refused && certificate.refused++ == 0) {
+            certificate.firstRefused = {i % findings.width, i / findings.width};
+        }
+    }
+    if (!certificate.isRefused() && certificate.cast > 0) {
+        repair(frame, findings, workers, certificate);
+    }
+    return certificate;
+}
+
+} // namespace cdr::measure

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cdr/host/worker_pool.h>
+#include <cdr/image/image.h>
+#include <cdr/measure/certify/drawn_frame.h>
+#include <cdr/measure/certify/mesh_outline.h>
+#include <cdr/measure/certify/order_strip.h>
+#include <cdr/measure/truth/truth.h>
+#include <cdr/scene/scene.h>
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace cdr::measure {
+
+/// What a pixel shows that was drawn otherwise, all of it from float64.
+struct PixelRepair {
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+    std::uint32_t id = 0;      ///< object index + 1, 0 for background
+    double distanceView = 0.0; ///< infinity for background
+    glm::dvec3 normal{0.0};    ///< world axes, unit
+    glm::dvec3 baseColor{0.0}; ///< linear
+    image::Rgba8 color{};      ///< sRGB, lit
+};
+
+/// What is known of a drawn picture.
+struct Certificate {
+    std::uint64_t pixels = 0;
+    std::uint64_t certified = 0;            ///< right, as the bound shows
+    std::uint64_t cast = 0;                 ///< decided by a float64 ray
+    std::uint64_t refused = 0;              ///< show what no device within its limits draws there
+    std::uint64_t wrong = 0;                ///< of those cast: whose object was drawn wrong
+    std::optional<glm::uvec2> firstRefused; ///< in the order of rows
+    std::vector<PixelRepair> repairs;       ///< of those cast: what to draw there; in the order of rows
+
+    bool isRefused() const { return refused > 0; }
+    double certifiedFraction() const {
+        return pixels ? static_cast<double>(certified) / static_cast<double>(pixels) : 1.0;
+    }
+};
+
+/// Shows of a drawn picture, pixel by pixel, that it is right, and puts right what is not.
+///
+/// Coverage rule: the float64 ray through a pixel's centre decides, as TruthCaster has it.
+///
+/// 1. Triangles are placed in float64 and give each pixel intervals of distance (OrderStrip). A pixel is certified where its
+///    drawn object covers it surely, is before every other by more than the device may be off, and was drawn at its place.
+/// 2. A pixel where the bound leaves two answers open is cast, and repaired where it was drawn wrong.
+/// 3. A pixel that shows what the bound rules out is refused: driver, renderer or scene are not what they are said to be.
+///
+/// Why a certified pixel is right: float64 places triangles to 10^-9 pixels, and every margin is larger than that. So what
+/// covers surely within the device's margins covers, and what is before by more than them is before. The device's limits
+/// decide only which pixels are cast and which refused.
+class Certifier {
+  public:
+    /// @param scene must outlive the certifier; instances may change, meshes and materials not.
+    /// base::InputError for a scene with surfaces that are blended, masked or in layers, and as TruthCaster.
+    Certifier(const scene::Scene& scene, host::WorkerPool& workers);
+
+    /// The same for any number of workers. base::InputError when the sizes of the frame's rasters differ.
+    Certificate certify(const DrawnFrame& frame, host::WorkerPool& workers) const;
+
+  private:
+    using Findings = image::Raster<PixelFinding>;
+
+    Findings find(const DrawnFrame& frame, host::WorkerPool& workers) const;
+    /// Casts what the findings leave open.
+    void repair(const DrawnFrame& frame, const Findings& findings, host::WorkerPool& workers,
+                Certificate& certificate) const;
+
+    const scene::Scene* m_scene;
+    TruthCaster m_caster;
+    std::vector<MeshOutline> m_outlines; ///< per mesh
+};
+
+} // namespace cdr::measure

@@ -1,0 +1,109 @@
+#include <cdr/depth/separation.h>
+#include <cdr/measure/certify/device_bound.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <variant>
+
+namespace cdr::measure {
+
+namespace {
+
+constexpr double kFloatRounding = 0x1p-24;
+/// Cells go by the exponent and the first 5 bits of the mantissa.
+constexpr unsigned kCellShift = 47;
+
+std::uint64_t cellNumber(double distanceView) {
+    return std::bit_cast<std::uint64_t>(distanceView) >> kCellShift;
+}
+
+double cellBegin(std::uint64_t number) {
+    return std::bit_cast<double>(number << kCellShift);
+}
+
+} // namespace
+
+DeviceBound::DeviceBound(const DrawnFrame& frame)
+    : m_snapPixels(frame.snapPixels),
+      m_pixelsPerSlope(0.5 * frame.ids.height / std::tan(0.5 * frame.camera.fovY)),
+      m_picturePixels(double{1.0} * frame.ids.width + frame.ids.height),
+      m_bends(frame.technique.mapping == depth::Mapping::log) {
+    const depth::Mapping mapping = frame.technique.mapping;
+    const depth::FarEnd farEnd = std::holds_alternative<depth::SplitFitted>(frame.technique.split)
+                                     ? depth::FarEnd::closed
+                                     : depth::FarEnd::open;
+    for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
+        const depth::DepthRange range = depth::depthRange(mapping, frame.cascades, i, farEnd);
+        m_ranges.push_back({.clip = depth::clipRange(mapping, frame.cascades, i),
+                            .range = range,
+                            .anchorView = depth::clipTerms(range).anchorView});
+    }
+    if (m_ranges.empty()) {
+        m_cells.push_back({});
+        return;
+    }
+    m_firstCell = cellNumber(m_ranges.front().clip.nearView);
+    const std::uint64_t lastCell = cellNumber(m_ranges.back().clip.farView);
+    for (std::uint64_t cell = m_firstCell; cell <= lastCell; ++cell) {
+        m_cells.push_back(makeCell(cellBegin(cell), cellBegin(cell + 1), frame.technique.format));
+    }
+}
+
+DeviceBound::Cell DeviceBound::makeCell(double leastView, double mostView, depth::DepthFormat format) const {
+    Cell cell;
+    for (const Range& range : m_ranges) {
+        const double least = std::max(leastView, range.clip.nearView);
+        const double most = std::min(mostView, range.clip.farView);
+        if (least > most) {
+            continue;
+        }
+        for (const double w : {least, 0.5 * (least + most), most}) {
+            // At the far end no farther value exists; what is nearer is told apart still.
+            const double inside =
+                std::min(w, range.clip.farView - 1e-3 * (range.clip.farView - range.clip.nearView));
+            cell.stepView =
+                std::max(cell.stepView,
+                         depth::separationView(range.range, format, std::max(inside, range.clip.nearView)));
+            cell.viewPerDepth = std::max(cell.viewPerDepth, 1.0 / depth::depthSlope(range.range, w));
+        }
+    }
+    // Float32's step doubles where its exponent changes, which may be between the three.
+    cell.stepView *= 2.0;
+    return cell;
+}
+
+const DeviceBound::Cell& DeviceBound::cellAt(double distanceView) const {
+    const std::uint64_t number = cellNumber(std::max(distanceView, 0.0));
+    const std::uint64_t index = number > m_firstCell ? number - m_firstCell : 0;
+    return m_cells[std::min<std::uint64_t>(index, m_cells.size() - 1)];
+}
+
+TriangleBound DeviceBound::of(const TriangleReach& reach) const {
+    TriangleBound bound;
+    // The roundings of x; those of w, by which x is divided; those of the viewport and of a plane over the picture.
+    bound.pixels = m_snapPixels + kFloatRounding * (reach.acrossView * m_pixelsPerSlope / reach.leastView *
+                                                        (10.0 + 4.0 * reach.alongView / reach.leastView) +
+                                                    4.0 * m_picturePixels);
+    double depth = 0.0;
+    double beyondAnchor = 0.0;
+    for (const Range& range : m_ranges) {
+        if (reach.mostView < range.clip.nearView || reach.leastView > range.clip.farView) {
+            continue;
+        }
+        for (const double w : {reach.leastView, reach.mostView}) {
+            const double clipped = std::clamp(w, range.clip.nearView, range.clip.farView);
+            depth = std::max(depth, std::abs(depth::zNdcAt(range.range, clipped)));
+            beyondAnchor = std::max(beyondAnchor, std::abs(w - range.anchorView));
+        }
+    }
+    bound.depth = 8.0 * kFloatRounding * std::min(depth, 1.0);
+    bound.distanceView = 8.0 * kFloatRounding * (beyondAnchor + reach.alongView);
+    if (m_bends) {
+        const double octaves = std::log(reach.mostView / reach.leastView);
+        bound.bend = octaves * octaves / 8.0;
+    }
+    return bound;
+}
+
+} // namespace cdr::measure

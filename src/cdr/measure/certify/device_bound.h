@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cdr/depth/mapping.h>
+#include <cdr/measure/certify/drawn_frame.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::measure {
+
+/// How large the numbers are that a device rounds while it draws a triangle.
+struct TriangleReach {
+    double leastView = 0.0; ///< view distance of the nearest corner, after clipping
+    double mostView = 0.0;  ///< of the farthest
+    double acrossView =
+        0.0; ///< most that a sum of products to a corner's view-space x or y holds, in magnitude
+    double alongView = 0.0; ///< the same of what is added to the object's own distance
+};
+
+/// What may go wrong with a triangle.
+struct TriangleBound {
+    double pixels = 0.0;       ///< how far a corner may be off, along x and along y
+    double distanceView = 0.0; ///< how far a corner's view distance may be off
+    double depth = 0.0;        ///< how far a depth may be off before it is stored
+    double bend = 0.0;         ///< by which share of the distance interpolated logarithms are off
+};
+
+/// How far off a device may draw, from its stated sub-pixel bits and from float32's arithmetic. With u = 2^-24:
+///
+/// - A corner's x is at most 4 roundings of a sum of products, 2 of a projection, 2 of w, which is a sum too, a division
+///   and 2 of a viewport. Half a sub-pixel comes to that. See pixels().
+/// - A distance has 2 roundings of its own and at most 4 of its sum of products: 8 u of the largest number in it.
+/// - A depth has 3 roundings as depth::DepthRounding counts them. Drivers form it from a plane over the picture, a product
+///   and a sum along each axis: 8 u of the largest depth of the triangle. What that plane's slope adds is a shift of pixels.
+/// - A buffer adds its step, and a slanted surface what it rises over the pixels that its corners are off.
+///
+/// Roundings count at their worst and in one direction. No specification bounds how a driver interpolates, so this is
+/// tested and not proven. No certified pixel rests on it, see Certifier.
+class DeviceBound {
+  public:
+    explicit DeviceBound(const DrawnFrame& frame);
+
+    TriangleBound of(const TriangleReach& reach) const;
+
+    /// How far the depth of a surface may be off, as a view distance, its step in the buffer included. Infinity where the
+    /// buffer tells nothing apart.
+    /// @param slopeView by how much the distance changes along x and along y, added up, per pixel.
+    double orderView(const TriangleBound& bound, double distanceView, double slopeView) const {
+        const Cell& cell = cellAt(distanceView);
+        return cell.stepView + bound.depth * cell.viewPerDepth + bound.bend * distanceView +
+               surfaceView(bound, distanceView, slopeView);
+    }
+
+    /// How far the distance that is kept of a surface may be off.
+    static double surfaceView(const TriangleBound& bound, double distanceView, double slopeView) {
+        return bound.distanceView + slopeView * bound.pixels + kDoubleRounding * distanceView;
+    }
+
+    /// The step of the buffer around a distance.
+    double stepView(double distanceView) const { return cellAt(distanceView).stepView; }
+
+  private:
+    /// What bounds hold between two distances, an eighth of an octave apart or less.
+    struct Cell {
+        double stepView = 0.0;
+        double viewPerDepth = 0.0;
+    };
+    struct Range {
+        depth::Cascade clip;
+        depth::DepthRange range;
+        double anchorView;
+    };
+    static constexpr double kDoubleRounding = 0x1p-46;
+
+    const Cell& cellAt(double distanceView) const;
+    Cell makeCell(double leastView, double mostView, depth::DepthFormat format) const;
+
+    std::vector<Range> m_ranges;
+    std::uint64_t m_firstCell = 0;
+    std::vector<Cell> m_cells;
+    double m_snapPixels;
+    double m_pixelsPerSlope;
+    double m_picturePixels; ///< width and height
+    bool m_bends;
+};
+
+} // namespace cdr::measure

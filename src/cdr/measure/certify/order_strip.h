@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cdr/measure/certify/device_bound.h>
+#include <cdr/measure/certify/drawn_frame.h>
+#include <cdr/measure/certify/screen_triangle.h>
+#include <cdr/measure/truth/screen_bounds.h>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace cdr::measure {
+
+/// What geometry and the device's bound say of a drawn pixel.
+enum class PixelVerdict : std::uint8_t {
+    certified, ///< the drawn object is there, nearest by more than the device may be off, and so is no edge near
+    open,      ///< a device may draw this or something else
+    refused    ///< no device that keeps to its limits draws this
+};
+
+/// A verdict, and for a pixel that is cast how far off a device may have drawn the distance of a surface that is right.
+struct PixelFinding {
+    PixelVerdict verdict = PixelVerdict::open;
+    float offView = 0.0f;
+};
+
+/// Some rows of a drawn picture. All triangles that may be seen there go in, in any order; verdicts come out.
+///
+/// Each triangle gives a pixel an interval of view distances: where its surface is, and by how much the device may be off.
+/// It covers the pixel surely where the centre is inside it and farther from its edges than corners may be off, and
+/// possibly where it is not farther outside. Where a surface goes on beyond an edge, inside is enough to cover surely.
+/// The drawn distance says which triangles cannot matter, so most of what is hidden is never looked at.
+class OrderStrip {
+  public:
+    /// @param pixels whole rows of the frame.
+    OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const PixelRect& pixels);
+
+    /// Whether all that is `leastView` away or farther is behind what was drawn in a rectangle of the picture.
+    bool hides(const PixelRect& pixels, double leastView) const;
+    void enter(const ScreenTriangle& triangle, std::uint32_t id);
+    PixelFinding findingAt(std::uint32_t x, std::uint32_t y) const;
+
+  private:
+    static constexpr double kNever = std::numeric_limits<double>::infinity();
+    static constexpr std::uint32_t kTile = 8;
+
+    /// Bounds of view distances at a pixel.
+    struct Order {
+        double least = kNever;      ///< of the drawn object, if it is there
+        double most = kNever;       ///< of the drawn object's nearest sure surface
+        double mostBeside = 0.0;    ///< of its surfaces beyond edges nearby; infinity where it may end there
+        double otherLeast = kNever; ///< of other objects that may be there
+        double otherMost = kNever;  ///< of the nearest other one that has the pixel within a triangle
+        double offView = 0.0;       ///< most that a distance of the drawn object may be off
+        bool isAtDrawn = false;     ///< the nearest sure surface is at the drawn distance
+    };
+    /// Of pixels in a row, none where first > last.
+    struct Span {
+        double first;
+        double last;
+    };
+    /// Twice the area of an edge and a point, at (x, y) of the picture, positive inside.
+    struct Edge {
+        double perX;
+        double perY;
+        double atOrigin;
+        double margin; ///< by how much that may be off
+        double at(double x, double y) const { return perX * x + perY * y + atOrigin; }
+        /// Cuts the part of a row off where the edge is below `least`.
+        void cut(Span& span, double y, double least) const;
+    };
+    /// How a triangle covers a pixel.
+    enum class Cover : std::uint8_t {
+        within, ///< far from its edges
+        surely, ///< inside, but near an edge beyond which the surface goes on
+        goesOn, ///< outside, and near such an edge
+        perhaps ///< near an edge where the surface may end
+    };
+
+    static PixelVerdict verdictOn(const Order& order, bool isBackground, double reach);
+    std::array<Edge, 3> edgesOf(const ScreenTriangle& triangle) const;
+    /// The triangle's box with what its corners may be off.
+    PixelRect boxOf(const ScreenTriangle& triangle) const;
+    void enterRow(const ScreenTriangle& triangle, std::uint32_t id, const std::array<Edge, 3>& edges,
+                  const PixelRect& box, std::uint32_t row);
+    void enterThin(const ScreenTriangle& triangle, std::uint32_t id, const PixelRect& box);
+    Cover coverAt(const ScreenTriangle& triangle, const std::array<Edge, 3>& edges, double x, double y) const;
+    void enterPixel(const ScreenTriangle& triangle, std::uint32_t id, std::uint32_t x, std::uint32_t y,
+                    Cover cover);
+    void enterPerhaps(std::uint32_t id, std::uint32_t x, std::uint32_t y, double least, double offView);
+
+    std::size_t indexOf(std::uint32_t x, std::uint32_t y) const {
+        return std::size_t{y - m_pixels.top} * m_frame.ids.width + x;
+    }
+
+    const DrawnFrame& m_frame;
+    const DeviceBound& m_bound;
+    PixelRect m_pixels;
+    std::vector<double> m_reach; ///< per pixel: what is farther is behind what was drawn
+    std::uint32_t m_tileColumns;
+    std::vector<double> m_tileReach; ///< the farthest of a tile's
+    std::vector<Order> m_orders;
+};
+
+} // namespace cdr::measure

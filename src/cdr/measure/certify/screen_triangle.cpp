@@ -1,0 +1,176 @@
+#include <cdr/measure/certify/screen_triangle.h>
+#include <cdr/measure/truth/object_ray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace cdr::measure {
+
+namespace {
+
+double cross2(const glm::dvec2& a, const glm::dvec2& b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+double sumOf(const glm::dvec2& v) {
+    return std::abs(v.x) + std::abs(v.y);
+}
+
+} // namespace
+
+InstanceTriangles::InstanceTriangles(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
+                                     const DeviceBound& bound)
+    : m_camera(camera),
+      m_bound(bound),
+      m_clipView(0.5 * camera.nearView),
+      m_pixelsPerSlope(0.5 * height / std::tan(0.5 * camera.fovY)),
+      m_middle(0.5 * (width - 1.0), 0.5 * (height - 1.0)) {}
+
+glm::dvec2 InstanceTriangles::pixelOf(const glm::dvec3& view) const {
+    const double scale = m_pixelsPerSlope / view.z;
+    return {m_middle.x + view.x * scale, m_middle.y - view.y * scale};
+}
+
+TriangleBound InstanceTriangles::boundOf(double leastView, double mostView) const {
+    return m_bound.of(
+        {.leastView = leastView, .mostView = mostView, .acrossView = m_acrossView, .alongView = m_alongView});
+}
+
+void InstanceTriangles::place(const scene::Instances& instances, std::size_t instance,
+                              const MeshOutline& outline) {
+    const glm::dmat3 basis(instances.basis[instance]);
+    const glm::dmat3 toView = glm::transpose(glm::dmat3(m_camera.right, m_camera.up, -m_camera.back));
+    const glm::dmat3 objectToView = toView * basis;
+    m_centre = toView * (instances.position(instance) - m_camera.position);
+    m_offsets.resize(outline.positions.size());
+    std::transform(outline.positions.begin(), outline.positions.end(), m_offsets.begin(),
+                   [&](const glm::dvec3& position) { return objectToView * position; });
+    const auto products = [&](int row) {
+        return std::abs(objectToView[0][row]) * outline.reach.x +
+               std::abs(objectToView[1][row]) * outline.reach.y +
+               std::abs(objectToView[2][row]) * outline.reach.z;
+    };
+    m_acrossView = std::max(std::abs(m_centre.x) + products(0), std::abs(m_centre.y) + products(1));
+    m_alongView = products(2);
+}
+
+InstanceTriangles::Side InstanceTriangles::sideOf(const MeshOutline::Face& face, const MeshOutline& outline,
+                                                  const glm::dvec3& eye) const {
+    const auto& [a, b, c] = face.corners;
+    const glm::dvec3& origin = outline.positions[a];
+    // In object space, so a basis that mirrors keeps its fronts.
+    const glm::dvec3 normal = glm::cross(outline.positions[b] - origin, outline.positions[c] - origin);
+    const Side side = glm::dot(normal, eye - origin) > 0.0 ? Side::front : Side::back;
+    const glm::dvec3 views[3] = {m_centre + m_offsets[a], m_centre + m_offsets[b], m_centre + m_offsets[c]};
+    const double least = std::min({views[0].z, views[1].z, views[2].z});
+    if (least < m_clipView) {
+        return side; // of clipped parts appendPart() decides
+    }
+    const double most = std::max({views[0].z, views[1].z, views[2].z});
+    const glm::dvec2 p = pixelOf(views[0]);
+    const glm::dvec2 u = pixelOf(views[1]) - p;
+    const glm::dvec2 v = pixelOf(views[2]) - p;
+    const double off = boundOf(least, most).pixels;
+    // By how much moving each corner can change twice the area.
+    const double change = 1.5 * off * (sumOf(u) + sumOf(v) + sumOf(v - u)) + 8.0 * off * off;
+    return std::abs(cross2(u, v)) > change ? side : Side::thin;
+}
+
+void InstanceTriangles::decideSides(const MeshOutline& outline, const glm::dvec3& eye) {
+    m_sides.resize(outline.faces.size());
+    std::transform(outline.faces.begin(), outline.faces.end(), m_sides.begin(),
+                   [&](const MeshOutline::Face& face) { return sideOf(face, outline, eye); });
+}
+
+InstanceTriangles::Polygon InstanceTriangles::clipped(const MeshOutline::Face& face,
+                                                      const std::array<bool, 3>& goesOn) const {
+    Polygon polygon;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 from = m_centre + m_offsets[face.corners[i]];
+        const glm::dvec3 to = m_centre + m_offsets[face.corners[(i + 1) % 3]];
+        const bool isFromIn = from.z >= m_clipView;
+        const bool isToIn = to.z >= m_clipView;
+        if (isFromIn) {
+            polygon.corners[polygon.count++] = {from, goesOn[i]};
+        }
+        if (isFromIn != isToIn) {
+            const double along = (m_clipView - from.z) / (to.z - from.z);
+            const glm::dvec3 cut(from.x + (to.x - from.x) * along, from.y + (to.y - from.y) * along,
+                                 m_clipView);
+            // The edge along the clip plane lies before near, where nothing is drawn.
+            polygon.corners[polygon.count++] = {cut, isToIn ? goesOn[i] : true};
+        }
+    }
+    return polygon;
+}
+
+void InstanceTriangles::appendPart(const std::array<Corner, 3>& corners, const std::array<double, 3>& inverse,
+                                   bool isThin) {
+    ScreenTriangle triangle;
+    triangle.inverse = inverse;
+    triangle.leastView = std::min({corners[0].view.z, corners[1].view.z, corners[2].view.z});
+    triangle.mostView = std::max({corners[0].view.z, corners[1].view.z, corners[2].view.z});
+    triangle.bound = boundOf(triangle.leastView, triangle.mostView);
+    for (std::size_t i = 0; i < 3; ++i) {
+        triangle.corners[i] = pixelOf(corners[i].view);
+        triangle.goesOn[i] = corners[i].goesOn;
+    }
+    const glm::dvec2 u = triangle.corners[1] - triangle.corners[0];
+    const glm::dvec2 v = triangle.corners[2] - triangle.corners[0];
+    const double area = cross2(u, v);
+    const double off = triangle.bound.pixels;
+    triangle.isThin =
+        isThin || std::abs(area) <= 1.5 * off * (sumOf(u) + sumOf(v) + sumOf(v - u)) + 8.0 * off * off;
+    if (area < 0.0) {
+        std::swap(triangle.corners[1], triangle.corners[2]);
+        std::swap(triangle.goesOn[0], triangle.goesOn[2]); // the middle edge stays between the same corners
+    }
+    m_triangles.push_back(triangle);
+}
+
+void InstanceTriangles::append(const MeshOutline::Face& face, Side side) {
+    std::array<bool, 3> goesOn{};
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+        const std::uint32_t across = face.neighbours[edge];
+        goesOn[edge] = side != Side::thin && across != MeshOutline::kNoNeighbour && m_sides[across] == side;
+    }
+    const glm::dvec3& origin = m_offsets[face.corners[0]];
+    const glm::dvec3 normal =
+        glm::cross(m_offsets[face.corners[1]] - origin, m_offsets[face.corners[2]] - origin);
+    const double distance = glm::dot(normal, m_centre + origin);
+    const glm::dvec3 perSlope = normal / distance;
+    const double alongX = perSlope.x / m_pixelsPerSlope;
+    const double alongY = -perSlope.y / m_pixelsPerSlope;
+    const std::array<double, 3> inverse{perSlope.z - alongX * m_middle.x - alongY * m_middle.y, alongX,
+                                        alongY};
+    const Polygon polygon = clipped(face, goesOn);
+    for (std::size_t i = 2; i < polygon.count; ++i) {
+        std::array corners{polygon.corners[0], polygon.corners[i - 1], polygon.corners[i]};
+        // Between the two parts of a polygon the surface goes on.
+        corners[0].goesOn = i > 2 || corners[0].goesOn;
+        corners[2].goesOn = i + 1 < polygon.count || corners[2].goesOn;
+        appendPart(corners, inverse, side == Side::thin);
+    }
+}
+
+const std::vector<ScreenTriangle>& InstanceTriangles::of(const scene::Instances& instances,
+                                                         std::size_t instance, const MeshOutline& outline,
+                                                         bool doubleSided) {
+    m_triangles.clear();
+    const std::optional<InverseBasis> inverse = invertBasis(instances.basis[instance]);
+    if (!inverse) {
+        return m_triangles;
+    }
+    place(instances, instance, outline);
+    decideSides(outline, inverse->worldToObject * (m_camera.position - instances.position(instance)));
+    for (std::size_t i = 0; i < outline.faces.size(); ++i) {
+        if (m_sides[i] != Side::back || doubleSided) {
+            append(outline.faces[i], m_sides[i]);
+        }
+    }
+    return m_triangles;
+}
+
+} // namespace cdr::measure

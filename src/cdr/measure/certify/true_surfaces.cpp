@@ -1,0 +1,81 @@
+#include <cdr/measure/certify/true_surfaces.h>
+#include <cdr/measure/truth/object_ray.h>
+#include <cdr/measure/truth/surface_hit.h>
+#include <cdr/measure/truth/truth_light.h>
+#include <cdr/measure/truth/visible_instances.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+
+namespace cdr::measure {
+
+namespace {
+
+/// The instances of the objects that repairs show.
+using ByObject = std::unordered_map<std::uint32_t, std::vector<VisibleInstance>>;
+
+ByObject instancesOf(const std::vector<PixelRepair>& repairs, const std::vector<VisibleInstance>& visible) {
+    ByObject byObject;
+    for (const PixelRepair& repair : repairs) {
+        byObject[repair.id];
+    }
+    for (const VisibleInstance& instance : visible) {
+        if (const auto object = byObject.find(instance.id); object != byObject.end()) {
+            object->second.push_back(instance);
+        }
+    }
+    return byObject;
+}
+
+/// The surface of an object at a distance, as one cast and another one round it.
+const SurfaceHit* hitAt(const std::vector<SurfaceHit>& hits, double distanceView) {
+    const auto nearest =
+        std::min_element(hits.begin(), hits.end(), [&](const SurfaceHit& a, const SurfaceHit& b) {
+            return std::abs(a.distanceView - distanceView) < std::abs(b.distanceView - distanceView);
+        });
+    return nearest == hits.end() ? nullptr : &*nearest;
+}
+
+} // namespace
+
+void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, const DrawnFrame& frame,
+                  host::WorkerPool& workers, std::vector<PixelRepair>& repairs) {
+    if (repairs.empty()) {
+        return;
+    }
+    const scene::Camera& camera = frame.camera;
+    const ByObject byObject = instancesOf(
+        repairs, visibleInstances(scene, shapes, camera, frame.ids.width, frame.ids.height, workers));
+    const PixelSlopes slopes = pixelSlopes(camera, frame.ids.width, frame.ids.height);
+    workers.run(repairs.size(), [&](std::size_t i, std::size_t) {
+        PixelRepair& repair = repairs[i];
+        repair.color = encode(glm::dvec3(scene.background));
+        const double x = slopes.x[repair.x];
+        const double y = slopes.y[repair.y];
+        std::vector<SurfaceHit> hits;
+        for (const VisibleInstance& instance : byObject.at(repair.id)) {
+            const PixelRect& pixels = instance.pixels;
+            if (repair.x >= pixels.left && repair.x < pixels.right && repair.y >= pixels.top &&
+                repair.y < pixels.bottom) {
+                appendHits(scene, instance, instance.camera.ray(x, y), {camera.nearView, camera.farView},
+                           hits);
+            }
+        }
+        if (const SurfaceHit* hit = hitAt(hits, repair.distanceView)) {
+            const glm::dvec3 ray = -camera.back + x * camera.right + y * camera.up;
+            repair.normal = hit->normal;
+            repair.baseColor = glm::dvec3(hit->baseColor);
+            repair.color = encode(hit->isUnlit ? repair.baseColor
+                                               : lightFrom(scene, camera,
+                                                           {.baseColor = repair.baseColor,
+                                                            .shine = hit->shine,
+                                                            .fromCamera = hit->distanceView * ray,
+                                                            .normal = hit->normal}));
+        }
+    });
+}
+
+} // namespace cdr::measure

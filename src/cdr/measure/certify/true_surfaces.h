@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cdr/host/worker_pool.h>
+#include <cdr/measure/certify/certifier.h>
+#include <cdr/measure/truth/shape.h>
+#include <cdr/scene/scene.h>
+
+#include <span>
+#include <vector>
+
+namespace cdr::measure {
+
+/// Gives repairs, whose object and distance are known, their normals and colours: the surface at that distance, lit in
+/// float64 as the shading pass lights it.
+/// @param shapes of the scene's meshes.
+void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, const DrawnFrame& frame,
+                  host::WorkerPool& workers, std::vector<PixelRepair>& repairs);
+
+} // namespace cdr::measure

@@ -1,0 +1,76 @@
+#include "certificate_file.h"
+
+#include "exit_status.h"
+
+#include <cdr/host/document.h>
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace cdr::cli {
+
+namespace {
+
+nlohmann::ordered_json jsonOf(const glm::dvec3& vector) {
+    return {vector.x, vector.y, vector.z};
+}
+
+nlohmann::ordered_json jsonOf(const scene::Camera& camera) {
+    return {{"eye", jsonOf(camera.position)}, {"right", jsonOf(camera.right)}, {"up", jsonOf(camera.up)},
+            {"back", jsonOf(camera.back)},    {"fov_y", camera.fovY},          {"near", camera.nearView},
+            {"far", camera.farView}};
+}
+
+} // namespace
+
+nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& camera,
+                                     const CertifiedOutput& certified, const std::string& hash) {
+    const measure::Certificate& certificate = certified.certificate;
+    nlohmann::ordered_json json{{"frame", number},
+                                {"camera", jsonOf(camera)},
+                                {"snap_pixels", certified.snapPixels},
+                                {"pixels", certificate.pixels},
+                                {"certified", certificate.certified},
+                                {"certified_fraction", certificate.certifiedFraction()},
+                                {"cast", certificate.cast},
+                                {"wrong_before", certificate.wrong},
+                                {"repaired", certificate.repairs.size()},
+                                {"refused", certificate.refused}};
+    if (certificate.firstRefused) {
+        json["first_refused"] = {certificate.firstRefused->x, certificate.firstRefused->y};
+    } else {
+        json["hash"] = hash;
+    }
+    return json;
+}
+
+CertificateFile::CertificateFile(std::filesystem::path path, Command& command, nlohmann::ordered_json options)
+    : m_path(std::move(path)),
+      m_console(command.console()),
+      m_document(command.makeDocument(std::move(options))) {
+    m_document["rule"] = "the float64 ray through a pixel's centre decides";
+    m_document["sub_pixel_bits"] = command.device().info().subPixelBits;
+}
+
+void CertificateFile::add(nlohmann::ordered_json certificate) {
+    if (certificate.contains("first_refused")) {
+        ++m_refused;
+        const nlohmann::ordered_json& first = certificate["first_refused"];
+        m_console.warning(fmt::format(
+            "frame {} refused: {} pixels show what no device within its limits draws, the "
+            "first at ({}, {}); no picture of it is written",
+            certificate["frame"].get<std::uint32_t>(), certificate["refused"].get<std::uint64_t>(),
+            first[0].get<std::uint32_t>(), first[1].get<std::uint32_t>()));
+    }
+    m_document["results"].push_back(std::move(certificate));
+}
+
+void CertificateFile::finish() {
+    host::writeDocument(m_path, m_document);
+    if (hasRefused()) {
+        throw ExitStatus(ExitStatus::kFound);
+    }
+}
+
+} // namespace cdr::cli

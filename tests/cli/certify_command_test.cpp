@@ -1,0 +1,66 @@
+#include "../support/fault.h"
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace cdr::cli_test {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kCertify = "render afc --technique anchored --size 320x180 --certify c.json ";
+
+TEST(CertifyCommand, WritesPicturesThatAreRightAndTheirCertificate) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        std::string(kCertify) + "--frames 2 --aov wrong --json a.json -o p%04d.png", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "p0001.png"));
+    const json rows = json::parse(readText(folder.path() / "a.json")).at("results");
+    const json certificate = json::parse(readText(folder.path() / "c.json"));
+    EXPECT_EQ(certificate.at("command"), "render");
+    EXPECT_EQ(certificate.at("device").at("name"), deviceInfo().name);
+    EXPECT_EQ(certificate.at("sub_pixel_bits"), deviceInfo().subPixelBits);
+    EXPECT_EQ(certificate.at("options").at("mapping"), "anchored");
+    ASSERT_EQ(certificate.at("results").size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const json& frame = certificate.at("results")[i];
+        EXPECT_EQ(frame.at("frame"), i);
+        EXPECT_EQ(frame.at("pixels"), 320 * 180);
+        EXPECT_EQ(frame.at("certified").get<int>() + frame.at("cast").get<int>(), 320 * 180);
+        EXPECT_GT(frame.at("certified_fraction"), 0.97);
+        EXPECT_EQ(frame.at("refused"), 0);
+        EXPECT_GE(frame.at("repaired"), frame.at("wrong_before"));
+        EXPECT_EQ(frame.at("hash"), rows[i].at("hash"));
+        EXPECT_EQ(frame.at("camera").at("eye").size(), 3u);
+        EXPECT_EQ(rows[i].at("cast"), frame.at("cast"));
+        EXPECT_EQ(rows[i].at("wrong"), 0);
+        EXPECT_EQ(rows[i].at("edge_wrong"), 0);
+    }
+    EXPECT_GT(certificate.at("results")[0].at("wrong_before"), 0) << "edges that float64 decides otherwise";
+}
+
+/// A driver that draws an eighth of a pixel beside the place.
+TEST(CertifyCommand, EndsWithStatus3WhereADriverKeepsNotToItsLimits) {
+    const TemporaryFolder folder;
+    const test::Fault beside{.call = "vkCmdSetViewport", .times = test::kForever, .result = 2};
+    const ProgramResult result =
+        runProgram("--quiet " + std::string(kCertify) + "-o p.png", folder.path(), beside.environment());
+    EXPECT_EQ(result.status, 3);
+    EXPECT_NE(result.err.find("frame 0 refused: "), std::string::npos) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "p.png"));
+    const json frame = json::parse(readText(folder.path() / "c.json")).at("results")[0];
+    EXPECT_GT(frame.at("refused"), 0);
+    EXPECT_EQ(frame.at("first_refused").size(), 2u);
+    EXPECT_FALSE(frame.contains("hash"));
+}
+
+} // namespace
+
+} // namespace cdr::cli_test

@@ -1,0 +1,240 @@
+#include "../test_scenes.h"
+#include "drawn_by_rays.h"
+
+#include <cdr/base/error.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace cdr::test {
+namespace {
+
+using measure::Certificate;
+using measure::DrawnFrame;
+
+constexpr double kEighthBits = 0x1p-9; // half a sub-pixel of 8 bits
+
+/// Objects of all kinds that stand in each other, and a camera in front of them.
+struct CertifiedScene {
+    scene::Scene scene;
+    scene::Camera camera;
+};
+
+CertifiedScene randomScene(std::uint64_t seed, double distance) {
+    std::mt19937_64 random(seed);
+    const glm::dvec3 centre(1e5, -2e5, 3e4);
+    CertifiedScene made{.scene = makeRandomScene(seed, 120, 12.0, centre), .camera = {}};
+    made.camera = makeCameraAround(random, centre, distance, 14.0);
+    return made;
+}
+
+/// The truth itself, as drawn: what the tests below change.
+struct Drawn {
+    CertifiedScene made = randomScene(7, 40.0);
+    DrawnFrame frame = drawnByRays(made.scene, made.camera, kEighthBits);
+    Certificate certificate = certified(made.scene, frame);
+};
+
+/// A pixel that shows the same object as all within some pixels of it.
+glm::uvec2 innerPixel(const DrawnFrame& frame) {
+    for (std::uint32_t y = 4; y + 4 < frame.ids.height; ++y) {
+        for (std::uint32_t x = 4; x + 4 < frame.ids.width; ++x) {
+            bool isInner = frame.ids.at(x, y) != 0;
+            for (std::uint32_t j = y - 3; j <= y + 3; ++j) {
+                for (std::uint32_t i = x - 3; i <= x + 3; ++i) {
+                    isInner = isInner && frame.ids.at(i, j) == frame.ids.at(x, y);
+                }
+            }
+            if (isInner) {
+                return {x, y};
+            }
+        }
+    }
+    throw base::RunError("no object covers 7 x 7 pixels");
+}
+
+TEST(Certifier, CertifiesNearlyAllOfATruePictureAndRepairsNothing) {
+    const Drawn drawn;
+    EXPECT_EQ(drawn.certificate.refused, 0u);
+    EXPECT_EQ(drawn.certificate.wrong, 0u);
+    EXPECT_TRUE(drawn.certificate.repairs.empty());
+    EXPECT_GT(drawn.certificate.certifiedFraction(), 0.98);
+    EXPECT_EQ(drawn.certificate.certified + drawn.certificate.cast, drawn.certificate.pixels);
+}
+
+/// Rays that miss the centres stand for vertices that are snapped: whatever a device within its limits does is repaired.
+TEST(Certifier, RepairsAllThatADeviceWithinItsLimitsDrawsWrong) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const CertifiedScene made = randomScene(seed, seed % 2 ? 40.0 : 4.0);
+        const DrawnFrame frame = drawnByRays(made.scene, made.camera, 1.01 * kRayOff, {.isOff = true});
+        const Certificate certificate = certified(made.scene, frame);
+        EXPECT_EQ(certificate.refused, 0u) << "seed " << seed;
+        EXPECT_GT(certificate.wrong, 0u) << "seed " << seed;
+        EXPECT_EQ(wrongAfter(made.scene, frame, certificate), 0u) << "seed " << seed;
+    }
+}
+
+TEST(Certifier, RefusesWhatIsFartherOffThanTheDeviceStates) {
+    const CertifiedScene made = randomScene(3, 40.0);
+    const DrawnFrame frame = drawnByRays(made.scene, made.camera, 0.25 * kRayOff, {.isOff = true});
+    EXPECT_GT(certified(made.scene, frame).refused, 0u);
+}
+
+TEST(Certifier, RefusesAnObjectThatCannotBeThere) {
+    Drawn drawn;
+    const glm::uvec2 at = innerPixel(drawn.frame);
+    for (const std::uint32_t id : {0u, drawn.frame.ids.at(at.x, at.y) + 1}) {
+        DrawnFrame changed = drawn.frame;
+        changed.ids.at(at.x, at.y) = id;
+        const Certificate certificate = certified(drawn.made.scene, changed);
+        EXPECT_EQ(certificate.refused, 1u);
+        EXPECT_EQ(certificate.firstRefused, at);
+        EXPECT_TRUE(certificate.repairs.empty());
+    }
+}
+
+TEST(Certifier, RepairsADistanceThatIsNotTheSurfaces) {
+    Drawn drawn;
+    const glm::uvec2 at = innerPixel(drawn.frame);
+    const double right = drawn.frame.distancesView.at(at.x, at.y);
+    drawn.frame.distancesView.at(at.x, at.y) = right * (1.0 - 1e-4);
+    const Certificate certificate = certified(drawn.made.scene, drawn.frame);
+    EXPECT_EQ(certificate.certified, drawn.certificate.certified - 1);
+    EXPECT_EQ(certificate.wrong, 0u);
+    ASSERT_EQ(certificate.repairs.size(), 1u);
+    EXPECT_EQ(glm::uvec2(certificate.repairs[0].x, certificate.repairs[0].y), at);
+    EXPECT_EQ(certificate.repairs[0].id, drawn.frame.ids.at(at.x, at.y));
+    EXPECT_EQ(certificate.repairs[0].distanceView, right);
+}
+
+TEST(Certifier, RefusesAMovedInstance) {
+    const Drawn drawn;
+    scene::Scene moved = drawn.made.scene;
+    const std::uint32_t id = drawn.frame.ids.at(innerPixel(drawn.frame).x, innerPixel(drawn.frame).y);
+    for (std::size_t i = 0; i < moved.instances.size(); ++i) {
+        if (moved.instances.object[i] + 1 == id) {
+            scene::placeInstance(moved, i, moved.instances.position(i) + drawn.made.camera.right * 0.3,
+                                 moved.instances.basis[i]);
+        }
+    }
+    EXPECT_GT(certified(drawn.made.scene, drawnByRays(moved, drawn.made.camera, kEighthBits)).refused, 0u);
+}
+
+TEST(Certifier, RefusesPerturbedVertices) {
+    const Drawn drawn;
+    scene::Scene perturbed = drawn.made.scene;
+    for (scene::Vertex& vertex : perturbed.meshes[kIcosphere].vertices) {
+        vertex.position *= 1.05f;
+    }
+    EXPECT_GT(certified(drawn.made.scene, drawnByRays(perturbed, drawn.made.camera, kEighthBits)).refused,
+              0u);
+}
+
+/// Two walls, the nearer one an object of its own, and a picture that shows the farther.
+DrawnFrame wrongWall(scene::Scene& scene, double gap) {
+    const glm::mat3 wall(glm::vec3(40.0f, 0.0f, 0.0f), glm::vec3(0.0f, 40.0f, 0.0f),
+                         glm::vec3(0.0f, 0.0f, 1.0f));
+    addObject(scene, kCube, {0.0, 0.0, -100.0 - gap}, wall);
+    DrawnFrame frame = drawnByRays(scene, makePlainCamera(), kEighthBits);
+    addObject(scene, kCube, {0.0, 0.0, -100.0}, wall);
+    return frame;
+}
+
+TEST(Certifier, RepairsWhatTheDepthFormatDoesNotResolveAndRefusesWhatItDoes) {
+    scene::Scene scene = makeEmptyScene();
+    DrawnFrame frame = wrongWall(scene, 0.05);
+    frame.technique = depth::parseTechnique("reversed");
+    frame.cascades = {{frame.camera.nearView, frame.camera.farView}};
+    EXPECT_GT(certified(scene, frame).refused, 0u) << "32 bits resolve it";
+    frame.technique.format = depth::DepthFormat::d16;
+    const Certificate certificate = certified(scene, frame);
+    EXPECT_EQ(certificate.refused, 0u) << "16 bits do not";
+    EXPECT_GT(certificate.wrong, 0u);
+    EXPECT_EQ(wrongAfter(scene, frame, certificate), 0u);
+}
+
+/// A face's edge this far beside a column of pixel centres, as a share of what vertices may be off.
+Certificate certifiedAtEdge(double share) {
+    scene::Scene scene = makeEmptyScene();
+    scene::Camera camera = makePlainCamera();
+    const RayDevice device;
+    const double pixel = 2.0 * std::tan(0.5 * camera.fovY) / device.height;
+    const double snap = 0.1;
+    // The front face is 10 away, and its right edge at the centre of column 84.
+    const double right = 10.0 * pixel * (84.5 - 0.5 * device.width + share * snap);
+    // The other edges are far from centres of pixels.
+    const auto side = static_cast<float>(4.0 * 10.0 * pixel);
+    const glm::mat3 narrow(glm::vec3(1.375f * side, 0.0f, 0.0f), glm::vec3(0.0f, side, 0.0f),
+                           glm::vec3(0.0f, 0.0f, 1.0f));
+    addObject(scene, kCube, {right - 0.6875 * static_cast<double>(side), 0.0, -10.5}, narrow);
+    return certified(scene, drawnByRays(scene, camera, snap, device));
+}
+
+TEST(Certifier, CastsPixelsNearerToAnEdgeThanVerticesMayBeOff) {
+    const Certificate beside = certifiedAtEdge(1.1);
+    EXPECT_GT(certifiedAtEdge(0.9).cast, beside.cast + 3);
+    EXPECT_GT(certifiedAtEdge(-0.9).cast, beside.cast + 3);
+    EXPECT_EQ(certifiedAtEdge(-1.1).cast, beside.cast);
+    EXPECT_EQ(beside.cast, 0u);
+}
+
+TEST(Certifier, LightsRepairsAsTheTruthIsLit) {
+    scene::Scene scene = makeEmptyScene();
+    scene.ambient = glm::vec3(0.25f);
+    DrawnFrame frame = wrongWall(scene, 1e-7);
+    const Certificate certificate = certified(scene, frame);
+    ASSERT_FALSE(certificate.repairs.empty());
+    const measure::PixelRepair& repair = certificate.repairs[certificate.repairs.size() / 2];
+    EXPECT_EQ(repair.id, 2u);
+    EXPECT_NEAR(glm::length(repair.normal - glm::dvec3(0.0, 0.0, 1.0)), 0.0, 1e-12);
+    // A quarter of linear white is 137 of 255 in sRGB.
+    EXPECT_EQ(repair.color, (image::Rgba8{137, 137, 137, 255}));
+}
+
+TEST(Certifier, FindsTheSameWithAnyNumberOfWorkers) {
+    const CertifiedScene made = randomScene(5, 40.0);
+    const DrawnFrame frame = drawnByRays(made.scene, made.camera, 1.01 * kRayOff, {.isOff = true});
+    const Certificate one = certified(made.scene, frame, 1);
+    const Certificate four = certified(made.scene, frame, 4);
+    EXPECT_EQ(one.certified, four.certified);
+    EXPECT_EQ(one.cast, four.cast);
+    ASSERT_EQ(one.repairs.size(), four.repairs.size());
+    for (std::size_t i = 0; i < one.repairs.size(); ++i) {
+        EXPECT_EQ(one.repairs[i].x, four.repairs[i].x);
+        EXPECT_EQ(one.repairs[i].color, four.repairs[i].color);
+    }
+}
+
+TEST(Certifier, NamesTheMaterialThatItCannotFollow) {
+    host::WorkerPool workers(1);
+    const auto saysOf = [&](auto change) {
+        scene::Scene scene = makeEmptyScene();
+        scene.materials[kDoubleSided].name = "glass";
+        change(scene.materials[kDoubleSided]);
+        try {
+            measure::Certifier(scene, workers);
+        } catch (const base::InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const auto has = [](const std::string& text, const char* part) {
+        return text.find(part) != std::string::npos;
+    };
+    EXPECT_TRUE(has(saysOf([](auto& it) { it.alphaMode = scene::AlphaMode::blend; }), "'glass' is blended"));
+    EXPECT_TRUE(has(saysOf([](auto& it) { it.alphaMode = scene::AlphaMode::mask; }), "'glass' is masked"));
+    EXPECT_TRUE(has(saysOf([](auto& it) { it.layer = 0.1f; }), "'glass' is in a layer"));
+    EXPECT_EQ(saysOf([](auto&) {}), "");
+}
+
+TEST(Certifier, RefusesRastersOfUnlikeSizes) {
+    Drawn drawn;
+    drawn.frame.distancesView = image::Raster<double>(8, 8);
+    EXPECT_THROW(certified(drawn.made.scene, drawn.frame), base::InputError);
+}
+
+} // namespace
+} // namespace cdr::test
