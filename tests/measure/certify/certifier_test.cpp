@@ -38,11 +38,11 @@ struct Drawn {
     Certificate certificate = certified(made.scene, frame);
 };
 
-/// A pixel that shows the same object as all within some pixels of it.
-glm::uvec2 innerPixel(const DrawnFrame& frame) {
+/// A pixel that shows the same as all within some pixels of it: an object, or background.
+glm::uvec2 innerPixel(const DrawnFrame& frame, bool isBackground = false) {
     for (std::uint32_t y = 4; y + 4 < frame.ids.height; ++y) {
         for (std::uint32_t x = 4; x + 4 < frame.ids.width; ++x) {
-            bool isInner = frame.ids.at(x, y) != 0;
+            bool isInner = (frame.ids.at(x, y) == 0) == isBackground;
             for (std::uint32_t j = y - 3; j <= y + 3; ++j) {
                 for (std::uint32_t i = x - 3; i <= x + 3; ++i) {
                     isInner = isInner && frame.ids.at(i, j) == frame.ids.at(x, y);
@@ -53,7 +53,7 @@ glm::uvec2 innerPixel(const DrawnFrame& frame) {
             }
         }
     }
-    throw base::RunError("no object covers 7 x 7 pixels");
+    throw base::RunError("nothing covers 7 x 7 pixels");
 }
 
 TEST(Certifier, CertifiesNearlyAllOfATruePictureAndRepairsNothing) {
@@ -94,6 +94,17 @@ TEST(Certifier, RefusesAnObjectThatCannotBeThere) {
         EXPECT_EQ(certificate.firstRefused, at);
         EXPECT_TRUE(certificate.repairs.empty());
     }
+}
+
+TEST(Certifier, RefusesAnObjectWhereThereIsNone) {
+    Drawn drawn;
+    const glm::uvec2 object = innerPixel(drawn.frame);
+    const glm::uvec2 empty = innerPixel(drawn.frame, true);
+    drawn.frame.ids.at(empty.x, empty.y) = drawn.frame.ids.at(object.x, object.y);
+    drawn.frame.distancesView.at(empty.x, empty.y) = drawn.frame.distancesView.at(object.x, object.y);
+    const Certificate certificate = certified(drawn.made.scene, drawn.frame);
+    EXPECT_EQ(certificate.refused, 1u);
+    EXPECT_EQ(certificate.firstRefused, empty);
 }
 
 TEST(Certifier, RepairsADistanceThatIsNotTheSurfaces) {
