@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -117,8 +118,8 @@ TEST_F(CertifiedFrameTest, HasTheSameBitsForAnyNumberOfThreads) {
 
 /// The device draws a scene that is not the one that it is said to be.
 TEST_F(CertifiedFrameTest, IsRefusedWhereTheDeviceDrawsOtherGeometry) {
-    const scene::SceneSetup setup = scenes::makeBoulders(2013);
-    const scene::Camera camera = setup.path.at(0);
+    const scene::SceneSetup setup = scenes::makeAfc(2013);
+    const scene::Camera camera = setup.path.at(90);
     render::RenderOptions options = smallPicture("anchored");
     const auto refusedOf = [&](const scene::Scene& drawn) {
         return certify(setup.scene, render(drawn, camera, options), options).refused;
@@ -136,7 +137,7 @@ TEST_F(CertifiedFrameTest, IsRefusedWhereTheDeviceDrawsOtherGeometry) {
     }
     EXPECT_GT(refusedOf(moved), 0u);
     scene::Scene renamed = setup.scene;
-    std::swap(renamed.instances.object[0], renamed.instances.object[1]);
+    std::reverse(renamed.instances.object.begin(), renamed.instances.object.end());
     EXPECT_GT(refusedOf(renamed), 0u);
 }
 
