@@ -9,11 +9,17 @@
 
 namespace cdr::cli {
 
-bool takesPart(const GlobalOptions& global, const std::string& name, RankUse use) {
-    if (use == RankUse::none && !global.ranks->isAlone()) {
+void requireAlone(const ranks::Ranks& ranks, const std::string& name) {
+    if (!ranks.isAlone()) {
         throw base::InputError(
             fmt::format("{} runs in one process, and not as {} ranks: start it without mpirun", name,
-                        global.ranks->place().count));
+                        ranks.place().count));
+    }
+}
+
+bool takesPart(const GlobalOptions& global, const std::string& name, RankUse use) {
+    if (use == RankUse::none) {
+        requireAlone(*global.ranks, name);
     }
     return use == RankUse::all || global.ranks->isFirst();
 }

@@ -78,6 +78,9 @@ enum class RankUse : std::uint8_t {
     all    ///< each takes its units
 };
 
+/// base::InputError, naming what, where it was started as several ranks.
+void requireAlone(const ranks::Ranks& ranks, const std::string& name);
+
 /// Whether a command runs on this rank. base::InputError where it may not run on several.
 bool takesPart(const GlobalOptions& global, const std::string& name, RankUse use);
 

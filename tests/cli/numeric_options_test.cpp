@@ -166,7 +166,9 @@ const std::vector<Numbers> kNumbersOfCommands{
     {"translucency --size 16x16 --repeats 0", {"--cascades @"}, "Cascades"},
     {"scaling --size 16x16 --draws 1 --threads 1 --cascades 1 --repeats 1 --targets single",
      {"--seed @"},
-     "Scaling"}};
+     "Scaling"},
+    {"scaling --ranks --draws 1 --cascades 1 --repeats 1", {"--heights @"}, "ScalingOfRanks"},
+    {"scaling --size 16x16 --draws 1 --repeats 1", {"--project @", "--project 4 --frames @"}, "Projection"}};
 
 std::string replaced(std::string text, const std::string& number) {
     for (std::size_t at = text.find('@'); at != std::string::npos; at = text.find('@', at + number.size())) {

@@ -125,6 +125,43 @@ TEST_F(RanksCommand, CascadesThatCannotBeDividedAreRefusedInOneLine) {
     EXPECT_TRUE(folder.isEmpty());
 }
 
+TEST_F(RanksCommand, ScalingMeasuresRanksWhereToldTo) {
+    const TemporaryFolder folder;
+    const std::string small = " --draws 10000 --repeats 2 --json all.json";
+    const ProgramResult swept =
+        runAsRanks(3, "scaling --ranks --heights 360 --cascades 1,4" + small, folder.path());
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    const auto points = nlohmann::json::parse(readText(folder.path() / "all.json")).at("results");
+    ASSERT_EQ(points.size(), 6u);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const auto& point = points[i];
+        const std::size_t ranks = std::vector<std::size_t>{1, 2, 3}[i % 3];
+        EXPECT_EQ(point.at("ranks"), ranks);
+        EXPECT_EQ(point.at("cascades"), i < 3 ? 1 : 4);
+        EXPECT_EQ(point.at("same_image"), true);
+        ASSERT_EQ(point.at("shares").size(), ranks);
+        // Only a rank that has cascades and is not the first has anything to send.
+        EXPECT_EQ(point.at("bytes_sent") > 1000, i > 3) << point;
+    }
+    EXPECT_LT(points[5].at("most_device_bytes"), points[3].at("most_device_bytes"));
+
+    const ProgramResult projected =
+        runAsRanks(2, "scaling --project 1000 --size 160x90" + small, folder.path());
+    ASSERT_EQ(projected.status, 0) << projected.err;
+    const auto document = nlohmann::json::parse(readText(folder.path() / "all.json"));
+    EXPECT_EQ(document.at("results").size(), 11u);
+    EXPECT_EQ(document.at("results").back().at("nodes"), 1000);
+    EXPECT_EQ(document.at("check").at("frames"), 24);
+    EXPECT_GT(document.at("costs").at("send_ms"), 0.0);
+
+    EXPECT_EQ(
+        runAsRanks(2, "scaling --draws 300", folder.path()).err,
+        "cdr: scaling without --ranks or --project runs in one process, and not as 2 ranks: start it without "
+        "mpirun\n");
+    EXPECT_EQ(runProgram("scaling --ranks --draws 1,2", folder.path()).err,
+              "cdr: scaling --ranks and --project take one number of --draws\n");
+}
+
 TEST_F(RanksCommand, ProbeFindsWhatOneProcessDoes) {
     expectSameFiles(
         "probe --distances 10,1e3,1e6 --techniques reversed,anchored --formats d32f --size 160x90 --json all.json",

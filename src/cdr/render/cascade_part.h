@@ -16,8 +16,11 @@ struct CascadePart {
     std::size_t index = 0; ///< below `count`
     std::size_t count = 1; ///< parts, 1 or more
 
-    /// Its cascades, where a frame has so many.
-    host::IndexRange of(std::size_t cascades) const { return host::evenRange(cascades, index, count); }
+    /// Its cascades, where a frame has so many. Where they do not come out even, the nearer parts have one more.
+    host::IndexRange of(std::size_t cascades) const {
+        const host::IndexRange mirrored = host::evenRange(cascades, count - 1 - index, count);
+        return {cascades - mirrored.end, cascades - mirrored.begin};
+    }
     bool operator==(const CascadePart&) const = default;
 };
 

@@ -4,6 +4,7 @@
 #include <cli/commands.h>
 #include <experiments/columns.h>
 #include <experiments/gnuplot.h>
+#include <experiments/scaling/rank_command.h>
 #include <experiments/scaling/scaling.h>
 
 #include <fmt/format.h>
@@ -22,6 +23,7 @@ struct ScalingArguments {
     std::vector<std::string> submissions;
     std::filesystem::path csv;
     std::filesystem::path plot;
+    RankSweepArguments ranks;
 };
 
 experiments::Columns<experiments::ScalingPoint> pointColumns() {
@@ -166,7 +168,38 @@ void writeResults(Command& command, const ScalingArguments& arguments,
     command.writeDocument(document);
 }
 
+/// Ranks divide one number of cubes.
+experiments::RankSweepOptions rankOptionsOf(const ScalingArguments& arguments) {
+    experiments::RankSweepOptions options{.cascades = arguments.options.cascades,
+                                          .repeats = arguments.options.repeats,
+                                          .seed = arguments.options.seed};
+    if (arguments.options.draws != experiments::ScalingOptions{}.draws) {
+        if (arguments.options.draws.size() != 1) {
+            throw base::InputError("scaling --ranks and --project take one number of --draws");
+        }
+        options.cubes = arguments.options.draws.front();
+    }
+    return options;
+}
+
 void run(Command& command, ScalingArguments& arguments) {
+    if (arguments.ranks.nodes > 0) {
+        const experiments::RankSweepOptions swept = rankOptionsOf(arguments);
+        requireUsable(swept);
+        runProjection(command,
+                      {.width = arguments.options.width,
+                       .height = arguments.options.height,
+                       .cubes = swept.cubes,
+                       .repeats = swept.repeats,
+                       .seed = swept.seed},
+                      arguments.ranks);
+        return;
+    }
+    if (arguments.ranks.isAsked) {
+        runRankSweep(command, rankOptionsOf(arguments), arguments.ranks);
+        return;
+    }
+    requireAlone(command.ranks(), "scaling without --ranks or --project");
     checkArguments(arguments, command.files());
     const experiments::ScalingOptions& options = arguments.options;
     const experiments::ScalingResult result =
@@ -212,6 +245,7 @@ void addOptions(CLI::App& command, ScalingArguments& arguments) {
     command.add_option("--repeats", options.repeats, "Timed frames of each point")->capture_default_str();
     addSize(command, options.width, options.height);
     addSeed(command, options.seed, "Seed of the scene");
+    addRankSweepOptions(command, arguments.ranks);
     command.add_option("--csv", arguments.csv, "Write the results as CSV to FILE");
     command.add_option("--plot", arguments.plot, "Plot into a .png or .svg file, by gnuplot");
 }
@@ -219,8 +253,10 @@ void addOptions(CLI::App& command, ScalingArguments& arguments) {
 } // namespace
 
 void addScaling(CLI::App& program, const GlobalOptions& global) {
-    addCommand<ScalingArguments>(program, global, "scaling",
-                                 "How culling, binning and recording scale with threads", addOptions, run);
+    addCommand<ScalingArguments>(
+        program, global, "scaling",
+        "How culling, binning and recording scale with threads, or cascades with the ranks of MPI",
+        addOptions, run, RankUse::all);
 }
 
 } // namespace cdr::cli

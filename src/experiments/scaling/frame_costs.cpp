@@ -1,0 +1,130 @@
+#include "frame_costs.h"
+
+#include <cdr/host/file.h>
+#include <cdr/image/codec.h>
+#include <cdr/render/renderer.h>
+#include <experiments/units.h>
+#include <scenes/cubes.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace cdr::experiments {
+
+namespace {
+
+using CostClock = std::chrono::steady_clock;
+
+double msSince(CostClock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(CostClock::now() - begin).count();
+}
+
+/// Frames of each rank that the run is compared with.
+constexpr std::size_t kFramesPerRank = 12;
+constexpr std::size_t kClaims = 64;
+constexpr std::size_t kMessageBytes = 4'000'000;
+
+/// A file that goes when this does.
+class ScratchFile {
+  public:
+    ScratchFile()
+        : m_path(std::filesystem::temp_directory_path() /
+                 ("cdr-cost-" + std::to_string(::getpid()) + ".png")) {}
+    ~ScratchFile() {
+        std::error_code ignored;
+        std::filesystem::remove(m_path, ignored);
+    }
+    ScratchFile(const ScratchFile&) = delete;
+    ScratchFile& operator=(const ScratchFile&) = delete;
+
+    const std::filesystem::path& path() const { return m_path; }
+
+  private:
+    std::filesystem::path m_path;
+};
+
+/// As `render` makes and takes a frame.
+class CostedFrame {
+  public:
+    CostedFrame(const gpu::Device& device, const FrameCostOptions& options)
+        : m_setup(scenes::makeCrowd(options.seed, options.cubes,
+                                    static_cast<double>(options.width) / options.height)),
+          m_onDevice(device, m_setup.scene),
+          m_renderer(device, m_setup.scene, m_onDevice,
+                     {.width = options.width,
+                      .height = options.height,
+                      .technique = depth::parseTechnique("anchored")}) {}
+
+    Json make() {
+        const render::Frame frame = m_renderer.render(m_setup.path.at(0));
+        return {{"file", Json::binary(image::encodeImage("frame.png", frame.color))}};
+    }
+
+  private:
+    scene::SceneSetup m_setup;
+    render::GpuScene m_onDevice;
+    render::Renderer m_renderer;
+};
+
+/// Milliseconds until an empty unit is claimed, made and taken.
+double claimMs(ranks::Ranks& ranks) {
+    const auto begin = CostClock::now();
+    ranks.forEachUnit(
+        kClaims, [](std::size_t) { return host::Bytes(); }, [](std::size_t, const host::Bytes&) {});
+    return ranks.isAlone() ? 0.0 : msSince(begin) / kClaims;
+}
+
+/// Milliseconds of a byte's way from the second rank to the first.
+double byteMs(ranks::Ranks& ranks) {
+    const bool sends = ranks.place().index == 1;
+    const auto exchange = [&](std::size_t bytes) {
+        const auto begin = CostClock::now();
+        ranks.merge([&] { return host::Bytes(sends ? bytes : 0); }, [](const host::Bytes&) {});
+        return msSince(begin);
+    };
+    const double nothing = exchange(0);
+    return ranks.isAlone() ? 0.0 : std::max(exchange(kMessageBytes) - nothing, 0.0) / kMessageBytes;
+}
+
+} // namespace
+
+MeasuredCosts measureFrameCosts(const gpu::Device& device, const FrameCostOptions& options,
+                                ranks::Ranks& ranks) {
+    CostedFrame frame(device, options);
+    const ScratchFile file;
+    frame.make(); // warms up
+    MeasuredCosts measured;
+    FrameCosts& costs = measured.costs;
+    costs.claimMs = claimMs(ranks);
+    costs.msPerByte = byteMs(ranks);
+    const auto makeTimed = [&](std::size_t) {
+        const auto begin = CostClock::now();
+        Json made = frame.make();
+        made["ms"] = msSince(begin);
+        return made;
+    };
+    const auto take = [&](const Json& made) {
+        const auto begin = CostClock::now();
+        host::writeFile(file.path(), made.at("file").get_binary());
+        costs.takeMs.push_back(msSince(begin));
+        costs.makeMs.push_back(made.at("ms").get<double>());
+        costs.bytes = static_cast<double>(made.at("file").get_binary().size());
+    };
+    forEachUnit(ranks, options.repeats * ranks.place().count, makeTimed,
+                [&](std::size_t, const Json& made) { take(made); });
+    measured.run.frames = kFramesPerRank * ranks.place().count;
+    const auto begin = CostClock::now();
+    forEachUnit(
+        ranks, measured.run.frames, [&](std::size_t) { return frame.make(); },
+        [&](std::size_t, const Json& made) { host::writeFile(file.path(), made.at("file").get_binary()); });
+    measured.run.seconds = msSince(begin) / 1e3;
+    return measured;
+}
+
+} // namespace cdr::experiments

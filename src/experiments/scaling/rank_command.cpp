@@ -1,0 +1,129 @@
+#include "rank_command.h"
+
+#include <cdr/base/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cdr::cli {
+
+namespace {
+
+constexpr std::uint32_t kMostHeight = 16'384;
+constexpr std::size_t kMostProjected = 1'000'000;
+
+void requireSameImages(const std::vector<experiments::RankPoint>& points) {
+    const auto differs =
+        std::find_if(points.begin(), points.end(), [](const auto& point) { return !point.sameImage; });
+    if (differs != points.end()) {
+        throw base::RunError(fmt::format("{} cascades: {} ranks draw another image than one",
+                                         differs->cascades, differs->ranks));
+    }
+}
+
+} // namespace
+
+void addRankSweepOptions(CLI::App& command, RankSweepArguments& arguments) {
+    command.add_flag("--ranks", arguments.isAsked,
+                     "Measure the ranks of an MPI run that divide a frame's cascades, instead of threads");
+    command.add_option("--heights", arguments.heights, "With --ranks: heights of pictures, which are 16:9")
+        ->delimiter(',')
+        ->capture_default_str();
+    command.add_option(
+        "--project", arguments.nodes,
+        "Measure frames of --size and one of --draws, and predict what a run of --frames takes on up to so "
+        "many nodes");
+    command.add_option("--frames", arguments.frames, "With --project: frames of the run")
+        ->capture_default_str();
+}
+
+void runRankSweep(Command& command, experiments::RankSweepOptions options,
+                  const RankSweepArguments& arguments) {
+    options.sizes.clear();
+    for (const std::uint32_t height : arguments.heights) {
+        if (height < 1 || height > kMostHeight) {
+            throw base::InputError(fmt::format("--heights must be 1 to {}, not {}", kMostHeight, height));
+        }
+        options.sizes.push_back({.width = (height * 16 + 8) / 9, .height = height});
+    }
+    requireUsable(options);
+    const std::vector<experiments::RankPoint> points =
+        experiments::runRankSweep(command.device(), options, command.ranks(), command.progress());
+    command.endProgress();
+    const auto columns = experiments::rankPointColumns();
+    const ranks::Place& place = command.ranks().place();
+    command.console().table(experiments::tableOf(columns, points));
+    command.console().line(
+        fmt::format("\n{}; medians of {} frames of {} cubes, seed {}; {} of {} ranks on this machine",
+                    command.opened().text(), options.repeats, options.cubes, options.seed, place.countOnNode,
+                    place.count));
+    auto document = command.makeDocument({{"ranks", place.count},
+                                          {"ranks_on_node", place.countOnNode},
+                                          {"cubes", options.cubes},
+                                          {"repeats", options.repeats},
+                                          {"seed", options.seed}});
+    document["results"] = experiments::jsonOf(columns, points);
+    command.writeDocument(document);
+    requireSameImages(points);
+}
+
+void runProjection(Command& command, const experiments::FrameCostOptions& options,
+                   const RankSweepArguments& arguments) {
+    for (const std::size_t number : {arguments.nodes, arguments.frames}) {
+        if (number < 1 || number > kMostProjected) {
+            throw base::InputError(
+                fmt::format("--project and --frames must be 1 to {}, not {}", kMostProjected, number));
+        }
+    }
+    const auto [costs, run] = experiments::measureFrameCosts(command.device(), options, command.ranks());
+    command.endProgress();
+    if (!command.ranks().isFirst()) {
+        return;
+    }
+    std::vector<experiments::Projection> projections;
+    for (const std::size_t nodes : experiments::rankSteps(arguments.nodes)) {
+        projections.push_back(experiments::project(costs, nodes, arguments.frames, options.seed));
+    }
+    const std::size_t ranks = command.ranks().place().count;
+    const experiments::Projection here = experiments::project(costs, ranks, run.frames, options.seed);
+    const std::size_t useful = experiments::lastUsefulNodes(costs, arguments.frames);
+    const auto columns = experiments::projectionColumns();
+    const Console& console = command.console();
+    console.table(experiments::tableOf(columns, projections));
+    console.line(fmt::format(
+        "\nA frame: {:.4g} ms to make, {:.4g} ms to take, {} bytes; {:.3g} ms to claim and {:.3g} ms to "
+        "send it. More than {} nodes do not help.",
+        measure::median(costs.makeMs), measure::median(costs.takeMs), costs.bytes, costs.claimMs,
+        costs.msPerByte * costs.bytes, useful));
+    console.line(
+        fmt::format("Here {} frames by {} rank{} took {:.3g} s, {:.3g} s ({:.3g} to {:.3g}) were predicted.",
+                    run.frames, ranks, ranks == 1 ? "" : "s", run.seconds, here.seconds,
+                    here.secondsInterval.low, here.secondsInterval.high));
+    console.line(command.opened().text());
+    auto document = command.makeDocument({{"ranks", ranks},
+                                          {"ranks_on_node", command.ranks().place().countOnNode},
+                                          {"width", options.width},
+                                          {"height", options.height},
+                                          {"cubes", options.cubes},
+                                          {"repeats", options.repeats},
+                                          {"seed", options.seed},
+                                          {"frames", arguments.frames}});
+    document["results"] = experiments::jsonOf(columns, projections);
+    document["costs"] = {{"make_ms", measure::median(costs.makeMs)},
+                         {"take_ms", measure::median(costs.takeMs)},
+                         {"bytes", costs.bytes},
+                         {"claim_ms", costs.claimMs},
+                         {"send_ms", costs.msPerByte * costs.bytes}};
+    document["useful_nodes"] = useful;
+    document["check"] = {{"frames", run.frames},
+                         {"seconds", run.seconds},
+                         {"predicted", here.seconds},
+                         {"predicted_interval", experiments::jsonOf(here.secondsInterval)}};
+    command.writeDocument(document);
+}
+
+} // namespace cdr::cli

@@ -1,0 +1,58 @@
+#include <experiments/scaling/projection.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+namespace cdr::experiments {
+namespace {
+
+/// 40 ms to make, 1 ms to take, 1 ms to claim, 1 ms to send.
+FrameCosts evenCosts() {
+    return {.makeMs = {40.0, 40.0, 40.0},
+            .takeMs = {1.0, 1.0},
+            .bytes = 1000.0,
+            .claimMs = 1.0,
+            .msPerByte = 0.001};
+}
+
+TEST(Projection, DividesWhatIsMadeAndTakesInOnePlace) {
+    const Projection one = project(evenCosts(), 1, 1000, 1);
+    EXPECT_DOUBLE_EQ(one.seconds, 42.0);
+    EXPECT_DOUBLE_EQ(one.efficiency, 1.0);
+    EXPECT_EQ(one.bound, ProjectionBound::making);
+    const Projection ten = project(evenCosts(), 10, 1000, 1);
+    EXPECT_DOUBLE_EQ(ten.seconds, 4.2);
+    EXPECT_DOUBLE_EQ(ten.efficiency, 1.0);
+    const Projection many = project(evenCosts(), 500, 1000, 1);
+    EXPECT_DOUBLE_EQ(many.seconds, 2.0); // 1000 results at 2 ms each
+    EXPECT_EQ(many.bound, ProjectionBound::taking);
+    EXPECT_DOUBLE_EQ(many.efficiency, 42.0 / (500 * 2.0));
+    EXPECT_EQ(lastUsefulNodes(evenCosts(), 1000), 21u);
+}
+
+TEST(Projection, EndsWhereEachNodeHasOneFrame) {
+    const Projection few = project(evenCosts(), 20, 10, 1);
+    EXPECT_DOUBLE_EQ(few.seconds, 0.041);
+    EXPECT_EQ(few.bound, ProjectionBound::frames);
+    EXPECT_EQ(lastUsefulNodes(evenCosts(), 10), 10u);
+    EXPECT_DOUBLE_EQ(project(evenCosts(), 4, 9, 1).seconds, 3 * 0.041); // three rounds
+}
+
+TEST(Projection, NeverRunsShorterThanItsBoundsAndWidensWithItsCosts) {
+    FrameCosts costs = evenCosts();
+    costs.makeMs = {30.0, 35.0, 40.0, 45.0, 50.0};
+    double last = project(costs, 1, 300, 1).seconds;
+    for (std::size_t nodes = 2; nodes < 400; ++nodes) {
+        const Projection projection = project(costs, nodes, 300, 1);
+        EXPECT_LE(projection.seconds, last) << nodes;
+        EXPECT_LE(projection.secondsInterval.low, projection.seconds);
+        EXPECT_GE(projection.secondsInterval.high, projection.seconds);
+        EXPECT_LE(projection.efficiency, 1.0 + 1e-12);
+        last = projection.seconds;
+    }
+    EXPECT_LT(project(costs, 2, 300, 1).secondsInterval.low, project(costs, 2, 300, 1).seconds);
+}
+
+} // namespace
+} // namespace cdr::experiments
