@@ -182,6 +182,24 @@ TEST_F(RanksCommand, FlickerFindsWhatOneProcessDoes) {
         1 + 3 * 21);
 }
 
+TEST_F(RanksCommand, FlickerWritesTheVideosOfOneProcess) {
+    const TemporaryFolder folder;
+    if (runProgram("flicker --frames 1 --size 128x72 --techniques standard,log --videos v", folder.path())
+            .err.find("need ffmpeg") != std::string::npos) {
+        GTEST_SKIP() << "ffmpeg is not installed";
+    }
+    expectSameFiles("flicker --frames 9 --size 128x72 --techniques standard,log --videos v --json all.json",
+                    3, {3});
+}
+
+TEST_F(RanksCommand, OrbitFindsWhatOneProcessDoes) {
+    if (!fs::exists(CDR_SOURCE_DIR "/.cache/orbit-data")) {
+        GTEST_SKIP() << "the Earth of the scene orbit is not installed; tools/setup.sh fetches it";
+    }
+    expectSameFiles("orbit --frames 3 --size 96x54 --techniques reversed,anchored --out out --json all.json",
+                    7, {2});
+}
+
 TEST_F(RanksCommand, OnlyTheFirstPrints) {
     const TemporaryFolder folder;
     const ProgramResult one = runProgram("precision", folder.path());

@@ -126,7 +126,9 @@ TEST_P(LaunchedRanks, EndWhereOneIsKilled) {
     const int last = GetParam() - 1;
     const Outcome outcome = runAs(GetParam(), "60 die " + std::to_string(last) + " 30");
     EXPECT_NE(outcome.status, 0);
-    EXPECT_EQ(outcome.out, whatOneProcessPrints(60).substr(0, outcome.out.size()));
+    // MPICH's launcher puts a frame of "=" into what the ranks print.
+    const std::string out = outcome.out.substr(0, outcome.out.find("\n====="));
+    EXPECT_EQ(out, whatOneProcessPrints(60).substr(0, out.size()));
 }
 
 TEST(UnitOrder, WaitsForTheUnitThatIsMissing) {
