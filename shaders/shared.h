@@ -11,6 +11,7 @@
 namespace cdr::shaders {
 using uint = std::uint32_t;
 using vec2 = glm::vec2;
+using vec3 = glm::vec3;
 using vec4 = glm::vec4;
 #define CDR_CONST inline constexpr uint
 #else
@@ -90,7 +91,7 @@ struct FacetRecord {
 
 // A point light in view space; every coordinate is a float and the rest that float left out of the float64.
 struct LightRecord {
-    vec4 position;     // x, y, view distance, half distance
+    vec4 position;     // x, y, view distance; 1 / half distance^2
     vec4 positionRest; // the rest of x, y and view distance
     vec4 color;        // linear
 };
@@ -126,11 +127,12 @@ struct LayerFade {
 
 // What the shading pass needs, followed by the lights.
 struct ShadingHeader {
-    vec4 ambient;
-    vec4 background; // linear colour; that of the fog where there is fog
-    vec2 rayScale;   // view-space x and y per unit of view distance at the right and top edges of the picture
+    vec3 ambient;
     uint lightCount;
+    vec3 background; // linear colour; that of the fog where there is fog
     float occlusionRadius;
+    vec2 rayScale; // view-space x and y per unit of view distance at the right and top edges of the picture
+    vec2 pictureSize;            // in pixels
     vec4 fog;                    // linear colour, and what it takes per unit of distance
     vec2 anchors[kCascadeSlots]; // each cascade's anchor plane as a float and its rest
 };

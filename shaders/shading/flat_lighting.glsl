@@ -13,16 +13,17 @@ layout(constant_id = 2) const uint kLights = 0u;
 #define HANDED flat in
 #endif
 // 64 components with gl_Position, as many as every device has.
-layout(location = 0) HANDED vec4 flatAmbientAndRayX;
-layout(location = 1) HANDED vec4 flatBackgroundAndRayY;
-layout(location = 2) HANDED vec2 flatFogAndRadius; // fog.a and occlusionRadius; fog's colour is the background's
+layout(location = 0) HANDED vec4 flatAmbientAndFog;        // fog.a
+layout(location = 1) HANDED vec4 flatBackgroundAndRadius;  // occlusionRadius; fog's colour is the background's
+layout(location = 2) HANDED vec4 flatRay;                  // per pixel, and at the first corner
 layout(location = 3) HANDED vec4 flatLights[3u * kFlatLights]; // LightRecords
 
 #ifdef HANDS_OVER_LIGHTING
 void handOverLighting() {
-    flatAmbientAndRayX = vec4(header.ambient.rgb, header.rayScale.x);
-    flatBackgroundAndRayY = vec4(header.background.rgb, header.rayScale.y);
-    flatFogAndRadius = vec2(header.fog.a, header.occlusionRadius);
+    flatAmbientAndFog = vec4(header.ambient, header.fog.a);
+    flatBackgroundAndRadius = vec4(header.background, header.occlusionRadius);
+    vec2 corner = vec2(-1.0, 1.0) * header.rayScale;
+    flatRay = vec4(-2.0 * corner / header.pictureSize, corner);
     for (uint i = 0u; i < kFlatLights; ++i) {
         LightRecord light = LightRecord(vec4(0.0), vec4(0.0), vec4(0.0));
         if (i < kLights) {
@@ -34,12 +35,11 @@ void handOverLighting() {
     }
 }
 #else
-vec3 ambientLight() { return flatAmbientAndRayX.rgb; }
-vec3 backgroundColor() { return flatBackgroundAndRayY.rgb; }
+vec3 ambientLight() { return flatAmbientAndFog.rgb; }
+vec3 backgroundColor() { return flatBackgroundAndRadius.rgb; }
 vec3 fogColor() { return backgroundColor(); }
-float fogExtinction() { return flatFogAndRadius.x; }
-float occlusionRadius() { return flatFogAndRadius.y; }
-vec2 rayScale() { return vec2(flatAmbientAndRayX.w, flatBackgroundAndRayY.w); }
+float fogExtinction() { return flatAmbientAndFog.a; }
+float occlusionRadius() { return flatBackgroundAndRadius.a; }
 uint lightCount() { return kLights > kFlatLights ? header.lightCount : kLights; }
 LightRecord lightAt(uint i) {
     if (kLights > kFlatLights) {

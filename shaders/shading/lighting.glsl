@@ -10,10 +10,10 @@
 #ifdef FLAT_LIGHTING
 #include "shading/flat_lighting.glsl"
 #else
-vec3 ambientLight() { return header.ambient.rgb; }
+vec3 ambientLight() { return header.ambient; }
 vec3 fogColor() { return header.fog.rgb; }
 float fogExtinction() { return header.fog.a; }
-vec3 backgroundColor() { return header.background.rgb; }
+vec3 backgroundColor() { return header.background; }
 vec2 rayScale() { return header.rayScale; }
 float occlusionRadius() { return header.occlusionRadius; }
 uint lightCount() { return header.lightCount; }
@@ -21,9 +21,13 @@ LightRecord lightAt(uint i) { return lights[i]; }
 #endif
 
 // View-space x and y per unit of view distance at a pixel.
+#ifdef FLAT_LIGHTING
+vec2 rayAt(vec2 pixel) { return pixel * flatRay.xy + flatRay.zw; }
+#else
 vec2 rayAt(vec2 pixel, vec2 pictureSize) {
     return (pixel / pictureSize * 2.0 - 1.0) * vec2(1.0, -1.0) * rayScale();
 }
+#endif
 
 // Difference of two view distances, each an anchor plane (a float and its rest) and what lies ahead of it.
 float distanceBetween(vec2 fromAnchor, float fromAhead, vec2 toAnchor, float toAhead) {
@@ -61,9 +65,8 @@ vec3 lightOn(LitPoint point) {
         LightRecord record = lightAt(i);
         vec3 way = wayTo(record, point);
         float distanceSquared = dot(way, way);
-        float lambert = max(dot(point.normal, way) * inversesqrt(max(distanceSquared, 1e-30)), 0.0);
-        float half2 = record.position.w * record.position.w;
-        light += record.color.rgb * (lambert * half2 / (half2 + distanceSquared));
+        float reach = sqrt(max(distanceSquared, 1e-30)) * (1.0 + distanceSquared * record.position.w);
+        light += record.color.rgb * (max(dot(point.normal, way), 0.0) / reach);
     }
     return light;
 }
@@ -78,8 +81,7 @@ vec3 shinyLight(Shine shine, LitPoint point) {
         vec3 way = wayTo(record, point);
         float distanceSquared = dot(way, way);
         vec3 direction = way * inversesqrt(max(distanceSquared, 1e-30));
-        float half2 = record.position.w * record.position.w;
-        light += record.color.rgb * (half2 / (half2 + distanceSquared)) *
+        light += record.color.rgb * (1.0 / (1.0 + distanceSquared * record.position.w)) *
                  pointReflectance(shine, point.normal, toCamera, facing, direction);
     }
     return min(light, kBrightest);

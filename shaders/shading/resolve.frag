@@ -16,8 +16,7 @@ layout(location = 0) out uvec4 outTexel;
 void main() {
     uint facet = texelFetch(visibility, ivec2(gl_FragCoord.xy), 0).x;
     outTexel = uvec4(0u);
-    uint turns = facet == 0u ? 0u : 1u; // as in shading.frag
-    for (uint turn = 0u; turn < turns; ++turn) {
+    if (facet != 0u) {
         FacetRecord record = facetAt(facet);
         vec3 normal = normalOf(record);
         vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(visibility, 0)));

@@ -67,6 +67,12 @@ float opennessAt(ivec2 pixel, uvec4 texel, vec3 normal) {
 #endif
 }
 
+#ifdef FLAT_LIGHTING
+vec2 rayHere() { return rayAt(gl_FragCoord.xy); }
+#else
+vec2 rayHere() { return rayAt(gl_FragCoord.xy, vec2(textureSize(gbuffer, 0))); }
+#endif
+
 struct Surface {
     vec3 albedo;
     vec3 normal;
@@ -82,7 +88,7 @@ bool isBackground(uvec4 texel) { return texel.x == 0u; }
 
 Surface surfaceOf(uvec4 texel) {
     FacetRecord facet = facetAt(texel.x);
-    vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(gbuffer, 0)));
+    vec2 ray = rayHere();
     uvec4 known = uvec4(facet.albedo, 0u, 0u, facet.id);
     vec2 anchor = anchorOf(known);
     vec3 normal = normalOf(facet);
@@ -92,7 +98,7 @@ Surface surfaceOf(uvec4 texel) {
 bool isBackground(uvec4 texel) { return texel.w == 0u; }
 
 Surface surfaceOf(uvec4 texel) {
-    vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(gbuffer, 0)));
+    vec2 ray = rayHere();
     return Surface(albedoOf(texel), normalOf(texel), shineOf(texel), texel.w, ray, anchorOf(texel), aheadOf(texel));
 }
 #endif
@@ -115,9 +121,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uvec4 texel = texelFetch(gbuffer, pixel, 0);
     outColor = background();
-    // A loop of no turn or one: software rasterisers skip what no pixel loops through, but may run both sides of an if.
-    uint turns = isBackground(texel) ? 0u : 1u;
-    for (uint turn = 0u; turn < turns; ++turn) {
+    if (!isBackground(texel)) {
         outColor = shade(pixel, texel);
     }
 }

@@ -3,6 +3,7 @@
 #define CDR_SHADERS_FACETS_GLSL
 
 #include "public/cdr_octahedral.glsl"
+#include "shading/cheap_division.glsl"
 
 layout(set = 0, binding = FACETS_BINDING) uniform usamplerBuffer facetRecords;
 
@@ -16,7 +17,7 @@ FacetRecord facetAt(uint facet) {
 }
 
 // View space, unit.
-vec3 normalOf(FacetRecord facet) { return normalize(cdrDecodeOctahedral(facet.normal)); }
+vec3 normalOf(FacetRecord facet) { return unit(cdrDecodeOctahedral(facet.normal)); }
 
 // Distance beyond the anchor plane at which a ray meets the facet's plane.
 // @param normal normalOf() the facet. @param anchorView the anchor plane.

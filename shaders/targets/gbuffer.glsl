@@ -9,6 +9,7 @@
 #define CDR_SHADERS_GBUFFER_GLSL
 
 #include "public/cdr_octahedral.glsl"
+#include "shading/cheap_division.glsl"
 
 uint encodeAlbedo(vec3 albedo) { return packUnorm4x8(vec4(sqrt(albedo), 0.0)); }
 uint encodeNormal(vec3 normal) { return packSnorm2x16(cdrEncodeOctahedral(normal)); }
@@ -18,11 +19,14 @@ uvec4 encodeTexel(vec3 albedo, vec3 normal, float ahead, uint id) {
 }
 
 vec3 albedoOf(uvec4 texel) {
-    vec3 root = unpackUnorm4x8(texel.x).rgb;
-    return root * root;
+    vec3 root = vec3((uvec3(texel.x) >> uvec3(0u, 8u, 16u)) & 0xffu);
+    return root * root * (1.0 / 65025.0);
 }
 
-vec3 normalOf(uvec4 texel) { return normalize(cdrDecodeOctahedral(unpackSnorm2x16(texel.y))); }
+vec3 normalOf(uvec4 texel) {
+    ivec2 steps = ivec2(int(texel.y << 16) >> 16, int(texel.y) >> 16);
+    return unit(cdrDecodeOctahedral(vec2(steps) * (1.0 / 32767.0)));
+}
 
 float occlusionOf(uvec4 texel) { return unpackUnorm4x8(texel.x).a; }
 uint withOcclusion(uint albedo, float occlusion) { return (albedo & 0xffffffu) | (packUnorm4x8(vec4(occlusion, 0.0, 0.0, 0.0)) << 24); }

@@ -42,7 +42,9 @@ shaders::LightRecord makeLightRecord(const scene::PointLight& light, const scene
     const glm::vec2 x = splitDouble(view.x);
     const glm::vec2 y = splitDouble(view.y);
     const glm::vec2 w = splitDouble(-view.z);
-    return {.position = {x.x, y.x, w.x, static_cast<float>(light.halfDistance)},
+    const double perSquare = 1.0 / (light.halfDistance * light.halfDistance);
+    return {.position = {x.x, y.x, w.x,
+                         std::min(static_cast<float>(perSquare), std::numeric_limits<float>::max())},
             .positionRest = {x.y, y.y, w.y, 0.0f},
             .color = glm::vec4(light.color, 0.0f)};
 }

@@ -72,6 +72,7 @@ FullscreenPass& ShadingPass::passFor(std::uint32_t lights) {
 ShadingInputs ShadingPass::makeInputs(std::size_t lights) const {
     ShadingInputs inputs;
     inputs.m_effects = m_effects;
+    inputs.m_extent = m_gbuffer.options().extent;
     inputs.m_lights =
         gpu::Buffer(m_device, sizeof(shaders::ShadingHeader) + lights * sizeof(shaders::LightRecord),
                     vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites, "lights");
@@ -88,10 +89,11 @@ ShadingInputs ShadingPass::makeInputs(std::size_t lights) const {
 void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camera,
                            const scene::Frustum& frustum, std::span<const double> anchorsView) {
     shaders::ShadingHeader& header = m_lights.as<shaders::ShadingHeader>(1).front();
-    header.ambient = glm::vec4(scene.ambient, 0.0f);
+    header.ambient = scene.ambient;
     const Fog& fog = m_effects.fog;
-    header.background = glm::vec4(fog.visibility > 0.0 ? fog.color : scene.background, 0.0f);
+    header.background = fog.visibility > 0.0 ? fog.color : scene.background;
     header.rayScale = glm::vec2(frustum.tanX, frustum.tanY);
+    header.pictureSize = glm::vec2(m_extent.width, m_extent.height);
     m_lightCount = static_cast<std::uint32_t>(scene.lights.size());
     header.lightCount = m_lightCount;
     header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);

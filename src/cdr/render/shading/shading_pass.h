@@ -34,6 +34,7 @@ class ShadingInputs {
   private:
     friend class ShadingPass;
     Effects m_effects;
+    vk::Extent2D m_extent; ///< of the picture
     std::uint32_t m_lightCount = 0;
     gpu::Buffer m_lights;
     PassInputs m_inputs;
