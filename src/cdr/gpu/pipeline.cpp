@@ -74,7 +74,7 @@ vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipe
         .vertexAttributeDescriptionCount = static_cast<std::uint32_t>(options.attributes.size()),
         .pVertexAttributeDescriptions = options.attributes.data()};
     const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
-    const bool hasDepth = options.depthFormat != vk::Format::eUndefined;
+    const bool hasDepth = options.usesDepth && options.depthFormat != vk::Format::eUndefined;
     const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
     const vk::PipelineRasterizationStateCreateInfo raster{
         .depthClampEnable = hasDepth, .depthBiasEnable = options.hasDepthBias, .lineWidth = 1.0f};

@@ -29,8 +29,9 @@ struct GraphicsPipelineOptions {
     std::vector<vk::VertexInputBindingDescription> bindings;
     std::vector<vk::VertexInputAttributeDescription> attributes;
     std::vector<vk::Format> colorFormats;
-    /// eUndefined: no depth test. Otherwise depth is tested, written and clamped.
+    /// Of the depth attachment; eUndefined: there is none.
     vk::Format depthFormat = vk::Format::eUndefined;
+    bool usesDepth = true; ///< tests, writes and clamps depth where there is an attachment
     vk::CompareOp depthCompare = vk::CompareOp::eLessOrEqual;
     bool hasDepthBias = false; ///< set by setDepthBias(), dynamic
     Blend blend = Blend::none; ///< of every attachment

@@ -55,7 +55,8 @@ CascadeLayers::CascadeLayers(const gpu::Device& device, const TargetsOptions& op
       m_options(checked(device, options, count.first)),
       m_perCascade(count.perCascade),
       m_merge(device, mergeOptions(options)),
-      m_accumulated(makeGBuffer(device, options.extent, "G-buffer", options.format)) {
+      m_accumulated(makeGBuffer(device, options.extent, "G-buffer", options.format)),
+      m_zeroFill(makeZeroFill(device, options)) {
     grow(count.first);
 }
 
@@ -108,7 +109,8 @@ void CascadeLayers::drawLayers(CascadeCommands& commands, std::span<const std::s
         return GBufferScope{.gbuffer = m_layers[layer].gbuffer,
                             .depth = m_layers[layer].depth,
                             .clearColor = true,
-                            .reversedDepth = m_options.reversedDepth};
+                            .reversedDepth = m_options.reversedDepth,
+                            .zeroFill = m_zeroFill.get()};
     };
     // All barriers first, so that the layers' draws may overlap.
     for (std::size_t layer = 0; layer < cascades.size(); ++layer) {

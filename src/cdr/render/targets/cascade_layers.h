@@ -2,6 +2,7 @@
 
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/targets/targets.h>
+#include <cdr/render/targets/zero_fill.h>
 
 #include <span>
 #include <vector>
@@ -48,6 +49,7 @@ class CascadeLayers final : public Targets {
     bool m_perCascade;
     FullscreenPass m_merge; ///< lays a layer over the accumulated G-buffer, unchanged
     gpu::Image m_accumulated;
+    std::unique_ptr<ZeroFill> m_zeroFill; ///< of layers; null where the device clears quickly
     std::vector<Layer> m_layers;
 };
 

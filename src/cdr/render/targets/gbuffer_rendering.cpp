@@ -1,5 +1,6 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
+#include <cdr/render/targets/zero_fill.h>
 
 namespace cdr::render {
 
@@ -17,6 +18,13 @@ vk::ImageAspectFlags depthAspects(const gpu::Image& depth) {
     const bool hasStencil = depth.options().format == vk::Format::eD24UnormS8Uint;
     return hasStencil ? vk::ImageAspectFlagBits::eDepth | vk::ImageAspectFlagBits::eStencil
                       : vk::ImageAspectFlags(vk::ImageAspectFlagBits::eDepth);
+}
+
+vk::AttachmentLoadOp loadOf(const GBufferScope& scope) {
+    if (!scope.clearColor) {
+        return vk::AttachmentLoadOp::eLoad;
+    }
+    return scope.zeroFill != nullptr ? vk::AttachmentLoadOp::eDontCare : vk::AttachmentLoadOp::eClear;
 }
 
 } // namespace
@@ -61,8 +69,7 @@ void chainGBufferScopes(vk::CommandBuffer primary, const GBufferScope& scope) {
 void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk::RenderingFlags flags) {
     const vk::RenderingAttachmentInfo color{.imageView = scope.gbuffer.view(),
                                             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                                            .loadOp = scope.clearColor ? vk::AttachmentLoadOp::eClear
-                                                                       : vk::AttachmentLoadOp::eLoad,
+                                            .loadOp = loadOf(scope),
                                             .storeOp = vk::AttachmentStoreOp::eStore};
     const vk::RenderingAttachmentInfo depth{
         .imageView = scope.depth.view(),
@@ -76,6 +83,14 @@ void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk:
                             .colorAttachmentCount = 1,
                             .pColorAttachments = &color,
                             .pDepthAttachment = &depth});
+    if (!scope.clearColor || scope.zeroFill == nullptr) {
+        return;
+    }
+    if (flags & vk::RenderingFlagBits::eContentsSecondaryCommandBuffers) {
+        primary.executeCommands(scope.zeroFill->secondary());
+    } else {
+        scope.zeroFill->record(primary);
+    }
 }
 
 } // namespace cdr::render

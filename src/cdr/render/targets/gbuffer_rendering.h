@@ -6,12 +6,15 @@
 
 namespace cdr::render {
 
+class ZeroFill;
+
 /// How a rendering scope over a G-buffer and a depth buffer begins.
 struct GBufferScope {
     const gpu::Image& gbuffer;
     const gpu::Image& depth;
     bool clearColor = true; ///< else what earlier scopes drew stays
     bool reversedDepth = false;
+    const ZeroFill* zeroFill = nullptr; ///< clears the colours, where there is one, as the scope's first draw
 };
 
 /// Makes a G-buffer a colour attachment, waiting for whoever used it before in this queue. Contents are lost.

@@ -41,7 +41,8 @@ OnePassTargets::OnePassTargets(const gpu::Device& device, const TargetsOptions& 
     : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer", options.format)),
       m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth")),
       m_depthFormat(options.depthFormat),
-      m_reversedDepth(options.reversedDepth) {}
+      m_reversedDepth(options.reversedDepth),
+      m_zeroFill(makeZeroFill(device, options)) {}
 
 DepthSlice OnePassTargets::depthSlice(std::size_t cascade, std::size_t cascades) const {
     const std::size_t slice = m_reversedDepth ? cascades - 1 - cascade : cascade;
@@ -50,8 +51,11 @@ DepthSlice OnePassTargets::depthSlice(std::size_t cascade, std::size_t cascades)
 }
 
 void OnePassTargets::record(CascadeCommands& commands, const FrameView& view) {
-    const GBufferScope scope{
-        .gbuffer = m_gbuffer, .depth = m_depth, .clearColor = true, .reversedDepth = m_reversedDepth};
+    const GBufferScope scope{.gbuffer = m_gbuffer,
+                             .depth = m_depth,
+                             .clearColor = true,
+                             .reversedDepth = m_reversedDepth,
+                             .zeroFill = m_zeroFill.get()};
     beginGBuffer(commands.primary(), scope);
     commands.drawScope(scope, {0, view.cascades.size()}); // front to back
 }

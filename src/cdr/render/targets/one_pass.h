@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/render/targets/targets.h>
+#include <cdr/render/targets/zero_fill.h>
 
 namespace cdr::render {
 
@@ -34,6 +35,7 @@ class OnePassTargets final : public Targets {
     gpu::Image m_depth;
     depth::DepthFormat m_depthFormat;
     bool m_reversedDepth;
+    std::unique_ptr<ZeroFill> m_zeroFill; ///< null where the device clears quickly
 };
 
 } // namespace cdr::render

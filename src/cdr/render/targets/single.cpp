@@ -9,11 +9,15 @@ namespace cdr::render {
 SingleTargets::SingleTargets(const gpu::Device& device, const TargetsOptions& options)
     : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer", options.format)),
       m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth")),
-      m_reversedDepth(options.reversedDepth) {}
+      m_reversedDepth(options.reversedDepth),
+      m_zeroFill(makeZeroFill(device, options)) {}
 
 void SingleTargets::record(CascadeCommands& commands, const FrameView& view) {
-    GBufferScope scope{
-        .gbuffer = m_gbuffer, .depth = m_depth, .clearColor = true, .reversedDepth = m_reversedDepth};
+    GBufferScope scope{.gbuffer = m_gbuffer,
+                       .depth = m_depth,
+                       .clearColor = true,
+                       .reversedDepth = m_reversedDepth,
+                       .zeroFill = m_zeroFill.get()};
     beginGBuffer(commands.primary(), scope);
     std::vector<std::size_t> farthestFirst = commands.drawnCascades(view.cascades.size());
     std::reverse(farthestFirst.begin(), farthestFirst.end());

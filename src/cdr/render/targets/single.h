@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/render/targets/targets.h>
+#include <cdr/render/targets/zero_fill.h>
 
 namespace cdr::render {
 
@@ -17,6 +18,7 @@ class SingleTargets final : public Targets {
     gpu::Image m_gbuffer;
     gpu::Image m_depth;
     bool m_reversedDepth;
+    std::unique_ptr<ZeroFill> m_zeroFill; ///< null where the device clears quickly
 };
 
 } // namespace cdr::render
