@@ -14,6 +14,8 @@ layout(constant_id = 0) const uint kFoggy = 0u;
 layout(constant_id = 1) const uint kShiny = 0u;
 // Whether the mapping has anchor planes; without, none is read. 2 is in flat_lighting.glsl.
 layout(constant_id = 3) const uint kAnchored = 1u;
+// Whether the stencil test leaves out background, so that none comes here.
+layout(constant_id = 4) const uint kMarked = 0u;
 
 // FACETS: surfaces come from a visibility buffer and its facets instead.
 layout(set = 0, binding = 0) uniform usampler2D gbuffer;
@@ -121,7 +123,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uvec4 texel = texelFetch(gbuffer, pixel, 0);
     outColor = background();
-    if (!isBackground(texel)) {
+    if (kMarked != 0u || !isBackground(texel)) {
         outColor = shade(pixel, texel);
     }
 }

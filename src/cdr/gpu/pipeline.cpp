@@ -52,6 +52,17 @@ vk::PipelineColorBlendAttachmentState blendState(Blend blend) {
     return {.colorWriteMask = kAll};
 }
 
+vk::StencilOpState stencilState(Stencil stencil) {
+    const bool marks = stencil == Stencil::marks;
+    return {.failOp = vk::StencilOp::eKeep,
+            .passOp = marks ? vk::StencilOp::eReplace : vk::StencilOp::eKeep,
+            .depthFailOp = vk::StencilOp::eKeep,
+            .compareOp = marks ? vk::CompareOp::eAlways : vk::CompareOp::eEqual,
+            .compareMask = 0xff,
+            .writeMask = marks ? 0xffu : 0u,
+            .reference = 1};
+}
+
 } // namespace
 
 vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options) {
@@ -74,13 +85,19 @@ vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipe
         .vertexAttributeDescriptionCount = static_cast<std::uint32_t>(options.attributes.size()),
         .pVertexAttributeDescriptions = options.attributes.data()};
     const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
-    const bool hasDepth = options.usesDepth && options.depthFormat != vk::Format::eUndefined;
+    const bool hasStencil = options.stencil != Stencil::none;
+    const bool attachesDepth = options.stencil != Stencil::testsMarks;
+    const bool hasDepth = options.usesDepth && attachesDepth && options.depthFormat != vk::Format::eUndefined;
     const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
     const vk::PipelineRasterizationStateCreateInfo raster{
         .depthClampEnable = hasDepth, .depthBiasEnable = options.hasDepthBias, .lineWidth = 1.0f};
     const vk::PipelineMultisampleStateCreateInfo multisample{};
-    const vk::PipelineDepthStencilStateCreateInfo depth{
-        .depthTestEnable = hasDepth, .depthWriteEnable = hasDepth, .depthCompareOp = options.depthCompare};
+    const vk::PipelineDepthStencilStateCreateInfo depth{.depthTestEnable = hasDepth,
+                                                        .depthWriteEnable = hasDepth,
+                                                        .depthCompareOp = options.depthCompare,
+                                                        .stencilTestEnable = hasStencil,
+                                                        .front = stencilState(options.stencil),
+                                                        .back = stencilState(options.stencil)};
     const std::vector<vk::PipelineColorBlendAttachmentState> blends(options.colorFormats.size(),
                                                                     blendState(options.blend));
     const vk::PipelineColorBlendStateCreateInfo blend{
@@ -96,7 +113,8 @@ vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipe
     const vk::PipelineRenderingCreateInfo rendering{
         .colorAttachmentCount = static_cast<std::uint32_t>(options.colorFormats.size()),
         .pColorAttachmentFormats = options.colorFormats.data(),
-        .depthAttachmentFormat = options.depthFormat};
+        .depthAttachmentFormat = attachesDepth ? options.depthFormat : vk::Format::eUndefined,
+        .stencilAttachmentFormat = hasStencil ? options.depthFormat : vk::Format::eUndefined};
     auto [result, pipeline] = device.handle().createGraphicsPipelineUnique(device.pipelineCache(),
                                                                            {.pNext = &rendering,
                                                                             .stageCount = stages.size(),

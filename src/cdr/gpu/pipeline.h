@@ -18,6 +18,13 @@ enum class Blend : std::uint8_t {
     over,       ///< the attachment times alpha, plus colour; alpha is transmittance
 };
 
+/// What a pipeline does with the stencil plane of its depth attachment.
+enum class Stencil : std::uint8_t {
+    none,       ///< there is none, or it is not attached
+    marks,      ///< sets it to 1 where a fragment passes the depth test
+    testsMarks, ///< shades only where it is 1; then the attachment's depth is not attached
+};
+
 /// What a graphics pipeline is made from; viewport, scissor, cull mode and front face stay dynamic.
 struct GraphicsPipelineOptions {
     std::string name;
@@ -31,6 +38,7 @@ struct GraphicsPipelineOptions {
     std::vector<vk::Format> colorFormats;
     /// Of the depth attachment; eUndefined: there is none.
     vk::Format depthFormat = vk::Format::eUndefined;
+    Stencil stencil = Stencil::none;
     bool usesDepth = true; ///< tests, writes and clamps depth where there is an attachment
     vk::CompareOp depthCompare = vk::CompareOp::eLessOrEqual;
     bool hasDepthBias = false; ///< set by setDepthBias(), dynamic

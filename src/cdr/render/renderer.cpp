@@ -87,6 +87,7 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
                .shiny = needs.shiny,
                .anchored = depth::isAnchored(options.technique.mapping),
                .facets = drawsFacets(options),
+               .marks = targets.marks(),
                .lights = static_cast<std::uint32_t>(drawn.scene.lights.size())}),
       resolve(drawsFacets(options) ? std::make_unique<ResolvePass>(device, targets.gbuffer()) : nullptr),
       translucent(needs.blended ? std::make_unique<TranslucentPass>(device, drawn, targets.gbuffer(),

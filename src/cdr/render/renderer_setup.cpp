@@ -49,8 +49,9 @@ bool losesShine(const GpuScene& scene, const RenderOptions& options) {
 std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
     const vk::Extent2D extent{options.width, options.height};
     const bool hasFacets = options.surface == SurfacePath::visibility;
-    return predictLayerBytes(device, extent, options.technique.format) +
-           (hasFacets ? gpu::predictBytes(device, gbufferOptions(extent, kVisibilityFormat)) : 0) +
+    return predictLayerBytes(device, extent, options.technique.format,
+                             hasFacets ? kVisibilityFormat : kGBufferFormat) +
+           (hasFacets ? gpu::predictBytes(device, gbufferOptions(extent)) : 0) +
            Picture::predictBytes(device, pictureOptions(extent, options, hasBlended)) +
            ShadingPass::predictBytes(extent, options.effects) +
            (options.motion ? MotionPass::predictBytes(device, extent) : 0);

@@ -32,7 +32,7 @@ FacetPass::FacetPass(const gpu::Device& device, const GpuScene& scene, FacetMesh
     : m_scene(scene),
       m_meshes(std::move(meshes)),
       m_options(options),
-      m_depthFormat(device.depthFormat(options.technique.format)),
+      m_depthFormat(depthAttachmentFormat(device, options.technique.format, kVisibilityFormat)),
       m_layout(gpu::makePipelineLayout(
           device, {}, {{.stageFlags = GeometryPipelines::kStages, .size = sizeof(shaders::CascadePush)}},
           "facet layout")),
@@ -60,6 +60,7 @@ vk::UniquePipeline FacetPass::makePipeline(const gpu::Device& device, bool wide)
          .attributes = attributes(),
          .colorFormats = {kVisibilityFormat},
          .depthFormat = m_depthFormat,
+         .stencil = marksDrawn(m_depthFormat, kVisibilityFormat) ? gpu::Stencil::marks : gpu::Stencil::none,
          .depthCompare = depthCompareOf(mapping())});
 }
 

@@ -52,6 +52,8 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
            .bindings = {},
            .attributes = {},
            .colorFormats = {options.format},
+           .depthFormat = options.marks,
+           .stencil = options.marks != vk::Format::eUndefined ? gpu::Stencil::testsMarks : gpu::Stencil::none,
            .blend = options.blend})) {}
 
 PassInputs FullscreenPass::makeInputs() const {
@@ -61,17 +63,23 @@ PassInputs FullscreenPass::makeInputs() const {
 }
 
 void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> draws, const gpu::Image& into,
-                            vk::AttachmentLoadOp load, const vk::ClearValue& clear) const {
+                            vk::AttachmentLoadOp load, const vk::ClearValue& clear,
+                            const gpu::Image* marks) const {
     const vk::RenderingAttachmentInfo color{.imageView = into.view(),
                                             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
                                             .loadOp = load,
                                             .storeOp = vk::AttachmentStoreOp::eStore,
                                             .clearValue = clear};
+    const vk::RenderingAttachmentInfo stencil{.imageView = marks != nullptr ? marks->view() : vk::ImageView(),
+                                              .imageLayout = vk::ImageLayout::eAttachmentOptimal,
+                                              .loadOp = vk::AttachmentLoadOp::eLoad,
+                                              .storeOp = vk::AttachmentStoreOp::eDontCare};
     const vk::Extent2D extent = into.options().extent;
     primary.beginRendering({.renderArea = {{0, 0}, extent},
                             .layerCount = 1,
                             .colorAttachmentCount = 1,
-                            .pColorAttachments = &color});
+                            .pColorAttachments = &color,
+                            .pStencilAttachment = marks != nullptr ? &stencil : nullptr});
     gpu::bindFullscreenPipeline(primary, *m_pipeline, extent);
     for (const Draw& draw : draws) {
         primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *m_layout, 0, draw.set, {});

@@ -26,6 +26,8 @@ struct FullscreenPassOptions {
     std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, ... of both stages
     std::uint32_t pushBytes = 0;          ///< of push constants that the fragment shader reads
     gpu::Blend blend = gpu::Blend::none;
+    vk::Format marks =
+        vk::Format::eUndefined; ///< of a depth attachment with marks; with one, only marked pixels are drawn
     vk::Filter filter = vk::Filter::eNearest; ///< of images that are not fetched texel by texel
 };
 
@@ -71,8 +73,10 @@ class FullscreenPass {
     };
     /// One rendering scope over `into`, in the colour attachment layout, that draws in order.
     /// @param clear what vk::AttachmentLoadOp::eClear clears to.
+    /// @param marks in the attachment layout; null unless the options have their format.
     void record(vk::CommandBuffer primary, std::span<const Draw> draws, const gpu::Image& into,
-                vk::AttachmentLoadOp load, const vk::ClearValue& clear = {}) const;
+                vk::AttachmentLoadOp load, const vk::ClearValue& clear = {},
+                const gpu::Image* marks = nullptr) const;
     /// The same with one draw that overwrites every pixel.
     void record(vk::CommandBuffer primary, const PassInputs& inputs, const gpu::Image& into) const;
 

@@ -8,6 +8,8 @@
 #include <cdr/shaders/shading_vert.h>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace cdr::render {
 
@@ -32,7 +34,11 @@ FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shadi
                                   .bindings = {kImage, kBuffer},
                                   .format = format,
                                   .constants = {effects.fog.visibility > 0.0 ? 1u : 0u,
-                                                shading.shiny ? 1u : 0u, lights, shading.anchored ? 1u : 0u}};
+                                                shading.shiny ? 1u : 0u, lights, shading.anchored ? 1u : 0u,
+                                                shading.marks != nullptr ? 1u : 0u}};
+    if (shading.marks != nullptr) {
+        options.marks = shading.marks->options().format;
+    }
     if (shading.facets) {
         options.fragmentSpirv = kShadingFacetsFrag;
         options.bindings.push_back(vk::DescriptorType::eUniformTexelBuffer);
@@ -91,12 +97,13 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     shaders::ShadingHeader& header = m_lights.as<shaders::ShadingHeader>(1).front();
     header.ambient = scene.ambient;
     const Fog& fog = m_effects.fog;
-    header.background = fog.visibility > 0.0 ? fog.color : scene.background;
+    m_background = fog.visibility > 0.0 ? fog.color : scene.background;
+    header.background = m_background;
+    header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
     header.rayScale = glm::vec2(frustum.tanX, frustum.tanY);
     header.pictureSize = glm::vec2(m_extent.width, m_extent.height);
     m_lightCount = static_cast<std::uint32_t>(scene.lights.size());
     header.lightCount = m_lightCount;
-    header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
     header.fog = glm::vec4(fog.color, fog.extinction());
     std::transform(anchorsView.begin(), anchorsView.end(), header.anchors, splitDouble);
     auto* lights = reinterpret_cast<shaders::LightRecord*>(&header + 1);
@@ -107,12 +114,24 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
 }
 
 void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs) {
-    gpu::pipelineBarrier(primary, {readBarrier(m_gbuffer), attachBarrier(m_into)});
+    std::vector<vk::ImageMemoryBarrier2> barriers{readBarrier(m_gbuffer), attachBarrier(m_into)};
+    if (m_options.marks != nullptr) {
+        barriers.push_back(marksBarrier(*m_options.marks));
+    }
+    gpu::pipelineBarrier(primary, barriers);
     if (m_occlusion) {
         m_occlusion->record(primary, inputs.m_occlusion);
     }
     m_device.beginLabel(primary, "shading");
-    passFor(inputs.m_lightCount).record(primary, inputs.m_inputs, m_into);
+    const FullscreenPass::Draw draw{.set = inputs.m_inputs.set()};
+    const glm::vec3& background = inputs.m_background;
+    // Where marks leave background out, it is what the clear makes it.
+    const auto load =
+        m_options.marks != nullptr ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eDontCare;
+    passFor(inputs.m_lightCount)
+        .record(primary, {&draw, 1}, m_into, load,
+                vk::ClearColorValue{std::array{background.r, background.g, background.b, 1.0f}},
+                m_options.marks);
     m_device.endLabel(primary);
 }
 

@@ -36,6 +36,7 @@ class ShadingInputs {
     Effects m_effects;
     vk::Extent2D m_extent; ///< of the picture
     std::uint32_t m_lightCount = 0;
+    glm::vec3 m_background{0.0f}; ///< linear; where no surface is
     gpu::Buffer m_lights;
     PassInputs m_inputs;
     PassInputs m_occlusion; ///< where it is worked out over the whole picture
@@ -47,6 +48,7 @@ struct ShadingOptions {
     bool shiny = false;    ///< whether the surfaces hold how they shine
     bool anchored = false; ///< whether the mapping has anchor planes
     bool facets = false;   ///< whether surfaces come from a visibility buffer; then effects hold no occlusion
+    const gpu::Image* marks = nullptr; ///< Targets::marks()
     std::uint32_t lights = 0; ///< as many as the scene has at first; up to shaders::kFlatLights cost least
 };
 

@@ -16,6 +16,9 @@ constexpr std::size_t kMinDrawsPerJob = 256;
 struct SecondaryBegin {
     explicit SecondaryBegin(const HostDraws& draws) : surfaceFormat(draws.surfaceFormat()) {
         rendering.depthAttachmentFormat = draws.depthFormat();
+        if (marksDrawn(draws.depthFormat(), surfaceFormat)) {
+            rendering.stencilAttachmentFormat = draws.depthFormat();
+        }
     }
     ~SecondaryBegin() = default;
     SecondaryBegin(const SecondaryBegin&) = delete;

@@ -80,7 +80,8 @@ CascadeLayers::Layer CascadeLayers::makeLayer(std::size_t number) const {
     PassInputs source = m_merge.makeInputs();
     source.setImage(0, gbuffer);
     return {.gbuffer = std::move(gbuffer),
-            .depth = makeDepthBuffer(m_device, m_options.extent, m_options.depthFormat, name + " depth"),
+            .depth = makeDepthBuffer(m_device, m_options.extent, m_options.depthFormat, name + " depth",
+                                     m_options.format),
             .source = std::move(source)};
 }
 

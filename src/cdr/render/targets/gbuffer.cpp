@@ -1,3 +1,4 @@
+#include <cdr/gpu/device_query.h>
 #include <cdr/render/octahedral.h>
 #include <cdr/render/targets/gbuffer.h>
 
@@ -24,24 +25,43 @@ gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std
     return {device, gbufferOptions(extent, format), name};
 }
 
+bool hasStencil(vk::Format depthAttachment) {
+    return depthAttachment == vk::Format::eD16UnormS8Uint || depthAttachment == vk::Format::eD24UnormS8Uint ||
+           depthAttachment == vk::Format::eD32SfloatS8Uint;
+}
+
+vk::Format depthAttachmentFormat(const gpu::Device& device, depth::DepthFormat format, vk::Format surfaces) {
+    const std::optional<vk::Format> marking =
+        surfaces == kVisibilityFormat ? gpu::findStencilDepthFormat(device.physical(), format) : std::nullopt;
+    return marking ? *marking : device.depthFormat(format);
+}
+
+bool marksDrawn(vk::Format depthAttachment, vk::Format surfaces) {
+    return surfaces == kVisibilityFormat && hasStencil(depthAttachment);
+}
+
 gpu::ImageOptions depthBufferOptions(const gpu::Device& device, vk::Extent2D extent,
-                                     depth::DepthFormat format) {
+                                     depth::DepthFormat format, vk::Format surfaces) {
+    const vk::Format attachment = depthAttachmentFormat(device, format, surfaces);
+    // A stencil plane that comes along and marks nothing is never used, and the view must not name it.
+    const vk::ImageAspectFlags aspects =
+        marksDrawn(attachment, surfaces) ? vk::ImageAspectFlagBits::eDepth | vk::ImageAspectFlagBits::eStencil
+                                         : vk::ImageAspectFlags(vk::ImageAspectFlagBits::eDepth);
     return {.extent = extent,
-            .format = device.depthFormat(format),
+            .format = attachment,
             .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment,
-            // A stencil plane that comes along is never used, but the view must not name it.
-            .aspect = vk::ImageAspectFlagBits::eDepth};
+            .aspect = aspects};
 }
 
 gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format,
-                           const std::string& name) {
-    return {device, depthBufferOptions(device, extent, format), name};
+                           const std::string& name, vk::Format surfaces) {
+    return {device, depthBufferOptions(device, extent, format, surfaces), name};
 }
 
 std::uint64_t predictLayerBytes(const gpu::Device& device, vk::Extent2D extent,
                                 depth::DepthFormat depthFormat, vk::Format format) {
     return gpu::predictBytes(device, gbufferOptions(extent, format)) +
-           gpu::predictBytes(device, depthBufferOptions(device, extent, depthFormat));
+           gpu::predictBytes(device, depthBufferOptions(device, extent, depthFormat, format));
 }
 
 } // namespace cdr::render

@@ -29,11 +29,18 @@ gpu::ImageOptions gbufferOptions(vk::Extent2D extent, vk::Format format = kGBuff
 gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name,
                        vk::Format format = kGBufferFormat);
 
+/// Of the depth attachment beside a geometry buffer; beside a visibility buffer with a stencil plane, where the device has
+/// one, which marks what is drawn. base::InputError where the device lacks the format.
+vk::Format depthAttachmentFormat(const gpu::Device& device, depth::DepthFormat format, vk::Format surfaces);
+bool hasStencil(vk::Format depthAttachment);
+/// Whether a depth attachment of that format beside those surfaces marks what is drawn.
+bool marksDrawn(vk::Format depthAttachment, vk::Format surfaces);
+
 /// Of a depth attachment. base::InputError where the device lacks the format.
 gpu::ImageOptions depthBufferOptions(const gpu::Device& device, vk::Extent2D extent,
-                                     depth::DepthFormat format);
+                                     depth::DepthFormat format, vk::Format surfaces = kGBufferFormat);
 gpu::Image makeDepthBuffer(const gpu::Device& device, vk::Extent2D extent, depth::DepthFormat format,
-                           const std::string& name);
+                           const std::string& name, vk::Format surfaces = kGBufferFormat);
 
 /// Device bytes of a geometry buffer and a depth buffer.
 std::uint64_t predictLayerBytes(const gpu::Device& device, vk::Extent2D extent,

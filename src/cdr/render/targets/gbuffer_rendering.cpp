@@ -15,9 +15,9 @@ constexpr auto kColorAccess = Access::eColorAttachmentRead | Access::eColorAttac
 
 /// Barriers only take whole formats, so a stencil plane that comes along is transitioned too.
 vk::ImageAspectFlags depthAspects(const gpu::Image& depth) {
-    const bool hasStencil = depth.options().format == vk::Format::eD24UnormS8Uint;
-    return hasStencil ? vk::ImageAspectFlagBits::eDepth | vk::ImageAspectFlagBits::eStencil
-                      : vk::ImageAspectFlags(vk::ImageAspectFlagBits::eDepth);
+    return hasStencil(depth.options().format)
+               ? vk::ImageAspectFlagBits::eDepth | vk::ImageAspectFlagBits::eStencil
+               : vk::ImageAspectFlags(vk::ImageAspectFlagBits::eDepth);
 }
 
 vk::AttachmentLoadOp loadOf(const GBufferScope& scope) {
@@ -28,6 +28,17 @@ vk::AttachmentLoadOp loadOf(const GBufferScope& scope) {
 }
 
 } // namespace
+
+const gpu::Image* marksOf(const gpu::Image& depth, const gpu::Image& surfaces) {
+    return marksDrawn(depth.options().format, surfaces.options().format) ? &depth : nullptr;
+}
+
+vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks) {
+    return gpu::imageBarrier(marks.handle(), depthAspects(marks), kDepthStages,
+                             Access::eDepthStencilAttachmentWrite, kDepthStages,
+                             Access::eDepthStencilAttachmentRead, vk::ImageLayout::eAttachmentOptimal,
+                             vk::ImageLayout::eAttachmentOptimal);
+}
 
 vk::ImageMemoryBarrier2 attachBarrier(const gpu::Image& gbuffer) {
     return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eAllCommands,
@@ -54,16 +65,16 @@ void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope) {
         primary, {attachBarrier(scope.gbuffer),
                   gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
                                     Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
-                                    vk::ImageLayout::eUndefined, vk::ImageLayout::eDepthAttachmentOptimal)});
+                                    vk::ImageLayout::eUndefined, vk::ImageLayout::eAttachmentOptimal)});
 }
 
 void chainGBufferScopes(vk::CommandBuffer primary, const GBufferScope& scope) {
-    gpu::pipelineBarrier(primary,
-                         {chainBarrier(scope.gbuffer),
-                          gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
-                                            Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
-                                            vk::ImageLayout::eDepthAttachmentOptimal,
-                                            vk::ImageLayout::eDepthAttachmentOptimal)});
+    gpu::pipelineBarrier(
+        primary,
+        {chainBarrier(scope.gbuffer),
+         gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
+                           Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
+                           vk::ImageLayout::eAttachmentOptimal, vk::ImageLayout::eAttachmentOptimal)});
 }
 
 void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk::RenderingFlags flags) {
@@ -73,16 +84,23 @@ void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk:
                                             .storeOp = vk::AttachmentStoreOp::eStore};
     const vk::RenderingAttachmentInfo depth{
         .imageView = scope.depth.view(),
-        .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
+        .imageLayout = vk::ImageLayout::eAttachmentOptimal,
         .loadOp = vk::AttachmentLoadOp::eClear,
         .storeOp = vk::AttachmentStoreOp::eDontCare,
         .clearValue = vk::ClearDepthStencilValue{.depth = scope.reversedDepth ? 0.0f : 1.0f}};
+    const vk::RenderingAttachmentInfo stencil{.imageView = scope.depth.view(),
+                                              .imageLayout = vk::ImageLayout::eAttachmentOptimal,
+                                              .loadOp = scope.clearColor ? vk::AttachmentLoadOp::eClear
+                                                                         : vk::AttachmentLoadOp::eLoad,
+                                              .storeOp = vk::AttachmentStoreOp::eStore};
+    const bool marks = marksOf(scope.depth, scope.gbuffer) != nullptr;
     primary.beginRendering({.flags = flags,
                             .renderArea = {{0, 0}, scope.gbuffer.options().extent},
                             .layerCount = 1,
                             .colorAttachmentCount = 1,
                             .pColorAttachments = &color,
-                            .pDepthAttachment = &depth});
+                            .pDepthAttachment = &depth,
+                            .pStencilAttachment = marks ? &stencil : nullptr});
     if (!scope.clearColor || scope.zeroFill == nullptr) {
         return;
     }

@@ -17,12 +17,18 @@ struct GBufferScope {
     const ZeroFill* zeroFill = nullptr; ///< clears the colours, where there is one, as the scope's first draw
 };
 
+/// The depth attachment if it marks what is drawn, else null.
+const gpu::Image* marksOf(const gpu::Image& depth, const gpu::Image& surfaces);
+
 /// Makes a G-buffer a colour attachment, waiting for whoever used it before in this queue. Contents are lost.
 vk::ImageMemoryBarrier2 attachBarrier(const gpu::Image& gbuffer);
 /// Lets a colour attachment that a rendering scope wrote be the attachment of the next one.
 vk::ImageMemoryBarrier2 chainBarrier(const gpu::Image& gbuffer);
 /// Hands a colour attachment that a rendering scope wrote to fragment shaders that read it.
 vk::ImageMemoryBarrier2 readBarrier(const gpu::Image& gbuffer);
+
+/// Lets fragments be tested against marks that a rendering scope made.
+vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks);
 
 /// Makes the images attachments, waiting for whoever used them before in this queue. Contents are lost.
 void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope);

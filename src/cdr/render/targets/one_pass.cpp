@@ -39,7 +39,7 @@ DepthSlice integerSlice(std::size_t slice, std::size_t slices, int bits) {
 
 OnePassTargets::OnePassTargets(const gpu::Device& device, const TargetsOptions& options)
     : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer", options.format)),
-      m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth")),
+      m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth", options.format)),
       m_depthFormat(options.depthFormat),
       m_reversedDepth(options.reversedDepth),
       m_zeroFill(makeZeroFill(device, options)) {}

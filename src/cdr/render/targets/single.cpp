@@ -8,7 +8,7 @@ namespace cdr::render {
 
 SingleTargets::SingleTargets(const gpu::Device& device, const TargetsOptions& options)
     : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer", options.format)),
-      m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth")),
+      m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth", options.format)),
       m_reversedDepth(options.reversedDepth),
       m_zeroFill(makeZeroFill(device, options)) {}
 

@@ -13,6 +13,7 @@ class SingleTargets final : public Targets {
 
     void record(CascadeCommands& commands, const FrameView& view) override;
     const gpu::Image& gbuffer() const override { return m_gbuffer; }
+    const gpu::Image* marks() const override { return marksOf(m_depth, m_gbuffer); }
 
   private:
     gpu::Image m_gbuffer;

@@ -40,6 +40,9 @@ class Targets {
     virtual void record(CascadeCommands& commands, const FrameView& view) = 0;
 
     virtual const gpu::Image& gbuffer() const = 0;
+    /// A depth attachment whose stencil plane is 1 after record() where gbuffer() holds a surface, else 0; null: there is
+    /// none.
+    virtual const gpu::Image* marks() const { return nullptr; }
 };
 
 /// Makes the targets chosen. base::RunError, with both figures, when the device has too little memory for
