@@ -23,15 +23,6 @@ constexpr std::array<std::array<vk::Format, 2>, depth::kDepthFormats.size()> kVu
     {vk::Format::eD32Sfloat, vk::Format::eUndefined},
 }};
 
-constexpr std::array<vk::Format, depth::kDepthFormats.size()> kStencilFormats{
-    vk::Format::eD16UnormS8Uint, vk::Format::eD24UnormS8Uint, vk::Format::eD32SfloatS8Uint};
-
-bool isDepthAttachment(vk::PhysicalDevice physical, vk::Format format) {
-    return format != vk::Format::eUndefined &&
-           bool(physical.getFormatProperties(format).optimalTilingFeatures &
-                vk::FormatFeatureFlagBits::eDepthStencilAttachment);
-}
-
 std::string kindOf(vk::PhysicalDeviceType type) {
     switch (type) {
     case vk::PhysicalDeviceType::eCpu:
@@ -120,14 +111,11 @@ std::optional<std::uint32_t> findQueueFamily(vk::PhysicalDevice physical) {
 std::optional<vk::Format> findDepthFormat(vk::PhysicalDevice physical, depth::DepthFormat format) {
     const auto& candidates = kVulkanFormats[static_cast<std::size_t>(format)];
     const auto found = std::find_if(candidates.begin(), candidates.end(), [&](vk::Format candidate) {
-        return isDepthAttachment(physical, candidate);
+        const bool isDepth(physical.getFormatProperties(candidate).optimalTilingFeatures &
+                           vk::FormatFeatureFlagBits::eDepthStencilAttachment);
+        return candidate != vk::Format::eUndefined && isDepth;
     });
     return found == candidates.end() ? std::nullopt : std::optional(*found);
-}
-
-std::optional<vk::Format> findStencilDepthFormat(vk::PhysicalDevice physical, depth::DepthFormat format) {
-    const vk::Format candidate = kStencilFormats[static_cast<std::size_t>(format)];
-    return isDepthAttachment(physical, candidate) ? std::optional(candidate) : std::nullopt;
 }
 
 DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {

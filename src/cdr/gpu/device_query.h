@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cdr/base/export.h>
 #include <cdr/gpu/device.h>
 
 #include <optional>
@@ -12,9 +11,6 @@ std::optional<std::uint32_t> findQueueFamily(vk::PhysicalDevice physical);
 
 /// The Vulkan format of depth attachments for `format`, if the device has one.
 std::optional<vk::Format> findDepthFormat(vk::PhysicalDevice physical, depth::DepthFormat format);
-/// The one with a stencil plane, if the device has it.
-CDR_EXPORT std::optional<vk::Format> findStencilDepthFormat(vk::PhysicalDevice physical,
-                                                            depth::DepthFormat format);
 
 DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index);
 

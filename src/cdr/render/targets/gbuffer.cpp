@@ -1,10 +1,20 @@
-#include <cdr/gpu/device_query.h>
 #include <cdr/render/octahedral.h>
 #include <cdr/render/targets/gbuffer.h>
 
 #include <glm/gtc/packing.hpp>
 
+#include <algorithm>
+#include <array>
+
 namespace cdr::render {
+
+namespace {
+
+/// By depth::DepthFormat: the same with a stencil plane.
+constexpr std::array<vk::Format, depth::kDepthFormats.size()> kStencilFormats{
+    vk::Format::eD16UnormS8Uint, vk::Format::eD24UnormS8Uint, vk::Format::eD32SfloatS8Uint};
+
+} // namespace
 
 glm::vec3 GBufferPixel::normalView() const {
     if (id() == 0) {
@@ -25,15 +35,16 @@ gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std
     return {device, gbufferOptions(extent, format), name};
 }
 
-bool hasStencil(vk::Format depthAttachment) {
-    return depthAttachment == vk::Format::eD16UnormS8Uint || depthAttachment == vk::Format::eD24UnormS8Uint ||
-           depthAttachment == vk::Format::eD32SfloatS8Uint;
+vk::Format depthAttachmentFormat(const gpu::Device& device, depth::DepthFormat format, vk::Format surfaces) {
+    const vk::Format marking = kStencilFormats[static_cast<std::size_t>(format)];
+    const bool isAttachment(device.physical().getFormatProperties(marking).optimalTilingFeatures &
+                            vk::FormatFeatureFlagBits::eDepthStencilAttachment);
+    return surfaces == kVisibilityFormat && isAttachment ? marking : device.depthFormat(format);
 }
 
-vk::Format depthAttachmentFormat(const gpu::Device& device, depth::DepthFormat format, vk::Format surfaces) {
-    const std::optional<vk::Format> marking =
-        surfaces == kVisibilityFormat ? gpu::findStencilDepthFormat(device.physical(), format) : std::nullopt;
-    return marking ? *marking : device.depthFormat(format);
+bool hasStencil(vk::Format depthAttachment) {
+    return std::find(kStencilFormats.begin(), kStencilFormats.end(), depthAttachment) !=
+           kStencilFormats.end();
 }
 
 bool marksDrawn(vk::Format depthAttachment, vk::Format surfaces) {

@@ -32,6 +32,7 @@ gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std
 /// Of the depth attachment beside a geometry buffer; beside a visibility buffer with a stencil plane, where the device has
 /// one, which marks what is drawn. base::InputError where the device lacks the format.
 vk::Format depthAttachmentFormat(const gpu::Device& device, depth::DepthFormat format, vk::Format surfaces);
+/// Whether a format has a stencil plane, used or not.
 bool hasStencil(vk::Format depthAttachment);
 /// Whether a depth attachment of that format beside those surfaces marks what is drawn.
 bool marksDrawn(vk::Format depthAttachment, vk::Format surfaces);
