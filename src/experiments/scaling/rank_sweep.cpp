@@ -44,6 +44,20 @@ Json gathered(ranks::Ranks& ranks, Json mine) {
     return all;
 }
 
+Json jsonOf(const RankShare& share) {
+    return {{"rank", share.rank},
+            {"draw_ms", share.drawMs},
+            {"bytes_sent", share.bytesSent},
+            {"device_bytes", share.deviceBytes}};
+}
+
+RankShare shareFrom(const Json& json) {
+    return {.rank = json.at("rank").get<std::size_t>(),
+            .drawMs = json.at("draw_ms").get<double>(),
+            .bytesSent = json.at("bytes_sent").get<std::size_t>(),
+            .deviceBytes = json.at("device_bytes").get<std::uint64_t>()};
+}
+
 /// This rank's part of a frame that so many ranks draw; the others look on.
 class RankPart {
   public:
@@ -84,11 +98,12 @@ class RankPart {
         return host::sha256Of(host::sha256Of(m_frame.color.pixels) + host::sha256Of(m_frame.gbuffer.pixels));
     }
 
+    /// Null where it takes no part.
     Json share(std::size_t rank) const {
-        return m_takesPart ? Json{{"rank", rank},
-                                  {"draw_ms", measure::median(m_drawMs)},
-                                  {"bytes_sent", m_bytesSent},
-                                  {"device_bytes", m_deviceBytes}}
+        return m_takesPart ? jsonOf(RankShare{.rank = rank,
+                                              .drawMs = measure::median(m_drawMs),
+                                              .bytesSent = m_bytesSent,
+                                              .deviceBytes = m_deviceBytes})
                            : Json();
     }
 
@@ -108,10 +123,7 @@ std::vector<RankShare> sharesOf(const Json& gatheredShares) {
     std::vector<RankShare> shares;
     for (const Json& share : gatheredShares) {
         if (!share.is_null()) {
-            shares.push_back({.rank = share.at("rank").get<std::size_t>(),
-                              .drawMs = share.at("draw_ms").get<double>(),
-                              .bytesSent = share.at("bytes_sent").get<std::size_t>(),
-                              .deviceBytes = share.at("device_bytes").get<std::uint64_t>()});
+            shares.push_back(shareFrom(share));
         }
     }
     return shares;
@@ -231,10 +243,7 @@ Columns<RankPoint> rankPointColumns() {
     const auto shares = [](const RankPoint& point) {
         Json all = Json::array();
         for (const RankShare& share : point.shares) {
-            all.push_back({{"rank", share.rank},
-                           {"draw_ms", share.drawMs},
-                           {"bytes_sent", share.bytesSent},
-                           {"device_bytes", share.deviceBytes}});
+            all.push_back(jsonOf(share));
         }
         return all;
     };
