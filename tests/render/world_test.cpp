@@ -102,6 +102,8 @@ class Editor {
             removeInstance();
         } else if (kind < 950) {
             setMaterialOfInstance();
+        } else if (kind < 965) {
+            deform();
         } else if (kind < 985) {
             editLights();
         } else {
@@ -180,6 +182,22 @@ class Editor {
         Expected::Object& object = *pick(m_expected.objects);
         object.material = pick(m_expected.materials)->first;
         m_world.setMaterial(object.handle, m_expected.materials.at(object.material).handle);
+    }
+
+    /// Gives a mesh without levels other vertices, now and then with facets.
+    void deform() {
+        auto& [handle, mesh] = pick(m_expected.meshes)->second;
+        if (!mesh.levels.empty()) {
+            return;
+        }
+        const bool hasFacets = below(2) == 0;
+        for (scene::Vertex& vertex : mesh.vertices) {
+            vertex.position *= static_cast<float>(between(0.7, 1.4));
+            vertex.normal = hasFacets ? glm::vec3(0.0f, 0.0f, 1.0f) : glm::normalize(vertex.position);
+        }
+        mesh.boundingRadius = scene::boundingRadiusOf(mesh.vertices);
+        mesh.boxHalfSides.reset();
+        m_world.setVertices(handle, mesh.vertices);
     }
 
     void addLight() {

@@ -53,6 +53,49 @@ TEST(World, AddsMovesAndRemovesInstances) {
     EXPECT_EQ(world.scene().instances.size(), 2u);
 }
 
+TEST(World, GivesAMeshOtherVertices) {
+    World world = boxWorld();
+    const InstanceHandle second = world.addInstance(boxAt(world, {9.0, 0.0, 0.0}));
+    const InstanceHandle removed = world.addInstance(boxAt(world, {}));
+    std::vector<Vertex> vertices = world.scene().meshes[0].vertices;
+    for (Vertex& vertex : vertices) {
+        vertex.position *= 4.0f;
+    }
+    world.setVertices(world.mesh(0), vertices);
+    world.removeInstance(removed);
+    for (Vertex& vertex : vertices) {
+        vertex.position *= 0.5f;
+    }
+    const InstanceHandle third = world.addInstance(boxAt(world, {5.0, 0.0, 0.0}));
+    world.setVertices(world.mesh(0), vertices);
+    const Mesh& mesh = world.scene().meshes[0];
+    EXPECT_EQ(mesh.vertices[3].position, vertices[3].position);
+    EXPECT_NEAR(mesh.boundingRadius, std::sqrt(3.0f), 1e-6f);
+    EXPECT_FALSE(mesh.boxHalfSides);
+    for (const InstanceHandle handle : {world.instance(0), second, third}) {
+        EXPECT_NEAR(world.scene().instances.radius[handle.index], std::sqrt(3.0f), 1e-4f) << handle.index;
+    }
+}
+
+TEST(World, RefusesVerticesThatDoNotFit) {
+    World world = boxWorld();
+    const std::vector<Vertex> before = world.scene().meshes[0].vertices;
+    EXPECT_EQ(refusalOf([&] { world.setVertices(world.mesh(0), {}); }),
+              "mesh 0: 0 vertices cannot stand in the place of 24");
+    std::vector<Vertex> vertices = before;
+    vertices[7].position.x = NAN;
+    EXPECT_EQ(refusalOf([&] { world.setVertices(world.mesh(0), vertices); }),
+              "mesh 0: its vertices must be finite");
+    vertices[7].position.x = 1e30f;
+    EXPECT_NE(refusalOf([&] { world.setVertices(world.mesh(0), vertices); }), "");
+    Mesh levelled = makeBox(glm::vec3(1.0f));
+    levelled.levels.push_back({.indices = {0, 1, 2}, .error = 1.0f});
+    const MeshHandle other = world.addMesh(levelled);
+    EXPECT_EQ(refusalOf([&] { world.setVertices(other, before); }),
+              "mesh 1: its levels of detail would not hold for other vertices");
+    EXPECT_EQ(world.scene().meshes[0].vertices[7].position, before[7].position);
+}
+
 TEST(World, RefusesStaleHandlesByName) {
     World world = boxWorld();
     const InstanceHandle gone = world.addInstance(boxAt(world, {}));

@@ -2,7 +2,7 @@
 #include <cdr/gpu/upload.h>
 
 #include <algorithm>
-#include <cstring>
+#include <vector>
 
 namespace cdr::gpu {
 
@@ -30,6 +30,25 @@ Buffer uploadBuffer(const Device& device, std::span<const std::byte> bytes, vk::
         commands.copyBuffer(staging.handle(), buffer.handle(), vk::BufferCopy{.size = bytes.size()});
     });
     return buffer;
+}
+
+void writeBuffer(const Device& device, const Buffer& buffer, std::span<const BufferPart> parts) {
+    std::vector<std::byte> bytes;
+    std::vector<vk::BufferCopy> copies;
+    for (const BufferPart& part : parts) {
+        if (!part.bytes.empty()) {
+            copies.push_back(
+                {.srcOffset = bytes.size(), .dstOffset = part.offset, .size = part.bytes.size()});
+            bytes.insert(bytes.end(), part.bytes.begin(), part.bytes.end());
+        }
+    }
+    if (copies.empty()) {
+        return;
+    }
+    const Buffer staging = stage(device, bytes);
+    runOnce(device, [&](vk::CommandBuffer commands) {
+        commands.copyBuffer(staging.handle(), buffer.handle(), copies);
+    });
 }
 
 Image uploadImage(const Device& device, vk::Extent2D extent, vk::Format format,

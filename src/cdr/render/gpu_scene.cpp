@@ -4,19 +4,15 @@
 #include <cdr/gpu/upload.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/render/material_words.h>
-#include <cdr/render/octahedral.h>
+#include <cdr/render/upload/scene_meshes.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/blended.h>
 #include <cdr/visibility/instance_cells.h>
 
-#include <glm/gtc/packing.hpp>
-
 #include <algorithm>
-#include <cstddef>
 #include <map>
 #include <mutex>
 #include <numeric>
-#include <optional>
 #include <tuple>
 
 namespace cdr::render {
@@ -24,15 +20,6 @@ namespace cdr::render {
 namespace {
 
 constexpr auto kTextureType = vk::DescriptorType::eCombinedImageSampler;
-
-/// A vertex as the device reads it: 28 bytes.
-struct PackedVertex {
-    glm::vec3 position;
-    std::uint32_t normal; ///< octahedral, two snorm16
-    glm::vec2 uv;
-    glm::u8vec4 color;
-};
-static_assert(sizeof(PackedVertex) == 28);
 
 vk::UniqueSampler makeSampler(const gpu::Device& device, bool repeatU, bool repeatV) {
     const auto mode = [](bool repeat) {
@@ -42,26 +29,6 @@ vk::UniqueSampler makeSampler(const gpu::Device& device, bool repeatU, bool repe
                                                 .minFilter = vk::Filter::eLinear,
                                                 .addressModeU = mode(repeatU),
                                                 .addressModeV = mode(repeatV)});
-}
-
-bool areFaceted(const std::vector<scene::Vertex>& vertices, const std::vector<std::uint32_t>& indices) {
-    const auto looksLike = [&](std::uint32_t a, std::uint32_t b) {
-        return vertices[a].normal == vertices[b].normal && vertices[a].color == vertices[b].color;
-    };
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        if (!looksLike(indices[i], indices[i + 1]) || !looksLike(indices[i], indices[i + 2])) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/// At every level, since they share pipelines.
-bool isFaceted(const scene::Mesh& mesh) {
-    return areFaceted(mesh.vertices, mesh.indices) &&
-           std::all_of(mesh.levels.begin(), mesh.levels.end(), [&](const scene::MeshLevel& level) {
-               return areFaceted(mesh.vertices, level.indices);
-           });
 }
 
 std::uint32_t variantOf(const MeshRange& mesh, const scene::Material& material) {
@@ -76,13 +43,7 @@ std::uint32_t variantOf(const MeshRange& mesh, const scene::Material& material) 
 }
 
 std::uint64_t predictBytes(const scene::Scene& scene) {
-    std::uint64_t bytes = 0;
-    for (const scene::Mesh& mesh : scene.meshes) {
-        bytes += mesh.vertices.size() * sizeof(PackedVertex) + mesh.indices.size() * sizeof(std::uint32_t);
-        for (const scene::MeshLevel& level : mesh.levels) {
-            bytes += level.indices.size() * sizeof(std::uint32_t);
-        }
-    }
+    std::uint64_t bytes = SceneMeshes::predictBytes(scene);
     for (const scene::Texture& texture : scene.textures) {
         bytes += texture.pixels.pixels.size() * sizeof(image::Rgba8);
     }
@@ -125,11 +86,14 @@ class GpuScene::State {
         std::uint64_t meshes = 0;
         std::uint64_t materials = 0;
         std::uint64_t textures = 0;
+        std::uint64_t vertices = 0;
     };
 
-    void uploadMeshes(const gpu::Device& device, const scene::Scene& scene);
     UploadedTexture uploadTexture(const scene::Texture& texture) const;
     void updateTables();
+    bool followVertices();
+    void updateVertices();
+    void readKinds();
     void updateTextures();
     void readMaterials();
     DrawKind kindOf(const KindKey& key) const;
@@ -144,10 +108,7 @@ class GpuScene::State {
     Followed m_followed;
     std::uint64_t m_revision = 0;
     std::uint64_t m_tablesRevision = 0;
-    gpu::Buffer m_vertices;
-    gpu::Buffer m_indices;
-    std::vector<MeshRange> m_meshes;
-    std::vector<LevelRange> m_levels;
+    SceneMeshes m_meshes;
     vk::UniqueDescriptorSetLayout m_textureLayout;
     UploadedTexture m_white;
     std::vector<UploadedTexture> m_textures; ///< the scene's
@@ -166,12 +127,13 @@ class GpuScene::State {
 GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene)
     : m_device(device),
       m_scene(&scene),
+      m_meshes(device),
       m_textureLayout(
           gpu::makeSetLayout(device, {kTextureType}, vk::ShaderStageFlagBits::eFragment, "texture set")),
       m_white(uploadTexture({.name = "white", .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})})) {
     scene::requireUsable(scene);
     gpu::requireDeviceBytes(device, predictBytes(scene), "scene " + scene.name);
-    uploadMeshes(device, scene);
+    m_meshes.upload(scene);
     for (const scene::Texture& texture : scene.textures) {
         m_textures.push_back(uploadTexture(texture));
     }
@@ -186,7 +148,7 @@ GpuScene::GpuScene(const gpu::Device& device, const scene::World& world) : GpuSc
     m_state->m_world = &world;
     const scene::World::Changes& changes = world.changes();
     m_state->m_followed = {changes.instances.end(), changes.meshes.end(), changes.materials.end(),
-                           changes.textures.end()};
+                           changes.textures.end(), changes.vertices.end()};
 }
 
 bool GpuScene::State::isCurrent() const {
@@ -195,7 +157,8 @@ bool GpuScene::State::isCurrent() const {
     }
     const scene::World::Changes& changes = m_world->changes();
     return m_followed.instances == changes.instances.end() && m_followed.meshes == changes.meshes.end() &&
-           m_followed.materials == changes.materials.end() && m_followed.textures == changes.textures.end();
+           m_followed.materials == changes.materials.end() && m_followed.textures == changes.textures.end() &&
+           m_followed.vertices == changes.vertices.end();
 }
 
 GpuScene::~GpuScene() = default;
@@ -235,10 +198,10 @@ std::uint64_t GpuScene::tablesRevision() const {
     return m_state->m_tablesRevision;
 }
 vk::Buffer GpuScene::vertices() const {
-    return m_state->m_vertices.handle();
+    return m_state->m_meshes.vertices().handle();
 }
 vk::Buffer GpuScene::indices() const {
-    return m_state->m_indices.handle();
+    return m_state->m_meshes.indices().handle();
 }
 vk::DescriptorSetLayout GpuScene::textureLayout() const {
     return *m_state->m_textureLayout;
@@ -269,13 +232,13 @@ const std::vector<DrawKind>& GpuScene::kinds() const {
     return m_state->m_kinds;
 }
 const std::vector<LevelRange>& GpuScene::levels() const {
-    return m_state->m_levels;
+    return m_state->m_meshes.levels();
 }
 // clang-format on
 
 LevelRange GpuScene::indicesOf(const MeshRange& mesh, std::uint32_t level) const {
     return level == 0 ? LevelRange{mesh.firstIndex, mesh.indexCount, 0.0f}
-                      : m_state->m_levels[mesh.firstLevel + level - 1];
+                      : m_state->m_meshes.levels()[mesh.firstLevel + level - 1];
 }
 
 void GpuScene::State::update() {
@@ -287,10 +250,13 @@ void GpuScene::State::update() {
         m_followed.textures != changes.textures.end()) {
         updateTables();
     } else {
+        if (m_followed.vertices != changes.vertices.end()) {
+            updateVertices();
+        }
         updateInstances();
     }
     m_followed = {changes.instances.end(), changes.meshes.end(), changes.materials.end(),
-                  changes.textures.end()};
+                  changes.textures.end(), changes.vertices.end()};
     ++m_revision;
 }
 
@@ -299,46 +265,41 @@ void GpuScene::State::updateTables() {
     const scene::World::Changes& changes = m_world->changes();
     if (m_followed.meshes != changes.meshes.end()) {
         gpu::requireDeviceBytes(m_device, predictBytes(*m_scene), "scene " + m_scene->name);
-        uploadMeshes(m_device, *m_scene);
+        m_meshes.upload(*m_scene);
     }
+    followVertices();
     updateTextures();
     readMaterials();
+    readKinds();
+    readAllInstances();
+}
+
+bool GpuScene::State::followVertices() {
+    const scene::ChangeLog& changes = m_world->changes().vertices;
+    if (m_followed.vertices == changes.end()) {
+        return false;
+    }
+    std::vector<std::uint32_t> all;
+    const auto changed = changes.since(m_followed.vertices);
+    if (!changed) {
+        all.resize(m_scene->meshes.size());
+        std::iota(all.begin(), all.end(), 0u);
+    }
+    return m_meshes.followVertices(*m_scene, changed ? *changed : std::span<const std::uint32_t>(all));
+}
+
+void GpuScene::State::updateVertices() {
+    gpu::waitForQueue(m_device); // frames in flight read what is replaced
+    if (followVertices()) {
+        readKinds();
+    }
+}
+
+void GpuScene::State::readKinds() {
     for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
         m_kinds[kind] = kindOf(m_kindKeys[kind]);
     }
-    readAllInstances();
     ++m_tablesRevision;
-}
-
-void GpuScene::State::uploadMeshes(const gpu::Device& device, const scene::Scene& scene) {
-    m_meshes.clear();
-    m_levels.clear();
-    std::vector<PackedVertex> vertices;
-    std::vector<std::uint32_t> indices;
-    for (const scene::Mesh& mesh : scene.meshes) {
-        m_meshes.push_back({.firstIndex = static_cast<std::uint32_t>(indices.size()),
-                            .indexCount = static_cast<std::uint32_t>(mesh.indices.size()),
-                            .vertexOffset = static_cast<std::int32_t>(vertices.size()),
-                            .firstLevel = static_cast<std::uint32_t>(m_levels.size()),
-                            .levelCount = static_cast<std::uint32_t>(mesh.levels.size()),
-                            .boundingRadius = mesh.boundingRadius,
-                            .isFaceted = isFaceted(mesh)});
-        indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
-        for (const scene::MeshLevel& level : mesh.levels) {
-            m_levels.push_back({.firstIndex = static_cast<std::uint32_t>(indices.size()),
-                                .indexCount = static_cast<std::uint32_t>(level.indices.size()),
-                                .error = level.error});
-            indices.insert(indices.end(), level.indices.begin(), level.indices.end());
-        }
-        for (const scene::Vertex& vertex : mesh.vertices) {
-            vertices.push_back({vertex.position, glm::packSnorm2x16(encodeOctahedral(vertex.normal)),
-                                vertex.uv, vertex.color});
-        }
-    }
-    m_vertices = gpu::uploadBuffer(device, std::as_bytes(std::span(vertices)),
-                                   vk::BufferUsageFlagBits::eVertexBuffer, "scene vertices");
-    m_indices = gpu::uploadBuffer(device, std::as_bytes(std::span(indices)),
-                                  vk::BufferUsageFlagBits::eIndexBuffer, "scene indices");
 }
 
 GpuScene::State::UploadedTexture GpuScene::State::uploadTexture(const scene::Texture& texture) const {
@@ -386,8 +347,8 @@ DrawKind GpuScene::State::kindOf(const KindKey& key) const {
     const UploadedTexture& texture =
         material.baseColorTexture ? m_textures[*material.baseColorTexture] : m_white;
     return {.meshIndex = mesh,
-            .mesh = m_meshes[mesh],
-            .variant = variantOf(m_meshes[mesh], material),
+            .mesh = m_meshes.ranges()[mesh],
+            .variant = variantOf(m_meshes.ranges()[mesh], material),
             .doubleSided = material.doubleSided,
             .mirrored = mirrored,
             .layer = m_layers[materialIndex],
@@ -464,17 +425,6 @@ const visibility::InstanceCells& GpuScene::State::cells(host::WorkerPool& worker
     m_culled.instances = m_followed.instances;
     m_culled.tables = m_tablesRevision;
     return m_culled.cells;
-}
-
-vk::VertexInputBindingDescription vertexBinding() {
-    return {.binding = 0, .stride = sizeof(PackedVertex), .inputRate = vk::VertexInputRate::eVertex};
-}
-
-std::vector<vk::VertexInputAttributeDescription> vertexAttributes() {
-    return {{0, 0, vk::Format::eR32G32B32Sfloat, offsetof(PackedVertex, position)},
-            {1, 0, vk::Format::eR16G16Snorm, offsetof(PackedVertex, normal)},
-            {2, 0, vk::Format::eR32G32Sfloat, offsetof(PackedVertex, uv)},
-            {3, 0, vk::Format::eR8G8B8A8Unorm, offsetof(PackedVertex, color)}};
 }
 
 } // namespace cdr::render

@@ -1,6 +1,21 @@
 #include <cdr/scene/mesh.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace cdr::scene {
+
+float boundingRadiusOf(std::span<const Vertex> vertices) {
+    double farthest = 0.0;
+    for (const Vertex& vertex : vertices) {
+        farthest = std::max(farthest, glm::length(glm::dvec3(vertex.position)));
+    }
+    const auto radius = static_cast<float>(farthest);
+    return static_cast<double>(radius) < farthest
+               ? std::nextafter(radius, std::numeric_limits<float>::infinity())
+               : radius;
+}
 
 Mesh makeBox(const glm::vec3& halfSides) {
     Mesh mesh;

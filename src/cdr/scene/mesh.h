@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,9 @@ struct Material {
     /// which of two surfaces at the same place is seen, and moves nothing else. See src/cdr/render/README.md, "Layers".
     float layer = 0.0f;
 };
+
+/// The least radius about the origin that holds every position, rounded up.
+CDR_EXPORT float boundingRadiusOf(std::span<const Vertex> vertices);
 
 /// A box of the given half sides about the origin, 24 vertices, flat normals, 12 triangles.
 CDR_EXPORT Mesh makeBox(const glm::vec3& halfSides);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 #include <utility>
 
@@ -83,7 +82,6 @@ class PieceMaker {
             piece.mesh.vertices.reserve(m_source.positions.size());
         }
         std::vector<std::uint32_t> used;
-        double farthest = 0.0;
         for (const std::uint32_t triangle : triangles) {
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const std::uint32_t index = m_source.indices[std::size_t{3} * triangle + corner];
@@ -92,7 +90,6 @@ class PieceMaker {
                     used.push_back(index);
                     Vertex vertex = m_source.vertices[index];
                     vertex.position = glm::vec3(m_source.positions[index] - origin);
-                    farthest = std::max(farthest, glm::length(glm::dvec3(vertex.position)));
                     piece.mesh.vertices.push_back(vertex);
                 }
                 piece.mesh.indices.push_back(m_newIndex[index]);
@@ -101,11 +98,7 @@ class PieceMaker {
         for (const std::uint32_t index : used) {
             m_newIndex[index] = kUnused;
         }
-        piece.mesh.boundingRadius = static_cast<float>(farthest);
-        if (static_cast<double>(piece.mesh.boundingRadius) < farthest) {
-            piece.mesh.boundingRadius =
-                std::nextafter(piece.mesh.boundingRadius, std::numeric_limits<float>::infinity());
-        }
+        piece.mesh.boundingRadius = boundingRadiusOf(piece.mesh.vertices);
         return piece;
     }
 

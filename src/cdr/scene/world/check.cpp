@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace cdr::scene {
@@ -91,18 +92,22 @@ void requireUsable(const Mesh& mesh, const std::string& what) {
     for (const MeshLevel& level : mesh.levels) {
         requireIndices(level.indices, mesh.vertices.size(), what);
     }
-    if (!(mesh.boundingRadius >= 0.0f && mesh.boundingRadius <= kMostRadius)) {
-        refuseUse("{}: its bounding radius must lie in [0, 1e20], not {}", what, mesh.boundingRadius);
+    requireUsable(mesh.vertices, mesh.boundingRadius, what);
+}
+
+void requireUsable(std::span<const Vertex> vertices, float boundingRadius, const std::string& what) {
+    if (!(boundingRadius >= 0.0f && boundingRadius <= kMostRadius)) {
+        refuseUse("{}: its bounding radius must lie in [0, 1e20], not {}", what, boundingRadius);
     }
     // What is beyond by roundings is culled right as well, since an instance's radius has slack.
-    const float most = mesh.boundingRadius * 1.00001f;
-    for (const Vertex& vertex : mesh.vertices) {
+    const float most = boundingRadius * 1.00001f;
+    for (const Vertex& vertex : vertices) {
         if (!areFinite(vertex.position) || !areFinite(vertex.normal) || !areFinite(vertex.uv)) {
             refuseUse("{}: its vertices must be finite", what);
         }
         if (!(glm::length(vertex.position) <= most)) {
             refuseUse("{}: a vertex is {} from its origin, beyond its bounding radius of {}", what,
-                      glm::length(vertex.position), mesh.boundingRadius);
+                      glm::length(vertex.position), boundingRadius);
         }
     }
 }

@@ -3,6 +3,7 @@
 #include <cdr/base/export.h>
 #include <cdr/scene/scene.h>
 
+#include <span>
 #include <string>
 
 namespace cdr::scene {
@@ -26,6 +27,9 @@ CDR_EXPORT void requireUsable(const Transform& transform, const std::string& wha
 CDR_EXPORT void requireUsable(const PointLight& light, const std::string& what);
 /// Indices in range, vertices finite and within the bounding radius, which is at most 1e20, at most kMaxLevels levels.
 CDR_EXPORT void requireUsable(const Mesh& mesh, const std::string& what);
+/// The part of it that vertices decide.
+CDR_EXPORT void requireUsable(std::span<const Vertex> vertices, float boundingRadius,
+                              const std::string& what);
 /// As many pixels as its size says, at least one.
 CDR_EXPORT void requireUsable(const Texture& texture, const std::string& what);
 /// @param textures of the scene

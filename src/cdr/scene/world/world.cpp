@@ -96,6 +96,7 @@ InstanceHandle World::addInstance(const InstanceOptions& options) {
         placeInstance(m_scene, i, options.transform.position, options.transform.basis);
     }
     m_meshes.use(options.mesh.index);
+    m_meshUsers.add(options.mesh.index, i);
     m_materials.use(options.material.index);
     noteInstance(i);
     return handle;
@@ -106,6 +107,7 @@ void World::removeInstance(InstanceHandle handle) {
     Instances& instances = m_scene.instances;
     const std::uint32_t i = handle.index;
     m_meshes.release(instances.mesh[i]);
+    m_meshUsers.remove(instances.mesh[i], i);
     m_materials.release(instances.material[i]);
     m_instances.free(handle);
     instances.radius[i] = kNoRadius;
@@ -173,6 +175,29 @@ void World::removeLight(LightHandle handle) {
 MeshHandle World::addMesh(Mesh mesh) {
     requireUsable(mesh, "the new mesh");
     return m_meshes.add(m_scene.meshes, std::move(mesh));
+}
+
+void World::setVertices(MeshHandle handle, std::vector<Vertex> vertices) {
+    m_meshes.places().require(handle);
+    Mesh& mesh = m_scene.meshes[handle.index];
+    const std::string what = nameOf("mesh", handle);
+    if (vertices.size() != mesh.vertices.size()) {
+        throw base::InputError(fmt::format("{}: {} vertices cannot stand in the place of {}", what,
+                                           vertices.size(), mesh.vertices.size()));
+    }
+    if (!mesh.levels.empty()) {
+        throw base::InputError(what + ": its levels of detail would not hold for other vertices");
+    }
+    const float radius = boundingRadiusOf(vertices);
+    requireUsable(vertices, radius, what);
+    mesh.vertices = std::move(vertices);
+    mesh.boundingRadius = radius;
+    mesh.boxHalfSides.reset();
+    m_vertexChanges.add(handle.index, m_scene.meshes.size());
+    for (const std::uint32_t i : m_meshUsers.of(handle.index, m_scene.instances)) {
+        placeInstance(m_scene, i, m_scene.instances.position(i), m_scene.instances.basis[i]);
+        noteInstance(i);
+    }
 }
 
 void World::removeMesh(MeshHandle handle) {

@@ -2,6 +2,7 @@
 
 #include <cdr/base/export.h>
 #include <cdr/scene/world/check.h>
+#include <cdr/scene/world/mesh_users.h>
 #include <cdr/scene/world/table.h>
 
 #include <cstdint>
@@ -67,6 +68,10 @@ class CDR_EXPORT World {
 
     /// Makes a mesh that instances may use.
     MeshHandle addMesh(Mesh mesh);
+    /// Gives a mesh other vertices in the place of its own, as many; its triangles stay. All instances that have it are
+    /// drawn with them, and get radii that bound them. Takes time by the number of vertices and of these instances. A mesh
+    /// with levels of detail keeps its vertices, since the levels' errors would no longer hold.
+    void setVertices(MeshHandle handle, std::vector<Vertex> vertices);
     /// No instance may use it.
     void removeMesh(MeshHandle handle);
     /// A material names its texture by TextureHandle::index.
@@ -86,10 +91,12 @@ class CDR_EXPORT World {
         const ChangeLog& meshes;    ///< by place
         const ChangeLog& materials; ///< by place
         const ChangeLog& textures;  ///< by place
+        const ChangeLog& vertices;  ///< of meshes, by place, where these alone changed
     };
     /// Valid while the world lives; each log grows as edits are made.
     Changes changes() const {
-        return {m_instanceChanges, m_meshes.changes(), m_materials.changes(), m_textures.changes()};
+        return {m_instanceChanges, m_meshes.changes(), m_materials.changes(), m_textures.changes(),
+                m_vertexChanges};
     }
 
   private:
@@ -103,6 +110,8 @@ class CDR_EXPORT World {
     Places<InstanceKind> m_instances;
     ChangeLog m_instanceChanges;
     Table<MeshKind> m_meshes;
+    MeshUsers m_meshUsers;
+    ChangeLog m_vertexChanges;
     Table<MaterialKind> m_materials;
     Table<TextureKind> m_textures;
     Places<LightKind> m_lightPlaces;

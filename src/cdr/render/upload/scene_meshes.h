@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cdr/gpu/memory.h>
+#include <cdr/render/draw_source.h>
+#include <cdr/scene/scene.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cdr::render {
+
+/// A scene's meshes on a device: all vertices in one buffer, all indices in another.
+class SceneMeshes {
+  public:
+    explicit SceneMeshes(const gpu::Device& device) : m_device(device) {}
+
+    /// Uploads all, and waits.
+    void upload(const scene::Scene& scene);
+
+    /// Follows meshes that have other vertices, as many as before, and waits. Nothing that was submitted may still read
+    /// the vertices. Whether a mesh became faceted or ceased to be, which takes another pipeline.
+    /// @param changed meshes, repeats allowed
+    bool followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed);
+
+    const gpu::Buffer& vertices() const { return m_vertices; }
+    const gpu::Buffer& indices() const { return m_indices; }
+    /// By mesh of the scene.
+    const std::vector<MeshRange>& ranges() const { return m_ranges; }
+    /// The coarser levels of all meshes, mesh by mesh.
+    const std::vector<LevelRange>& levels() const { return m_levels; }
+
+    /// Device memory that upload() takes.
+    static std::uint64_t predictBytes(const scene::Scene& scene);
+
+  private:
+    const gpu::Device& m_device;
+    gpu::Buffer m_vertices;
+    gpu::Buffer m_indices;
+    std::vector<MeshRange> m_ranges;
+    std::vector<LevelRange> m_levels;
+};
+
+} // namespace cdr::render

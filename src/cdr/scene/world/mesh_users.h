@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cdr/scene/scene.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace cdr::scene {
+
+/// Which instances use a mesh. Only meshes that were asked for once are followed, so that others cost nothing.
+class MeshUsers {
+  public:
+    /// Looks at every instance when a mesh is asked for first.
+    const std::vector<std::uint32_t>& of(std::uint32_t mesh, const Instances& instances) {
+        const auto [found, isNew] = m_users.try_emplace(mesh);
+        for (std::size_t i = 0; isNew && i < instances.size(); ++i) {
+            if (instances.mesh[i] == mesh && instances.radius[i] != kNoRadius) {
+                found->second.push_back(static_cast<std::uint32_t>(i));
+            }
+        }
+        return found->second;
+    }
+
+    /// An instance that uses a mesh was added.
+    void add(std::uint32_t mesh, std::uint32_t instance) {
+        if (const auto found = m_users.find(mesh); found != m_users.end()) {
+            found->second.push_back(instance);
+        }
+    }
+    /// It was removed.
+    void remove(std::uint32_t mesh, std::uint32_t instance) {
+        if (const auto found = m_users.find(mesh); found != m_users.end()) {
+            std::erase(found->second, instance);
+        }
+    }
+
+  private:
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> m_users; ///< by mesh
+};
+
+} // namespace cdr::scene
