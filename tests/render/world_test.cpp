@@ -77,8 +77,9 @@ class Editor {
 
     /// A world to begin with.
     void populate(std::size_t instances) {
-        addMesh();
-        addMesh();
+        for (int i = 0; i < 4; ++i) {
+            addMesh();
+        }
         for (int i = 0; i < 3; ++i) {
             addMaterial(false);
         }
@@ -186,10 +187,12 @@ class Editor {
 
     /// Gives a mesh without levels other vertices, now and then with facets.
     void deform() {
-        auto& [handle, mesh] = pick(m_expected.meshes)->second;
-        if (!mesh.levels.empty()) {
+        const auto found = std::find_if(pick(m_expected.meshes), m_expected.meshes.end(),
+                                        [](const auto& entry) { return entry.second.second.levels.empty(); });
+        if (found == m_expected.meshes.end()) {
             return;
         }
+        auto& [handle, mesh] = found->second;
         const bool hasFacets = below(2) == 0;
         for (scene::Vertex& vertex : mesh.vertices) {
             vertex.position *= static_cast<float>(between(0.7, 1.4));

@@ -1,0 +1,65 @@
+#include "../fixture.h"
+
+#include <cmath>
+
+namespace cdr::render_test {
+
+namespace {
+
+using VerticesTest = RenderTest;
+
+/// Another shape of a box at each step; every third has the facets of a box.
+std::vector<scene::Vertex> shapeAt(int step) {
+    std::vector<scene::Vertex> vertices = scene::makeBox(glm::vec3(0.5f)).vertices;
+    for (scene::Vertex& vertex : vertices) {
+        vertex.position.x *= 1.0f + 0.2f * static_cast<float>(step);
+        vertex.position.y += 0.3f * std::sin(static_cast<float>(step) + 4.0f * vertex.position.x);
+        if (step % 3 != 0) {
+            vertex.normal = glm::normalize(vertex.position);
+        }
+    }
+    return vertices;
+}
+
+scene::Scene deformedScene(const std::vector<scene::Vertex>& vertices) {
+    scene::Scene scene = boxScene();
+    scene.meshes.push_back(scene.meshes[0]);
+    scene.meshes[1].vertices = vertices;
+    scene.meshes[1].boundingRadius = scene::boundingRadiusOf(vertices);
+    scene.meshes[1].boxHalfSides.reset();
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        scene::addInstance(scene, i % 2, 0, i, {2.0 * i - 5.0, 0.3 * i, -9.0 - 100.0 * i}, glm::mat3(1.5f));
+    }
+    return scene;
+}
+
+/// A frame that nobody waits for comes before each that is compared.
+TEST_F(VerticesTest, GiveThePictureOfASceneBuiltAnew) {
+    const scene::Camera camera{.fovY = 1.0, .nearView = 1.0, .farView = 1000.0};
+    for (const render::Submission submission : submissions()) {
+        for (const std::size_t inFlight : {std::size_t{1}, std::size_t{3}}) {
+            scene::World world(deformedScene(shapeAt(0)));
+            render::GpuScene onDevice(device(), world);
+            render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+            options.submission = submission;
+            options.framesInFlight = inFlight;
+            options.threads = inFlight;
+            render::Renderer renderer(device(), onDevice, options);
+            for (int step = 1; step < 8; ++step) {
+                world.setVertices(world.mesh(1), shapeAt(step + 100));
+                renderer.submit(camera);
+                world.setVertices(world.mesh(1), shapeAt(step));
+                renderer.forgetFrames();
+                const scene::Scene built = deformedScene(shapeAt(step));
+                ASSERT_EQ(hashOf(renderer.render(camera)), hashOf(draw(built, camera, options)))
+                    << "step " << step << ", submission " << nameOf(submission);
+                ASSERT_EQ(world.scene().instances.radius, built.instances.radius);
+            }
+        }
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+} // namespace
+
+} // namespace cdr::render_test
