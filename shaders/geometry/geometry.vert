@@ -22,11 +22,15 @@ layout(push_constant) uniform Push { CascadePush cascade; };
 #include "geometry/place.glsl"
 
 layout(location = 0) in vec3 inPosition;
+#ifndef DEPTH_ALONE
 layout(location = 1) in vec2 inNormal;
 layout(location = 2) in vec2 inUv;
 layout(location = 3) in vec4 inColor;
+#endif
 
-#ifdef FACETED
+#ifdef DEPTH_ALONE
+layout(location = 1) out float outAhead; // as facet.vert has it
+#elif defined(FACETED)
 layout(location = 0) out float outAhead;
 layout(location = 1) flat out uvec3 outFacet; // the words of a surface that a whole triangle shares
 #else
@@ -45,6 +49,9 @@ void main() {
     precise float y = dot(record.up.xyz, inPosition) + record.up.w;
     precise float ahead = dot(record.ahead.xyz, inPosition) + record.ahead.w;
     place(x, y, ahead, record.ahead.w);
+#ifdef DEPTH_ALONE
+    outAhead = ahead;
+#else
 
     // Normals turn by the cofactor matrix: right under non-uniform scale, and mirrored ones come out mirrored.
     vec3 back = -record.ahead.xyz;
@@ -66,5 +73,6 @@ void main() {
     outUv = inUv;
     outId = id;
     outCutoffAndShine = record.cutoffAndShine;
+#endif
 #endif
 }

@@ -42,6 +42,7 @@ struct RenderArguments {
     std::string submission = "secondaries";
     std::string batching = "instanced";
     std::string surface = "gbuffer";
+    bool occlusionCulling = false;
     experiments::EffectArguments effects;
     std::string detail = "none";
     std::uint32_t snapBits = 0;
@@ -124,6 +125,7 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::A
                                   .focus = experiments::focusOf(arguments.effects),
                                   .translucency = experiments::translucencyOf(arguments.effects)};
     options.snapBits = arguments.snapBits;
+    options.occlusionCulling = arguments.occlusionCulling;
     options.translucency.countsFragments = aov == experiments::Aov::coverage;
     return options;
 }
@@ -403,6 +405,8 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
         .add_option("--surface", arguments.surface,
                     "What is kept of surfaces until they are shaded: gbuffer or visibility")
         ->capture_default_str();
+    command.add_flag("--occlusion-culling", arguments.occlusionCulling,
+                     "Leave out what opaque surfaces hide; the picture is the same");
     command
         .add_option("--detail", arguments.detail,
                     "Level of detail by projected error: none, object[:PIXELS] or cascade[:PIXELS]")

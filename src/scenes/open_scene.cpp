@@ -3,6 +3,7 @@
 #include <cdr/scene/gltf/open_gltf.h>
 #include <scenes/alley.h>
 #include <scenes/boulders.h>
+#include <scenes/city.h>
 #include <scenes/coplanar.h>
 #include <scenes/cubes.h>
 #include <scenes/ladder.h>
@@ -34,6 +35,7 @@ constexpr std::array kGenerators{
     Generator{"boulders", [](std::uint64_t seed) { return makeBoulders(seed); }},
     Generator{"sheets", [](std::uint64_t seed) { return makeSheets(seed); }},
     Generator{"alley", [](std::uint64_t seed) { return makeAlley(seed); }},
+    Generator{"city", [](std::uint64_t seed) { return makeCity(seed); }},
     Generator{"coplanar", [](std::uint64_t) { return makeCoplanar(); }},
     Generator{"orbit", [](std::uint64_t) { return openOrbit(orbitFiles()).setup; }},
     Generator{"traffic", [](std::uint64_t seed) { return makeTraffic(seed); }},

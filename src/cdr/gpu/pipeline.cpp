@@ -67,7 +67,9 @@ vk::StencilOpState stencilState(Stencil stencil) {
 
 vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options) {
     const vk::UniqueShaderModule vertex = makeModule(device, options.vertexSpirv);
-    const vk::UniqueShaderModule fragment = makeModule(device, options.fragmentSpirv);
+    const bool isShaded = !options.fragmentSpirv.empty();
+    const vk::UniqueShaderModule fragment =
+        isShaded ? makeModule(device, options.fragmentSpirv) : vk::UniqueShaderModule();
     const Specialization constants(options.constants);
     const std::array stages{
         vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eVertex,
@@ -117,7 +119,7 @@ vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipe
         .stencilAttachmentFormat = hasStencil ? options.depthFormat : vk::Format::eUndefined};
     auto [result, pipeline] = device.handle().createGraphicsPipelineUnique(device.pipelineCache(),
                                                                            {.pNext = &rendering,
-                                                                            .stageCount = stages.size(),
+                                                                            .stageCount = isShaded ? 2u : 1u,
                                                                             .pStages = stages.data(),
                                                                             .pVertexInputState = &vertexInput,
                                                                             .pInputAssemblyState = &assembly,

@@ -29,7 +29,7 @@ enum class Stencil : std::uint8_t {
 struct GraphicsPipelineOptions {
     std::string name;
     std::span<const std::uint32_t> vertexSpirv;
-    std::span<const std::uint32_t> fragmentSpirv;
+    std::span<const std::uint32_t> fragmentSpirv; ///< empty: depth alone is written
     /// Specialisation constants 0, 1, ... of both stages.
     std::vector<std::uint32_t> constants;
     vk::PipelineLayout layout;

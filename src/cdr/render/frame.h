@@ -17,12 +17,20 @@ namespace cdr::render {
 
 /// Where a frame's time went. Record and execute are never added up.
 struct FrameTimes {
-    double cullMs = 0.0;        ///< CPU, finding what the camera sees
-    double splitMs = 0.0;       ///< CPU, cutting the range into cascades
-    double binMs = 0.0;         ///< CPU, listing what each cascade draws
+    double cullMs = 0.0;  ///< CPU, finding what the camera sees
+    double splitMs = 0.0; ///< CPU, cutting the range into cascades
+    double occludersMs =
+        0.0;            ///< drawing occluders and testing what they hide, the wait for the device included
+    double binMs = 0.0; ///< CPU, listing what each cascade draws
     double translucentMs = 0.0; ///< CPU culling, binning and writing the translucent draws
     double recordMs = 0.0;      ///< CPU writing commands
     double executeMs = 0.0;     ///< from submit until the device has finished
+};
+
+/// What occlusion culling came to.
+struct OccluderStats {
+    std::size_t draws = 0;  ///< of occluders, before the frame's own
+    std::size_t hidden = 0; ///< instances in the frustum that were left out, since others hide them
 };
 
 /// What a frame came to.
@@ -32,6 +40,7 @@ struct FrameStats {
     double duplication = 1.0;       ///< draws per visible instance
     FrameTimes times;               ///< where its time went
     TranslucencyStats translucency; ///< of the blended ones
+    OccluderStats occluders;        ///< where there is occlusion culling
     /// Surfaces shine, but were drawn matt: ambient occlusion per layer takes the bits that say how.
     bool lostShine = false;
 };

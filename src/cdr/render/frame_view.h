@@ -17,6 +17,8 @@ namespace cdr::render {
 struct DepthSlice {
     float min = 0.0f;
     float max = 1.0f;
+
+    bool operator==(const DepthSlice&) const = default;
 };
 
 /// One cascade of a frame, in float64. What the device reads is made from it when commands are recorded.

@@ -132,6 +132,10 @@ Renderer::Needs Renderer::needs() const {
 void Renderer::makePasses() {
     auto made = std::make_unique<Passes>(m_device, m_drawn, m_options, m_needs);
     made->lightRoom = m_drawn.scene.lights.size();
+    if (m_options.occlusionCulling) {
+        made->occlusion = std::make_unique<OcclusionCulling>(m_device, m_drawn, m_options.technique,
+                                                             made->extent, m_paths->makeOccluders(m_workers));
+    }
     std::swap(m_passes, made);
     m_frames = 0;
     try {
@@ -220,6 +224,9 @@ Renderer::~Renderer() {
 
 void Renderer::forgetFrames() {
     m_passes->cutter.forget();
+    if (m_passes->occlusion != nullptr) {
+        m_passes->occlusion->forget();
+    }
     if (m_motion != nullptr) {
         m_motion->forget();
     }
@@ -360,6 +367,10 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& deliv
         m_passes->motion->update(*slot.motion, slot.view, motion);
     }
     slot.stats.times.splitMs = watch.lap("split");
+    if (m_passes->occlusion != nullptr) {
+        slot.stats.occluders = m_passes->occlusion->drop(slot.view, m_workers, *m_visible);
+        slot.stats.times.occludersMs = watch.lap("occluders");
+    }
     if (slot.translucent) {
         m_passes->translucent->prepare(*slot.translucent, slot.view, m_workers);
         slot.stats.times.translucentMs = watch.lap("translucent draws");

@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/render/occluders/occlusion_culling.h>
 #include <cdr/render/output/motion_pass.h>
 #include <cdr/render/renderer_setup.h>
 
@@ -22,6 +23,21 @@ void requireFocusable(const RenderOptions& options) {
     }
     if (options.motion) {
         throw base::InputError("a lens with a focus shows no motion");
+    }
+}
+
+void requireCullable(const RenderOptions& options) {
+    if (!options.occlusionCulling) {
+        return;
+    }
+    if (options.submission == Submission::gpuDriven) {
+        throw base::InputError(
+            "occlusion culling is the CPU's, and gpu-driven draws are culled by the device");
+    }
+    if (options.focus.isOn()) {
+        throw base::InputError(
+            "a lens with a focus blurs the rims of surfaces, so they hide nothing: it does without "
+            "occlusion culling");
     }
 }
 
@@ -54,7 +70,8 @@ std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions
            (hasFacets ? gpu::predictBytes(device, gbufferOptions(extent)) : 0) +
            Picture::predictBytes(device, pictureOptions(extent, options, hasBlended)) +
            ShadingPass::predictBytes(extent, options.effects) +
-           (options.motion ? MotionPass::predictBytes(device, extent) : 0);
+           (options.motion ? MotionPass::predictBytes(device, extent) : 0) +
+           (options.occlusionCulling ? OcclusionCulling::predictBytes(device, extent) : 0);
 }
 
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
@@ -71,6 +88,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         requireDivisible(options, hasBlended);
     }
     requireFocusable(options);
+    requireCullable(options);
     if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {
         throw base::InputError(fmt::format("ambient occlusion per layer needs targets with layers "
                                            "(accumulate, pool or layers), not {}",

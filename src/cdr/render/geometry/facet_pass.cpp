@@ -6,7 +6,9 @@
 #include <cdr/shaders/facet_cut_vert.h>
 #include <cdr/shaders/facet_depth_frag.h>
 #include <cdr/shaders/facet_frag.h>
+#include <cdr/shaders/facet_occluder_vert.h>
 #include <cdr/shaders/facet_vert.h>
+#include <cdr/shaders/occluder_frag.h>
 
 #include <algorithm>
 #include <bit>
@@ -20,6 +22,10 @@ namespace {
 
 constexpr std::uint32_t kVertexBinding = 0;
 
+constexpr vk::VertexInputBindingDescription kBinding{.binding = kVertexBinding,
+                                                     .stride = sizeof(shaders::FacetVertex),
+                                                     .inputRate = vk::VertexInputRate::eVertex};
+
 std::vector<vk::VertexInputAttributeDescription> attributes() {
     return {{0, kVertexBinding, vk::Format::eR32G32B32Sfloat, offsetof(shaders::FacetVertex, x)},
             {1, kVertexBinding, vk::Format::eR32Uint, offsetof(shaders::FacetVertex, facet)}};
@@ -32,12 +38,37 @@ FacetPass::FacetPass(const gpu::Device& device, const GpuScene& scene, FacetMesh
     : m_scene(scene),
       m_meshes(std::move(meshes)),
       m_options(options),
-      m_depthFormat(depthAttachmentFormat(device, options.technique.format, kVisibilityFormat)),
+      m_depthFormat(options.output == GeometryOutput::depth
+                        ? GeometryPipelines::kOccluderFormat
+                        : depthAttachmentFormat(device, options.technique.format, kVisibilityFormat)),
       m_layout(gpu::makePipelineLayout(
           device, {}, {{.stageFlags = GeometryPipelines::kStages, .size = sizeof(shaders::CascadePush)}},
           "facet layout")),
-      m_compact(makePipeline(device, false)),
-      m_wide(makePipeline(device, true)) {}
+      m_compact(options.output == GeometryOutput::depth ? makeOccluder(device, false)
+                                                        : makePipeline(device, false)),
+      m_wide(options.output == GeometryOutput::depth ? makeOccluder(device, true)
+                                                     : makePipeline(device, true)) {}
+
+vk::Format FacetPass::surfaceFormat() const {
+    return m_options.output == GeometryOutput::depth ? vk::Format::eUndefined : kVisibilityFormat;
+}
+
+vk::UniquePipeline FacetPass::makeOccluder(const gpu::Device& device, bool wide) const {
+    using Spirv = std::span<const std::uint32_t>;
+    return gpu::makeGraphicsPipeline(device,
+                                     {.name = wide ? "facet occluders, wide" : "facet occluders",
+                                      .vertexSpirv = kFacetOccluderVert,
+                                      .fragmentSpirv = wide ? Spirv(kOccluderFrag) : Spirv(),
+                                      .constants = {shaders::kDepthFormLinear, 0u, 0u, wide ? 1u : 0u, 0u,
+                                                    std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
+                                                    std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
+                                      .layout = *m_layout,
+                                      .bindings = {kBinding},
+                                      .attributes = {attributes().front()},
+                                      .colorFormats = {},
+                                      .depthFormat = m_depthFormat,
+                                      .depthCompare = vk::CompareOp::eGreaterOrEqual});
+}
 
 vk::UniquePipeline FacetPass::makePipeline(const gpu::Device& device, bool wide) const {
     using Spirv = std::span<const std::uint32_t>;
@@ -54,9 +85,7 @@ vk::UniquePipeline FacetPass::makePipeline(const gpu::Device& device, bool wide)
          .constants = {form, 0u, 0u, wide ? 1u : 0u, 0u, std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
                        std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
          .layout = *m_layout,
-         .bindings = {{.binding = kVertexBinding,
-                       .stride = sizeof(shaders::FacetVertex),
-                       .inputRate = vk::VertexInputRate::eVertex}},
+         .bindings = {kBinding},
          .attributes = attributes(),
          .colorFormats = {kVisibilityFormat},
          .depthFormat = m_depthFormat,

@@ -31,10 +31,13 @@ class FacetPass {
 
     const FacetMeshes& meshes() const { return m_meshes; }
     vk::Format depthFormat() const { return m_depthFormat; }
+    /// Of the colour attachment; eUndefined where there is none.
+    vk::Format surfaceFormat() const;
     depth::Mapping mapping() const { return m_options.technique.mapping; }
 
   private:
     vk::UniquePipeline makePipeline(const gpu::Device& device, bool wide) const;
+    vk::UniquePipeline makeOccluder(const gpu::Device& device, bool wide) const;
 
     const GpuScene& m_scene;
     FacetMeshes m_meshes;

@@ -13,6 +13,8 @@
 #include <cdr/shaders/geometry_pushed_faceted_vert.h>
 #include <cdr/shaders/geometry_pushed_vert.h>
 #include <cdr/shaders/geometry_vert.h>
+#include <cdr/shaders/occluder_frag.h>
+#include <cdr/shaders/occluder_vert.h>
 #include <cdr/shaders/shared.h>
 
 #include <algorithm>
@@ -96,6 +98,14 @@ std::vector<vk::VertexInputAttributeDescription> attributesFor(Batching batching
     return attributes;
 }
 
+/// Those that say where a vertex is.
+std::vector<vk::VertexInputAttributeDescription> placeAttributes() {
+    std::vector<vk::VertexInputAttributeDescription> attributes = attributesFor(Batching::instanced);
+    const auto first = attributes.begin();
+    attributes.erase(first + 1, first + static_cast<std::ptrdiff_t>(vertexAttributes().size()));
+    return attributes;
+}
+
 } // namespace
 
 std::string_view nameOf(Batching batching) {
@@ -109,7 +119,8 @@ Batching parseBatching(std::string_view name) {
 GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& scene,
                                      const GeometryOptions& options)
     : m_options(options),
-      m_depthFormat(device.depthFormat(options.technique.format)),
+      m_depthFormat(options.output == GeometryOutput::depth ? kOccluderFormat
+                                                            : device.depthFormat(options.technique.format)),
       m_layout(gpu::makePipelineLayout(device, {scene.textureLayout()}, {pushRange(options.batching)},
                                        "geometry layout")) {
     follow(device, scene);
@@ -139,6 +150,26 @@ vk::CompareOp depthCompareOf(depth::Mapping mapping) {
     return depth::isReversed(mapping) ? vk::CompareOp::eGreaterOrEqual : vk::CompareOp::eLessOrEqual;
 }
 
+vk::Format GeometryPipelines::surfaceFormat() const {
+    return m_options.output == GeometryOutput::depth ? vk::Format::eUndefined : kGBufferFormat;
+}
+
+vk::UniquePipeline GeometryPipelines::makeOccluder(const gpu::Device& device, bool wide) const {
+    return gpu::makeGraphicsPipeline(device,
+                                     {.name = wide ? "occluders, wide" : "occluders",
+                                      .vertexSpirv = kOccluderVert,
+                                      .fragmentSpirv = wide ? Spirv(kOccluderFrag) : Spirv(),
+                                      .constants = {shaders::kDepthFormLinear, 0u, 0u, wide ? 1u : 0u, 0u,
+                                                    std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
+                                                    std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
+                                      .layout = *m_layout,
+                                      .bindings = bindingsFor(Batching::instanced),
+                                      .attributes = placeAttributes(),
+                                      .colorFormats = {},
+                                      .depthFormat = m_depthFormat,
+                                      .depthCompare = vk::CompareOp::eGreaterOrEqual});
+}
+
 void GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene, bool wide,
                              Pipelines& pipelines) const {
     const depth::Mapping mapping = m_options.technique.mapping;
@@ -148,6 +179,10 @@ void GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene, b
     for (const DrawKind& kind : scene.kinds()) {
         vk::UniquePipeline& pipeline = pipelines[kind.variant];
         if (pipeline) {
+            continue;
+        }
+        if (m_options.output == GeometryOutput::depth) {
+            pipeline = makeOccluder(device, wide);
             continue;
         }
         const bool movesDepth = (kind.variant & kLayeredVariant) != 0 && !isBiased;

@@ -14,8 +14,15 @@
 
 namespace cdr::render {
 
+/// What draws write.
+enum class GeometryOutput : std::uint8_t {
+    surfaces, ///< what shading needs, and depth by the technique
+    depth,    ///< near / view distance alone, at the same pixels: render::occluderView()
+};
+
 /// How surfaces are drawn.
 struct GeometryOptions {
+    GeometryOutput output = GeometryOutput::surfaces;
     depth::Technique technique;
     Batching batching = Batching::instanced;
     bool shiny = false; ///< whether surfaces keep how they shine; else all are matt
@@ -52,6 +59,11 @@ class GeometryPipelines {
         return *(wide ? m_wide : m_compact)[variant];
     }
 
+    /// Of the colour attachment; eUndefined where there is none.
+    vk::Format surfaceFormat() const;
+
+    /// Of the depth attachment of GeometryOutput::depth.
+    static constexpr auto kOccluderFormat = vk::Format::eD32Sfloat;
     /// The vertex buffer of draw records, one per instance.
     static constexpr std::uint32_t kRecordBinding = 1;
     static constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
@@ -59,6 +71,7 @@ class GeometryPipelines {
   private:
     using Pipelines = std::array<vk::UniquePipeline, kPipelineVariants>; ///< empty where no kind needs one
     void make(const gpu::Device& device, const GpuScene& scene, bool wide, Pipelines& pipelines) const;
+    vk::UniquePipeline makeOccluder(const gpu::Device& device, bool wide) const;
 
     GeometryOptions m_options;
     vk::Format m_depthFormat;

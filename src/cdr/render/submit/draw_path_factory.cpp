@@ -42,36 +42,55 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
                                    .snapSteps = snapStepsOf(options),
                                    .subPixelBits = subPixelBitsOf(device, options),
                                    .layers = options.layers};
-    if (facets) {
-        m_facets = std::make_unique<FacetPass>(device, scene.uploaded, std::move(*facets), geometry);
-    } else {
-        m_geometry = std::make_unique<GeometryPass>(device, scene.uploaded, geometry);
+    if (options.occlusionCulling) {
+        GeometryOptions depthAlone = geometry;
+        depthAlone.output = GeometryOutput::depth;
+        depthAlone.batching = Batching::instanced;
+        m_occluders = makePasses(facets, depthAlone);
     }
+    m_surfaces = makePasses(std::move(facets), geometry);
+}
+
+DrawPathFactory::HostPasses DrawPathFactory::makePasses(std::optional<FacetMeshes> facets,
+                                                        const GeometryOptions& options) const {
+    if (facets) {
+        return {.geometry = {},
+                .facets =
+                    std::make_unique<FacetPass>(m_device, m_scene.uploaded, std::move(*facets), options)};
+    }
+    return {.geometry = std::make_unique<GeometryPass>(m_device, m_scene.uploaded, options), .facets = {}};
 }
 
 void DrawPathFactory::followKinds() {
-    if (m_geometry != nullptr) {
-        m_geometry->followKinds();
+    for (const HostPasses* passes : {&m_surfaces, &m_occluders}) {
+        if (passes->geometry != nullptr) {
+            passes->geometry->followKinds();
+        }
     }
 }
 
-std::unique_ptr<HostDraws> DrawPathFactory::makeDraws(host::WorkerPool& workers) const {
+std::unique_ptr<HostDraws> DrawPathFactory::makeOccluders(host::WorkerPool& workers) const {
+    return makeDraws(m_occluders, workers);
+}
+
+std::unique_ptr<HostDraws> DrawPathFactory::makeDraws(const HostPasses& passes,
+                                                      host::WorkerPool& workers) const {
     const HostDrawsContext context{
         .device = m_device, .scene = m_scene.scene, .workers = workers, .trace = m_trace};
-    if (m_facets != nullptr) {
-        return std::make_unique<FacetDraws>(context, *m_facets);
+    if (passes.facets != nullptr) {
+        return std::make_unique<FacetDraws>(context, *passes.facets);
     }
-    return std::make_unique<RecordDraws>(context, *m_geometry);
+    return std::make_unique<RecordDraws>(context, *passes.geometry);
 }
 
 std::unique_ptr<DrawPath> DrawPathFactory::make(host::WorkerPool& workers, const std::string& name) const {
     switch (m_submission) {
     case Submission::secondaries:
-        return std::make_unique<SecondaryPath>(m_device, makeDraws(workers), name);
+        return std::make_unique<SecondaryPath>(m_device, makeDraws(m_surfaces, workers), name);
     case Submission::primaries:
-        return std::make_unique<PrimaryPath>(m_device, makeDraws(workers), name);
+        return std::make_unique<PrimaryPath>(m_device, makeDraws(m_surfaces, workers), name);
     case Submission::gpuDriven:
-        return std::make_unique<GpuDrivenPath>(m_device, *m_binning, *m_geometry, name);
+        return std::make_unique<GpuDrivenPath>(m_device, *m_binning, *m_surfaces.geometry, name);
     }
     throw base::RunError("submission out of range");
 }

@@ -28,19 +28,28 @@ class DrawPathFactory {
     /// @param name that captures show.
     std::unique_ptr<DrawPath> make(host::WorkerPool& workers, const std::string& name) const;
 
+    /// The draws of occluders; with RenderOptions::occlusionCulling.
+    std::unique_ptr<HostDraws> makeOccluders(host::WorkerPool& workers) const;
+
     /// Makes the pipelines of draw kinds that came to the scene; those that are there stay.
     void followKinds();
 
   private:
-    std::unique_ptr<HostDraws> makeDraws(host::WorkerPool& workers) const;
+    /// What draws of the CPU are recorded with: one of both.
+    struct HostPasses {
+        std::unique_ptr<GeometryPass> geometry; ///< for a G-buffer
+        std::unique_ptr<FacetPass> facets;      ///< for a visibility buffer
+    };
+    HostPasses makePasses(std::optional<FacetMeshes> facets, const GeometryOptions& options) const;
+    std::unique_ptr<HostDraws> makeDraws(const HostPasses& passes, host::WorkerPool& workers) const;
 
     const gpu::Device& m_device;
     DrawnScene m_scene;
     Submission m_submission;
     host::Trace* m_trace;
-    std::unique_ptr<GeometryPass> m_geometry; ///< for a G-buffer
-    std::unique_ptr<FacetPass> m_facets;      ///< for a visibility buffer
-    std::unique_ptr<BinningPass> m_binning;   ///< for Submission::gpuDriven
+    std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
+    HostPasses m_surfaces;
+    HostPasses m_occluders; ///< none without occlusion culling
 };
 
 } // namespace cdr::render

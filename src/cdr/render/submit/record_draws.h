@@ -14,7 +14,7 @@ class RecordDraws final : public HostDraws {
 
     void record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const override;
     void flush() const override { m_records.flush(); }
-    vk::Format surfaceFormat() const override { return kGBufferFormat; }
+    vk::Format surfaceFormat() const override { return m_pass.pipelines().surfaceFormat(); }
     vk::Format depthFormat() const override { return m_pass.pipelines().depthFormat(); }
 
   protected:

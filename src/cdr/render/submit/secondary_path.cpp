@@ -16,6 +16,7 @@ constexpr std::size_t kMinDrawsPerJob = 256;
 struct SecondaryBegin {
     explicit SecondaryBegin(const HostDraws& draws) : surfaceFormat(draws.surfaceFormat()) {
         rendering.depthAttachmentFormat = draws.depthFormat();
+        rendering.colorAttachmentCount = surfaceFormat == vk::Format::eUndefined ? 0 : 1;
         if (marksDrawn(draws.depthFormat(), surfaceFormat)) {
             rendering.stencilAttachmentFormat = draws.depthFormat();
         }
@@ -25,8 +26,7 @@ struct SecondaryBegin {
     SecondaryBegin& operator=(const SecondaryBegin&) = delete;
 
     vk::Format surfaceFormat;
-    vk::CommandBufferInheritanceRenderingInfo rendering{.colorAttachmentCount = 1,
-                                                        .pColorAttachmentFormats = &surfaceFormat,
+    vk::CommandBufferInheritanceRenderingInfo rendering{.pColorAttachmentFormats = &surfaceFormat,
                                                         .rasterizationSamples = vk::SampleCountFlagBits::e1};
     vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};
     vk::CommandBufferBeginInfo info{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit |
@@ -113,6 +113,12 @@ void SecondaryPath::recordJobs(const FrameView& view) {
 void SecondaryPath::drawScope(const GBufferScope& scope, host::IndexRange cascades) {
     m_device.beginLabel(m_primary, labelOf(cascades).c_str());
     beginGBufferScope(m_primary, scope, vk::RenderingFlagBits::eContentsSecondaryCommandBuffers);
+    drawInside(cascades);
+    m_primary.endRendering();
+    m_device.endLabel(m_primary);
+}
+
+void SecondaryPath::drawInside(host::IndexRange cascades) {
     const auto execute = [&](std::size_t begin, std::size_t end) {
         if (end > begin) {
             m_primary.executeCommands(static_cast<std::uint32_t>(end - begin), &m_commands[begin]);
@@ -126,8 +132,6 @@ void SecondaryPath::drawScope(const GBufferScope& scope, host::IndexRange cascad
             m_primary.executeCommands(m_hostCommands[cascade]);
         }
     }
-    m_primary.endRendering();
-    m_device.endLabel(m_primary);
 }
 
 std::span<const vk::CommandBuffer> SecondaryPath::end(const FrameView&) {

@@ -31,6 +31,8 @@ class SecondaryPath final : public DrawPath {
         return m_hostCommands.empty() && m_draws->lists().range(cascade).size() == 0;
     }
     vk::CommandBuffer primary() override { return m_primary; }
+    /// Draws inside a rendering scope that the caller began in primary(), for secondaries.
+    void drawInside(host::IndexRange cascades);
     void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;
     std::span<const vk::CommandBuffer> end(const FrameView& view) override;
     bool settle(FrameStats&) override { return true; }

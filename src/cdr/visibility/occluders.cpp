@@ -1,0 +1,61 @@
+#include <cdr/visibility/occluders.h>
+
+#include <bit>
+
+namespace cdr::visibility {
+
+namespace {
+
+/// Least radii in pixels: of what the last frame showed, and where there was none.
+constexpr double kLeastRadius = 4.0;
+constexpr double kLeastFirstRadius = 24.0;
+
+} // namespace
+
+void Occluders::followMaterials(const scene::Scene& scene) {
+    m_hides.clear();
+    for (const scene::Material& material : scene.materials) {
+        m_hides.push_back(material.alphaMode == scene::AlphaMode::opaque && material.layer == 0.0f);
+    }
+}
+
+const VisibleCells& Occluders::choose(const scene::Scene& scene, const scene::Frustum& frustum,
+                                      const VisibleCells& visible) {
+    followMaterials(scene);
+    m_chosen.cells = visible.cells;
+    m_chosen.test = visible.test;
+    m_chosen.parts.clear();
+    const double perDistance = frustum.footprintSlope * (m_last.empty() ? kLeastFirstRadius : kLeastRadius);
+    auto last = m_last.begin();
+    TestedSpheres tested;
+    for (const VisibleCells::Part& part : visible.parts) { // by cell, ascending, as m_last is
+        std::uint64_t candidates = part.slots;
+        if (!m_last.empty()) {
+            while (last != m_last.end() && last->cell < part.cell) {
+                ++last;
+            }
+            candidates &= last != m_last.end() && last->cell == part.cell ? last->slots : 0;
+        }
+        if (candidates == 0) {
+            continue;
+        }
+        const Spheres spheres = visible.cells->spheres(part.cell);
+        const std::uint32_t* instances = visible.cells->instancesOf(part.cell);
+        testSpheres(visible.test, spheres, InstanceCells::kCellSlots, tested);
+        std::uint64_t chosen = 0;
+        for (; candidates != 0; candidates &= candidates - 1) {
+            const auto slot = static_cast<std::size_t>(std::countr_zero(candidates));
+            const bool isLarge =
+                static_cast<double>(spheres.radius[slot]) >= perDistance * tested.distanceView[slot];
+            if (isLarge && m_hides[scene.instances.material[instances[slot]]]) {
+                chosen |= std::uint64_t{1} << slot;
+            }
+        }
+        if (chosen != 0) {
+            m_chosen.parts.push_back({part.cell, chosen});
+        }
+    }
+    return m_chosen;
+}
+
+} // namespace cdr::visibility

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cdr/scene/frustum.h>
+#include <cdr/scene/scene.h>
+#include <cdr/visibility/cull_cells.h>
+
+#include <vector>
+
+namespace cdr::visibility {
+
+/// Which of a frame's instances are drawn first, so that the rest can be tested against their depth: those that the last
+/// frame showed, if they are large enough in the picture to hide anything. Where no frame was before, all that are larger
+/// still. Any choice gives the same picture; a good one is quick.
+class Occluders {
+  public:
+    /// Lists them.
+    /// @param visible what the camera may see, as cullCells() lists it.
+    /// @return valid until the next call.
+    const VisibleCells& choose(const scene::Scene& scene, const scene::Frustum& frustum,
+                               const VisibleCells& visible);
+
+    /// @param shown of `visible`, what is left once the hidden is out.
+    void remember(const VisibleCells& shown) { m_last = shown.parts; }
+    /// The next frame is chosen for as a first one.
+    void forget() { m_last.clear(); }
+
+  private:
+    void followMaterials(const scene::Scene& scene);
+
+    std::vector<VisibleCells::Part> m_last; ///< by cell, ascending
+    std::vector<bool> m_hides;              ///< by material
+    VisibleCells m_chosen;
+};
+
+} // namespace cdr::visibility

@@ -1,0 +1,190 @@
+#include "../fixture.h"
+
+#include <cdr/base/error.h>
+#include <scenes/city.h>
+#include <scenes/open_scene.h>
+
+#include <memory>
+
+namespace cdr::render_test {
+
+namespace {
+
+using render::RenderOptions;
+
+/// Many frames of a town of 2,500 boxes, so that what was hidden comes out from behind corners.
+constexpr std::uint32_t kBlocks = 2;
+constexpr std::uint32_t kStep = 12; // frames
+
+glm::mat3 basisOf(const glm::vec3& sides) {
+    return {glm::vec3(sides.x, 0, 0), glm::vec3(0, sides.y, 0), glm::vec3(0, 0, sides.z)};
+}
+
+class OcclusionCullingTest : public RenderTest {
+  protected:
+    static RenderOptions culling(RenderOptions options) {
+        options.occlusionCulling = true;
+        return options;
+    }
+
+    /// Draws frames with and without, compares them to the bit, and returns how many instances were hidden.
+    std::size_t expectSamePictures(const scene::SceneSetup& setup, const RenderOptions& options,
+                                   std::uint32_t step) {
+        const render::GpuScene gpuScene(device(), setup.scene);
+        render::Renderer whole(device(), setup.scene, gpuScene, options);
+        render::Renderer culled(device(), setup.scene, gpuScene, culling(options));
+        std::size_t hidden = 0;
+        for (std::uint32_t frame = 0; frame < setup.path.frames; frame += step) {
+            const scene::Camera camera = setup.path.at(frame);
+            const render::Frame wanted = whole.render(camera);
+            const render::Frame made = culled.render(camera);
+            EXPECT_EQ(hashOf(made), hashOf(wanted)) << nameOf(options.technique) << " frame " << frame;
+            EXPECT_EQ(wanted.stats.occluders.hidden, 0u);
+            EXPECT_LE(made.stats.draws, wanted.stats.draws);
+            hidden += made.stats.occluders.hidden;
+        }
+        return hidden;
+    }
+
+    std::string refusalOf(const RenderOptions& options) {
+        const scene::Scene scene = boxScene();
+        const render::GpuScene gpuScene(device(), scene);
+        try {
+            const render::Renderer renderer(device(), scene, gpuScene, culling(options));
+        } catch (const base::InputError& error) {
+            return error.what();
+        }
+        return "none";
+    }
+
+    scene::SceneSetup m_city = scenes::makeCity(5, kBlocks);
+};
+
+TEST_F(OcclusionCullingTest, LeavesOutMostOfATownAndNoneOfThePicture) {
+    for (const char* name : {"standard", "cdr", "log", "logcdr", "reversed", "anchored"}) {
+        const std::size_t hidden =
+            expectSamePictures(m_city, smallOptions(depth::parseTechnique(name)), kStep);
+        EXPECT_GT(hidden, 5'000u) << name; // of 20 frames
+    }
+}
+
+TEST_F(OcclusionCullingTest, HoldsForEveryFormatThatIsCoarse) {
+    for (const char* name : {"standard", "log"}) {
+        RenderOptions options = smallOptions(depth::parseTechnique(name));
+        options.technique.format = depth::DepthFormat::d16;
+        expectSamePictures(m_city, options, kStep);
+        expectSamePictures(scenes::openScene("mixed", 1).setup, options, 1);
+    }
+}
+
+TEST_F(OcclusionCullingTest, HoldsForAllTargetsThreadsSubmissionsAndSurfaces) {
+    RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    options.technique.split = depth::SplitCount{3};
+    for (const char* targets : {"accumulate", "pool", "layers", "one-pass"}) {
+        options.targets = render::parseTargets(targets);
+        EXPECT_GT(expectSamePictures(m_city, options, 5 * kStep), 1'500u) << targets;
+    }
+    options.targets = render::TargetsKind::single;
+    options.threads = 4;
+    options.submission = render::Submission::primaries;
+    EXPECT_GT(expectSamePictures(m_city, options, 5 * kStep), 1'500u);
+    options.submission = render::Submission::secondaries;
+    for (const render::Batching batching : {render::Batching::perObject, render::Batching::pushConstants}) {
+        options.batching = batching;
+        EXPECT_GT(expectSamePictures(m_city, options, 5 * kStep), 1'500u) << nameOf(batching);
+    }
+}
+
+TEST_F(OcclusionCullingTest, HoldsForAVisibilityBuffer) {
+    const std::uint64_t texels = m_city.scene.instances.size() * 6 * 2;
+    if (texels > device().physical().getProperties().limits.maxTexelBufferElements) {
+        GTEST_SKIP() << "the device reads too few facets";
+    }
+    RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    options.surface = render::SurfacePath::visibility;
+    EXPECT_GT(expectSamePictures(m_city, options, kStep), 5'000u);
+}
+
+TEST_F(OcclusionCullingTest, HoldsWhereVerticesAreSnapped) {
+    RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    options.snapBits = 4;
+    EXPECT_GT(expectSamePictures(m_city, options, kStep), 5'000u);
+}
+
+TEST_F(OcclusionCullingTest, HoldsWhereNothingHidesMuch) {
+    for (const char* name : {"rotation", "afc", "orbit"}) {
+        const scene::SceneSetup setup = scenes::openScene(name, 2013).setup;
+        expectSamePictures(setup, smallOptions(depth::parseTechnique("anchored")), 60);
+    }
+}
+
+TEST_F(OcclusionCullingTest, HoldsAfterAJumpAndWhenForgotten) {
+    const RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+    const render::GpuScene gpuScene(device(), m_city.scene);
+    render::Renderer whole(device(), m_city.scene, gpuScene, options);
+    render::Renderer culled(device(), m_city.scene, gpuScene, culling(options));
+    for (const std::uint32_t frame : {0u, 200u, 10u, 120u}) {
+        culled.forgetFrames();
+        EXPECT_EQ(hashOf(culled.render(m_city.path.at(frame))), hashOf(whole.render(m_city.path.at(frame))));
+        culled.resize(480 - frame, 270);
+        whole.resize(480 - frame, 270);
+        EXPECT_EQ(hashOf(culled.render(m_city.path.at(frame))), hashOf(whole.render(m_city.path.at(frame))));
+    }
+}
+
+TEST_F(OcclusionCullingTest, ShowsWhatAWallUncoversInTheSameFrame) {
+    scene::World world;
+    const scene::MeshHandle mesh = world.addMesh(scene::makeBox(glm::vec3(0.5f)));
+    const scene::MaterialHandle material = world.addMaterial({.name = "white"});
+    const auto add = [&](const glm::dvec3& position, const glm::vec3& size) {
+        return world.addInstance({.mesh = mesh,
+                                  .material = material,
+                                  .transform = {.position = position, .basis = basisOf(size)}});
+    };
+    const glm::vec3 wallSides(40.0f, 40.0f, 1.0f);
+    const scene::InstanceHandle wall = add({0.0, 0.0, -10.0}, wallSides);
+    for (int i = 0; i < 100; ++i) {
+        add({i % 10 - 4.5, i / 10 - 4.5, -30.0}, glm::vec3(0.4f));
+    }
+    render::GpuScene live(device(), world);
+    render::Renderer renderer(device(), live, culling(smallOptions(depth::parseTechnique("anchored"))));
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
+    renderer.render(camera);
+    EXPECT_EQ(renderer.render(camera).stats.occluders.hidden, 100u);
+    world.setTransform(wall, {.position = {0.0, 100.0, -10.0}, .basis = glm::mat3(1.0f)});
+    const render::Frame open = renderer.render(camera);
+    EXPECT_EQ(open.stats.occluders.hidden, 0u);
+    EXPECT_GT(open.stats.visible, 99u);
+    world.setTransform(wall, {.position = {0.0, 0.0, -10.0}, .basis = basisOf(wallSides)});
+    renderer.render(camera);
+    EXPECT_EQ(renderer.render(camera).stats.occluders.hidden, 100u);
+}
+
+TEST_F(OcclusionCullingTest, FramesInFlightAreTheSame) {
+    RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    options.framesInFlight = 3;
+    const render::GpuScene gpuScene(device(), m_city.scene);
+    render::Renderer whole(device(), m_city.scene, gpuScene, options);
+    render::Renderer culled(device(), m_city.scene, gpuScene, culling(options));
+    for (std::uint32_t frame = 0; frame < 5; ++frame) {
+        culled.submit(m_city.path.at(frame));
+        whole.submit(m_city.path.at(frame)); // fitted cascades follow the frames before
+    }
+    EXPECT_EQ(hashOf(culled.render(m_city.path.at(90))), hashOf(whole.render(m_city.path.at(90))));
+}
+
+TEST_F(OcclusionCullingTest, IsRefusedWhereItIsNotDone) {
+    RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    options.focus = {.distance = 5.0, .aperture = 0.1};
+    options.targets = render::TargetsKind::layers;
+    EXPECT_NE(refusalOf(options).find("focus"), std::string::npos);
+    if (canDrawGpuDriven()) {
+        options = smallOptions(depth::parseTechnique("anchored"));
+        options.submission = render::Submission::gpuDriven;
+        EXPECT_NE(refusalOf(options).find("gpu-driven"), std::string::npos);
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test
