@@ -138,6 +138,9 @@ void checkArguments(TimingArguments& arguments, CommandFiles& files) {
 }
 
 const char* describeScene(const experiments::TimingOptions& options) {
+    if (options.scene == "city") {
+        return "1,000,000 boxes of houses and streets, seen from a street, 60 degrees, near 0.2, far 8,000";
+    }
     return options.scene == "traffic"
                ? "100,000 cubes that move, from 1 to 10,000,000 units away, one turn about y"
                : "64,000 unit cubes in a 400^3 field, 60 degrees, near 0.1, far 100,000, one turn about y";
@@ -318,7 +321,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
     addThreads(command, options.threads, "Threads that cull, bin and record");
     command
         .add_option("--scene", options.scene,
-                    fmt::format("{}; the latter moves", fmt::join(experiments::kTimingScenes, " or ")))
+                    fmt::format("{}; traffic moves", fmt::join(experiments::kTimingScenes, ", ")))
         ->capture_default_str();
     command
         .add_option("--in-flight", options.framesInFlight,
@@ -329,7 +332,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
     command
         .add_option("--modes", arguments.modes,
                     "Only these beside standard, such as cdr-2,log,logcdr-5; also naive and standard/NAME "
-                    "with a batching, submission or surface")
+                    "with a batching, submission, surface or occlusion-culling")
         ->delimiter(',');
     CLI::Option* against = command.add_option(
         "--against", arguments.against,

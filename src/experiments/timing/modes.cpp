@@ -95,6 +95,7 @@ std::vector<TimingMode> extraTimingModes() {
         }
         add(prefix + std::string(nameOf(render::SurfacePath::visibility)), technique,
             [](TimingMode& mode) { mode.surface = render::SurfacePath::visibility; });
+        add(prefix + "occlusion-culling", technique, [](TimingMode& mode) { mode.occlusionCulling = true; });
         for (const render::Submission submission :
              {render::Submission::primaries, render::Submission::gpuDriven}) {
             add(prefix + std::string(nameOf(submission)), technique,

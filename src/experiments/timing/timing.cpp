@@ -4,6 +4,7 @@
 #include <cdr/base/suggest.h>
 #include <cdr/render/renderer.h>
 #include <experiments/interleaved_frames.h>
+#include <scenes/city.h>
 #include <scenes/cubes.h>
 #include <scenes/moving_scene.h>
 #include <scenes/traffic.h>
@@ -31,7 +32,7 @@ FrameSample timedRun(render::Renderer& renderer, const std::vector<scene::Camera
 
 scene::SceneSetup openTimed(const TimingOptions& options) {
     const bool moves = options.scene == "traffic";
-    if (!moves && options.scene != "rotation") {
+    if (std::find(kTimingScenes.begin(), kTimingScenes.end(), options.scene) == kTimingScenes.end()) {
         throw base::InputError(base::unknownName("scene", options.scene, kTimingScenes));
     }
     if (moves && options.framesInFlight > 1) {
@@ -42,6 +43,9 @@ scene::SceneSetup openTimed(const TimingOptions& options) {
             (mode.meshes == TimingMeshes::unshared || mode.surface == render::SurfacePath::visibility)) {
             throw base::InputError("mode " + mode.name + " draws a scene that stands still, not traffic");
         }
+    }
+    if (options.scene == "city") {
+        return scenes::makeCity(options.seed);
     }
     return moves ? scenes::makeTraffic(options.seed) : scenes::makeRotation(options.seed);
 }
@@ -77,8 +81,11 @@ class Race {
         for (const TimingMode& mode : options.modes) {
             m_renderers.push_back(makeRenderer(device, mode));
         }
-        const scene::Camera first = m_setup.path.at(0);
-        m_path = scene::turnPath(first, first.position, options.frames);
+        m_path = m_setup.path;
+        if (options.scene != "city") { // which has a street to go along
+            const scene::Camera first = m_setup.path.at(0);
+            m_path = scene::turnPath(first, first.position, options.frames);
+        }
     }
 
     void drawFrame(std::uint32_t number) {
@@ -125,6 +132,7 @@ class Race {
                                             .submission = mode.submission,
                                             .batching = mode.batching,
                                             .surface = mode.surface,
+                                            .occlusionCulling = mode.occlusionCulling,
                                             .framesInFlight = m_options.framesInFlight,
                                             .trace = m_options.trace};
         if (m_moving != nullptr) {

@@ -34,6 +34,7 @@ struct TimingMode {
     render::Batching batching = render::Batching::instanced;
     render::SurfacePath surface = render::SurfacePath::gbuffer;
     TimingMeshes meshes = TimingMeshes::indexed;
+    bool occlusionCulling = false;
     std::optional<double> thesisPercent; ///< overhead over standard that Figure 6.4 gives
 };
 
@@ -50,7 +51,7 @@ std::vector<TimingMode> extraTimingModes();
 std::vector<TimingMode> timingModesNamed(const std::vector<std::string>& names);
 
 /// Scenes that modes are timed over: the thesis' cubes, and cubes that move.
-inline constexpr std::array<std::string_view, 2> kTimingScenes{"rotation", "traffic"};
+inline constexpr std::array<std::string_view, 3> kTimingScenes{"rotation", "traffic", "city"};
 
 /// Figure 6.4: what each technique costs over standard. 64,000 unit cubes in a 400^3 field, the camera in the
 /// middle turning once about y over all frames; every mode renders a camera before the next camera, in an

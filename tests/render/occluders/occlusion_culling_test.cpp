@@ -77,6 +77,24 @@ TEST_F(OcclusionCullingTest, HoldsForEveryFormatThatIsCoarse) {
     }
 }
 
+TEST_F(OcclusionCullingTest, KeepsWhatACoarseBufferShowsThroughAWall) {
+    scene::SceneSetup setup{.scene = boxScene(), .path = {}};
+    const auto add = [&](double distanceView, double side) {
+        addBox(setup.scene, {0.0, 0.0, -distanceView}, basisOf({side, side, 1.0}));
+    };
+    add(1000.0, 2000.0);
+    add(1020.0, 10.0); // drawn later, at the same depth in 16 bits: it shows
+    setup.path = scene::stillPath({.fovY = 1.0, .nearView = 0.1, .farView = 1e5});
+    setup.path.frames = 3;
+    RenderOptions options = smallOptions(depth::parseTechnique("standard"));
+    options.technique.format = depth::DepthFormat::d16;
+    EXPECT_EQ(draw(setup.scene, setup.path.at(0), options).id(240, 135), 2u);
+    EXPECT_EQ(expectSamePictures(setup, options, 1), 0u);
+    options.technique = depth::parseTechnique("anchored");
+    EXPECT_EQ(draw(setup.scene, setup.path.at(0), options).id(240, 135), 1u);
+    EXPECT_EQ(expectSamePictures(setup, options, 1), 3u);
+}
+
 TEST_F(OcclusionCullingTest, HoldsForAllTargetsThreadsSubmissionsAndSurfaces) {
     RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     options.technique.split = depth::SplitCount{3};
