@@ -25,6 +25,9 @@ const char* whatNeedsAllCascades(const RenderOptions& options, bool hasBlended) 
     if (hasBlended) {
         return "blended materials";
     }
+    if (options.occlusionCulling) {
+        return "occlusion culling";
+    }
     return options.submission == Submission::gpuDriven ? "gpu-driven draws" : nullptr;
 }
 
