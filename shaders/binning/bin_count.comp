@@ -1,9 +1,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "binning/binning.glsl"
+#if defined(CHOOSES_OCCLUDERS) || defined(DROPS_HIDDEN)
+#include "occluders/hidden.glsl"
+#endif
 
 // First pass: sphere against frustum and cascades, as scene::cullSpheres() and scene::binByDistance() do it, and how
-// many instances of the block land in each bucket.
+// many instances of the block land in each bucket. CHOOSES_OCCLUDERS: none but occluders. DROPS_HIDDEN: none that they
+// hide, and the next frame is told what was seen.
 layout(local_size_x = 256) in;
 
 uint landingOf(InstanceSphere sphere) {
@@ -34,12 +38,35 @@ uint landingOf(InstanceSphere sphere) {
     return end > first ? packLanding(2u * first + wide, end - first) : 0u;
 }
 
+#ifdef DROPS_HIDDEN
+shared uint hiddenInBlock;
+#endif
+
+uint shownLanding(uint instance) {
+    uint landing = landingOf(spheres[instance]);
+    if (landing == 0u) {
+        return 0u;
+    }
+#ifdef CHOOSES_OCCLUDERS
+    return isOccluder(instance, spheres[instance]) ? landing : 0u;
+#elif defined(DROPS_HIDDEN)
+    if (isHidden(spheres[instance])) {
+        atomicAdd(hiddenInBlock, 1u);
+        return 0u;
+    }
+#endif
+    return landing;
+}
+
 void main() {
     clearMasks();
+#ifdef DROPS_HIDDEN
+    hiddenInBlock = 0u;
+#endif
     barrier();
     uint instance = gl_GlobalInvocationID.x;
     if (instance < view.instances) {
-        uint landing = landingOf(spheres[instance]);
+        uint landing = shownLanding(instance);
         landings[instance] = landing;
         markLanding(landing);
     }
@@ -47,4 +74,13 @@ void main() {
     for (uint row = gl_LocalInvocationIndex; row <= bucketCount(); row += kBinBlock) {
         blockDraws[row * view.blocks + gl_WorkGroupID.x] = landedBefore(row, kBinBlock);
     }
+#ifdef DROPS_HIDDEN
+    if (gl_LocalInvocationIndex < kMaskWords) {
+        seen[gl_WorkGroupID.x * kMaskWords + gl_LocalInvocationIndex] =
+            masks[bucketCount() * kMaskWords + gl_LocalInvocationIndex];
+    }
+    if (gl_LocalInvocationIndex == 0u && hiddenInBlock != 0u) {
+        atomicAdd(result.hidden, hiddenInBlock);
+    }
+#endif
 }

@@ -38,7 +38,7 @@ struct MaterialRecord {
     uint cutoffAndShine; // the words of a DrawRecord
     uint baseColorRg;
     uint baseColorBa;
-    uint pad0;
+    uint occludes; // 0: fragments may be missing, or lie nearer
 };
 
 // Consecutive instances of one mesh, material and handedness: one instanced draw per bucket. A run that has
@@ -109,6 +109,7 @@ struct IndirectCommand {
 struct BinningResult {
     uint draws;           // wanted, even where the records have no room for them
     uint drawsAndVisible; // and the instances in at least one cascade
+    uint hidden;          // instances that were left out, since occluders hide them
 };
 
 #ifdef __cplusplus

@@ -115,6 +115,20 @@ TEST_F(SubmissionTest, GltfIsOneImageHoweverSubmitted) {
 }
 
 /// Cubes as large as their cascades are thin: each lands in many, more than there was room for at first.
+TEST_F(SubmissionTest, MoreRunsThanAShadersLoopHasTurnsAreOneImage) {
+    scene::SceneSetup setup = scenes::makeRotation(5, 140'000); // a driver may end a loop after 65,535 turns
+    setup.scene.materials.push_back({.name = "red", .baseColorFactor = glm::vec4(1.0f, 0.1f, 0.1f, 1.0f)});
+    for (std::size_t i = 0; i < setup.scene.instances.size(); i += 2) {
+        setup.scene.instances.material[i] = 1;
+    }
+    render::RenderOptions options = tinyOptions(depth::parseTechnique("reversed"));
+    const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), options));
+    for (const Submission submission : submissions()) {
+        options.submission = submission;
+        EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(0), options)), wanted) << nameOf(submission);
+    }
+}
+
 TEST_F(SubmissionTest, GpuDrivenDrawsAgainWhenItsRecordsRunOut) {
     if (!canDrawGpuDriven()) {
         return;

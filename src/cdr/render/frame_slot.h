@@ -2,6 +2,7 @@
 
 #include <cdr/render/frame_cutter.h>
 #include <cdr/render/frame_view.h>
+#include <cdr/render/occluders/device_occlusion.h>
 #include <cdr/render/occluders/occlusion_culling.h>
 #include <cdr/render/output/depth_output.h>
 #include <cdr/render/output/motion_pass.h>
@@ -70,11 +71,12 @@ struct Renderer::Passes {
     Targets& targets; ///< those
     FrameCutter cutter;
     ShadingPass shading;
-    std::unique_ptr<ResolvePass> resolve;          ///< of a visibility buffer
-    std::unique_ptr<TranslucentPass> translucent;  ///< where the scene has blended materials
-    std::unique_ptr<MotionPass> motion;            ///< where it is worked out
-    std::unique_ptr<OcclusionCulling> occlusion{}; ///< where what is hidden is left out
-    std::unique_ptr<DepthOutput> depthOutput{};    ///< once a host asked for depth
+    std::unique_ptr<ResolvePass> resolve;               ///< of a visibility buffer
+    std::unique_ptr<TranslucentPass> translucent;       ///< where the scene has blended materials
+    std::unique_ptr<MotionPass> motion;                 ///< where it is worked out
+    std::unique_ptr<OcclusionCulling> occlusion{};      ///< where the CPU leaves out what is hidden
+    std::unique_ptr<DeviceOcclusion> deviceOcclusion{}; ///< where the device does
+    std::unique_ptr<DepthOutput> depthOutput{};         ///< once a host asked for depth
     Readback colorCopy;
     Readback gbufferCopy;
     std::unique_ptr<Readback> motionCopy; ///< of `motion`

@@ -40,8 +40,8 @@ struct RenderOptions {
     /// as few does by itself; 0: not. At most kMaxSnapBits.
     std::uint32_t snapBits = 0;
     /// Leaves out what opaque surfaces hide, after drawing the depth of what the last frame showed. The picture is the
-    /// same. Waits for the device within each frame. Not gpu-driven, with a focus, or into a host's commands. Scenes with
-    /// layers are drawn whole.
+    /// same. Unless gpu-driven, it waits for the device within each frame, and cannot be recorded into a host's commands.
+    /// Not with a focus. Scenes with layers are drawn whole.
     bool occlusionCulling = false;
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Works out motion: how far each pixel's surface is from where it was in the last frame (Surfaces::motion,

@@ -132,7 +132,9 @@ Renderer::Needs Renderer::needs() const {
 void Renderer::makePasses() {
     auto made = std::make_unique<Passes>(m_device, m_drawn, m_options, m_needs);
     made->lightRoom = m_drawn.scene.lights.size();
-    if (m_options.occlusionCulling) {
+    if (m_options.occlusionCulling && m_options.submission == Submission::gpuDriven) {
+        made->deviceOcclusion = m_paths->makeDeviceOcclusion(m_options.technique, made->extent);
+    } else if (m_options.occlusionCulling) {
         made->occlusion = std::make_unique<OcclusionCulling>(m_device, m_drawn, m_options.technique,
                                                              made->extent, m_paths->makeOccluders(m_workers));
     }
@@ -141,7 +143,8 @@ void Renderer::makePasses() {
     try {
         for (std::size_t slot = 0; slot < m_options.framesInFlight; ++slot) {
             Slot& begun = m_passes->slots.emplace_back();
-            begun.path = m_paths->make(m_workers, fmt::format("frame slot {}", slot));
+            begun.path =
+                m_paths->make(m_workers, m_passes->deviceOcclusion.get(), fmt::format("frame slot {}", slot));
             begun.done = m_device.handle().createFenceUnique({});
             makeInputs(begun, m_passes->lightRoom);
         }
@@ -226,6 +229,9 @@ void Renderer::forgetFrames() {
     m_passes->cutter.forget();
     if (m_passes->occlusion != nullptr) {
         m_passes->occlusion->forget();
+    }
+    if (m_passes->deviceOcclusion != nullptr) {
+        m_passes->deviceOcclusion->forget();
     }
     if (m_motion != nullptr) {
         m_motion->forget();

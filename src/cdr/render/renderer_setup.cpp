@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/render/occluders/device_occlusion.h>
 #include <cdr/render/occluders/occlusion_culling.h>
 #include <cdr/render/output/motion_pass.h>
 #include <cdr/render/renderer_setup.h>
@@ -24,21 +25,18 @@ void requireFocusable(const RenderOptions& options) {
     if (options.motion) {
         throw base::InputError("a lens with a focus shows no motion");
     }
+    if (options.occlusionCulling) { // what is behind a blurred rim shows through
+        throw base::InputError("a lens with a focus does without occlusion culling");
+    }
 }
 
-void requireCullable(const RenderOptions& options) {
+std::uint64_t predictOcclusionBytes(const gpu::Device& device, vk::Extent2D extent,
+                                    const RenderOptions& options) {
     if (!options.occlusionCulling) {
-        return;
+        return 0;
     }
-    if (options.submission == Submission::gpuDriven) {
-        throw base::InputError(
-            "occlusion culling is the CPU's, and gpu-driven draws are culled by the device");
-    }
-    if (options.focus.isOn()) {
-        throw base::InputError(
-            "a lens with a focus blurs the rims of surfaces, so they hide nothing: it does without "
-            "occlusion culling");
-    }
+    return options.submission == Submission::gpuDriven ? DeviceOcclusion::predictBytes(device, extent)
+                                                       : OcclusionCulling::predictBytes(device, extent);
 }
 
 } // namespace
@@ -71,7 +69,7 @@ std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions
            Picture::predictBytes(device, pictureOptions(extent, options, hasBlended)) +
            ShadingPass::predictBytes(extent, options.effects) +
            (options.motion ? MotionPass::predictBytes(device, extent) : 0) +
-           (options.occlusionCulling ? OcclusionCulling::predictBytes(device, extent) : 0);
+           predictOcclusionBytes(device, extent, options);
 }
 
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
@@ -88,7 +86,6 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         requireDivisible(options, hasBlended);
     }
     requireFocusable(options);
-    requireCullable(options);
     if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {
         throw base::InputError(fmt::format("ambient occlusion per layer needs targets with layers "
                                            "(accumulate, pool or layers), not {}",

@@ -4,18 +4,14 @@
 
 namespace cdr::visibility {
 
-namespace {
-
-/// Least radii in pixels: of what the last frame showed, and where there was none.
-constexpr double kLeastRadius = 4.0;
-constexpr double kLeastFirstRadius = 24.0;
-
-} // namespace
+bool canOcclude(const scene::Material& material) {
+    return material.alphaMode == scene::AlphaMode::opaque && material.layer == 0.0f;
+}
 
 void Occluders::followMaterials(const scene::Scene& scene) {
     m_hides.clear();
     for (const scene::Material& material : scene.materials) {
-        m_hides.push_back(material.alphaMode == scene::AlphaMode::opaque && material.layer == 0.0f);
+        m_hides.push_back(canOcclude(material));
     }
 }
 
@@ -25,7 +21,8 @@ const VisibleCells& Occluders::choose(const scene::Scene& scene, const scene::Fr
     m_chosen.cells = visible.cells;
     m_chosen.test = visible.test;
     m_chosen.parts.clear();
-    const double perDistance = frustum.footprintSlope * (m_last.empty() ? kLeastFirstRadius : kLeastRadius);
+    const double perDistance =
+        frustum.footprintSlope * (m_last.empty() ? kLeastFirstOccluder : kLeastOccluder);
     auto last = m_last.begin();
     TestedSpheres tested;
     for (const VisibleCells::Part& part : visible.parts) { // by cell, ascending, as m_last is

@@ -8,6 +8,13 @@
 
 namespace cdr::visibility {
 
+/// Whether nothing behind a surface of the material can be seen through it: it is opaque, and lies where it is drawn.
+bool canOcclude(const scene::Material& material);
+
+/// Least radii of occluders in pixels: where a frame was before, and where there was none.
+inline constexpr double kLeastOccluder = 4.0;
+inline constexpr double kLeastFirstOccluder = 24.0;
+
 /// Which of a frame's instances are drawn first, so that the rest can be tested against their depth: those that the last
 /// frame showed, if they are large enough in the picture to hide anything. Where no frame was before, all that are larger
 /// still. Any choice gives the same picture; a good one is quick.

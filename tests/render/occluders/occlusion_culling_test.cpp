@@ -20,6 +20,19 @@ glm::mat3 basisOf(const glm::vec3& sides) {
     return {glm::vec3(sides.x, 0, 0), glm::vec3(0, sides.y, 0), glm::vec3(0, 0, sides.z)};
 }
 
+/// A wall that fills the picture, and a box behind it that 16 bits cannot tell from it.
+scene::SceneSetup wallAndBox() {
+    scene::SceneSetup setup{.scene = boxScene(), .path = {}};
+    const auto add = [&](double distanceView, double side) {
+        addBox(setup.scene, {0.0, 0.0, -distanceView}, basisOf({side, side, 1.0}));
+    };
+    add(1000.0, 2000.0);
+    add(1020.0, 10.0); // drawn later, so in 16 bits it shows
+    setup.path = scene::stillPath({.fovY = 1.0, .nearView = 0.1, .farView = 1e5});
+    setup.path.frames = 3;
+    return setup;
+}
+
 class OcclusionCullingTest : public RenderTest {
   protected:
     static RenderOptions culling(RenderOptions options) {
@@ -78,14 +91,7 @@ TEST_F(OcclusionCullingTest, HoldsForEveryFormatThatIsCoarse) {
 }
 
 TEST_F(OcclusionCullingTest, KeepsWhatACoarseBufferShowsThroughAWall) {
-    scene::SceneSetup setup{.scene = boxScene(), .path = {}};
-    const auto add = [&](double distanceView, double side) {
-        addBox(setup.scene, {0.0, 0.0, -distanceView}, basisOf({side, side, 1.0}));
-    };
-    add(1000.0, 2000.0);
-    add(1020.0, 10.0); // drawn later, at the same depth in 16 bits: it shows
-    setup.path = scene::stillPath({.fovY = 1.0, .nearView = 0.1, .farView = 1e5});
-    setup.path.frames = 3;
+    const scene::SceneSetup setup = wallAndBox();
     RenderOptions options = smallOptions(depth::parseTechnique("standard"));
     options.technique.format = depth::DepthFormat::d16;
     EXPECT_EQ(draw(setup.scene, setup.path.at(0), options).id(240, 135), 2u);
@@ -121,6 +127,26 @@ TEST_F(OcclusionCullingTest, HoldsForAVisibilityBuffer) {
     RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     options.surface = render::SurfacePath::visibility;
     EXPECT_GT(expectSamePictures(m_city, options, kStep), 5'000u);
+}
+
+TEST_F(OcclusionCullingTest, HoldsGpuDriven) {
+    if (!canDrawGpuDriven()) {
+        GTEST_SKIP() << "the device cannot draw gpu-driven";
+    }
+    for (const char* name : {"standard", "cdr", "log", "anchored"}) {
+        RenderOptions options = smallOptions(depth::parseTechnique(name));
+        options.submission = render::Submission::gpuDriven;
+        EXPECT_GT(expectSamePictures(m_city, options, kStep), 5'000u) << name;
+        for (const char* other : {"rotation", "orbit", "mixed"}) {
+            expectSamePictures(scenes::openScene(other, 2013).setup, options, 90);
+        }
+    }
+    RenderOptions coarse = smallOptions(depth::parseTechnique("standard"));
+    coarse.technique.format = depth::DepthFormat::d16;
+    coarse.submission = render::Submission::gpuDriven;
+    EXPECT_EQ(expectSamePictures(wallAndBox(), coarse, 1), 0u);
+    coarse.technique = depth::parseTechnique("anchored");
+    EXPECT_EQ(expectSamePictures(wallAndBox(), coarse, 1), 3u);
 }
 
 TEST_F(OcclusionCullingTest, HoldsWhereVerticesAreSnapped) {
@@ -165,30 +191,38 @@ TEST_F(OcclusionCullingTest, ShowsWhatAWallUncoversInTheSameFrame) {
         add({i % 10 - 4.5, i / 10 - 4.5, -30.0}, glm::vec3(0.4f));
     }
     render::GpuScene live(device(), world);
-    render::Renderer renderer(device(), live, culling(smallOptions(depth::parseTechnique("anchored"))));
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};
-    renderer.render(camera);
-    EXPECT_EQ(renderer.render(camera).stats.occluders.hidden, 100u);
-    world.setTransform(wall, {.position = {0.0, 100.0, -10.0}, .basis = glm::mat3(1.0f)});
-    const render::Frame open = renderer.render(camera);
-    EXPECT_EQ(open.stats.occluders.hidden, 0u);
-    EXPECT_GT(open.stats.visible, 99u);
-    world.setTransform(wall, {.position = {0.0, 0.0, -10.0}, .basis = basisOf(wallSides)});
-    renderer.render(camera);
-    EXPECT_EQ(renderer.render(camera).stats.occluders.hidden, 100u);
+    for (const render::Submission submission : submissions()) {
+        RenderOptions options = culling(smallOptions(depth::parseTechnique("anchored")));
+        options.submission = submission;
+        render::Renderer renderer(device(), live, options);
+        renderer.render(camera);
+        EXPECT_EQ(renderer.render(camera).stats.occluders.hidden, 100u) << nameOf(submission);
+        world.setTransform(wall, {.position = {0.0, 100.0, -10.0}, .basis = glm::mat3(1.0f)});
+        const render::Frame open = renderer.render(camera);
+        EXPECT_EQ(open.stats.occluders.hidden, 0u) << nameOf(submission);
+        EXPECT_GT(open.stats.visible, 99u) << nameOf(submission);
+        world.setTransform(wall, {.position = {0.0, 0.0, -10.0}, .basis = basisOf(wallSides)});
+        renderer.render(camera);
+        EXPECT_EQ(renderer.render(camera).stats.occluders.hidden, 100u) << nameOf(submission);
+    }
 }
 
 TEST_F(OcclusionCullingTest, FramesInFlightAreTheSame) {
     RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     options.framesInFlight = 3;
-    const render::GpuScene gpuScene(device(), m_city.scene);
-    render::Renderer whole(device(), m_city.scene, gpuScene, options);
-    render::Renderer culled(device(), m_city.scene, gpuScene, culling(options));
-    for (std::uint32_t frame = 0; frame < 5; ++frame) {
-        culled.submit(m_city.path.at(frame));
-        whole.submit(m_city.path.at(frame)); // fitted cascades follow the frames before
+    for (const render::Submission submission : submissions()) {
+        options.submission = submission;
+        const render::GpuScene gpuScene(device(), m_city.scene);
+        render::Renderer whole(device(), m_city.scene, gpuScene, options);
+        render::Renderer culled(device(), m_city.scene, gpuScene, culling(options));
+        for (std::uint32_t frame = 0; frame < 5; ++frame) {
+            culled.submit(m_city.path.at(frame));
+            whole.submit(m_city.path.at(frame)); // fitted cascades follow the frames before
+        }
+        const scene::Camera last = m_city.path.at(90);
+        EXPECT_EQ(hashOf(culled.render(last)), hashOf(whole.render(last))) << nameOf(submission);
     }
-    EXPECT_EQ(hashOf(culled.render(m_city.path.at(90))), hashOf(whole.render(m_city.path.at(90))));
 }
 
 TEST_F(OcclusionCullingTest, IsRefusedWhereItIsNotDone) {
@@ -196,11 +230,6 @@ TEST_F(OcclusionCullingTest, IsRefusedWhereItIsNotDone) {
     options.focus = {.distance = 5.0, .aperture = 0.1};
     options.targets = render::TargetsKind::layers;
     EXPECT_NE(refusalOf(options).find("focus"), std::string::npos);
-    if (canDrawGpuDriven()) {
-        options = smallOptions(depth::parseTechnique("anchored"));
-        options.submission = render::Submission::gpuDriven;
-        EXPECT_NE(refusalOf(options).find("gpu-driven"), std::string::npos);
-    }
 }
 
 } // namespace

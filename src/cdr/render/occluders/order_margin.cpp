@@ -1,5 +1,6 @@
 #include <cdr/depth/forecast.h>
 #include <cdr/render/occluders/order_margin.h>
+#include <cdr/shaders/occluders_shared.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@ namespace cdr::render {
 
 namespace {
 
-constexpr std::size_t kNodes = 512;
+constexpr std::size_t kNodes = shaders::kMarginNodes;
 /// Margins are known at nodes alone, and what is between two of them may be a little worse than both.
 constexpr double kBetweenNodes = 2.0;
 /// A logarithm that is interpolated between vertices is off by this share of the distance at most (kLogWideSpan).

@@ -17,10 +17,15 @@ class OrderMargin {
     /// In scene units, at a surface's view distance; infinity outside the cascades.
     double at(double distanceView) const;
 
+    /// The same at distances of one ratio to the next, from the camera's near plane on; between two of them the larger
+    /// holds.
+    const std::vector<double>& nodes() const { return m_nodes; }
+    double nodesPerRatio() const { return m_nodesPerRatio; } ///< over a ratio of e
+
   private:
     double m_nearView;
-    double m_nodesPerRatio;      ///< nodes over a ratio of e
-    std::vector<double> m_nodes; ///< at distances of one ratio to the next
+    double m_nodesPerRatio;
+    std::vector<double> m_nodes;
 };
 
 } // namespace cdr::render

@@ -67,7 +67,8 @@ void requireMotion(const gpu::Device& device, const SurfaceImage& motion, const 
 }
 
 void requireDraws(const HostFrame& host, const RenderOptions& options) {
-    require(!options.occlusionCulling, "occlusion culling submits commands of its own before a frame's");
+    require(!options.occlusionCulling || options.submission == Submission::gpuDriven,
+            "occlusion culling submits commands of its own before a frame's");
     require(!host.draw || options.surface == SurfacePath::gbuffer,
             "a host draws into a G-buffer, and surface visibility keeps none");
     require(!host.draw || !options.focus.isOn(), "a host cannot draw into the layers of a lens with a focus");

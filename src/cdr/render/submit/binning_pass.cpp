@@ -4,8 +4,11 @@
 #include <cdr/render/submit/binning_pass.h>
 #include <cdr/shaders/bin_commands_comp.h>
 #include <cdr/shaders/bin_count_comp.h>
+#include <cdr/shaders/bin_count_occluders_comp.h>
+#include <cdr/shaders/bin_count_shown_comp.h>
 #include <cdr/shaders/bin_fill_comp.h>
 #include <cdr/shaders/bin_scan_comp.h>
+#include <cdr/visibility/occluders.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -21,6 +24,9 @@ namespace {
 using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
+/// Runs of a group, whose commands one invocation of bin_commands.comp lists. lavapipe ends a loop after 65,535 turns, and
+/// others wait for the longest.
+constexpr std::size_t kMostRunsPerGroup = 1024;
 /// Invocations a workgroup of bin_commands.comp.
 constexpr std::size_t kCommandInvocations = 64;
 
@@ -56,29 +62,6 @@ shaders::InstanceLook lookOf(const DrawSource& source) {
     return look;
 }
 
-/// Between frames before, which read the scene's buffers, and the passes after.
-void recordCopies(vk::CommandBuffer commands, const BinningPass::Copies& copies) {
-    const auto isEmpty = [](const std::vector<vk::BufferCopy>& regions) { return regions.empty(); };
-    if (std::all_of(copies.regions.begin(), copies.regions.end(), isEmpty)) {
-        return;
-    }
-    gpu::pipelineBarrier(commands, {},
-                         {{.srcStageMask = Stage::eComputeShader | Stage::eCopy,
-                           .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = Stage::eCopy,
-                           .dstAccessMask = Access::eTransferWrite}});
-    for (std::size_t i = 0; i < copies.regions.size(); ++i) {
-        if (!copies.regions[i].empty()) {
-            commands.copyBuffer(copies.staging.handle(), (*copies.buffers)[i].handle(), copies.regions[i]);
-        }
-    }
-    gpu::pipelineBarrier(commands, {},
-                         {{.srcStageMask = Stage::eCopy,
-                           .srcAccessMask = Access::eTransferWrite,
-                           .dstStageMask = Stage::eComputeShader,
-                           .dstAccessMask = Access::eShaderStorageRead}});
-}
-
 vk::MemoryBarrier2 barrier(vk::PipelineStageFlags2 stages, vk::AccessFlags2 access) {
     return {.srcStageMask = Stage::eComputeShader,
             .srcAccessMask = Access::eShaderStorageWrite,
@@ -88,18 +71,25 @@ vk::MemoryBarrier2 barrier(vk::PipelineStageFlags2 stages, vk::AccessFlags2 acce
 
 } // namespace
 
-BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, visibility::DetailMode detail)
+BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, visibility::DetailMode detail,
+                         vk::DescriptorSetLayout occlusionLayout)
     : m_device(checked(device, drawn.scene.instances)),
       m_drawn(drawn),
       m_detail(detail),
       m_isStaged(true),
       m_setLayout(gpu::makeSetLayout(device, std::vector(kBindings, vk::DescriptorType::eStorageBuffer),
                                      vk::ShaderStageFlagBits::eCompute, "binning set")),
-      m_layout(gpu::makePipelineLayout(device, {*m_setLayout}, {}, "binning layout")),
-      m_count(makePipeline(kBinCountComp, "bin, count")),
+      m_layout(gpu::makePipelineLayout(
+          device, occlusionLayout ? std::vector{*m_setLayout, occlusionLayout} : std::vector{*m_setLayout},
+          {}, "binning layout")),
+      m_count{makePipeline(kBinCountComp, "bin, count"), {}, {}},
       m_scan(makePipeline(kBinScanComp, "bin, scan")),
       m_fill(makePipeline(kBinFillComp, "bin, fill")),
       m_commands(makePipeline(kBinCommandsComp, "bin, commands")) {
+    if (occlusionLayout) {
+        m_count[1] = makePipeline(kBinCountOccludersComp, "bin, count occluders");
+        m_count[2] = makePipeline(kBinCountShownComp, "bin, count what is shown");
+    }
     groupInstances();
 }
 
@@ -110,7 +100,8 @@ vk::UniquePipeline BinningPass::makePipeline(std::span<const std::uint32_t> spir
 void BinningPass::groupInstances() {
     const GpuScene& gpuScene = m_drawn.uploaded;
     const std::vector<DrawKind>& kinds = gpuScene.kinds();
-    const std::size_t mostCommands = m_device.physical().getProperties().limits.maxDrawIndirectCount;
+    const std::size_t mostCommands = std::min<std::size_t>(
+        kMostRunsPerGroup, m_device.physical().getProperties().limits.maxDrawIndirectCount);
     m_tables = gpuScene.tablesRevision();
     m_followed = gpuScene.instanceChanges().end();
     m_groups.clear();
@@ -264,8 +255,10 @@ class Stager {
 
 void BinningPass::stageAll(Copies& copies) const {
     std::vector<shaders::MaterialRecord> materials;
-    for (const MaterialWords& words : m_drawn.uploaded.materials()) {
-        materials.push_back({words.cutoffAndShine, words.baseColorRg, words.baseColorBa, 0});
+    for (std::size_t i = 0; i < m_drawn.uploaded.materials().size(); ++i) {
+        const MaterialWords& words = m_drawn.uploaded.materials()[i];
+        const bool occludes = visibility::canOcclude(m_drawn.scene.materials[i]);
+        materials.push_back({words.cutoffAndShine, words.baseColorRg, words.baseColorBa, occludes ? 1u : 0u});
     }
     std::vector<shaders::CoarserLevel> levels;
     for (const LevelRange& level : m_drawn.uploaded.levels()) {
@@ -321,9 +314,31 @@ void BinningPass::bindScene(vk::DescriptorSet set, const SceneBuffers& buffers) 
     }
 }
 
-void BinningPass::record(vk::CommandBuffer commands, vk::DescriptorSet set, std::size_t cascades,
-                         const Copies& copies) const {
-    recordCopies(commands, copies);
+// Between frames before, which read the scene's buffers, and the passes after.
+void BinningPass::recordCopies(vk::CommandBuffer commands, const Copies& copies) const {
+    const auto isEmpty = [](const std::vector<vk::BufferCopy>& regions) { return regions.empty(); };
+    if (std::all_of(copies.regions.begin(), copies.regions.end(), isEmpty)) {
+        return;
+    }
+    gpu::pipelineBarrier(commands, {},
+                         {{.srcStageMask = Stage::eComputeShader | Stage::eCopy,
+                           .srcAccessMask = Access::eTransferWrite,
+                           .dstStageMask = Stage::eCopy,
+                           .dstAccessMask = Access::eTransferWrite}});
+    for (std::size_t i = 0; i < copies.regions.size(); ++i) {
+        if (!copies.regions[i].empty()) {
+            commands.copyBuffer(copies.staging.handle(), (*copies.buffers)[i].handle(), copies.regions[i]);
+        }
+    }
+    gpu::pipelineBarrier(commands, {},
+                         {{.srcStageMask = Stage::eCopy,
+                           .srcAccessMask = Access::eTransferWrite,
+                           .dstStageMask = Stage::eComputeShader,
+                           .dstAccessMask = Access::eShaderStorageRead}});
+}
+
+void BinningPass::record(vk::CommandBuffer commands, Kept kept, std::size_t cascades,
+                         const std::vector<vk::DescriptorSet>& sets) const {
     const auto blocks =
         static_cast<std::uint32_t>((instances() + shaders::kBinBlock - 1) / shaders::kBinBlock);
     const std::size_t lists = 2 * cascades * m_groups.size();
@@ -332,13 +347,13 @@ void BinningPass::record(vk::CommandBuffer commands, vk::DescriptorSet set, std:
     const auto next =
         barrier(Stage::eComputeShader, Access::eShaderStorageRead | Access::eShaderStorageWrite);
     m_device.beginLabel(commands, "cull and bin");
-    commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, 0, set, {});
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, 0, sets, {});
     const auto dispatch = [&](vk::Pipeline pipeline, std::uint32_t groups, const vk::MemoryBarrier2& after) {
         commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline);
         commands.dispatch(groups, 1, 1);
         gpu::pipelineBarrier(commands, {}, {after});
     };
-    dispatch(*m_count, blocks, next);
+    dispatch(*m_count[static_cast<std::size_t>(kept)], blocks, next);
     dispatch(*m_scan, 1, next);
     dispatch(*m_fill, blocks, next);
     dispatch(*m_commands, listGroups,

@@ -28,7 +28,9 @@ class BinningPass {
     /// @param drawn whose blended instances are never drawn.
     /// @param detail unless none, an instance whose mesh has levels is a run of its own, so that each draw
     /// may have another level.
-    BinningPass(const gpu::Device& device, const DrawnScene& drawn, visibility::DetailMode detail);
+    /// @param occlusionLayout of the set that `occluders` and `shown` read; null: they are not asked for.
+    BinningPass(const gpu::Device& device, const DrawnScene& drawn, visibility::DetailMode detail,
+                vk::DescriptorSetLayout occlusionLayout);
 
     std::size_t instances() const { return m_looks.size(); }
     std::size_t runs() const { return m_runs.size(); }
@@ -47,10 +49,18 @@ class BinningPass {
     bool follow(Copies& copies);
     /// Points the bindings of the scene's buffers at them.
     void bindScene(vk::DescriptorSet set, const SceneBuffers& buffers) const;
-    /// Copies what follow() staged and runs all four passes; afterwards the lists are ready to be drawn and the result
-    /// to be read.
-    void record(vk::CommandBuffer commands, vk::DescriptorSet set, std::size_t cascades,
-                const Copies& copies) const;
+    /// Copies what follow() staged.
+    void recordCopies(vk::CommandBuffer commands, const Copies& copies) const;
+    /// Which instances in the frustum are binned.
+    enum class Kept : std::uint8_t {
+        all,
+        occluders, ///< that were seen in the last frame
+        shown,     ///< that they do not hide
+    };
+    /// Runs all four passes; afterwards the lists are ready to be drawn and the result to be read.
+    /// @param sets that of the lists, and of occlusion unless all are kept.
+    void record(vk::CommandBuffer commands, Kept kept, std::size_t cascades,
+                const std::vector<vk::DescriptorSet>& sets) const;
     /// The commands of the last record() will be submitted.
     void noteRecorded() { m_isStaged = false; }
 
@@ -78,7 +88,7 @@ class BinningPass {
     std::shared_ptr<const SceneBuffers> m_sceneBuffers;
     vk::UniqueDescriptorSetLayout m_setLayout;
     vk::UniquePipelineLayout m_layout;
-    vk::UniquePipeline m_count;
+    std::array<vk::UniquePipeline, 3> m_count; ///< by Kept
     vk::UniquePipeline m_scan;
     vk::UniquePipeline m_fill;
     vk::UniquePipeline m_commands;

@@ -33,8 +33,11 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
       m_scene(scene),
       m_submission(options.submission),
       m_trace(options.trace),
+      m_occlusionLayout(options.submission == Submission::gpuDriven && options.occlusionCulling
+                            ? DeviceOcclusion::makeLayout(device)
+                            : vk::UniqueDescriptorSetLayout()),
       m_binning(options.submission == Submission::gpuDriven
-                    ? std::make_unique<BinningPass>(device, scene, options.detail.mode)
+                    ? std::make_unique<BinningPass>(device, scene, options.detail.mode, *m_occlusionLayout)
                     : nullptr) {
     const GeometryOptions geometry{.technique = options.technique,
                                    .batching = options.batching,
@@ -73,6 +76,12 @@ std::unique_ptr<HostDraws> DrawPathFactory::makeOccluders(host::WorkerPool& work
     return makeDraws(m_occluders, workers);
 }
 
+std::unique_ptr<DeviceOcclusion> DrawPathFactory::makeDeviceOcclusion(const depth::Technique& technique,
+                                                                      vk::Extent2D extent) const {
+    return std::make_unique<DeviceOcclusion>(m_device, m_scene.uploaded, *m_occluders.geometry,
+                                             *m_occlusionLayout, technique, extent);
+}
+
 std::unique_ptr<HostDraws> DrawPathFactory::makeDraws(const HostPasses& passes,
                                                       host::WorkerPool& workers) const {
     const HostDrawsContext context{
@@ -83,14 +92,15 @@ std::unique_ptr<HostDraws> DrawPathFactory::makeDraws(const HostPasses& passes,
     return std::make_unique<RecordDraws>(context, *passes.geometry);
 }
 
-std::unique_ptr<DrawPath> DrawPathFactory::make(host::WorkerPool& workers, const std::string& name) const {
+std::unique_ptr<DrawPath> DrawPathFactory::make(host::WorkerPool& workers, DeviceOcclusion* occlusion,
+                                                const std::string& name) const {
     switch (m_submission) {
     case Submission::secondaries:
         return std::make_unique<SecondaryPath>(m_device, makeDraws(m_surfaces, workers), name);
     case Submission::primaries:
         return std::make_unique<PrimaryPath>(m_device, makeDraws(m_surfaces, workers), name);
     case Submission::gpuDriven:
-        return std::make_unique<GpuDrivenPath>(m_device, *m_binning, *m_surfaces.geometry, name);
+        return std::make_unique<GpuDrivenPath>(m_device, *m_binning, *m_surfaces.geometry, occlusion, name);
     }
     throw base::RunError("submission out of range");
 }

@@ -3,6 +3,7 @@
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/geometry/facet_pass.h>
 #include <cdr/render/geometry/geometry_pass.h>
+#include <cdr/render/occluders/device_occlusion.h>
 #include <cdr/render/render_options.h>
 #include <cdr/render/submit/binning_pass.h>
 #include <cdr/render/submit/host_draws.h>
@@ -26,10 +27,14 @@ class DrawPathFactory {
 
     /// The factory and the workers must outlive the path.
     /// @param name that captures show.
-    std::unique_ptr<DrawPath> make(host::WorkerPool& workers, const std::string& name) const;
+    /// @param occlusion of gpu-driven draws with RenderOptions::occlusionCulling, else null. It must outlive the path.
+    std::unique_ptr<DrawPath> make(host::WorkerPool& workers, DeviceOcclusion* occlusion,
+                                   const std::string& name) const;
 
-    /// The draws of occluders; with RenderOptions::occlusionCulling.
+    /// With RenderOptions::occlusionCulling: the draws of occluders by the CPU, or culling by the device.
     std::unique_ptr<HostDraws> makeOccluders(host::WorkerPool& workers) const;
+    std::unique_ptr<DeviceOcclusion> makeDeviceOcclusion(const depth::Technique& technique,
+                                                         vk::Extent2D extent) const;
 
     /// Makes the pipelines of draw kinds that came to the scene; those that are there stay.
     void followKinds();
@@ -47,7 +52,8 @@ class DrawPathFactory {
     DrawnScene m_scene;
     Submission m_submission;
     host::Trace* m_trace;
-    std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
+    vk::UniqueDescriptorSetLayout m_occlusionLayout; ///< for Submission::gpuDriven with occlusion culling
+    std::unique_ptr<BinningPass> m_binning;          ///< for Submission::gpuDriven
     HostPasses m_surfaces;
     HostPasses m_occluders; ///< none without occlusion culling
 };

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cdr/gpu/commands.h>
-#include <cdr/render/submit/binning_pass.h>
+#include <cdr/render/occluders/device_occlusion.h>
+#include <cdr/render/submit/device_lists.h>
 
-#include <array>
+#include <optional>
 #include <string>
 
 namespace cdr::render {
@@ -13,8 +14,9 @@ namespace cdr::render {
 /// CPU path's order.
 class GpuDrivenPath final : public DrawPath {
   public:
+    /// @param occlusion leaves out what is hidden, or null.
     GpuDrivenPath(const gpu::Device& device, BinningPass& binning, const GeometryPass& pass,
-                  const std::string& name);
+                  DeviceOcclusion* occlusion, const std::string& name);
 
     bool needsVisible() const override { return false; }
     void bin(const FrameView& view, const visibility::VisibleCells&, FrameStats& stats) override;
@@ -26,24 +28,16 @@ class GpuDrivenPath final : public DrawPath {
     bool settle(FrameStats& stats) override;
 
   private:
-    enum List : std::size_t { landings, blockDraws, runFirsts, records, commands, counts, kLists };
-    void growLists(std::size_t cascades);
-    void growRecords(std::size_t draws);
-    void grow(List list, std::size_t bytes);
-
     const gpu::Device& m_device;
     BinningPass& m_binning;
     const GeometryPass& m_pass;
+    DeviceOcclusion* m_occlusion; ///< null without occlusion culling
     gpu::CommandPool m_pool;
     vk::CommandBuffer m_primary;
-    gpu::Buffer m_view;
-    gpu::Buffer m_result;
-    std::array<gpu::Buffer, kLists> m_lists; ///< the slot's own, bindings from kFirstList on
-    std::size_t m_recordCapacity = 0;
-    vk::UniqueDescriptorPool m_descriptors;
-    vk::DescriptorSet m_binningSet;
+    DeviceLists m_lists;
+    std::optional<DeviceLists> m_first; ///< of occluders
+    DeviceOcclusion::Slot m_occlusionSlot;
     BinningPass::Copies m_copies;
-    GeometryPass::IndirectDraws m_draws;
     const FrameView* m_frame = nullptr; ///< that is being recorded
     const HostCommands* m_host = nullptr;
 };

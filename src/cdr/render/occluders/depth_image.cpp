@@ -1,0 +1,57 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/render/geometry/geometry_pipelines.h>
+#include <cdr/render/occluders/depth_image.h>
+
+namespace cdr::render {
+
+namespace {
+
+using Stage = vk::PipelineStageFlagBits2;
+using Access = vk::AccessFlagBits2;
+
+constexpr auto kDepthStages = Stage::eEarlyFragmentTests | Stage::eLateFragmentTests;
+constexpr auto kDepthAccess = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
+
+} // namespace
+
+gpu::ImageOptions occluderDepthOptions(vk::Extent2D extent) {
+    return {.extent = extent,
+            .format = GeometryPipelines::kOccluderFormat,
+            .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eTransferSrc,
+            .aspect = vk::ImageAspectFlagBits::eDepth};
+}
+
+std::size_t occluderCopyBytes(vk::Extent2D extent) {
+    return std::size_t{extent.width} * extent.height * sizeof(float);
+}
+
+void beginOccluders(vk::CommandBuffer primary, const gpu::Image& depth, vk::RenderingFlags flags) {
+    gpu::pipelineBarrier(
+        primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, Stage::eCopy,
+                                    Access::eNone, kDepthStages, kDepthAccess, vk::ImageLayout::eUndefined,
+                                    vk::ImageLayout::eDepthAttachmentOptimal)});
+    const vk::RenderingAttachmentInfo attachment{.imageView = depth.view(),
+                                                 .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
+                                                 .loadOp = vk::AttachmentLoadOp::eClear,
+                                                 .storeOp = vk::AttachmentStoreOp::eStore,
+                                                 .clearValue = vk::ClearDepthStencilValue{.depth = 0.0f}};
+    primary.beginRendering({.flags = flags,
+                            .renderArea = {{0, 0}, depth.options().extent},
+                            .layerCount = 1,
+                            .pDepthAttachment = &attachment});
+}
+
+void copyOccluders(vk::CommandBuffer primary, const gpu::Image& depth, vk::Buffer copy) {
+    gpu::pipelineBarrier(
+        primary,
+        {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kDepthStages,
+                           Access::eDepthStencilAttachmentWrite, Stage::eCopy, Access::eTransferRead,
+                           vk::ImageLayout::eDepthAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
+    const auto& [width, height] = depth.options().extent;
+    primary.copyImageToBuffer(
+        depth.handle(), vk::ImageLayout::eTransferSrcOptimal, copy,
+        vk::BufferImageCopy{.imageSubresource = {vk::ImageAspectFlagBits::eDepth, 0, 0, 1},
+                            .imageExtent = {width, height, 1}});
+}
+
+} // namespace cdr::render

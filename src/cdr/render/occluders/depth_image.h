@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cdr/gpu/memory.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstddef>
+
+namespace cdr::render {
+
+/// The depth buffer that occluders are drawn into, and copied from.
+gpu::ImageOptions occluderDepthOptions(vk::Extent2D extent);
+
+/// Bytes of a copy of it.
+std::size_t occluderCopyBytes(vk::Extent2D extent);
+
+/// Begins a rendering scope that clears depth to what is infinitely far.
+/// @param flags whether draws follow in secondaries or in line.
+void beginOccluders(vk::CommandBuffer primary, const gpu::Image& depth, vk::RenderingFlags flags);
+
+/// After the scope. Whoever reads the copy waits for it.
+void copyOccluders(vk::CommandBuffer primary, const gpu::Image& depth, vk::Buffer copy);
+
+} // namespace cdr::render

@@ -1,0 +1,181 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/occluders/device_occlusion.h>
+#include <cdr/render/occluders/occluder_view.h>
+#include <cdr/render/occluders/order_margin.h>
+#include <cdr/shaders/binning_shared.h>
+#include <cdr/shaders/occluders_shared.h>
+#include <cdr/shaders/reduce_depth_comp.h>
+#include <cdr/shaders/reduce_depth_squares_comp.h>
+#include <cdr/visibility/occluders.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace cdr::render {
+
+namespace {
+
+using Stage = vk::PipelineStageFlagBits2;
+using Access = vk::AccessFlagBits2;
+
+constexpr auto kBufferType = vk::DescriptorType::eStorageBuffer;
+constexpr std::uint32_t kBuffers = 4; ///< of the set: occluders.glsl
+constexpr std::uint32_t kOcclusionSet = 1;
+constexpr std::uint32_t kReduceInvocations = 64;
+
+std::uint32_t partsOf(std::uint32_t whole, std::uint32_t part) {
+    return (whole + part - 1) / part;
+}
+
+/// How many tiles or squares a picture has.
+struct Grid {
+    std::uint32_t columns;
+    std::uint32_t rows;
+
+    std::uint32_t size() const { return columns * rows; }
+    Grid coarser(std::uint32_t side) const { return {partsOf(columns, side), partsOf(rows, side)}; }
+};
+
+Grid tilesOf(vk::Extent2D extent) {
+    return Grid{extent.width, extent.height}.coarser(shaders::kTileSide);
+}
+
+std::size_t tileBytes(vk::Extent2D extent) {
+    const Grid tiles = tilesOf(extent);
+    return (tiles.size() + tiles.coarser(shaders::kSquareSide).size()) * sizeof(float);
+}
+
+gpu::Buffer makeBuffer(const gpu::Device& device, std::size_t bytes, const char* name,
+                       vk::BufferUsageFlags usage = {}) {
+    return {device, bytes, vk::BufferUsageFlagBits::eStorageBuffer | usage, gpu::MemoryUse::deviceOnly, name};
+}
+
+vk::MemoryBarrier2 orderOf(vk::PipelineStageFlags2 first, vk::AccessFlags2 written,
+                           vk::PipelineStageFlags2 then, vk::AccessFlags2 used) {
+    return {.srcStageMask = first, .srcAccessMask = written, .dstStageMask = then, .dstAccessMask = used};
+}
+
+constexpr auto kUsed = Access::eShaderStorageRead | Access::eShaderStorageWrite;
+
+} // namespace
+
+vk::UniqueDescriptorSetLayout DeviceOcclusion::makeLayout(const gpu::Device& device) {
+    return gpu::makeSetLayout(device, std::vector(kBuffers, kBufferType), vk::ShaderStageFlagBits::eCompute,
+                              "occlusion set");
+}
+
+DeviceOcclusion::DeviceOcclusion(const gpu::Device& device, const GpuScene& scene,
+                                 const GeometryPass& depthPass, vk::DescriptorSetLayout layout,
+                                 const depth::Technique& technique, vk::Extent2D extent)
+    : m_device(device),
+      m_scene(scene),
+      m_depthPass(depthPass),
+      m_setLayout(layout),
+      m_technique(technique),
+      m_extent(extent),
+      m_depth(device, occluderDepthOptions(extent), "occluder depth"),
+      m_copy(makeBuffer(device, occluderCopyBytes(extent), "occluder depth copy",
+                        vk::BufferUsageFlagBits::eTransferDst)),
+      m_tiles(makeBuffer(device, tileBytes(extent), "occluder tiles")),
+      // Shaders name the set as those of BinningPass do, where another one comes first.
+      m_layout(gpu::makePipelineLayout(device, {layout, layout}, {}, "occlusion layout")),
+      m_reduce(gpu::makeComputePipeline(device, kReduceDepthComp, *m_layout, "reduce depth")),
+      m_reduceSquares(
+          gpu::makeComputePipeline(device, kReduceDepthSquaresComp, *m_layout, "reduce depth, squares")) {}
+
+std::uint64_t DeviceOcclusion::predictBytes(const gpu::Device& device, vk::Extent2D extent) {
+    return gpu::predictBytes(device, occluderDepthOptions(extent)) + occluderCopyBytes(extent) +
+           tileBytes(extent);
+}
+
+DeviceOcclusion::Slot DeviceOcclusion::makeSlot() const {
+    Slot slot{.view = gpu::Buffer(m_device, sizeof(shaders::OccluderView),
+                                  vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryUse::hostWrites,
+                                  "occluder view"),
+              .seen = {},
+              .descriptors = gpu::makeDescriptorPool(m_device, 1, kBuffers, {kBufferType}),
+              .set = {}};
+    slot.set = gpu::allocateSet(m_device, *slot.descriptors, m_setLayout);
+    gpu::writeBufferBinding(m_device, slot.set, 0, kBufferType, slot.view.handle());
+    gpu::writeBufferBinding(m_device, slot.set, 2, kBufferType, m_copy.handle());
+    gpu::writeBufferBinding(m_device, slot.set, 3, kBufferType, m_tiles.handle());
+    return slot;
+}
+
+void DeviceOcclusion::provideSeen(std::size_t instances) {
+    // The passes write whole blocks.
+    const std::size_t blocks = (instances + shaders::kBinBlock - 1) / shaders::kBinBlock;
+    const std::size_t bytes = std::max<std::size_t>(blocks, 1) * shaders::kBinBlock / 8;
+    if (m_seen != nullptr && m_seen->size() >= bytes) {
+        return;
+    }
+    gpu::requireDeviceBytes(m_device, bytes, "what was seen of a gpu-driven scene");
+    m_seen = std::make_shared<const gpu::Buffer>(makeBuffer(m_device, bytes + bytes / 2, "seen instances"));
+    m_hasSeen = false;
+}
+
+void DeviceOcclusion::prepare(const FrameView& view, std::size_t instances, Slot& slot) {
+    provideSeen(instances);
+    if (slot.seen != m_seen) { // frames in flight keep the old one
+        slot.seen = m_seen;
+        gpu::writeBufferBinding(m_device, slot.set, 1, kBufferType, m_seen->handle());
+    }
+    const double leastPixels = m_hasSeen ? visibility::kLeastOccluder : visibility::kLeastFirstOccluder;
+    const OrderMargin margin(m_technique, view);
+    const Grid tiles = tilesOf(m_extent);
+    auto& block = slot.view.as<shaders::OccluderView>(1).front();
+    block = {.tanX = view.frustum.tanX,
+             .tanY = view.frustum.tanY,
+             // Layers are drawn nearer than they are, so there is no occluder beside them.
+             .leastRadius = m_scene.hasLayers() ? std::numeric_limits<double>::infinity()
+                                                : leastPixels * view.frustum.footprintSlope,
+             .nearView = view.camera.nearView,
+             .width = m_extent.width,
+             .height = m_extent.height,
+             .columns = tiles.columns,
+             .rows = tiles.rows,
+             .hasSeen = m_hasSeen ? 1u : 0u,
+             .nodesPerRatio = static_cast<float>(margin.nodesPerRatio()),
+             .unused = {},
+             .margins = {}};
+    std::transform(margin.nodes().begin(), margin.nodes().end(), block.margins,
+                   [](double node) { return static_cast<float>(node); });
+    slot.view.flush();
+    m_hasSeen = true; // by the next frame. What a frame that never ran left there is as good as any choice.
+}
+
+void DeviceOcclusion::begin(vk::CommandBuffer primary) const {
+    // Frames before saw other instances, and read the tiles and the copy.
+    gpu::pipelineBarrier(primary, {},
+                         {orderOf(Stage::eComputeShader, Access::eShaderStorageWrite,
+                                  Stage::eComputeShader | Stage::eCopy, kUsed | Access::eTransferWrite)});
+}
+
+void DeviceOcclusion::draw(vk::CommandBuffer primary, const Slot& slot,
+                           const GeometryPass::IndirectDraws& occluders, const FrameView& view) const {
+    m_device.beginLabel(primary, "occluders");
+    beginOccluders(primary, m_depth, {});
+    const FrameView depthView = occluderView(view);
+    for (std::size_t cascade = 0; cascade < view.cascades.size(); ++cascade) {
+        m_depthPass.recordIndirect(primary, depthView, cascade, occluders);
+    }
+    primary.endRendering();
+    copyOccluders(primary, m_depth, m_copy.handle());
+    gpu::pipelineBarrier(primary, {},
+                         {orderOf(Stage::eCopy, Access::eTransferWrite, Stage::eComputeShader, kUsed)});
+    primary.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *m_layout, kOcclusionSet, slot.set, {});
+    const Grid tiles = tilesOf(m_extent);
+    const auto reduce = [&](vk::Pipeline pipeline, const Grid& grid) {
+        primary.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline);
+        primary.dispatch(partsOf(grid.size(), kReduceInvocations), 1, 1);
+        gpu::pipelineBarrier(
+            primary, {},
+            {orderOf(Stage::eComputeShader, Access::eShaderStorageWrite, Stage::eComputeShader, kUsed)});
+    };
+    reduce(*m_reduce, tiles);
+    reduce(*m_reduceSquares, tiles.coarser(shaders::kSquareSide));
+    m_device.endLabel(primary);
+}
+
+} // namespace cdr::render

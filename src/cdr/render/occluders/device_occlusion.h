@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cdr/render/geometry/geometry_pass.h>
+#include <cdr/render/occluders/depth_image.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace cdr::render {
+
+/// Occlusion culling by the device alone, for gpu-driven draws: BinningPass lists occluders, their depth is drawn here,
+/// and BinningPass leaves out what it hides. The CPU waits for nothing. See OcclusionCulling for why the picture stays.
+class DeviceOcclusion {
+  public:
+    /// Of the set that the passes of BinningPass read.
+    static vk::UniqueDescriptorSetLayout makeLayout(const gpu::Device& device);
+
+    /// @param depthPass of GeometryOutput::depth. @param layout made by makeLayout(). Both must outlive this.
+    DeviceOcclusion(const gpu::Device& device, const GpuScene& scene, const GeometryPass& depthPass,
+                    vk::DescriptorSetLayout layout, const depth::Technique& technique, vk::Extent2D extent);
+
+    /// What one frame slot owns.
+    struct Slot {
+        gpu::Buffer view;
+        std::shared_ptr<const gpu::Buffer> seen; ///< a bit for each instance, of all slots
+        vk::UniqueDescriptorPool descriptors;
+        vk::DescriptorSet set;
+    };
+    Slot makeSlot() const;
+    /// Writes what the passes read. The slot's last frame must have finished.
+    void prepare(const FrameView& view, std::size_t instances, Slot& slot);
+    /// Before any pass of the frame.
+    void begin(vk::CommandBuffer primary) const;
+    /// Draws occluders and works out what they hide.
+    void draw(vk::CommandBuffer primary, const Slot& slot, const GeometryPass::IndirectDraws& occluders,
+              const FrameView& view) const;
+    /// The next frame is culled as a first one.
+    void forget() { m_hasSeen = false; }
+
+    static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent);
+
+  private:
+    void provideSeen(std::size_t instances);
+
+    const gpu::Device& m_device;
+    const GpuScene& m_scene;
+    const GeometryPass& m_depthPass;
+    vk::DescriptorSetLayout m_setLayout;
+    depth::Technique m_technique;
+    vk::Extent2D m_extent;
+    gpu::Image m_depth;
+    gpu::Buffer m_copy;
+    gpu::Buffer m_tiles;
+    vk::UniquePipelineLayout m_layout;
+    vk::UniquePipeline m_reduce;
+    vk::UniquePipeline m_reduceSquares;
+    std::shared_ptr<const gpu::Buffer> m_seen;
+    bool m_hasSeen = false;
+};
+
+} // namespace cdr::render

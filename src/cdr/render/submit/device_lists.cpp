@@ -1,0 +1,137 @@
+#include <cdr/base/error.h>
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/submit/device_lists.h>
+#include <cdr/shaders/binning_shared.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cdr::render {
+
+namespace {
+
+constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
+constexpr std::uint32_t kFirstList = 1 + BinningPass::kSceneBuffers;
+constexpr std::uint32_t kResult = BinningPass::kBindings - 1;
+
+void copyTo(const glm::dvec3& from, double (&to)[3]) {
+    std::copy_n(&from.x, 3, to);
+}
+
+/// What visibility::cullSpheres() tests with, and visibility::binByDistance().
+shaders::BinningView viewOf(const FrameView& view, double wideSpan) {
+    const scene::Camera& camera = view.camera;
+    shaders::BinningView block{};
+    copyTo(camera.position, block.position);
+    copyTo(camera.right, block.right);
+    copyTo(camera.up, block.up);
+    copyTo(-camera.back, block.ahead);
+    block.cosX = view.frustum.cosX;
+    block.sinX = view.frustum.sinX;
+    block.cosY = view.frustum.cosY;
+    block.sinY = view.frustum.sinY;
+    block.nearView = camera.nearView;
+    block.farView = camera.farView;
+    block.hasWideSpan = std::isfinite(wideSpan) ? 1 : 0;
+    block.wideSpan = std::isfinite(wideSpan) ? wideSpan : 0.0;
+    block.levelSlope = view.levels.slope;
+    block.detailMode = static_cast<std::uint32_t>(view.levels.mode);
+    block.cascades = static_cast<std::uint32_t>(view.cascades.size());
+    double farthest = 0.0;
+    for (std::size_t c = 0; c < view.cascades.size(); ++c) {
+        const CascadeView& cascade = view.cascades[c];
+        farthest = std::max(farthest, cascade.clipRange.farView);
+        block.nearViews[c] = cascade.clipRange.nearView;
+        block.farViews[c] = farthest;
+        block.anchors[c] = cascade.terms.anchorView;
+    }
+    return block;
+}
+
+} // namespace
+
+DeviceLists::DeviceLists(const gpu::Device& device, const BinningPass& binning)
+    : m_device(device),
+      m_binning(binning),
+      m_view(device, sizeof(shaders::BinningView), vk::BufferUsageFlagBits::eStorageBuffer,
+             gpu::MemoryUse::hostWrites, "binning view"),
+      m_result(device, sizeof(shaders::BinningResult), vk::BufferUsageFlagBits::eStorageBuffer,
+               gpu::MemoryUse::hostReads, "binning result"),
+      m_descriptors(gpu::makeDescriptorPool(device, 1, BinningPass::kBindings, {kStorage})),
+      m_set(gpu::allocateSet(device, *m_descriptors, binning.layout())),
+      m_draws{.commands = {}, .counts = {}, .runs = 0, .groups = {}, .records = {}} {
+    gpu::writeBufferBinding(device, m_set, 0, kStorage, m_view.handle());
+    gpu::writeBufferBinding(device, m_set, kResult, kStorage, m_result.handle());
+    growRecords(m_binning.instances());
+}
+
+void DeviceLists::grow(List list, std::size_t bytes) {
+    if (m_lists[list].size() > 0 && bytes <= m_lists[list].size()) {
+        return;
+    }
+    bytes = std::max<std::size_t>(bytes, sizeof(shaders::DrawRecord)); // no buffer is empty
+    if (bytes > m_device.info().maxStorageBufferBytes) {
+        throw base::RunError(fmt::format("gpu-driven draws need a {} byte buffer, {} allows {}", bytes,
+                                         m_device.info().name, m_device.info().maxStorageBufferBytes));
+    }
+    gpu::requireDeviceBytes(m_device, bytes, "a list of gpu-driven draws");
+    m_lists[list] =
+        gpu::Buffer(m_device, bytes,
+                    vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer |
+                        vk::BufferUsageFlagBits::eVertexBuffer,
+                    gpu::MemoryUse::deviceOnly, "gpu-driven list");
+    gpu::writeBufferBinding(m_device, m_set, kFirstList + static_cast<std::uint32_t>(list), kStorage,
+                            m_lists[list].handle());
+}
+
+void DeviceLists::growRecords(std::size_t draws) {
+    const std::size_t most = m_device.info().maxStorageBufferBytes / sizeof(shaders::DrawRecord);
+    // Half as many again as were missing, where the device allows it.
+    const std::size_t wanted = std::max(draws, std::min(most, draws + draws / 2));
+    grow(records, wanted * sizeof(shaders::DrawRecord));
+    m_recordCapacity = m_lists[records].size() / sizeof(shaders::DrawRecord);
+    m_draws.records = m_lists[records].handle();
+}
+
+void DeviceLists::growLists(std::size_t cascades) {
+    const std::size_t buckets = 2 * cascades;
+    const std::size_t blocks = (m_binning.instances() + shaders::kBinBlock - 1) / shaders::kBinBlock;
+    grow(landings, m_binning.instances() * sizeof(std::uint32_t));
+    grow(blockDraws, (buckets + 1) * blocks * sizeof(std::uint32_t));
+    grow(runFirsts, buckets * m_binning.runs() * sizeof(std::uint32_t));
+    grow(commands, buckets * m_binning.runs() * sizeof(shaders::IndirectCommand));
+    grow(counts, buckets * m_binning.groups().size() * sizeof(std::uint32_t));
+    m_draws.commands = m_lists[commands].handle();
+    m_draws.counts = m_lists[counts].handle();
+}
+
+void DeviceLists::prepare(const FrameView& view, depth::Mapping mapping) {
+    m_draws.runs = m_binning.runs();
+    m_draws.groups = m_binning.groups();
+    growLists(view.cascades.size());
+    shaders::BinningView block = viewOf(view, wideSpan(mapping, view.cascades.size()));
+    block.instances = static_cast<std::uint32_t>(m_binning.instances());
+    block.blocks =
+        static_cast<std::uint32_t>((m_binning.instances() + shaders::kBinBlock - 1) / shaders::kBinBlock);
+    block.runs = static_cast<std::uint32_t>(m_binning.runs());
+    block.groups = static_cast<std::uint32_t>(m_binning.groups().size());
+    block.recordCapacity = static_cast<std::uint32_t>(m_recordCapacity);
+    m_view.as<shaders::BinningView>(1).front() = block;
+    m_view.flush();
+    m_result.as<shaders::BinningResult>(1).front() = {}; // stays so where there is nothing to bin
+    m_result.flush();
+}
+
+const shaders::BinningResult* DeviceLists::settle() {
+    m_result.invalidate();
+    const shaders::BinningResult& result = m_result.as<shaders::BinningResult>(1).front();
+    if (result.draws > m_recordCapacity) {
+        growRecords(result.draws);
+        return nullptr;
+    }
+    return &result;
+}
+
+} // namespace cdr::render
