@@ -47,7 +47,8 @@ CDR_EXPORT base::Result<Forecast> tryForecast(const Technique& technique, const 
 
 /// The same in cascades that were cut, such as a frame's. Nothing where none of them holds the distance, with a little
 /// room about each, since what is drawn overlaps.
-std::optional<Forecast> forecastIn(const Technique& technique, const Cascades& cascades, double distanceView);
+CDR_EXPORT std::optional<Forecast> forecastIn(const Technique& technique, const Cascades& cascades,
+                                              double distanceView);
 
 /// The cascades the technique would cut.
 CDR_EXPORT Cascades forecastCascades(const Technique& technique, const ForecastScene& scene);
