@@ -45,8 +45,8 @@ class Town {
     void addBlock(const glm::dvec2& corner) {
         box(road, {corner.x + 0.5 * kBlock, -0.1, corner.y + 0.5 * kBlock}, {kBlock, 0.2, kBlock});
         for (std::uint32_t house = 0; house < kHousesPerSide * kHousesPerSide; ++house) {
-            const glm::dvec2 lot(house % kHousesPerSide + 0.5, house / kHousesPerSide + 0.5);
-            addHouse(corner + 0.5 * kStreet + kLot * lot);
+            const glm::uvec2 lot(house % kHousesPerSide, house / kHousesPerSide);
+            addHouse(corner + 0.5 * kStreet + kLot * (glm::dvec2(lot) + 0.5));
         }
         addStreet(corner);
     }
@@ -136,7 +136,8 @@ scene::SceneSetup makeCity(std::uint64_t seed, std::uint32_t blocks) {
     Town town(scene, seed);
     const double first = -0.5 * kBlock * blocks;
     for (std::uint32_t block = 0; block < blocks * blocks; ++block) {
-        town.addBlock({first + kBlock * (block % blocks), first + kBlock * (block / blocks)});
+        const glm::uvec2 place(block % blocks, block / blocks);
+        town.addBlock(first + kBlock * glm::dvec2(place));
     }
     setup.path = {.frames = kFrames, .at = cameraAt};
     return setup;

@@ -11,10 +11,9 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace cdr::visibility {
 
-using namespace cdr;
-using namespace cdr::visibility;
+namespace {
 
 constexpr double kOpen = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kTiledWidth = 203; // whole tiles neither across nor down
@@ -30,7 +29,7 @@ bool hidesByTiles(DepthTiles& tiles, const PixelRect& rect, double nearestView) 
             const double bottom = std::min<double>(top + DepthTiles::kSide, kTiledHeight);
             const bool meets =
                 rect.left < right && rect.right > left && rect.top < bottom && rect.bottom > top;
-            if (meets && nearestView <= tiles.hiddenBeyond()[row * tiles.columns() + column]) {
+            if (meets && nearestView <= tiles.hiddenBeyond()[std::size_t{row} * tiles.columns() + column]) {
                 return false;
             }
         }
@@ -104,9 +103,9 @@ class HiddenTest : public testing::Test {
         }
         m_cells.build(m_scene, m_workers);
         std::fill(m_tiles.hiddenBeyond().begin(), m_tiles.hiddenBeyond().end(), kOpen);
-        for (std::uint32_t row = 0; row < m_tiles.rows(); ++row) {
-            std::fill_n(m_tiles.hiddenBeyond().begin() + row * m_tiles.columns(), m_tiles.columns() / 2,
-                        50.0);
+        for (std::size_t row = 0; row < m_tiles.rows(); ++row) {
+            const auto tiles = m_tiles.hiddenBeyond().subspan(row * m_tiles.columns(), m_tiles.columns() / 2);
+            std::fill(tiles.begin(), tiles.end(), 50.0);
         }
         m_tiles.makeLevels();
     }
@@ -203,3 +202,5 @@ TEST_F(HiddenTest, OccludersAreWhatTheLastFrameShowed) {
 }
 
 } // namespace
+
+} // namespace cdr::visibility

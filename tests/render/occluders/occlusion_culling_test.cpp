@@ -4,6 +4,8 @@
 #include <scenes/city.h>
 #include <scenes/open_scene.h>
 
+#include <vulkan/vulkan.hpp>
+
 #include <memory>
 
 namespace cdr::render_test {
@@ -188,7 +190,8 @@ TEST_F(OcclusionCullingTest, ShowsWhatAWallUncoversInTheSameFrame) {
     const glm::vec3 wallSides(40.0f, 40.0f, 1.0f);
     const scene::InstanceHandle wall = add({0.0, 0.0, -10.0}, wallSides);
     for (int i = 0; i < 100; ++i) {
-        add({i % 10 - 4.5, i / 10 - 4.5, -30.0}, glm::vec3(0.4f));
+        const glm::ivec2 place(i % 10, i / 10);
+        add({glm::dvec2(place) - 4.5, -30.0}, glm::vec3(0.4f));
     }
     render::GpuScene live(device(), world);
     const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 100.0};

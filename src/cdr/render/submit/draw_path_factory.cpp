@@ -25,6 +25,13 @@ std::uint32_t subPixelBitsOf(const gpu::Device& device, const RenderOptions& opt
     return options.snapBits == 0 ? ofDevice : std::min(options.snapBits, ofDevice);
 }
 
+vk::UniqueDescriptorSetLayout makeOcclusionLayout(const gpu::Device& device, const RenderOptions& options) {
+    if (options.submission == Submission::gpuDriven && options.occlusionCulling) {
+        return DeviceOcclusion::makeLayout(device);
+    }
+    return {};
+}
+
 } // namespace
 
 DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& scene,
@@ -33,9 +40,7 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
       m_scene(scene),
       m_submission(options.submission),
       m_trace(options.trace),
-      m_occlusionLayout(options.submission == Submission::gpuDriven && options.occlusionCulling
-                            ? DeviceOcclusion::makeLayout(device)
-                            : vk::UniqueDescriptorSetLayout()),
+      m_occlusionLayout(makeOcclusionLayout(device, options)),
       m_binning(options.submission == Submission::gpuDriven
                     ? std::make_unique<BinningPass>(device, scene, options.detail.mode, *m_occlusionLayout)
                     : nullptr) {
@@ -56,12 +61,13 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
 
 DrawPathFactory::HostPasses DrawPathFactory::makePasses(std::optional<FacetMeshes> facets,
                                                         const GeometryOptions& options) const {
+    HostPasses passes;
     if (facets) {
-        return {.geometry = {},
-                .facets =
-                    std::make_unique<FacetPass>(m_device, m_scene.uploaded, std::move(*facets), options)};
+        passes.facets = std::make_unique<FacetPass>(m_device, m_scene.uploaded, std::move(*facets), options);
+    } else {
+        passes.geometry = std::make_unique<GeometryPass>(m_device, m_scene.uploaded, options);
     }
-    return {.geometry = std::make_unique<GeometryPass>(m_device, m_scene.uploaded, options), .facets = {}};
+    return passes;
 }
 
 void DrawPathFactory::followKinds() {
