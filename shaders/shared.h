@@ -29,6 +29,15 @@ CDR_CONST kIdBits = 24u;
 CDR_CONST kIdMask = 0xffffffu;
 CDR_CONST kCascadeMask = 0x3fu; // after a shift by kIdBits
 CDR_CONST kIdUnlit = 0x80000000u;
+CDR_CONST kIdEmits = 0x40000000u; // of a pixel: the emission buffer holds something of it
+
+// What a material has beside base colour and shine; sums of these are a specialisation constant of pipelines.
+CDR_CONST kDetailShine = 1u;     // a texture of metallic and roughness
+CDR_CONST kDetailNormal = 2u;    // a normal texture
+CDR_CONST kDetailOcclusion = 4u; // an occlusion texture
+CDR_CONST kDetailEmissive = 8u;  // an emissive texture
+CDR_CONST kDetailEmits = 16u;    // it emits light, textured or not
+CDR_CONST kDetailMasks = 32u;    // how many sums there are
 
 // How a surface shines, in one byte: 0 is matt, else 1 + metallic * kRoughnessSteps + roughness, both as
 // steps of their range [0, 1]. Roughness is kept in fiftieths, since highlights show it; metallic in
@@ -37,8 +46,24 @@ CDR_CONST kMetallicSteps = 5u;
 CDR_CONST kRoughnessSteps = 51u;
 CDR_CONST kShineMask = 0xffu;
 
+// What is done to lit colours on their way to the picture.
+CDR_CONST kFinishNone = 0u;
+CDR_CONST kFinishExposed = 1u; // times an exposure
+CDR_CONST kFinishNeutral = 2u; // times an exposure, then tone mapping by Khronos PBR Neutral
+
 // Most cascades, depth::kMaxCascades.
 CDR_CONST kCascadeSlots = 64u;
+
+// A material's detail, in a uniform buffer.
+struct DetailRecord {
+    vec4 emissionAndNormalScale; // linear emission; the normal texture's scale
+    vec4 shineAndOcclusion;      // metallic, roughness, occlusion strength; 1 if it blends
+    uint
+        secondPlaces; // of which textures, as a sum of the above, a vertex' second place in textures is meant
+    uint unused0;
+    uint unused1;
+    uint unused2;
+};
 
 // One draw: object to view space, relative to the cascade's anchor plane. 64 bytes, one cache line.
 struct DrawRecord {
@@ -132,8 +157,12 @@ struct ShadingHeader {
     vec3 background; // linear colour; that of the fog where there is fog
     float occlusionRadius;
     vec2 rayScale; // view-space x and y per unit of view distance at the right and top edges of the picture
-    vec2 pictureSize;            // in pixels
-    vec4 fog;                    // linear colour, and what it takes per unit of distance
+    vec2 pictureSize; // in pixels
+    vec4 fog;         // linear colour, and what it takes per unit of distance
+    vec4 skyUp;       // view space, unit; of the sky the rest
+    vec4 skyZenith;   // linear radiance
+    vec4 skyHorizon;
+    vec4 skyGround;
     vec2 anchors[kCascadeSlots]; // each cascade's anchor plane as a float and its rest
 };
 
@@ -147,7 +176,8 @@ static_assert(sizeof(FacetVertex) == 16);
 static_assert(sizeof(FacetRecord) == 32);
 static_assert(sizeof(LightRecord) == 48);
 static_assert(sizeof(LayerPush) == 16);
-static_assert(sizeof(ShadingHeader) == 64 + 8 * kCascadeSlots);
+static_assert(sizeof(ShadingHeader) == 128 + 8 * kCascadeSlots);
+static_assert(sizeof(DetailRecord) == 48);
 } // namespace cdr::shaders
 #endif
 

@@ -20,12 +20,24 @@ layout(location = 1) flat in uvec3 inFacet;
 #else
 layout(location = 0) in vec4 inNormalAhead;
 layout(location = 1) in vec4 inColor;
+#ifdef DETAILED
+layout(location = 2) in vec4 inUv; // both places
+layout(location = 5) in vec4 inTangent;
+#else
 layout(location = 2) in vec2 inUv;
+#endif
 layout(location = 3) flat in uint inId;
 layout(location = 4) flat in uint inCutoffAndShine;
 #endif
 
 layout(location = 0) out uvec4 outTexel;
+#ifdef DETAILED
+#define DETAIL_SET 1
+#define DETAIL_CONSTANT 10
+#include "geometry/detail.glsl"
+#include "targets/emission.glsl"
+layout(location = 1) out uint outEmission; // of scenes that need it
+#endif
 #ifdef WRITES_DEPTH
 layout(depth_greater) out float gl_FragDepth; // than the tangent that the vertex shader set
 #endif
@@ -56,17 +68,31 @@ void main() {
 #else
     vec4 baseColor = inColor;
     if (kTextured != 0u) {
-        baseColor *= texture(baseColorTexture, inUv);
+        baseColor *= texture(baseColorTexture, inUv.xy);
     }
     if (kMasked != 0u && baseColor.a < uintBitsToFloat(inCutoffAndShine & ~kShineMask)) {
         discard;
     }
     // Of a double-sided surface the side that faces the camera is lit.
+#ifdef DETAILED
+    vec3 front = detailNormal(inNormalAhead.xyz, inTangent, inUv);
+    vec3 normal = gl_FrontFacing ? front : -front;
+    uint shine = has(kDetailShine) ? shineCode(detailShine(inUv)) : inCutoffAndShine;
+#else
     vec3 normal = gl_FrontFacing ? inNormalAhead.xyz : -inNormalAhead.xyz;
+    uint shine = inCutoffAndShine;
+#endif
     outTexel = encodeTexel(baseColor.rgb, normal, ahead, inId);
     if (kShiny != 0u) {
-        outTexel.x = withShine(outTexel.x, inCutoffAndShine);
+        outTexel.x = withShine(outTexel.x, shine);
     }
+#ifdef DETAILED
+    outEmission = 0u;
+    if (has(kDetailOcclusion | kDetailEmits)) {
+        outEmission = encodeEmission(detailEmission(inUv), detailOpenness(inUv));
+        outTexel.w |= kIdEmits;
+    }
+#endif
 #endif
 #ifdef WRITES_DEPTH
     // The viewport moves interpolated depths into the slice, but not those set here.

@@ -27,6 +27,11 @@ layout(location = 1) in vec2 inNormal;
 layout(location = 2) in vec2 inUv;
 layout(location = 3) in vec4 inColor;
 #endif
+// DETAILED: materials with more than base colour and shine.
+#ifdef DETAILED
+layout(location = 9) in vec4 inTangent; // octahedral, and how the bitangent points
+layout(location = 10) in vec2 inSecondUv;
+#endif
 
 #ifdef DEPTH_ALONE
 layout(location = 1) out float outAhead; // as facet.vert has it
@@ -36,9 +41,18 @@ layout(location = 1) flat out uvec3 outFacet; // the words of a surface that a w
 #else
 layout(location = 0) out vec4 outNormalAhead;
 layout(location = 1) out vec4 outColor;
+#ifdef DETAILED
+layout(location = 2) out vec4 outUv; // both places
+layout(location = 5) out vec4 outTangent;
+#else
 layout(location = 2) out vec2 outUv;
+#endif
 layout(location = 3) flat out uint outId;
 layout(location = 4) flat out uint outCutoffAndShine;
+#endif
+
+#ifdef DETAILED
+#include "geometry/turned_tangent.glsl"
 #endif
 
 void main() {
@@ -70,7 +84,12 @@ void main() {
 #else
     outNormalAhead = vec4(turned, ahead);
     outColor = baseColor;
+#ifdef DETAILED
+    outUv = vec4(inUv, inSecondUv);
+    outTangent = turnedTangent(inTangent, record.right.xyz, record.up.xyz, back, mirrored);
+#else
     outUv = inUv;
+#endif
     outId = id;
     outCutoffAndShine = record.cutoffAndShine;
 #endif

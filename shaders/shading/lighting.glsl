@@ -1,11 +1,20 @@
 // Ambient and point lights on a surface, for the deferred pass and for what is drawn after it. Define LIGHTING_SET and
-// LIGHTING_BINDING first. Knows view distances, not how they were mapped to depth. FLAT_LIGHTING: what all pixels share
+// LIGHTING_BINDING first, and
+// SKY_CONSTANT where the scene may have a sky. Knows view distances, not how they were mapped to depth. FLAT_LIGHTING: what all pixels share
 // comes as flat varyings from shading.vert (flat_lighting.glsl), not from the buffer.
 #ifndef CDR_SHADERS_LIGHTING_GLSL
 #define CDR_SHADERS_LIGHTING_GLSL
 
 #include "shading/lighting_buffer.glsl"
 #include "shading/shine.glsl"
+#include "shading/sky.glsl"
+
+// Whether light from all around is that of a sky; else it is alike from everywhere.
+#ifdef SKY_CONSTANT
+layout(constant_id = SKY_CONSTANT) const uint kSky = 0u;
+#else
+const uint kSky = 0u;
+#endif
 
 #ifdef FLAT_LIGHTING
 #include "shading/flat_lighting.glsl"
@@ -60,7 +69,7 @@ vec3 wayTo(LightRecord light, LitPoint point) {
 
 // Light that falls on a matt surface: what its albedo is multiplied by.
 vec3 lightOn(LitPoint point) {
-    vec3 light = point.openness * ambientLight();
+    vec3 light = point.openness * (kSky != 0u ? skyDiffuse(point.normal) : ambientLight());
     for (uint i = 0u; i < lightCount(); ++i) {
         LightRecord record = lightAt(i);
         vec3 way = wayTo(record, point);
@@ -75,7 +84,14 @@ vec3 lightOn(LitPoint point) {
 vec3 shinyLight(Shine shine, LitPoint point) {
     vec3 toCamera = normalize(vec3(-point.ray, 1.0));
     float facing = facingOf(point.normal, toCamera);
-    vec3 light = point.openness * ambientLight() * ambientReflectance(shine, facing);
+    vec3 light;
+    if (kSky != 0u) {
+        AmbientShares shares = ambientShares(shine, facing);
+        vec3 mirrored = reflect(-toCamera, point.normal);
+        light = point.openness * (shares.diffuse * skyDiffuse(point.normal) + shares.mirrored * skyMirrored(mirrored, shine.roughness));
+    } else {
+        light = point.openness * ambientLight() * ambientReflectance(shine, facing);
+    }
     for (uint i = 0u; i < lightCount(); ++i) {
         LightRecord record = lightAt(i);
         vec3 way = wayTo(record, point);

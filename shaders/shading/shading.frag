@@ -4,10 +4,12 @@
 #include "targets/gbuffer.glsl"
 #define LIGHTING_SET 0
 #define LIGHTING_BINDING 1
+#define SKY_CONSTANT 7
 #ifndef LAYER
 #define FLAT_LIGHTING
 #endif
 #include "shading/lighting.glsl"
+#include "shading/finish.glsl"
 
 // Deferred shading of the final surfaces.
 layout(constant_id = 0) const uint kFoggy = 0u;
@@ -16,12 +18,24 @@ layout(constant_id = 1) const uint kShiny = 0u;
 layout(constant_id = 3) const uint kAnchored = 1u;
 // Whether the stencil test leaves out background, so that none comes here.
 layout(constant_id = 4) const uint kMarked = 0u;
+// What is done here, where no later step does it.
+layout(constant_id = 5) const uint kFinish = kFinishNone;
+layout(constant_id = 6) const float kExposure = 1.0;
 
 // FACETS: surfaces come from a visibility buffer and its facets instead.
 layout(set = 0, binding = 0) uniform usampler2D gbuffer;
 #ifdef FACETS
 #define FACETS_BINDING 2
 #include "targets/facets.glsl"
+#endif
+// EMISSION: an emission buffer says more of surfaces with kIdEmits.
+#ifdef EMISSION
+#ifdef OCCLUDED
+layout(set = 0, binding = 3) uniform usampler2D emissionBuffer;
+#else
+layout(set = 0, binding = 2) uniform usampler2D emissionBuffer;
+#endif
+#include "targets/emission.glsl"
 #endif
 // OCCLUDED: by an image of the whole picture, or else OCCLUDED_PER_LAYER by what the layers left in the surfaces.
 #if defined(OCCLUDED)
@@ -111,7 +125,14 @@ vec4 shade(ivec2 pixel, uvec4 texel) {
     if ((surface.id & kIdUnlit) == 0u) {
         uint shine = kShiny != 0u ? surface.shine : 0u;
         float openness = opennessAt(pixel, texel, surface.normal);
+#ifdef EMISSION
+        uint emission = (surface.id & kIdEmits) != 0u ? texelFetch(emissionBuffer, pixel, 0).x : 0xff000000u;
+        openness *= opennessOf(emission);
+#endif
         color = litColor(color, shine, LitPoint(surface.normal, surface.ray, surface.anchor, surface.ahead, openness));
+#ifdef EMISSION
+        color = min(color + emissionOf(emission), kBrightest);
+#endif
     }
     if (kFoggy != 0u) {
         color = throughFog(color, surface.ray, surface.anchor.x + surface.ahead);
@@ -126,4 +147,5 @@ void main() {
     if (kMarked != 0u || !isBackground(texel)) {
         outColor = shade(pixel, texel);
     }
+    outColor.rgb = finished(outColor.rgb, kFinish, kExposure);
 }

@@ -53,14 +53,24 @@ vec3 pointReflectance(Shine shine, vec3 normal, vec3 toCamera, float facing, vec
     return lambert * ((1.0 - mix(kDielectric, 1.0, grazing5)) * shine.diffuse + mirrored);
 }
 
-// Share of ambient light, the same from everywhere, that reaches the camera. What microfacets mirror of it is Karis
-// 2014's fit, "Physically Based Shading on Mobile"; the rest is diffuse.
-vec3 ambientReflectance(Shine shine, float facing) {
+// Shares of ambient light that reach the camera. What microfacets mirror of it is Karis 2014's fit, "Physically Based
+// Shading on Mobile"; the rest is diffuse.
+struct AmbientShares {
+    vec3 diffuse;
+    vec3 mirrored;
+};
+AmbientShares ambientShares(Shine shine, float facing) {
     vec4 r = shine.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float grazing = min(r.x * r.x, exp2(-9.28 * facing)) * r.x + r.y;
     vec2 scaleAndBias = vec2(-1.04, 1.04) * grazing + r.zw;
     vec3 mirrored = max(shine.mirror * scaleAndBias.x + scaleAndBias.y, 0.0);
-    return (1.0 - (kDielectric * scaleAndBias.x + scaleAndBias.y)) * shine.diffuse + mirrored;
+    return AmbientShares((1.0 - (kDielectric * scaleAndBias.x + scaleAndBias.y)) * shine.diffuse, mirrored);
+}
+
+// Of light that is the same from everywhere.
+vec3 ambientReflectance(Shine shine, float facing) {
+    AmbientShares shares = ambientShares(shine, facing);
+    return shares.diffuse + shares.mirrored;
 }
 
 #endif

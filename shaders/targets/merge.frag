@@ -4,6 +4,12 @@
 // Lays one layer's buffer over the accumulated one; a merged pixel is the layer's own, bit for bit.
 layout(set = 0, binding = 0) uniform usampler2D layerBuffer;
 
+// EMISSION: of the emission buffers beside them too.
+#ifdef EMISSION
+layout(set = 0, binding = 1) uniform usampler2D layerEmission;
+layout(location = 1) out uint outEmission;
+#endif
+
 // FACETS: the buffers are visibility buffers, of one uint.
 #ifdef FACETS
 layout(location = 0) out uint outTexel;
@@ -42,6 +48,9 @@ void main() {
     if (isBackground(outTexel)) {
         discard; // background: what lies farther stays
     }
+#ifdef EMISSION
+    outEmission = texelFetch(layerEmission, pixel, 0).x;
+#endif
 #ifdef OCCLUDED
     outTexel.x = withOcclusion(outTexel.x, occlusionAt(layerBuffer, pixel, outTexel, layer.rayScale, layer.radius));
 #endif

@@ -16,9 +16,17 @@ layout(location = 6) in vec4 inAhead;
 layout(location = 7) in vec4 inCentreRange;
 layout(location = 8) in uvec4 inLook;
 
+#ifdef DETAILED
+layout(location = 9) in vec4 inTangent;
+layout(location = 10) in vec2 inSecondUv;
+#include "geometry/turned_tangent.glsl"
+layout(location = 6) out vec4 outTangent;
+layout(location = 2) out vec4 outUv;
+#else
+layout(location = 2) out vec2 outUv;
+#endif
 layout(location = 0) out vec4 outNormalAhead;
 layout(location = 1) out vec4 outColor;
-layout(location = 2) out vec2 outUv;
 layout(location = 3) flat out vec4 outCentreRange;
 layout(location = 4) flat out uint outId;
 layout(location = 5) flat out uint outShine;
@@ -40,7 +48,12 @@ void main() {
     float mirrored = dot(cross(inRight.xyz, inUp.xyz), back);
     outNormalAhead = vec4(mirrored < 0.0 ? -turned : turned, ahead);
     outColor = inColor * vec4(unpackHalf2x16(inLook.y), unpackHalf2x16(inLook.z));
+#ifdef DETAILED
+    outUv = vec4(inUv, inSecondUv);
+    outTangent = turnedTangent(inTangent, inRight.xyz, inUp.xyz, back, mirrored);
+#else
     outUv = inUv;
+#endif
     outCentreRange = inCentreRange;
     outId = inLook.x;
     outShine = inLook.w;

@@ -8,6 +8,7 @@
 #include "public/cdr_float_pair.glsl"
 #define LIGHTING_SET 1
 #define LIGHTING_BINDING 1
+#define SKY_CONSTANT 2
 #include "shading/lighting.glsl"
 
 layout(constant_id = 0) const uint kTextured = 0u;
@@ -19,7 +20,14 @@ layout(push_constant) uniform Push { TranslucentPush push; };
 
 layout(location = 0) in vec4 inNormalAhead;
 layout(location = 1) in vec4 inColor;
+#ifdef DETAILED
+#define DETAIL_CONSTANT 3
+#include "geometry/detail.glsl"
+layout(location = 2) in vec4 inUv; // both places
+layout(location = 6) in vec4 inTangent;
+#else
 layout(location = 2) in vec2 inUv;
+#endif
 layout(location = 3) flat in vec4 inCentreRange;
 layout(location = 4) flat in uint inId;
 layout(location = 5) flat in uint inShine;
@@ -42,9 +50,21 @@ vec4 seenColor(vec4 baseColor, float ahead) {
     vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(gbuffer, 0)));
     vec3 color = baseColor.rgb;
     if ((inId & kIdUnlit) == 0u) {
-        vec3 normal = normalize(gl_FrontFacing ? inNormalAhead.xyz : -inNormalAhead.xyz);
-        uint shine = kShiny != 0u ? inShine : 0u;
-        color = litColor(color, shine, LitPoint(normal, ray, inCentreRange.xy, ahead, 1.0));
+#ifdef DETAILED
+        vec3 front = detailNormal(inNormalAhead.xyz, inTangent, inUv);
+        uint shine = has(kDetailShine) ? shineCode(detailShine(inUv)) : inShine;
+        float openness = detailOpenness(inUv);
+#else
+        vec3 front = inNormalAhead.xyz;
+        uint shine = inShine;
+        float openness = 1.0;
+#endif
+        shine = kShiny != 0u ? shine : 0u;
+        vec3 normal = normalize(gl_FrontFacing ? front : -front);
+        color = litColor(color, shine, LitPoint(normal, ray, inCentreRange.xy, ahead, openness));
+#ifdef DETAILED
+        color = min(color + detailEmission(inUv), kBrightest);
+#endif
     }
     return vec4(throughFog(color, ray, distanceView), baseColor.a);
 }
@@ -69,7 +89,7 @@ TranslucentFragment translucentFragment() {
     }
     vec4 baseColor = inColor;
     if (kTextured != 0u) {
-        baseColor *= textureLod(baseColorTexture, inUv, 0.0); // textures have one level; no derivatives needed
+        baseColor *= textureLod(baseColorTexture, inUv.xy, 0.0); // textures have one level; no derivatives needed
     }
     baseColor.a = clamp(baseColor.a, 0.0, 1.0);
     return TranslucentFragment(seenColor(baseColor, ahead), distanceView);

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define CDR_LIST_SET 2
 #include "translucency/fragment_list.glsl"
+#define DETAIL_SET 3
 #include "translucency/translucent_fragment.glsl"
 
 // Keeps every translucent fragment. In which order they come, and so which node each gets, changes nothing: the list

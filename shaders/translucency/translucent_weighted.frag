@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define DETAIL_SET 2
 #include "translucency/translucent_fragment.glsl"
 
 // Weighted, blended, order-independent: McGuire and Bavoil 2013, equations 5 and 10, the depth of which is here the

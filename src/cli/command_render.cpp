@@ -238,6 +238,9 @@ std::vector<std::string> notesOn(Command& command, bool isFirst, const FrameOutp
             experiments::noteOn(*refusal, command.device().info().name, frame.width(), frame.height());
         notes.push_back(fmt::format("frame {} drawn with --translucency weighted: {}", made.number(), why));
     }
+    if (isFirst && frame.stats.lostEmission) {
+        notes.push_back(fmt::format("drawn otherwise than asked: {}", experiments::noteOnLostEmission()));
+    }
     if (isFirst && frame.stats.lostShine) {
         notes.push_back(fmt::format("drawn otherwise than asked: {}", experiments::noteOnLostShine()));
     }
@@ -284,7 +287,9 @@ void runRender(Command& command, RenderArguments& arguments) {
     if (!arguments.certify.empty()) {
         experiments::requireCertifiable(options);
     }
-    scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed, arguments.choice);
+    arguments.choice.light = experiments::lightOf(arguments.effects);
+    scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed,
+                                                scenes::shownChoice(arguments.scene, arguments.choice));
     scenes::paint(setup.scene, colours);
     cameras.at(setup.path, cameras.first); // an unusable camera ends here, before the device is made
     const bool finishes = division == FrameDivision::frames || command.ranks().isFirst();

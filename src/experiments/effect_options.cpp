@@ -55,6 +55,16 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments) {
     command.add_option("--fog", arguments.fog,
                        "Fog with a VISIBILITY in scene units, in which 2 % of a colour is left; "
                        "VISIBILITY,r,g,b gives its linear colour");
+    command
+        .add_option(
+            "--tone-map", arguments.toneMap,
+            "How bright light comes into the picture: none cuts it off, neutral compresses it and keeps base "
+            "colours (Khronos PBR Neutral); scene: neutral under a sky, else none")
+        ->capture_default_str();
+    command.add_option("--exposure", arguments.exposure, "Stops by which the picture is brighter, -16 to 16")
+        ->check(CLI::Range(-render::kMostExposure, render::kMostExposure))
+        ->capture_default_str();
+    command.add_option("--light", arguments.light, "Of a glTF file: sky (a computed one, default) or lamps");
     command.add_option(
         "--focus", arguments.focus,
         "A lens sharp at view distance DISTANCE, as DISTANCE:APERTURE in scene units: cascades "
@@ -79,6 +89,7 @@ render::Effects effectsOf(const EffectArguments& arguments) {
     if (!arguments.fog.empty()) {
         effects.fog = fogOf(arguments.fog);
     }
+    effects.finish = {.toneMap = render::parseToneMap(arguments.toneMap), .exposure = arguments.exposure};
     requireUsable(effects);
     return effects;
 }
@@ -98,6 +109,10 @@ render::Focus focusOf(const EffectArguments& arguments) {
                               .blend = parts.size() == 3};
     requireUsable(focus);
     return focus;
+}
+
+std::optional<scene::ModelLight> lightOf(const EffectArguments& arguments) {
+    return arguments.light.empty() ? std::nullopt : std::optional(scene::parseModelLight(arguments.light));
 }
 
 render::TranslucencyOptions translucencyOf(const EffectArguments& arguments) {

@@ -3,8 +3,10 @@
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
 #include <cdr/render/translucency/translucency.h>
+#include <cdr/scene/gltf/open_gltf.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 // CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
@@ -22,6 +24,9 @@ struct EffectArguments {
     std::string antialias = "none";
     std::string occlusion; ///< RADIUS or RADIUS:layers
     std::string fog;       ///< VISIBILITY or VISIBILITY,r,g,b
+    std::string toneMap = "scene";
+    double exposure = 0.0; ///< stops
+    std::string light;     ///< of a model; empty: as shownChoice() has it
     std::string focus;     ///< DISTANCE:APERTURE or DISTANCE:APERTURE:blend
     std::string translucency = "weighted";
     std::uint64_t translucencyMiB = render::TranslucencyOptions{}.mostBytes >> 20u;
@@ -32,6 +37,9 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments);
 /// base::InputError that names the option for text that does not parse, and for values out of range.
 render::Effects effectsOf(const EffectArguments& arguments);
 render::Focus focusOf(const EffectArguments& arguments);
+
+/// Of the model that is shown. base::InputError with a suggestion for an unknown name.
+std::optional<scene::ModelLight> lightOf(const EffectArguments& arguments);
 
 /// base::InputError with a suggestion for an unknown method.
 render::TranslucencyOptions translucencyOf(const EffectArguments& arguments);

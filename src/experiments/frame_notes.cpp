@@ -43,6 +43,11 @@ std::string noteOn(const render::ListRefusal& refusal, std::string_view device, 
     return noteOnLists(refusal, device, fragments);
 }
 
+std::string_view noteOnLostEmission() {
+    return "surfaces emit no light and occlusion textures are left out, since neither ambient occlusion per layer nor a "
+           "lens with a focus keeps them";
+}
+
 std::string_view noteOnLostShine() {
     return "surfaces are matt, since ambient occlusion per layer takes the bits that say how they shine";
 }

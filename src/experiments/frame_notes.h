@@ -13,6 +13,9 @@ namespace cdr::experiments {
 std::string noteOn(const render::ListRefusal& refusal, std::string_view device, std::uint32_t width,
                    std::uint32_t height);
 
+/// What FrameStats::lostEmission means, in words.
+std::string_view noteOnLostEmission();
+
 /// What FrameStats::lostShine means, in words.
 std::string_view noteOnLostShine();
 

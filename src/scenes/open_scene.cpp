@@ -60,7 +60,8 @@ scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
         return scene::openGltf(nameOrPath, choice);
     }
     if (choice != scene::GltfChoice{}) {
-        throw base::InputError("--gltf-scene and --camera are for .gltf and .glb files, not " + nameOrPath);
+        throw base::InputError("--gltf-scene, --camera and --light are for .gltf and .glb files, not " +
+                               nameOrPath);
     }
     for (const Generator& generator : kGenerators) {
         if (nameOrPath == generator.name) {
@@ -68,6 +69,13 @@ scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
         }
     }
     throw base::InputError(base::unknownName("scene", nameOrPath, kNames) + ", or a .gltf or .glb file");
+}
+
+scene::GltfChoice shownChoice(const std::string& nameOrPath, scene::GltfChoice choice) {
+    if (!choice.light && scene::isGltfPath(nameOrPath)) {
+        choice.light = scene::ModelLight::sky;
+    }
+    return choice;
 }
 
 } // namespace cdr::scenes

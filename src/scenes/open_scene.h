@@ -23,4 +23,7 @@ scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
 /// The seed used where none is given.
 inline constexpr std::uint64_t kDefaultSeed = 2013;
 
+/// A choice for pictures to look at, not to measure: models are lit by a sky unless it says otherwise.
+scene::GltfChoice shownChoice(const std::string& nameOrPath, scene::GltfChoice choice);
+
 } // namespace cdr::scenes

@@ -61,6 +61,9 @@ class Model:
         for key, attribute, kind in (("normals", "NORMAL", "VEC3"), ("uvs", "TEXCOORD_0", "VEC2")):
             if key in shape:
                 primitive["attributes"][attribute] = self.accessor(shape[key], kind)
+        for key, attribute, kind in (("tangents", "TANGENT", "VEC4"), ("uvs1", "TEXCOORD_1", "VEC2")):
+            if key in shape:
+                primitive["attributes"][attribute] = self.accessor(shape[key], kind)
         if "colors" in shape:
             primitive["attributes"]["COLOR_0"] = self.accessor(shape["colors"], "VEC4", UBYTE, normalized=True)
         if "indices" in shape:
@@ -75,6 +78,15 @@ class Model:
         if texture is not None:
             factors["baseColorTexture"] = texture
         return self.append("materials", {"name": name, "pbrMetallicRoughness": factors, **more})
+
+    def write_glb(self, name):
+        self.root["buffers"] = [{"byteLength": len(self.data)}]
+        text = json.dumps(self.root, separators=(",", ":")).encode()
+        text += b" " * (-len(text) % 4)
+        with open(os.path.join(FOLDER, name), "wb") as file:
+            file.write(struct.pack("<III", 0x46546C67, 2, 12 + 8 + len(text) + 8 + len(self.data)))
+            file.write(struct.pack("<I4s", len(text), b"JSON") + text)
+            file.write(struct.pack("<I4s", len(self.data), b"BIN\0") + self.data)
 
     def node(self, name, mesh=None, **more):
         return self.append("nodes", {"name": name, **({} if mesh is None else {"mesh": mesh}), **more})
@@ -223,13 +235,7 @@ def garden():
     model.root["cameras"] = [{"type": "perspective", "name": "gate", "perspective": {"yfov": 0.7, "znear": 0.1, "zfar": 200}}]
     roots.append(model.node("gate", camera=0, translation=[0, 3, 16]))
     model.root["scenes"] = [{"name": "garden", "nodes": roots}]
-    model.root["buffers"] = [{"byteLength": len(model.data)}]
-    text = json.dumps(model.root, separators=(",", ":")).encode()
-    text += b" " * (-len(text) % 4)
-    with open(os.path.join(FOLDER, "garden.glb"), "wb") as file:
-        file.write(struct.pack("<III", 0x46546C67, 2, 12 + 8 + len(text) + 8 + len(model.data)))
-        file.write(struct.pack("<I4s", len(text), b"JSON") + text)
-        file.write(struct.pack("<I4s", len(model.data), b"BIN\0") + model.data)
+    model.write_glb("garden.glb")
 
 
 def stone():
@@ -281,6 +287,121 @@ def well():
         file.write("\n")
 
 
+def bumps(size, slope):
+    """A normal texture: bump (u, v) in [0, 1] has slopes slope(u, v) along u and up."""
+
+    def pixel(x, y):
+        across, up = slope((x + 0.5) / size, (y + 0.5) / size)
+        return [round(127.5 + 127.5 * c) for c in unit([-across, -up, 1])]
+
+    return png(size, size, pixel)
+
+
+def materials():
+    """Every texture of a glTF 2.0 material, read in every way that the importer knows."""
+    model = Model()
+
+    def wave(u, v):
+        return 0.5 + 0.5 * math.sin(6.2832 * u) * math.sin(6.2832 * v)
+
+    def byte(share):
+        return max(0, min(255, round(255 * share)))
+
+    pictures = {
+        "color": png(32, 32, lambda x, y: (200, 120 + (x // 8 + y // 8) % 2 * 90, 60 + 4 * y)),
+        "shine": png(32, 32, lambda x, y: (0, byte(0.15 + 0.8 * y / 31), 255 * (x // 16))),
+        "normal": bumps(64, lambda u, v: (0.8 * math.sin(12.566 * u), 0.8 * math.sin(12.566 * v))),
+        "occlusion": png(32, 32, lambda x, y: (byte(wave(x / 32, y / 32)), 0, 0)),
+        "emissive": png(32, 32, lambda x, y: (255, 140, 30) if 10 < x < 22 and 10 < y < 22 else (0, 0, 0)),
+        "tiles": png(4, 4, lambda x, y: (60 * x + 40, 60 * y + 40, 90)),
+    }
+    model.root["images"] = [
+        {"name": name, "bufferView": model.view(data), "mimeType": "image/png"} for name, data in pictures.items()
+    ]
+    smooth, mirrored, single = 0, 1, 2
+    model.root["samplers"] = [
+        {"magFilter": 9729, "minFilter": 9729},
+        {"wrapS": 33648, "wrapT": 33648},
+        {"magFilter": 9728, "minFilter": 9728, "wrapS": 33071, "wrapT": 33071},
+    ]
+    model.root["textures"] = []
+
+    def texture(name, sampler=smooth, **more):
+        item = {"source": list(pictures).index(name), "sampler": sampler}
+        if item not in model.root["textures"]:
+            model.root["textures"].append(item)
+        return {"index": model.root["textures"].index(item), **more}
+
+    def moved(**transform):
+        return {"extensions": {"KHR_texture_transform": transform}}
+
+    model.root["extensionsUsed"] = ["KHR_texture_transform", "KHR_materials_emissive_strength", "KHR_materials_unlit"]
+
+    def material(name, factors, **more):
+        return model.append("materials", {"name": name, "pbrMetallicRoughness": factors, **more})
+
+    full = material(
+        "full",
+        {"baseColorTexture": texture("color"), "metallicRoughnessTexture": texture("shine")},
+        normalTexture=texture("normal"),
+        occlusionTexture=texture("occlusion", strength=0.8),
+        emissiveTexture=texture("emissive"),
+        emissiveFactor=[1, 1, 1],
+        extensions={"KHR_materials_emissive_strength": {"emissiveStrength": 3}},
+    )
+    second = material(
+        "second place",
+        {"baseColorTexture": texture("color"), "metallicFactor": 0, "roughnessFactor": 0.4},
+        normalTexture=texture("normal", mirrored, texCoord=1, scale=1.5),
+        occlusionTexture=texture("occlusion", mirrored, texCoord=1),
+    )
+    moving = material(
+        "transformed",
+        {"baseColorTexture": texture("color", mirrored, **moved(scale=[2, 2], rotation=0.5, offset=[0.1, 0.2])), "metallicFactor": 0},
+        normalTexture=texture("normal", mirrored, **moved(scale=[2, 2], rotation=0.5, offset=[0.1, 0.2])),
+        emissiveTexture=texture("emissive", mirrored, **moved(scale=[2, 2])),
+        emissiveFactor=[0.2, 0.6, 1],
+    )
+    metal = material(
+        "metal",
+        {"baseColorFactor": [1, 0.8, 0.5, 1], "metallicRoughnessTexture": texture("shine"), "roughnessFactor": 0.8},
+        normalTexture=texture("normal", scale=0.3),
+    )
+    lamp = material("lamp", {"baseColorFactor": [0.2, 0.2, 0.2, 1], "metallicFactor": 0}, emissiveFactor=[0.1, 0.8, 0.3])
+    sign = material("unlit", {"baseColorTexture": texture("tiles", single)}, extensions={"KHR_materials_unlit": {}})
+    pane = material(
+        "pane",
+        {"baseColorFactor": [0.5, 0.7, 1, 0.5], "metallicFactor": 0, "roughnessFactor": 0.2},
+        normalTexture=texture("normal"),
+        emissiveTexture=texture("emissive"),
+        emissiveFactor=[1, 0.5, 0.5],
+        alphaMode="BLEND",
+        doubleSided=True,
+    )
+
+    panel = grid(2, 2, lambda u, v: [u - 0.5, 0.5 - v, 0])
+    panel["indices"] = panel["indices"][::-1]  # v runs down
+    panel["normals"] = [[0, 0, 1]] * 9
+    given = {**panel, "tangents": [[1, 0, 0, 1]] * 9, "uvs1": [(0.2 + 1.5 * u, 1.5 * v) for u, v in panel["uvs"]]}
+    ball = sphere(0.55)
+    painted = {**ball, "colors": [(255, byte(v), byte(u), 255) for u, v in ball["uvs"]]}
+    roots = [
+        model.node("full", model.mesh("full", ball, full), translation=[-1.3, 0.7, 0]),
+        model.node("given tangents", model.mesh("given", given, second), translation=[0, 0.7, 0], rotation=turn(25)),
+        model.node("derived tangents", model.mesh("derived", panel, moving), translation=[1.3, 0.7, 0], rotation=turn(-25)),
+        model.node("metal", model.mesh("metal", painted, metal), translation=[-1.3, -0.6, 0]),
+        model.node("mirrored", 0, translation=[0, -0.6, -0.2], scale=[-0.9, 0.9, 0.7]),
+        model.node("lamp", model.mesh("lamp", box(0.2, 0.2, 0.2), lamp), translation=[0.95, -0.35, 0], rotation=turn(30)),
+        model.node("unlit", model.mesh("sign", panel, sign), translation=[1.6, -0.4, 0], scale=[0.5, 0.5, 0.5]),
+        model.node("pane", model.mesh("pane", panel, pane), translation=[1.1, -0.75, 0.5], rotation=turn(-15), scale=[0.9, 0.6, 1]),
+    ]
+    model.root["cameras"] = [{"type": "perspective", "name": "front", "perspective": {"yfov": 0.6, "znear": 0.1, "zfar": 100}}]
+    roots.append(model.node("front", camera=0, translation=[0.1, 0.05, 5]))
+    model.root["scenes"] = [{"name": "materials", "nodes": roots}]
+    model.write_glb("materials.glb")
+
+
 garden()
+materials()
 stone()
 well()

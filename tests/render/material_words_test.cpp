@@ -1,4 +1,4 @@
-#include <cdr/render/material_words.h>
+#include <cdr/render/materials/material_words.h>
 #include <cdr/shaders/shared.h>
 
 #include <gtest/gtest.h>

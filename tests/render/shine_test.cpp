@@ -1,7 +1,7 @@
 #include "fixture.h"
 
 #include <cdr/measure/truth/layered_truth.h>
-#include <cdr/render/material_words.h>
+#include <cdr/render/materials/material_words.h>
 #include <scenes/sheets.h>
 
 #include <algorithm>

@@ -48,8 +48,9 @@ std::optional<FacetMeshes> chooseFacets(const DrawnScene& drawn, const RenderOpt
     }
     std::optional<FacetMeshes> facets = FacetMeshes::of(drawn.scene, drawn.uploaded);
     if (!facets) {
-        refuse("a mesh is not made of a few plane faces of one colour, or a material is textured, masked or "
-               "double-sided");
+        refuse(
+            "a mesh is not made of a few plane faces of one colour, or a material is textured, masked, emits light or is "
+            "double-sided");
     }
     return facets;
 }

@@ -2,7 +2,9 @@
 
 #include <cdr/render/geometry/layers.h>
 #include <cdr/render/gpu_scene.h>
-#include <cdr/render/material_words.h>
+#include <cdr/render/materials/material_words.h>
+#include <cdr/render/materials/packed_vertex.h>
+#include <cdr/shaders/shared.h>
 
 #include <glm/glm.hpp>
 #include <vulkan/vulkan.hpp>
@@ -39,7 +41,9 @@ inline constexpr std::uint32_t kMaskedVariant = 2;
 inline constexpr std::uint32_t kFacetedVariant = 4;
 /// It lies in a layer. Never faceted.
 inline constexpr std::uint32_t kLayeredVariant = 8;
-inline constexpr std::size_t kPipelineVariants = 12;
+/// Above those, detailPartsOf() the material; never of a faceted mesh.
+inline constexpr std::uint32_t kDetailStep = 16;
+inline constexpr std::size_t kPipelineVariants = std::size_t{kDetailStep} * shaders::kDetailMasks;
 
 /// What draws of the same mesh, material and handedness share. Consecutive draws of one kind bind nothing in
 /// between and may become one instanced draw.
@@ -51,6 +55,7 @@ struct DrawKind {
     bool mirrored = false;
     LayerPlace layer;
     vk::DescriptorSet textureSet; ///< set 0
+    vk::DescriptorSet detailSet;  ///< null unless the variant reads it
 };
 
 /// One instance as recording reads it: all of it in two cache lines, where the scene's structure of arrays,
@@ -62,9 +67,5 @@ struct DrawSource {
     std::uint32_t material = 0;
     std::uint32_t kind = 0; ///< into GpuScene::kinds()
 };
-
-/// Binding 0, locations 0 to 3: a vertex as GpuScene uploads it.
-vk::VertexInputBindingDescription vertexBinding();
-std::vector<vk::VertexInputAttributeDescription> vertexAttributes();
 
 } // namespace cdr::render

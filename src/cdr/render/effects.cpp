@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cdr::render {
 
@@ -14,7 +15,18 @@ namespace {
 
 constexpr base::EnumNames<Antialias, kAntialiases.size()> kNames{"antialiasing", {"none", "edges"}};
 
+constexpr base::EnumNames<ToneMap, kToneMaps.size()> kToneMapNames{"tone mapping",
+                                                                   {"scene", "none", "neutral"}};
+
 } // namespace
+
+std::string_view nameOf(ToneMap toneMap) {
+    return kToneMapNames.nameOf(toneMap);
+}
+
+ToneMap parseToneMap(std::string_view name) {
+    return kToneMapNames.parse(name);
+}
 
 std::string_view nameOf(Antialias antialias) {
     return kNames.nameOf(antialias);
@@ -32,6 +44,10 @@ double Fog::extinction() const {
 void requireUsable(const Effects& effects) {
     requireLength("the radius of ambient occlusion", effects.occlusion.radius);
     requireLength("the visibility in fog", effects.fog.visibility);
+    if (!(std::abs(effects.finish.exposure) <= kMostExposure)) {
+        throw base::InputError(fmt::format("exposure must lie in -{0} to {0} stops, not {1}", kMostExposure,
+                                           effects.finish.exposure));
+    }
     for (int i = 0; i < 3; ++i) {
         if (!(effects.fog.color[i] >= 0.0f && effects.fog.color[i] <= 1.0f)) {
             throw base::InputError(

@@ -24,6 +24,32 @@ CDR_EXPORT std::string_view nameOf(Antialias antialias);
 /// base::InputError with a suggestion for an unknown name.
 CDR_EXPORT Antialias parseAntialias(std::string_view name);
 
+/// How light that is brighter than a picture can show comes into it.
+enum class ToneMap : std::uint8_t {
+    scene,   ///< as is usual for the scene: neutral under a sky, else none
+    none,    ///< it is cut off
+    neutral, ///< highlights are compressed and base colours stay (Khronos PBR Neutral)
+};
+
+/// All of them.
+inline constexpr std::array kToneMaps{ToneMap::scene, ToneMap::none, ToneMap::neutral};
+
+/// "scene", "none" or "neutral".
+CDR_EXPORT std::string_view nameOf(ToneMap toneMap);
+/// base::InputError with a suggestion for an unknown name.
+CDR_EXPORT ToneMap parseToneMap(std::string_view name);
+
+/// Most stops of exposure, either way.
+inline constexpr double kMostExposure = 16.0;
+
+/// How light becomes a picture.
+struct Finish {
+    ToneMap toneMap = ToneMap::scene; ///< after exposure
+    double exposure = 0.0;            ///< stops: each doubles the light
+
+    bool operator==(const Finish&) const = default;
+};
+
 /// Ambient light that corners do not get (McGuire, Mara and Luebke 2012).
 struct Occlusion {
     double radius = 0.0; ///< within which surfaces take each other's light, scene units; 0 for none
@@ -50,6 +76,7 @@ struct Effects {
     Antialias antialias = Antialias::none; ///< over the finished picture
     Occlusion occlusion{};                 ///< of ambient light
     Fog fog{};                             ///< between the camera and surfaces
+    Finish finish{};                       ///< of the picture
 
     bool operator==(const Effects&) const = default;
 };

@@ -43,6 +43,9 @@ struct FrameStats {
     OccluderStats occluders;        ///< where there is occlusion culling
     /// Surfaces shine, but were drawn matt: ambient occlusion per layer takes the bits that say how.
     bool lostShine = false;
+    /// Surfaces emit light or have occlusion textures, and were drawn without: ambient occlusion per layer and a lens with a
+    /// focus know neither.
+    bool lostEmission = false;
 };
 
 /// What a pixel shows, in float64: as exact as the technique, so with anchored as the anchored step.

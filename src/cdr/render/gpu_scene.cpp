@@ -3,7 +3,8 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/upload.h>
 #include <cdr/render/draw_source.h>
-#include <cdr/render/material_words.h>
+#include <cdr/render/materials/material_words.h>
+#include <cdr/render/materials/scene_textures.h>
 #include <cdr/render/upload/scene_meshes.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/blended.h>
@@ -19,35 +20,20 @@ namespace cdr::render {
 
 namespace {
 
-constexpr auto kTextureType = vk::DescriptorType::eCombinedImageSampler;
-
-vk::UniqueSampler makeSampler(const gpu::Device& device, bool repeatU, bool repeatV) {
-    const auto mode = [](bool repeat) {
-        return repeat ? vk::SamplerAddressMode::eRepeat : vk::SamplerAddressMode::eClampToEdge;
-    };
-    return device.handle().createSamplerUnique({.magFilter = vk::Filter::eLinear,
-                                                .minFilter = vk::Filter::eLinear,
-                                                .addressModeU = mode(repeatU),
-                                                .addressModeV = mode(repeatV)});
-}
-
 std::uint32_t variantOf(const MeshRange& mesh, const scene::Material& material) {
     const bool isMasked = material.alphaMode == scene::AlphaMode::mask;
     const bool isTextured = material.baseColorTexture.has_value();
     const bool isLayered = material.layer != 0.0f && material.alphaMode != scene::AlphaMode::blend;
-    if (mesh.isFaceted && !isTextured && !isMasked && !isLayered && !material.doubleSided) {
+    const std::uint32_t detail = detailPartsOf(material);
+    if (detail == 0 && mesh.isFaceted && !isTextured && !isMasked && !isLayered && !material.doubleSided) {
         return kFacetedVariant;
     }
     return (isTextured ? kTexturedVariant : 0) + (isMasked ? kMaskedVariant : 0) +
-           (isLayered ? kLayeredVariant : 0);
+           (isLayered ? kLayeredVariant : 0) + detail * kDetailStep;
 }
 
 std::uint64_t predictBytes(const scene::Scene& scene) {
-    std::uint64_t bytes = SceneMeshes::predictBytes(scene);
-    for (const scene::Texture& texture : scene.textures) {
-        bytes += texture.pixels.pixels.size() * sizeof(image::Rgba8);
-    }
-    return bytes;
+    return SceneTextures::predictBytes(scene) + SceneMeshes::predictBytes(scene);
 }
 
 } // namespace
@@ -71,13 +57,6 @@ class GpuScene::State {
         std::uint64_t tables = 0;    ///< m_tablesRevision
     };
 
-    /// The scene's texture, or one white pixel for materials without.
-    struct UploadedTexture {
-        gpu::Image image;
-        vk::UniqueSampler sampler;
-        vk::UniqueDescriptorPool pool;
-        vk::DescriptorSet set;
-    };
     /// Mesh, material, mirrored.
     using KindKey = std::tuple<std::uint32_t, std::uint32_t, bool>;
     /// How far the world's changes were followed.
@@ -89,12 +68,10 @@ class GpuScene::State {
         std::uint64_t vertices = 0;
     };
 
-    UploadedTexture uploadTexture(const scene::Texture& texture) const;
     void updateTables();
     bool followVertices();
     void updateVertices();
     void readKinds();
-    void updateTextures();
     void readMaterials();
     DrawKind kindOf(const KindKey& key) const;
     std::uint32_t kindIndexOf(const KindKey& key);
@@ -109,12 +86,11 @@ class GpuScene::State {
     std::uint64_t m_revision = 0;
     std::uint64_t m_tablesRevision = 0;
     SceneMeshes m_meshes;
-    vk::UniqueDescriptorSetLayout m_textureLayout;
-    UploadedTexture m_white;
-    std::vector<UploadedTexture> m_textures; ///< the scene's
+    SceneTextures m_textures;
     std::vector<MaterialWords> m_materials;
     bool m_isShiny = false;
     bool m_hasBlended = false;
+    bool m_hasEmission = false;
     std::vector<LayerPlace> m_layers; ///< by material
     std::vector<DrawKind> m_kinds;    ///< only ever more
     std::vector<KindKey> m_kindKeys;
@@ -128,15 +104,11 @@ GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene)
     : m_device(device),
       m_scene(&scene),
       m_meshes(device),
-      m_textureLayout(
-          gpu::makeSetLayout(device, {kTextureType}, vk::ShaderStageFlagBits::eFragment, "texture set")),
-      m_white(uploadTexture({.name = "white", .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})})) {
+      m_textures(device) {
     scene::requireUsable(scene);
     gpu::requireDeviceBytes(device, predictBytes(scene), "scene " + scene.name);
     m_meshes.upload(scene);
-    for (const scene::Texture& texture : scene.textures) {
-        m_textures.push_back(uploadTexture(texture));
-    }
+    m_textures.follow(scene, {});
     readMaterials();
     readAllInstances();
 }
@@ -204,7 +176,13 @@ vk::Buffer GpuScene::indices() const {
     return m_state->m_meshes.indices().handle();
 }
 vk::DescriptorSetLayout GpuScene::textureLayout() const {
-    return *m_state->m_textureLayout;
+    return m_state->m_textures.baseColorLayout();
+}
+vk::DescriptorSetLayout GpuScene::detailLayout() const {
+    return m_state->m_textures.detailLayout();
+}
+vk::Buffer GpuScene::details() const {
+    return m_state->m_meshes.details().handle();
 }
 const std::vector<MaterialWords>& GpuScene::materials() const {
     return m_state->m_materials;
@@ -214,6 +192,9 @@ bool GpuScene::isShiny() const {
 }
 bool GpuScene::hasBlended() const {
     return m_state->m_hasBlended;
+}
+bool GpuScene::hasEmission() const {
+    return m_state->m_hasEmission;
 }
 bool GpuScene::hasLayers() const {
     return std::any_of(m_state->m_layers.begin(), m_state->m_layers.end(),
@@ -268,7 +249,8 @@ void GpuScene::State::updateTables() {
         m_meshes.upload(*m_scene);
     }
     followVertices();
-    updateTextures();
+    m_textures.follow(*m_scene, changes.textures.since(m_followed.textures));
+    m_meshes.followDetails(*m_scene);
     readMaterials();
     readKinds();
     readAllInstances();
@@ -302,40 +284,17 @@ void GpuScene::State::readKinds() {
     ++m_tablesRevision;
 }
 
-GpuScene::State::UploadedTexture GpuScene::State::uploadTexture(const scene::Texture& texture) const {
-    const image::ImageRgba8& pixels = texture.pixels;
-    UploadedTexture uploaded{
-        .image = gpu::uploadImage(m_device, {pixels.width, pixels.height}, vk::Format::eR8G8B8A8Srgb,
-                                  std::as_bytes(std::span(pixels.pixels)), "texture " + texture.name),
-        .sampler = makeSampler(m_device, texture.repeatU, texture.repeatV),
-        .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kTextureType}),
-        .set = {}};
-    uploaded.set = gpu::allocateSet(m_device, *uploaded.pool, *m_textureLayout);
-    gpu::writeImageBinding(m_device, uploaded.set, 0, kTextureType, uploaded.image.view(), *uploaded.sampler);
-    return uploaded;
-}
-
-void GpuScene::State::updateTextures() {
-    const auto changed = m_world->changes().textures.since(m_followed.textures);
-    for (std::size_t i = 0; i < m_scene->textures.size(); ++i) {
-        const bool isNew = i >= m_textures.size();
-        if (isNew) {
-            m_textures.emplace_back();
-        }
-        if (isNew || !changed || std::find(changed->begin(), changed->end(), i) != changed->end()) {
-            m_textures[i] = uploadTexture(m_scene->textures[i]);
-        }
-    }
-}
-
 void GpuScene::State::readMaterials() {
     m_materials.clear();
     m_layers = layerPlaces(m_scene->materials);
     m_isShiny = false;
     m_hasBlended = false;
+    m_hasEmission = false;
+    m_textures.followMaterials(*m_scene);
     for (const scene::Material& material : m_scene->materials) {
         m_materials.push_back(wordsOf(material));
         m_isShiny = m_isShiny || (m_materials.back().cutoffAndShine & shaders::kShineMask) != 0;
+        m_hasEmission = m_hasEmission || scene::hasEmission(material);
         m_hasBlended = m_hasBlended || material.alphaMode == scene::AlphaMode::blend;
     }
 }
@@ -343,16 +302,14 @@ void GpuScene::State::readMaterials() {
 DrawKind GpuScene::State::kindOf(const KindKey& key) const {
     const auto [mesh, materialIndex, mirrored] = key;
     const scene::Material& material = m_scene->materials[materialIndex];
-    // Untextured materials read the white pixel, so that every pipeline has a valid set.
-    const UploadedTexture& texture =
-        material.baseColorTexture ? m_textures[*material.baseColorTexture] : m_white;
     return {.meshIndex = mesh,
             .mesh = m_meshes.ranges()[mesh],
             .variant = variantOf(m_meshes.ranges()[mesh], material),
             .doubleSided = material.doubleSided,
             .mirrored = mirrored,
             .layer = m_layers[materialIndex],
-            .textureSet = texture.set};
+            .textureSet = m_textures.baseColorSet(material),
+            .detailSet = m_textures.detailSet(materialIndex)};
 }
 
 std::uint32_t GpuScene::State::kindIndexOf(const KindKey& key) {

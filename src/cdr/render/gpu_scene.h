@@ -75,12 +75,18 @@ class CDR_EXPORT GpuScene {
     vk::Buffer indices() const;
     /// Of the set that DrawKind::textureSet is.
     vk::DescriptorSetLayout textureLayout() const;
+    /// Of the set that DrawKind::detailSet is.
+    vk::DescriptorSetLayout detailLayout() const;
+    /// What vertices have beside vertices(), of all meshes; null where no material has detail.
+    vk::Buffer details() const;
     /// The part of a draw record that the material decides, by material.
     const std::vector<MaterialWords>& materials() const;
     /// Whether any material shines; a scene without is drawn by pipelines that know matt surfaces alone.
     bool isShiny() const;
     /// Whether any material blends; a scene without is drawn without a pass for translucent surfaces.
     bool hasBlended() const;
+    /// Whether shading must be told what opaque surfaces emit, and how much ambient light arrives there.
+    bool hasEmission() const;
     /// Whether any material has a layer.
     bool hasLayers() const;
     /// The instances whose material blends, ascending. They are drawn after all others.

@@ -53,14 +53,14 @@ void dropOtherParts(scene::Scene& scene, const RenderOptions& options, std::span
     for (std::size_t i = 0; i < isDrawn.size(); ++i) {
         if (isDrawn[i]) {
             usesMesh[scene.instances.mesh[i]] = true;
-            if (const auto texture = scene.materials[scene.instances.material[i]].baseColorTexture) {
-                usesTexture[*texture] = true;
-            }
+            scene::forEachTexture(scene.materials[scene.instances.material[i]],
+                                  [&](std::uint32_t texture) { usesTexture[texture] = true; });
         }
     }
     for (std::size_t mesh = 0; mesh < usesMesh.size(); ++mesh) {
         if (!usesMesh[mesh]) {
             scene.meshes[mesh].vertices = {};
+            scene.meshes[mesh].details = {};
             scene.meshes[mesh].indices = {};
             scene.meshes[mesh].levels = {};
         }

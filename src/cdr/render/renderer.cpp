@@ -38,10 +38,11 @@ const GpuScene& followed(GpuScene& live) {
 }
 
 std::variant<std::unique_ptr<Targets>, std::unique_ptr<FocusLayers>>
-makeOwnTargets(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options, bool shiny,
-               const Picture& picture) {
-    const TargetsOptions targets = targetsOptions(
-        picture.lit().options().extent, drawsFacets(options) ? kVisibilityFormat : kGBufferFormat, options);
+makeOwnTargets(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options,
+               const KeptSurfaces& kept, const Picture& picture) {
+    const TargetsOptions targets =
+        targetsOptions(picture.lit().options().extent,
+                       drawsFacets(options) ? kVisibilityFormat : kGBufferFormat, options, kept.emission);
     if (!options.focus.isOn()) {
         return makeTargets(device, options.targets, targets);
     }
@@ -49,7 +50,8 @@ makeOwnTargets(const gpu::Device& device, const DrawnScene& drawn, const RenderO
                                          FocusLayersOptions{.effects = options.effects,
                                                             .background = drawn.scene.background,
                                                             .fades = options.focus.blend,
-                                                            .shiny = shiny});
+                                                            .sky = drawn.scene.sky.has_value(),
+                                                            .shiny = kept.shine});
 }
 
 /// Times one stage after the other.
@@ -78,14 +80,18 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
                          const Needs& needs)
     : extent(checkedExtent(device, options, needs.blended)),
       lostShine(losesShine(drawn.uploaded, options)),
-      picture(device, pictureOptions(extent, options, needs.blended)),
-      ownTargets(makeOwnTargets(device, drawn, options, needs.shiny, picture)),
+      lostEmission(losesEmission(drawn.uploaded, options)),
+      picture(device, pictureOptions(extent, options, needs.blended, needs.sky)),
+      ownTargets(makeOwnTargets(device, drawn, options, {needs.shiny, needs.emission}, picture)),
       targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),
       cutter(options, targets),
       shading(device, targets.gbuffer(), picture.lit(),
               {.effects = options.effects,
                .shiny = needs.shiny,
                .anchored = depth::isAnchored(options.technique.mapping),
+               .sky = needs.sky,
+               .finishes = !needsLit(pictureOptions(extent, options, needs.blended, needs.sky)),
+               .emission = targets.emission(),
                .facets = drawsFacets(options),
                .marks = targets.marks(),
                .lights = static_cast<std::uint32_t>(drawn.scene.lights.size())}),
@@ -120,13 +126,15 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
     m_workers.setTrace(options.trace);
     checkedExtent(device, options, m_needs.blended);
     m_paths = std::make_unique<DrawPathFactory>(device, m_drawn, chooseFacets(m_drawn, options), options,
-                                                m_needs.shiny);
+                                                KeptSurfaces{m_needs.shiny, m_needs.emission});
     makePasses();
 }
 
 Renderer::Needs Renderer::needs() const {
     return {.shiny = m_drawn.uploaded.isShiny() && !losesShine(m_drawn.uploaded, m_options),
-            .blended = m_drawn.uploaded.hasBlended()};
+            .blended = m_drawn.uploaded.hasBlended(),
+            .emission = m_drawn.uploaded.hasEmission() && !losesEmission(m_drawn.uploaded, m_options),
+            .sky = m_drawn.scene.sky.has_value()};
 }
 
 void Renderer::makePasses() {
@@ -178,9 +186,9 @@ void Renderer::remake(const Needs& needs, const RenderOptions& options) {
     const bool snapsAnew = options.snapBits > 0 && options != optionsBefore;
     std::unique_ptr<DrawPathFactory> paths;
     try {
-        if (needs.shiny != needsBefore.shiny || snapsAnew) {
+        if (needs.shiny != needsBefore.shiny || needs.emission != needsBefore.emission || snapsAnew) {
             paths = std::make_unique<DrawPathFactory>(m_device, m_drawn, chooseFacets(m_drawn, m_options),
-                                                      m_options, needs.shiny);
+                                                      m_options, KeptSurfaces{needs.shiny, needs.emission});
             std::swap(paths, m_paths);
         }
         makePasses();
@@ -364,6 +372,7 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& deliv
     }
     slot.stats = {};
     slot.stats.lostShine = m_passes->lostShine;
+    slot.stats.lostEmission = m_passes->lostEmission;
     slot.stats.times.cullMs = watch.lap("cull");
     m_passes->cutter.cut(slot.view, *m_visible,
                          delivery.host != nullptr ? std::span<const depth::Interval>(delivery.host->occupied)
@@ -404,6 +413,10 @@ void Renderer::submit(const scene::Camera& camera, const FrameSync& sync) {
 
 void Renderer::record(const scene::Camera& camera, const HostFrame& frame) {
     requireRecordable(m_device, m_options, frame);
+    if (frame.draw && m_needs.emission) {
+        throw base::InputError(
+            "a host cannot draw beside surfaces that emit light or have occlusion textures");
+    }
     run(camera, {.host = &frame});
 }
 

@@ -99,6 +99,8 @@ class CDR_EXPORT Renderer {
     struct Needs {
         bool shiny = false;
         bool blended = false;
+        bool emission = false;
+        bool sky = false;
 
         bool operator==(const Needs&) const = default;
     };

@@ -41,17 +41,21 @@ std::uint64_t predictOcclusionBytes(const gpu::Device& device, vk::Extent2D exte
 
 } // namespace
 
-PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended) {
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended, bool sky) {
     return {.extent = extent,
             .hasSteps = hasBlended || options.focus.isOn(),
-            .antialias = options.effects.antialias};
+            .antialias = options.effects.antialias,
+            .finish = options.effects.finish,
+            .sky = sky};
 }
 
-TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options) {
+TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options,
+                              bool emission) {
     return {.extent = extent,
             .format = format,
             .depthFormat = options.technique.format,
             .reversedDepth = depth::isReversed(options.technique.mapping),
+            .emission = emission,
             .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0};
 }
 
@@ -60,13 +64,19 @@ bool losesShine(const GpuScene& scene, const RenderOptions& options) {
     return scene.isShiny() && occlusion.radius > 0.0 && occlusion.perLayer;
 }
 
+bool losesEmission(const GpuScene& scene, const RenderOptions& options) {
+    const Occlusion& occlusion = options.effects.occlusion;
+    const bool hasOcclusionPerLayer = occlusion.radius > 0.0 && occlusion.perLayer;
+    return scene.hasEmission() && (hasOcclusionPerLayer || options.focus.isOn());
+}
+
 std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
     const vk::Extent2D extent{options.width, options.height};
     const bool hasFacets = options.surface == SurfacePath::visibility;
     return predictLayerBytes(device, extent, options.technique.format,
                              hasFacets ? kVisibilityFormat : kGBufferFormat) +
            (hasFacets ? gpu::predictBytes(device, gbufferOptions(extent)) : 0) +
-           Picture::predictBytes(device, pictureOptions(extent, options, hasBlended)) +
+           Picture::predictBytes(device, pictureOptions(extent, options, hasBlended, false)) +
            ShadingPass::predictBytes(extent, options.effects) +
            (options.motion ? MotionPass::predictBytes(device, extent) : 0) +
            predictOcclusionBytes(device, extent, options);

@@ -19,10 +19,15 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
 /// @param hasBlended as above.
 std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options, bool hasBlended);
 
-PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended);
-TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options);
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended, bool sky);
+/// @param emission whether surfaces keep what they emit.
+TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options,
+                              bool emission);
 
 /// FrameStats::lostShine of every frame.
 bool losesShine(const GpuScene& scene, const RenderOptions& options);
+
+/// FrameStats::lostEmission of every frame.
+bool losesEmission(const GpuScene& scene, const RenderOptions& options);
 
 } // namespace cdr::render

@@ -49,9 +49,13 @@ Mesh makeBox(const glm::vec3& halfSides) {
 Mesh unshareVertices(const Mesh& mesh) {
     Mesh unshared = mesh;
     unshared.vertices.clear();
+    unshared.details.clear();
     unshared.levels.clear();
     for (std::uint32_t& index : unshared.indices) {
         unshared.vertices.push_back(mesh.vertices[index]);
+        if (!mesh.details.empty()) {
+            unshared.details.push_back(mesh.details[index]);
+        }
         index = static_cast<std::uint32_t>(unshared.vertices.size() - 1);
     }
     return unshared;

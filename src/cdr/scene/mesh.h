@@ -21,6 +21,14 @@ struct Vertex {
     glm::u8vec4 color{255};             ///< linear, multiplies the material's base colour
 };
 
+/// What textures beside the base colour's need of a corner.
+struct VertexDetail {
+    /// Object space, unit length: where u grows; w is 1 or -1, and cross(normal, tangent) * w is the way up of a normal
+    /// texture.
+    glm::vec4 tangent{1.0f, 0.0f, 0.0f, 1.0f};
+    glm::vec2 uv{0.0f}; ///< a second place in textures, as Vertex::uv
+};
+
 /// A coarser form of a mesh, over the mesh's own vertices.
 struct MeshLevel {
     std::vector<std::uint32_t> indices; ///< three per triangle, each below the mesh's vertices.size()
@@ -34,8 +42,10 @@ struct MeshLevel {
 /// Vertices are stored relative to the centre of their bounding sphere. That keeps float32 positions small,
 /// and their rounding limits the smallest separation that can be resolved far away.
 struct Mesh {
-    std::string name;                   ///< for messages and captures
-    std::vector<Vertex> vertices;       ///< shared by all levels
+    std::string name;             ///< for messages and captures
+    std::vector<Vertex> vertices; ///< shared by all levels
+    std::vector<VertexDetail>
+        details; ///< one per vertex; or empty, which a material with detail takes for defaults
     std::vector<std::uint32_t> indices; ///< three per triangle, each below vertices.size()
     float boundingRadius = 0.0f;        ///< object space, about the origin
     /// Levels of detail, each coarser than the one before. The mesh itself is level 0, levels[k] is level k +
@@ -49,12 +59,22 @@ struct Mesh {
 /// Most levels beside the mesh itself; a level's number must fit a byte.
 inline constexpr std::size_t kMaxLevels = 32;
 
-/// An image that a material multiplies its base colour by.
+/// What the channels of a texture are.
+enum class TextureContent : std::uint8_t {
+    color, ///< sRGB-encoded, alpha linear
+    data,  ///< linear
+};
+
+/// An image that a material reads.
 struct Texture {
-    std::string name{};         ///< for messages and captures
-    image::ImageRgba8 pixels{}; ///< sRGB-encoded colour, linear alpha
-    bool repeatU = true;        ///< beyond its edges; else the edge goes on
-    bool repeatV = true;        ///< beyond its edges; else the edge goes on
+    std::string name{};                             ///< for messages and captures
+    image::ImageRgba8 pixels{};                     ///< of `content`
+    bool repeatU = true;                            ///< beyond its edges; else the edge goes on
+    bool repeatV = true;                            ///< beyond its edges; else the edge goes on
+    bool mirrorU = false;                           ///< where it repeats, every other copy is mirrored
+    bool mirrorV = false;                           ///< where it repeats, every other copy is mirrored
+    bool nearest = false;                           ///< shows single texels; else blends between them
+    TextureContent content = TextureContent::color; ///< what its channels are
 };
 
 /// What alpha does: nothing, cut away what is below the cutoff, or blend.
@@ -66,6 +86,27 @@ struct Shine {
     float roughness = 1.0f; ///< perceptual: its square is the alpha of the microfacet distribution
 
     bool operator==(const Shine&) const = default;
+};
+
+/// A texture, and at which place of a vertex it is read.
+struct TextureUse {
+    std::uint32_t texture = 0; ///< index into Scene::textures
+    bool second = false;       ///< at VertexDetail::uv; else at Vertex::uv
+
+    bool operator==(const TextureUse&) const = default;
+};
+
+/// What a material of glTF 2.0 has beside its base colour and its shine. Unlit ones are drawn without.
+struct MaterialDetail {
+    std::optional<TextureUse> metallicRoughness{}; ///< blue and green, of data, multiply Material::shine
+    std::optional<TextureUse> normal{};            ///< in tangent space, of data
+    std::optional<TextureUse> occlusion{};         ///< red, of data: the share of ambient light that arrives
+    std::optional<TextureUse> emissive{};          ///< of colour, multiplies `emission`
+    float normalScale = 1.0f;                      ///< of what a normal texture says of x and y
+    float occlusionStrength = 1.0f;                ///< in [0, 1]: 0 is no occlusion
+    glm::vec3 emission{0.0f};                      ///< linear, what the surface sends by itself, 0 or more
+
+    bool operator==(const MaterialDetail&) const = default;
 };
 
 /// How a surface looks.
@@ -81,10 +122,36 @@ struct Material {
     /// Offset towards the camera, along the view distance, in scene units, finite; below 0 away from it. It decides
     /// which of two surfaces at the same place is seen, and moves nothing else. See src/cdr/render/README.md, "Layers".
     float layer = 0.0f;
+    MaterialDetail detail{}; ///< none unless told
 };
 
 /// The least radius about the origin that holds every position, rounded up.
 CDR_EXPORT float boundingRadiusOf(std::span<const Vertex> vertices);
+
+/// Calls `visit` with each texture index of a material, which it may change.
+template <typename AnyMaterial, typename Visit>
+void forEachTexture(AnyMaterial& material, const Visit& visit) {
+    if (material.baseColorTexture) {
+        visit(*material.baseColorTexture);
+    }
+    for (auto* use : {&material.detail.metallicRoughness, &material.detail.normal, &material.detail.occlusion,
+                      &material.detail.emissive}) {
+        if (*use) {
+            visit((*use)->texture);
+        }
+    }
+}
+
+/// Whether a material is drawn with more than its base colour and its shine.
+inline bool hasDetail(const Material& material) {
+    return !material.unlit && material.detail != MaterialDetail{};
+}
+
+/// Whether shading must be told of an opaque surface what it emits, and how much ambient light arrives there.
+inline bool hasEmission(const Material& material) {
+    return hasDetail(material) && material.alphaMode != AlphaMode::blend &&
+           (material.detail.occlusion.has_value() || material.detail.emission != glm::vec3(0.0f));
+}
 
 /// A box of the given half sides about the origin, 24 vertices, flat normals, 12 triangles.
 CDR_EXPORT Mesh makeBox(const glm::vec3& halfSides);

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,15 @@ struct PointLight {
     double halfDistance = 1.0;
 };
 
+/// Light from all around, as a clear sky over a plain sends it: of one colour below the horizon, and above it from the
+/// horizon's to the zenith's in step with the sine of the elevation.
+struct Sky {
+    glm::vec3 zenith{0.3f, 0.42f, 0.65f};  ///< linear radiance, 0 or more
+    glm::vec3 horizon{0.75f, 0.78f, 0.8f}; ///< linear radiance, 0 or more
+    glm::vec3 ground{0.2f, 0.18f, 0.16f};  ///< linear radiance, 0 or more
+    glm::dvec3 up{0.0, 1.0, 0.0};          ///< world space, unit length
+};
+
 /// Everything that is drawn; cameras are not part of it.
 struct CDR_EXPORT Scene {
     std::string name;                     ///< for messages
@@ -55,6 +65,7 @@ struct CDR_EXPORT Scene {
     std::vector<PointLight> lights;       ///< beside `ambient`
     glm::vec3 ambient{0.25f};             ///< linear, multiplies albedo
     glm::vec3 background{0.0f};           ///< linear
+    std::optional<Sky> sky{};             ///< takes the place of `ambient`
 
     /// One more than the largest object index; 0 of an empty scene. Looks at every instance.
     std::uint32_t objectCount() const;

@@ -111,9 +111,7 @@ void addParkedModel(SceneBuilder& builder, const scene::Scene& model) {
     scene.meshes.insert(scene.meshes.end(), model.meshes.begin(), model.meshes.end());
     scene.textures.insert(scene.textures.end(), model.textures.begin(), model.textures.end());
     for (scene::Material material : model.materials) {
-        if (material.baseColorTexture) {
-            *material.baseColorTexture += firstTexture;
-        }
+        scene::forEachTexture(material, [&](std::uint32_t& texture) { texture += firstTexture; });
         scene.materials.push_back(std::move(material));
     }
     double lowest = std::numeric_limits<double>::infinity();

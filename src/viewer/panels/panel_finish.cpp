@@ -57,6 +57,13 @@ void drawFinishPanel(const Widgets& widgets, ViewerModel& model) {
         finish.effects.antialias = render::kAntialiases[antialias];
     }
     widgets.sentence(explain(finish.effects.antialias));
+    const std::size_t toneMap =
+        widgets.combo("tone mapping", nameOf(finish.effects.finish.toneMap), render::kToneMaps.size(),
+                      [](std::size_t i) { return nameOf(render::kToneMaps[i]); });
+    if (toneMap < render::kToneMaps.size()) {
+        finish.effects.finish.toneMap = render::kToneMaps[toneMap];
+    }
+    widgets.sentence(explain(finish.effects.finish.toneMap));
     chooseLength(widgets, "occlusion", finish.effects.occlusion.radius);
     if (hasLayers(model.settings.targets.kind)) {
         widgets.checkbox("on each layer alone", finish.effects.occlusion.perLayer);

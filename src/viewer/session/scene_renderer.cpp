@@ -15,8 +15,8 @@ void SceneRenderer::open(const ViewSettings& settings) {
         settings.colours == m_colours && settings.choice == m_choice && (m_hasLevels || !needsLevels)) {
         return;
     }
-    auto opened = std::make_shared<scene::OpenedScene>(
-        scenes::openScene(settings.scene, settings.seed, settings.choice));
+    auto opened = std::make_shared<scene::OpenedScene>(scenes::openScene(
+        settings.scene, settings.seed, scenes::shownChoice(settings.scene, settings.choice)));
     scenes::paint(opened->setup.scene, settings.colours);
     host::WorkerPool workers(settings.threads);
     if (needsLevels) {

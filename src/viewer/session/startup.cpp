@@ -40,6 +40,7 @@ ViewSettings settingsOf(const Arguments& arguments) {
     settings.batching = render::parseBatching(arguments.batching);
     settings.threads = arguments.threads;
     settings.choice = arguments.choice;
+    settings.choice.light = experiments::lightOf(arguments.effects);
     settings.view = viewOfAov(arguments.aov);
     settings.finish = {.detail = visibility::parseDetail(arguments.detail).mode,
                        .translucency = experiments::translucencyOf(arguments.effects).method,

@@ -73,6 +73,9 @@ void addFinish(Words& words, const ViewSettings& settings) {
     words.addUnless(!options.focus.isOn(), "--focus",
                     fmt::format("{}:{}{}", options.focus.distance, options.focus.aperture,
                                 options.focus.blend ? ":blend" : ""));
+    words.addUnless(effects.finish.toneMap == defaults.effects.finish.toneMap, "--tone-map",
+                    render::nameOf(effects.finish.toneMap));
+    words.addUnless(effects.finish.exposure == 0.0, "--exposure", fmt::format("{}", effects.finish.exposure));
     words.addUnless(effects.fog.visibility == 0.0, "--fog", fmt::format("{}", effects.fog.visibility));
 }
 
@@ -130,6 +133,8 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     };
     addChoice("--gltf-scene", settings.choice.scene);
     addChoice("--camera", settings.choice.camera);
+    words.addUnless(!settings.choice.light, "--light",
+                    nameOf(settings.choice.light.value_or(scene::ModelLight::sky)));
     words.addUnless(settings.seed == scenes::kDefaultSeed, "--seed", fmt::format("{}", settings.seed));
     words.add("--size", fmt::format("{}x{}", view.extent.width, view.extent.height));
     words.addUnless(aovOf(settings.view) == "color", "--aov", aovOf(settings.view));

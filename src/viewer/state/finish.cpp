@@ -39,6 +39,14 @@ std::string_view explain(render::Antialias antialias) {
                : "Stairs along edges of brightness are smoothed after shading.";
 }
 
+std::string_view explain(render::ToneMap toneMap) {
+    constexpr std::array<std::string_view, 3> kTexts{
+        "Highlights are compressed under a sky, which models have, and else cut off.",
+        "What is brighter than the picture's white is cut off.",
+        "Highlights are compressed, and base colours stay as they are (Khronos PBR Neutral)."};
+    return kTexts[static_cast<std::size_t>(toneMap)];
+}
+
 std::string_view explain(const render::Occlusion& occlusion) {
     if (occlusion.radius <= 0.0) {
         return "Corners get as much ambient light as open ground.";

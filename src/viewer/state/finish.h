@@ -24,6 +24,7 @@ void apply(const Finish& finish, render::RenderOptions& options);
 std::string_view explain(visibility::DetailMode detail);
 std::string_view explain(render::Translucency translucency);
 std::string_view explain(render::Antialias antialias);
+std::string_view explain(render::ToneMap toneMap);
 std::string_view explain(const render::Occlusion& occlusion);
 std::string_view explain(const render::Fog& fog);
 std::string_view explain(const render::Focus& focus);

@@ -31,9 +31,6 @@ image::ImageRgba8 twoTexels() {
     return picture;
 }
 
-constexpr float kMeanMetallic = 0.4f;  // 0 and 204 of 255
-constexpr float kMeanRoughness = 0.3f; // 51 and 102
-
 TEST_F(GltfShine, FactorsAreKept) {
     const GltfImport result = load(withFactors({{"metallicFactor", 0.25}, {"roughnessFactor", 0.75}}));
     EXPECT_EQ(result.scene.materials.at(0).shine, (Shine{.metallic = 0.25f, .roughness = 0.75f}));
@@ -79,55 +76,26 @@ TEST_F(GltfShine, UnlitMaterialsHaveNone) {
     EXPECT_TRUE(result.ignored.empty());
 }
 
-TEST_F(GltfShine, TexturesAreAveragedAndSaid) {
-    const GltfImport result = load(withTexture(json::object(), twoTexels()));
-    const Shine shine = result.scene.materials.at(0).shine.value();
-    EXPECT_NEAR(shine.metallic, kMeanMetallic, 1e-6f);
-    EXPECT_NEAR(shine.roughness, kMeanRoughness, 1e-6f);
-    EXPECT_TRUE(
-        anySays(result.ignored, "material 'paint': metallic-roughness textures are drawn as their mean"));
-    EXPECT_EQ(result.ignored.size(), 1u);
-    EXPECT_TRUE(result.scene.textures.empty()); // and take no memory
-}
-
-TEST_F(GltfShine, TexturesScaleTheFactors) {
+TEST_F(GltfShine, TexturesAreKeptAsDataBesideTheFactors) {
     const GltfImport result =
         load(withTexture({{"metallicFactor", 0.5}, {"roughnessFactor", 0.25}}, twoTexels()));
-    const Shine shine = result.scene.materials.at(0).shine.value();
-    EXPECT_NEAR(shine.metallic, 0.5f * kMeanMetallic, 1e-6f);
-    EXPECT_NEAR(shine.roughness, 0.25f * kMeanRoughness, 1e-6f);
-}
-
-TEST_F(GltfShine, EachPictureHasAMeanOfItsOwn) {
-    Document document = withTexture(json::object(), twoTexels());
-    const image::ImageRgba8 other(1, 1, {9, 153, 51, 255});
-    document.root["images"].push_back(
-        {{"bufferView", document.addView(image::encodePng(other))}, {"mimeType", "image/png"}});
-    document.root["textures"] = {{{"source", 1}}, {{"source", 0}}};
-    document.root["materials"].push_back(document.root["materials"][0]);
-    document.root["materials"][1]["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"] = 1;
-    json second = document.primitive();
-    second["material"] = 1;
-    document.root["meshes"][0]["primitives"].push_back(second);
-    const Scene scene = load(document).scene;
-    ASSERT_EQ(scene.materials.size(), 2u);
-    EXPECT_NEAR(scene.materials[0].shine.value().metallic, 0.2f, 1e-6f);
-    EXPECT_NEAR(scene.materials[0].shine.value().roughness, 0.6f, 1e-6f);
-    EXPECT_NEAR(scene.materials[1].shine.value().metallic, kMeanMetallic, 1e-6f);
-    EXPECT_NEAR(scene.materials[1].shine.value().roughness, kMeanRoughness, 1e-6f);
+    const Material& material = result.scene.materials.at(0);
+    EXPECT_EQ(material.shine, (Shine{.metallic = 0.5f, .roughness = 0.25f}));
+    const Texture& texture = result.scene.textures.at(material.detail.metallicRoughness.value().texture);
+    EXPECT_EQ(texture.content, TextureContent::data);
+    EXPECT_EQ(texture.pixels.at(1, 0), (image::Rgba8{0, 102, 204, 0}));
+    EXPECT_TRUE(result.ignored.empty());
 }
 
 TEST_F(GltfShine, OnePictureMayBeColorAndShine) {
     Document document = withTexture(json::object(), twoTexels());
     document.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
-    document.root["materials"].push_back(document.root["materials"][0]);
-    json second = document.primitive();
-    second["material"] = 1;
-    document.root["meshes"][0]["primitives"].push_back(second);
     const Scene scene = load(document).scene;
-    ASSERT_EQ(scene.materials.size(), 2u);
-    EXPECT_EQ(scene.materials[0].shine, scene.materials[1].shine);
-    EXPECT_EQ(scene.textures.size(), 1u);
+    ASSERT_EQ(scene.textures.size(), 2u); // an image is either encoded or not
+    const Material& material = scene.materials.at(0);
+    EXPECT_EQ(scene.textures.at(material.baseColorTexture.value()).content, TextureContent::color);
+    EXPECT_EQ(scene.textures.at(material.detail.metallicRoughness.value().texture).content,
+              TextureContent::data);
 }
 
 TEST_F(GltfShine, TexturesThatOnlyAnExtensionSuppliesLeaveTheFactors) {
@@ -136,7 +104,7 @@ TEST_F(GltfShine, TexturesThatOnlyAnExtensionSuppliesLeaveTheFactors) {
     const GltfImport result = load(document);
     EXPECT_EQ(result.scene.materials.at(0).shine, (Shine{.metallic = 0.5f, .roughness = 0.25f}));
     EXPECT_TRUE(anySays(result.ignored, "supplied by an extension"));
-    EXPECT_FALSE(anySays(result.ignored, "mean"));
+    EXPECT_FALSE(result.scene.materials.at(0).detail.metallicRoughness);
 }
 
 TEST_F(GltfShine, UnsoundTexturesAreRefused) {

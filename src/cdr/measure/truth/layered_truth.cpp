@@ -68,7 +68,9 @@ glm::dvec3 colorOf(const View& view, const SurfaceHit& hit, std::uint32_t x, std
                      {.baseColor = albedo,
                       .shine = hit.shine,
                       .fromCamera = hit.distanceView * ray,
-                      .normal = hit.normal});
+                      .normal = hit.normal,
+                      .openness = hit.openness,
+                      .emission = hit.emission});
 }
 
 /// Pixel (x, y) as `pixel` and what it shows as `sequence`.
@@ -148,10 +150,10 @@ LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, 
     return truth;
 }
 
-image::ImageRgba8 pictureOf(const LayeredTruth& truth) {
+image::ImageRgba8 pictureOf(const LayeredTruth& truth, const TruthFinish& finish) {
     image::ImageRgba8 picture(truth.width, truth.height);
     std::transform(truth.pixels.begin(), truth.pixels.end(), picture.pixels.begin(),
-                   [](const LayeredPixel& pixel) { return encode(pixel.color); });
+                   [&](const LayeredPixel& pixel) { return encode(finished(pixel.color, finish)); });
     return picture;
 }
 

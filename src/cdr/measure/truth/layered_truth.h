@@ -2,6 +2,7 @@
 
 #include <cdr/host/worker_pool.h>
 #include <cdr/image/image.h>
+#include <cdr/measure/truth/truth_finish.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/scene.h>
 
@@ -31,7 +32,7 @@ LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, 
                         std::uint32_t height, host::WorkerPool& workers);
 
 /// The truth as 8-bit sRGB.
-image::ImageRgba8 pictureOf(const LayeredTruth& truth);
+image::ImageRgba8 pictureOf(const LayeredTruth& truth, const TruthFinish& finish = {});
 
 /// How a rendered picture differs from the truth, over the inner pixels.
 struct LayerDifference {

@@ -19,11 +19,13 @@ struct SurfaceHit {
     std::uint32_t id = 0;   ///< object index + 1
     bool isBlended = false; ///< else it ends the ray
     bool isUnlit = false;
-    bool isOnEdge = false;     ///< of its triangle, to the last bit
-    glm::dvec3 facet{0.0};     ///< the triangle's own normal, world axes, unit, towards the camera
-    glm::dvec3 normal{0.0};    ///< the one that is lit, world axes, unit, of the side that is seen
-    glm::dvec4 baseColor{1.0}; ///< linear, straight alpha, texture and vertex colour included
-    std::optional<scene::Shine> shine;
+    bool isOnEdge = false;             ///< of its triangle, to the last bit
+    glm::dvec3 facet{0.0};             ///< the triangle's own normal, world axes, unit, towards the camera
+    glm::dvec3 normal{0.0};            ///< the one that is lit, world axes, unit, of the side that is seen
+    glm::dvec4 baseColor{1.0};         ///< linear, straight alpha, texture and vertex colour included
+    std::optional<scene::Shine> shine; ///< textures included
+    double openness = 1.0;             ///< share of ambient light that arrives
+    glm::dvec3 emission{0.0};          ///< linear
 };
 
 /// Appends every visible hit of a ray on one instance within `range`, in no order: backs of single-sided
@@ -34,7 +36,8 @@ struct SurfaceHit {
 void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const ObjectRay& ray,
                 const ViewRange& range, std::vector<SurfaceHit>& hits);
 
-/// A texture's value in linear colour and alpha, bilinear between texel centres, each texel linearised first.
+/// A texture's value, linear, bilinear between texel centres unless it shows single texels; each texel of a colour is
+/// linearised first.
 glm::dvec4 sampleTexture(const scene::Texture& texture, const glm::dvec2& uv);
 
 } // namespace cdr::measure

@@ -9,11 +9,83 @@ namespace cdr::measure {
 
 namespace {
 
-/// Ambient light, and of each point light the share that `shareOf` gives for the way to it and its length.
+glm::dvec3 skyAlong(const scene::Sky& sky, const glm::dvec3& direction) {
+    const double elevation = glm::dot(direction, sky.up);
+    return elevation < 0.0 ? glm::dvec3(sky.ground)
+                           : glm::mix(glm::dvec3(sky.horizon), glm::dvec3(sky.zenith), elevation);
+}
+
+/// A vector given along two axes at right angles to a normal, and along it.
+struct Frame {
+    glm::dvec3 normal;
+    glm::dvec3 across;
+    glm::dvec3 along;
+
+    explicit Frame(const glm::dvec3& n)
+        : normal(n),
+          across(
+              glm::normalize(glm::cross(n, std::abs(n.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)))),
+          along(glm::cross(n, across)) {}
+
+    /// Unit, at an angle to the normal of that cosine, turned about it by that angle.
+    glm::dvec3 at(double cosine, double angle) const {
+        const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
+        return normal * cosine + (across * std::cos(angle) + along * std::sin(angle)) * sine;
+    }
+};
+
+constexpr int kSkyDirections = 256; // of each kind
+constexpr double kGoldenAngle = 2.399963229728653;
+
+/// Directions that are even under a cosine, for what is diffuse.
+template <typename Take>
+void forCosineDirections(const Frame& frame, const Take& take) {
+    for (int i = 0; i < kSkyDirections; ++i) {
+        take(frame.at(std::sqrt((i + 0.5) / kSkyDirections), i * kGoldenAngle));
+    }
+}
+
+glm::dvec3 skyOnMatt(const scene::Sky& sky, const glm::dvec3& normal) {
+    glm::dvec3 sum(0.0);
+    forCosineDirections(Frame(normal), [&](const glm::dvec3& direction) { sum += skyAlong(sky, direction); });
+    return sum / static_cast<double>(kSkyDirections);
+}
+
+/// What a shiny surface sends of a sky: directions even under a cosine and directions that microfacets mirror, each
+/// weighted by how likely either kind is to choose it (Veach and Guibas 1995, the balance heuristic).
+glm::dvec3 skyOnShiny(const scene::Sky& sky, const ShinyPoint& point) {
+    const Frame frame(point.normal);
+    const double alpha =
+        std::pow(std::max(static_cast<double>(point.shine.roughness), kLeastTruthRoughness), 2.0);
+    glm::dvec3 sum(0.0);
+    const auto take = [&](const glm::dvec3& direction) {
+        const double lambert = glm::dot(point.normal, direction);
+        const glm::dvec3 halfway = glm::normalize(point.toCamera + direction);
+        const double lean = glm::dot(point.normal, halfway);
+        if (lambert <= 0.0 || lean <= 0.0) {
+            return;
+        }
+        const double spread = lean * lean * (alpha * alpha - 1.0) + 1.0;
+        const double mirrored = alpha * alpha / (spread * spread) * lean /
+                                (4.0 * std::max(glm::dot(point.toCamera, halfway), 1e-6));
+        // Both densities, and pointShare(), are times pi.
+        sum += skyAlong(sky, direction) * pointShare(point, direction) / (lambert + mirrored);
+    };
+    forCosineDirections(frame, take);
+    for (int i = 0; i < kSkyDirections; ++i) {
+        const double u = (i + 0.5) / kSkyDirections;
+        const double cosine = std::sqrt((1.0 - u) / (1.0 + (alpha * alpha - 1.0) * u));
+        const glm::dvec3 halfway = frame.at(cosine, i * kGoldenAngle);
+        take(2.0 * glm::dot(point.toCamera, halfway) * halfway - point.toCamera);
+    }
+    return sum / static_cast<double>(kSkyDirections);
+}
+
+/// Point lights, of each the share that `shareOf` gives for the way to it and its length.
 template <typename ShareOf>
 glm::dvec3 sumLights(const scene::Scene& scene, const scene::Camera& camera, const glm::dvec3& fromCamera,
-                     const glm::dvec3& ambientShare, const ShareOf& shareOf) {
-    glm::dvec3 light = glm::dvec3(scene.ambient) * ambientShare;
+                     const ShareOf& shareOf) {
+    glm::dvec3 light(0.0);
     for (const scene::PointLight& lamp : scene.lights) {
         const glm::dvec3 toLight = (lamp.position - camera.position) - fromCamera;
         const double squared = glm::dot(toLight, toLight);
@@ -24,24 +96,34 @@ glm::dvec3 sumLights(const scene::Scene& scene, const scene::Camera& camera, con
     return light;
 }
 
-} // namespace
+glm::dvec3 lightOnMatt(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface) {
+    const glm::dvec3 around = scene.sky ? skyOnMatt(*scene.sky, surface.normal) : glm::dvec3(scene.ambient);
+    const glm::dvec3 lamps =
+        sumLights(scene, camera, surface.fromCamera, [&](const glm::dvec3& toLight, double distance) {
+            return std::max(glm::dot(surface.normal, toLight) / distance, 0.0);
+        });
+    return surface.baseColor * (surface.openness * around + lamps);
+}
 
-glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface) {
-    if (!surface.shine) {
-        return surface.baseColor *
-               sumLights(scene, camera, surface.fromCamera, glm::dvec3(1.0),
-                         [&](const glm::dvec3& toLight, double distance) {
-                             return std::max(glm::dot(surface.normal, toLight) / distance, 0.0);
-                         });
-    }
+glm::dvec3 lightOnShiny(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface) {
     const ShinyPoint point{.baseColor = surface.baseColor,
                            .shine = *surface.shine,
                            .normal = surface.normal,
                            .toCamera = -glm::normalize(surface.fromCamera)};
-    const glm::dvec3 light = sumLights(
-        scene, camera, surface.fromCamera, ambientShare(point),
-        [&](const glm::dvec3& toLight, double distance) { return pointShare(point, toLight / distance); });
-    return glm::min(light, kBrightest);
+    const glm::dvec3 around =
+        scene.sky ? skyOnShiny(*scene.sky, point) : glm::dvec3(scene.ambient) * ambientShare(point);
+    const glm::dvec3 lamps =
+        sumLights(scene, camera, surface.fromCamera, [&](const glm::dvec3& toLight, double distance) {
+            return pointShare(point, toLight / distance);
+        });
+    return glm::min(surface.openness * around + lamps, kBrightest);
+}
+
+} // namespace
+
+glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface) {
+    return surface.emission +
+           (surface.shine ? lightOnShiny(scene, camera, surface) : lightOnMatt(scene, camera, surface));
 }
 
 image::Rgba8 encode(const glm::dvec3& linear) {

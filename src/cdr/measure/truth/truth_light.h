@@ -16,10 +16,12 @@ struct LitSurface {
     std::optional<scene::Shine> shine; ///< empty for matt
     glm::dvec3 fromCamera;             ///< the point less the camera's position, world axes
     glm::dvec3 normal;                 ///< unit, world axes
+    double openness = 1.0;             ///< share of ambient light that arrives
+    glm::dvec3 emission{0.0};          ///< linear, what the surface sends by itself
 };
 
-/// Ambient and point light that a surface sends to the camera, linear, in float64, as the shading pass has
-/// it.
+/// Light that a surface sends to the camera, linear, in float64. Ambient and point light are by the formulas of the shading
+/// pass. Light of a sky is not: it is summed over directions, where the pass has fits to such sums.
 glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface);
 
 /// Linear light as sRGB, opaque.

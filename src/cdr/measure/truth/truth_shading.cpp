@@ -33,8 +33,8 @@ Box boxOf(const scene::Scene& scene, const scene::Camera& camera, std::size_t i)
     if (!halfSides) {
         fail("is not a box");
     }
-    if (material.baseColorTexture || material.unlit) {
-        fail("is textured or unlit");
+    if (material.baseColorTexture || material.unlit || scene::hasDetail(material)) {
+        fail("is textured or unlit, or has detail");
     }
     if (!inverse) {
         fail("is flat");

@@ -7,12 +7,10 @@ namespace cdr::measure {
 
 namespace {
 
-/// As the renderer has it: a point light's highlight on anything smoother is smaller than a pixel.
-constexpr double kLeastRoughness = 0.08;
 constexpr double kLeastFacing = 1e-3;
 
 double roughnessOf(const ShinyPoint& point) {
-    return std::max(static_cast<double>(point.shine.roughness), kLeastRoughness);
+    return std::max(static_cast<double>(point.shine.roughness), kLeastTruthRoughness);
 }
 
 double facingOf(const ShinyPoint& point) {

@@ -22,6 +22,9 @@ glm::dvec3 pointShare(const ShinyPoint& point, const glm::dvec3& toLight);
 /// Share of ambient light that reaches the camera, by Karis' fit.
 glm::dvec3 ambientShare(const ShinyPoint& point);
 
+/// As the renderer has it: a point light's highlight on anything smoother is smaller than a pixel.
+inline constexpr double kLeastTruthRoughness = 0.08;
+
 /// What a surface sends is cut off here.
 inline constexpr double kBrightest = 16.0;
 

@@ -32,6 +32,9 @@ void GeometryPass::beginJob(vk::CommandBuffer commands, const FrameView& view, s
                             vk::Buffer records) const {
     beginCascade(commands, view, cascade, m_pipelines.layout());
     commands.bindVertexBuffers(0, {m_scene.vertices(), records}, {0, 0});
+    if (const vk::Buffer details = m_scene.details()) {
+        commands.bindVertexBuffers(kDetailBinding, details, vk::DeviceSize{0});
+    }
     commands.bindIndexBuffer(m_scene.indices(), 0, vk::IndexType::eUint32);
 }
 
@@ -56,6 +59,11 @@ class GeometryPass::StateBinder {
             m_commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 0,
                                           kind.textureSet, {});
             m_textureSet = kind.textureSet;
+        }
+        if (kind.detailSet && kind.detailSet != m_detailSet) {
+            m_commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 1,
+                                          kind.detailSet, {});
+            m_detailSet = kind.detailSet;
         }
         if (m_doubleSided != static_cast<int>(kind.doubleSided)) {
             m_commands.setCullMode(kind.doubleSided ? vk::CullModeFlagBits::eNone
@@ -90,6 +98,7 @@ class GeometryPass::StateBinder {
     vk::CommandBuffer m_commands;
     vk::Pipeline m_pipeline;
     vk::DescriptorSet m_textureSet;
+    vk::DescriptorSet m_detailSet;
     LayerPlace m_layer;
     int m_doubleSided = kUnset;
     int m_mirrored = kUnset;

@@ -4,12 +4,17 @@
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/geometry/layers.h>
 #include <cdr/render/targets/gbuffer.h>
+#include <cdr/shaders/geometry_depth_detailed_frag.h>
 #include <cdr/shaders/geometry_depth_faceted_frag.h>
 #include <cdr/shaders/geometry_depth_frag.h>
+#include <cdr/shaders/geometry_detailed_frag.h>
+#include <cdr/shaders/geometry_detailed_vert.h>
 #include <cdr/shaders/geometry_faceted_frag.h>
 #include <cdr/shaders/geometry_faceted_vert.h>
 #include <cdr/shaders/geometry_frag.h>
+#include <cdr/shaders/geometry_layered_detailed_frag.h>
 #include <cdr/shaders/geometry_layered_frag.h>
+#include <cdr/shaders/geometry_pushed_detailed_vert.h>
 #include <cdr/shaders/geometry_pushed_faceted_vert.h>
 #include <cdr/shaders/geometry_pushed_vert.h>
 #include <cdr/shaders/geometry_vert.h>
@@ -41,21 +46,37 @@ constexpr double kLinearWideSpan = 4.0;
 
 using Spirv = std::span<const std::uint32_t>;
 
-Spirv vertexShader(Batching batching, bool isFaceted) {
-    if (batching == Batching::pushConstants) {
-        return isFaceted ? Spirv(kGeometryPushedFacetedVert) : Spirv(kGeometryPushedVert);
-    }
-    return isFaceted ? Spirv(kGeometryFacetedVert) : Spirv(kGeometryVert);
+/// What a variant's shaders are made for.
+struct ShaderKind {
+    bool isFaceted = false;
+    bool isDetailed = false;
+};
+ShaderKind shaderKindOf(std::uint32_t variant) {
+    return {.isFaceted = (variant & kFacetedVariant) != 0, .isDetailed = variant >= kDetailStep};
 }
 
-Spirv fragmentShader(bool writesDepth, bool isFaceted, bool movesDepth) {
+Spirv vertexShader(Batching batching, const ShaderKind& kind) {
+    const bool isPushed = batching == Batching::pushConstants;
+    if (kind.isDetailed) {
+        return isPushed ? Spirv(kGeometryPushedDetailedVert) : Spirv(kGeometryDetailedVert);
+    }
+    if (isPushed) {
+        return kind.isFaceted ? Spirv(kGeometryPushedFacetedVert) : Spirv(kGeometryPushedVert);
+    }
+    return kind.isFaceted ? Spirv(kGeometryFacetedVert) : Spirv(kGeometryVert);
+}
+
+Spirv fragmentShader(bool writesDepth, const ShaderKind& kind, bool movesDepth) {
     if (movesDepth) {
-        return kGeometryLayeredFrag;
+        return kind.isDetailed ? Spirv(kGeometryLayeredDetailedFrag) : Spirv(kGeometryLayeredFrag);
+    }
+    if (kind.isDetailed) {
+        return writesDepth ? Spirv(kGeometryDepthDetailedFrag) : Spirv(kGeometryDetailedFrag);
     }
     if (writesDepth) {
-        return isFaceted ? Spirv(kGeometryDepthFacetedFrag) : Spirv(kGeometryDepthFrag);
+        return kind.isFaceted ? Spirv(kGeometryDepthFacetedFrag) : Spirv(kGeometryDepthFrag);
     }
-    return isFaceted ? Spirv(kGeometryFacetedFrag) : Spirv(kGeometryFrag);
+    return kind.isFaceted ? Spirv(kGeometryFacetedFrag) : Spirv(kGeometryFrag);
 }
 
 /// Between two depths that a buffer holds; 0 for floats, whose steps differ.
@@ -71,18 +92,25 @@ vk::PushConstantRange pushRange(Batching batching) {
     return {.stageFlags = GeometryPipelines::kStages, .size = size};
 }
 
-std::vector<vk::VertexInputBindingDescription> bindingsFor(Batching batching) {
+std::vector<vk::VertexInputBindingDescription> bindingsFor(Batching batching, bool isDetailed) {
     std::vector<vk::VertexInputBindingDescription> bindings{vertexBinding()};
     if (batching != Batching::pushConstants) {
         bindings.push_back({.binding = GeometryPipelines::kRecordBinding,
                             .stride = sizeof(shaders::DrawRecord),
                             .inputRate = vk::VertexInputRate::eInstance});
     }
+    if (isDetailed) {
+        bindings.push_back(detailBinding());
+    }
     return bindings;
 }
 
-std::vector<vk::VertexInputAttributeDescription> attributesFor(Batching batching) {
+std::vector<vk::VertexInputAttributeDescription> attributesFor(Batching batching, bool isDetailed) {
     std::vector<vk::VertexInputAttributeDescription> attributes = vertexAttributes();
+    if (isDetailed) {
+        const std::vector<vk::VertexInputAttributeDescription> more = detailAttributes();
+        attributes.insert(attributes.end(), more.begin(), more.end());
+    }
     if (batching != Batching::pushConstants) {
         constexpr auto kBinding = GeometryPipelines::kRecordBinding;
         constexpr auto kRow = vk::Format::eR32G32B32A32Sfloat;
@@ -100,7 +128,7 @@ std::vector<vk::VertexInputAttributeDescription> attributesFor(Batching batching
 
 /// Those that say where a vertex is.
 std::vector<vk::VertexInputAttributeDescription> placeAttributes() {
-    std::vector<vk::VertexInputAttributeDescription> attributes = attributesFor(Batching::instanced);
+    std::vector<vk::VertexInputAttributeDescription> attributes = attributesFor(Batching::instanced, false);
     const auto first = attributes.begin();
     attributes.erase(first + 1, first + static_cast<std::ptrdiff_t>(vertexAttributes().size()));
     return attributes;
@@ -121,8 +149,8 @@ GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& 
     : m_options(options),
       m_depthFormat(options.output == GeometryOutput::depth ? kOccluderFormat
                                                             : device.depthFormat(options.technique.format)),
-      m_layout(gpu::makePipelineLayout(device, {scene.textureLayout()}, {pushRange(options.batching)},
-                                       "geometry layout")) {
+      m_layout(gpu::makePipelineLayout(device, {scene.textureLayout(), scene.detailLayout()},
+                                       {pushRange(options.batching)}, "geometry layout")) {
     follow(device, scene);
 }
 
@@ -163,7 +191,7 @@ vk::UniquePipeline GeometryPipelines::makeOccluder(const gpu::Device& device, bo
                                                     std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
                                                     std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
                                       .layout = *m_layout,
-                                      .bindings = bindingsFor(Batching::instanced),
+                                      .bindings = bindingsFor(Batching::instanced, false),
                                       .attributes = placeAttributes(),
                                       .colorFormats = {},
                                       .depthFormat = m_depthFormat,
@@ -187,22 +215,25 @@ void GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene, b
         }
         const bool movesDepth = (kind.variant & kLayeredVariant) != 0 && !isBiased;
         const bool cutsFragments = wide || movesDepth;
+        const ShaderKind shaderKind = shaderKindOf(kind.variant);
         pipeline = gpu::makeGraphicsPipeline(
             device,
             {.name = wide ? "geometry, wide" : "geometry",
-             .vertexSpirv = vertexShader(m_options.batching, (kind.variant & kFacetedVariant) != 0),
-             .fragmentSpirv = fragmentShader(writesDepth, (kind.variant & kFacetedVariant) != 0, movesDepth),
+             .vertexSpirv = vertexShader(m_options.batching, shaderKind),
+             .fragmentSpirv = fragmentShader(writesDepth, shaderKind, movesDepth),
              .constants = {form, kind.variant & kTexturedVariant ? 1u : 0u,
                            kind.variant & kMaskedVariant ? 1u : 0u, cutsFragments ? 1u : 0u,
                            m_options.shiny ? 1u : 0u, std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
                            std::bit_cast<std::uint32_t>(m_options.snapSteps.y),
                            std::bit_cast<std::uint32_t>(layerSlope(m_options.subPixelBits)),
                            std::bit_cast<std::uint32_t>(depthStepOf(m_options.technique.format)),
-                           std::bit_cast<std::uint32_t>(depth::isReversed(mapping) ? 1.0f : -1.0f)},
+                           std::bit_cast<std::uint32_t>(depth::isReversed(mapping) ? 1.0f : -1.0f),
+                           kind.variant / kDetailStep},
              .layout = *m_layout,
-             .bindings = bindingsFor(m_options.batching),
-             .attributes = attributesFor(m_options.batching),
-             .colorFormats = {kGBufferFormat},
+             .bindings = bindingsFor(m_options.batching, shaderKind.isDetailed),
+             .attributes = attributesFor(m_options.batching, shaderKind.isDetailed),
+             .colorFormats = m_options.emission ? std::vector{kGBufferFormat, kEmissionFormat}
+                                                : std::vector{kGBufferFormat},
              .depthFormat = m_depthFormat,
              .depthCompare = depthCompareOf(mapping),
              .hasDepthBias = (kind.variant & kLayeredVariant) != 0 && isBiased});

@@ -25,7 +25,8 @@ struct GeometryOptions {
     GeometryOutput output = GeometryOutput::surfaces;
     depth::Technique technique;
     Batching batching = Batching::instanced;
-    bool shiny = false; ///< whether surfaces keep how they shine; else all are matt
+    bool shiny = false;    ///< whether surfaces keep how they shine; else all are matt
+    bool emission = false; ///< whether surfaces keep what they emit, in an emission buffer
     /// Vertices in front of the camera are rounded to multiples of 1 / snapSteps of half a picture; 0: not.
     glm::vec2 snapSteps{0.0f};
     std::uint32_t subPixelBits = 8; ///< to which vertices are rounded, by the device or by snapSteps
@@ -53,6 +54,7 @@ class GeometryPipelines {
     vk::PipelineLayout layout() const { return *m_layout; }
     vk::Format depthFormat() const { return m_depthFormat; }
     depth::Mapping mapping() const { return m_options.technique.mapping; }
+    bool emission() const { return m_options.emission && m_options.output != GeometryOutput::depth; }
     const LayerOptions& layers() const { return m_options.layers; }
     /// Of a variant that some kind of the scene has. @param wide cuts per fragment, see render::wideSpan().
     vk::Pipeline pipeline(std::uint32_t variant, bool wide) const {

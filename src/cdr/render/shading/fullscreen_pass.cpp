@@ -2,6 +2,7 @@
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/shaders/fullscreen_vert.h>
 
+#include <array>
 #include <utility>
 
 namespace cdr::render {
@@ -51,7 +52,9 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
            .layout = *m_layout,
            .bindings = {},
            .attributes = {},
-           .colorFormats = {options.format},
+           .colorFormats = options.formatBeside == vk::Format::eUndefined
+                               ? std::vector{options.format}
+                               : std::vector{options.format, options.formatBeside},
            .depthFormat = options.marks,
            .stencil = options.marks != vk::Format::eUndefined ? gpu::Stencil::testsMarks : gpu::Stencil::none,
            .blend = options.blend})) {}
@@ -63,13 +66,18 @@ PassInputs FullscreenPass::makeInputs() const {
 }
 
 void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> draws, const gpu::Image& into,
-                            vk::AttachmentLoadOp load, const vk::ClearValue& clear,
-                            const gpu::Image* marks) const {
-    const vk::RenderingAttachmentInfo color{.imageView = into.view(),
-                                            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                                            .loadOp = load,
-                                            .storeOp = vk::AttachmentStoreOp::eStore,
-                                            .clearValue = clear};
+                            vk::AttachmentLoadOp load, const vk::ClearValue& clear, const gpu::Image* marks,
+                            const gpu::Image* beside) const {
+    const std::array colors{
+        vk::RenderingAttachmentInfo{.imageView = into.view(),
+                                    .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
+                                    .loadOp = load,
+                                    .storeOp = vk::AttachmentStoreOp::eStore,
+                                    .clearValue = clear},
+        vk::RenderingAttachmentInfo{.imageView = beside != nullptr ? beside->view() : vk::ImageView(),
+                                    .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
+                                    .loadOp = vk::AttachmentLoadOp::eLoad,
+                                    .storeOp = vk::AttachmentStoreOp::eStore}};
     const vk::RenderingAttachmentInfo stencil{.imageView = marks != nullptr ? marks->view() : vk::ImageView(),
                                               .imageLayout = vk::ImageLayout::eAttachmentOptimal,
                                               .loadOp = vk::AttachmentLoadOp::eLoad,
@@ -77,8 +85,8 @@ void FullscreenPass::record(vk::CommandBuffer primary, std::span<const Draw> dra
     const vk::Extent2D extent = into.options().extent;
     primary.beginRendering({.renderArea = {{0, 0}, extent},
                             .layerCount = 1,
-                            .colorAttachmentCount = 1,
-                            .pColorAttachments = &color,
+                            .colorAttachmentCount = beside != nullptr ? 2u : 1u,
+                            .pColorAttachments = colors.data(),
                             .pStencilAttachment = marks != nullptr ? &stencil : nullptr});
     gpu::bindFullscreenPipeline(primary, *m_pipeline, extent);
     for (const Draw& draw : draws) {

@@ -23,8 +23,9 @@ struct FullscreenPassOptions {
     std::vector<vk::DescriptorType>
         bindings; ///< of set 0, for both stages: combined image samplers, storage buffers and uniform texel buffers
     vk::Format format = vk::Format::eUndefined;
-    std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, ... of both stages
-    std::uint32_t pushBytes = 0;          ///< of push constants that the fragment shader reads
+    vk::Format formatBeside = vk::Format::eUndefined; ///< of a second image that it writes too
+    std::vector<std::uint32_t> constants{};           ///< specialisation constants 0, 1, ... of both stages
+    std::uint32_t pushBytes = 0;                      ///< of push constants that the fragment shader reads
     gpu::Blend blend = gpu::Blend::none;
     vk::Format marks =
         vk::Format::eUndefined; ///< of a depth attachment with marks; with one, only marked pixels are drawn
@@ -74,9 +75,11 @@ class FullscreenPass {
     /// One rendering scope over `into`, in the colour attachment layout, that draws in order.
     /// @param clear what vk::AttachmentLoadOp::eClear clears to.
     /// @param marks in the attachment layout; null unless the options have their format.
+    /// @param beside the second image, in the colour attachment layout, loaded and never cleared; null unless the options
+    /// have its format.
     void record(vk::CommandBuffer primary, std::span<const Draw> draws, const gpu::Image& into,
                 vk::AttachmentLoadOp load, const vk::ClearValue& clear = {},
-                const gpu::Image* marks = nullptr) const;
+                const gpu::Image* marks = nullptr, const gpu::Image* beside = nullptr) const;
     /// The same with one draw that overwrites every pixel.
     void record(vk::CommandBuffer primary, const PassInputs& inputs, const gpu::Image& into) const;
 

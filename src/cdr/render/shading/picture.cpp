@@ -1,8 +1,11 @@
 #include <cdr/gpu/commands.h>
+#include <cdr/render/shading/finish.h>
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/encode_antialiased_frag.h>
 #include <cdr/shaders/encode_frag.h>
+
+#include <array>
 
 namespace cdr::render {
 
@@ -13,10 +16,6 @@ using Access = vk::AccessFlagBits2;
 using Usage = vk::ImageUsageFlagBits;
 
 constexpr auto kEncodedFormat = vk::Format::eR8G8B8A8Srgb;
-
-bool needsLit(const PictureOptions& options) {
-    return options.hasSteps || options.antialias != Antialias::none;
-}
 
 gpu::ImageOptions encodedOptions(vk::Extent2D extent) {
     return {.extent = extent,
@@ -30,12 +29,17 @@ gpu::ImageOptions litOptions(vk::Extent2D extent) {
     return {.extent = extent, .format = kLitFormat, .usage = Usage::eColorAttachment | Usage::eSampled};
 }
 
+bool needsLit(const PictureOptions& options) {
+    return options.hasSteps || options.antialias != Antialias::none;
+}
+
 Picture::Picture(const gpu::Device& device, const PictureOptions& options)
     : m_device(device),
       m_encoded(device, encodedOptions(options.extent), "picture"),
       m_lit(needsLit(options) ? makeLit(device, options) : nullptr) {}
 
 std::unique_ptr<Picture::Lit> Picture::makeLit(const gpu::Device& device, const PictureOptions& options) {
+    const std::array constants = finishConstants(options.finish, options.sky);
     const bool smooth = options.antialias == Antialias::edges;
     auto lit = std::make_unique<Lit>(
         Lit{.image = {device, litOptions(options.extent), "lit"},
@@ -45,7 +49,7 @@ std::unique_ptr<Picture::Lit> Picture::makeLit(const gpu::Device& device, const 
                                               : std::span<const std::uint32_t>(kEncodeFrag),
                       .bindings = {vk::DescriptorType::eCombinedImageSampler},
                       .format = kEncodedFormat,
-                      .constants = {}}},
+                      .constants = {constants.begin(), constants.end()}}},
             .inputs = {}});
     lit->inputs = lit->pass.makeInputs();
     lit->inputs.setImage(0, lit->image);

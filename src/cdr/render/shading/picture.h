@@ -22,7 +22,12 @@ struct PictureOptions {
     /// its format encodes. Antialiasing is such a step.
     bool hasSteps = false;
     Antialias antialias = Antialias::none;
+    Finish finish{};  ///< where there are steps; else shading finishes
+    bool sky = false; ///< whether the scene has one
 };
+
+/// Whether anything comes between shading and the picture.
+bool needsLit(const PictureOptions& options);
 
 /// The sRGB picture of a frame, and where steps follow shading the linear image that they work on.
 class Picture {

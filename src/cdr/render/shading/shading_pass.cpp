@@ -1,6 +1,9 @@
 #include <cdr/gpu/commands.h>
+#include <cdr/render/shading/finish.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
+#include <cdr/shaders/shading_emission_frag.h>
+#include <cdr/shaders/shading_emission_occluded_frag.h>
 #include <cdr/shaders/shading_facets_frag.h>
 #include <cdr/shaders/shading_frag.h>
 #include <cdr/shaders/shading_layers_occluded_frag.h>
@@ -28,6 +31,8 @@ bool isOccludedPerLayer(const Effects& effects) {
 
 FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading, std::uint32_t lights) {
     const Effects& effects = shading.effects;
+    const auto [finish, exposure] =
+        finishConstants(shading.finishes ? effects.finish : Finish{ToneMap::none}, shading.sky);
     FullscreenPassOptions options{.name = "shading",
                                   .vertexSpirv = kShadingVert,
                                   .fragmentSpirv = kShadingFrag,
@@ -35,7 +40,8 @@ FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shadi
                                   .format = format,
                                   .constants = {effects.fog.visibility > 0.0 ? 1u : 0u,
                                                 shading.shiny ? 1u : 0u, lights, shading.anchored ? 1u : 0u,
-                                                shading.marks != nullptr ? 1u : 0u}};
+                                                shading.marks != nullptr ? 1u : 0u, finish, exposure,
+                                                shading.sky ? 1u : 0u}};
     if (shading.marks != nullptr) {
         options.marks = shading.marks->options().format;
     }
@@ -45,10 +51,21 @@ FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shadi
     } else if (isOccludedPerLayer(effects)) {
         options.fragmentSpirv = kShadingLayersOccludedFrag;
     } else if (isOccluded(effects)) {
-        options.fragmentSpirv = kShadingOccludedFrag;
+        options.fragmentSpirv = shading.emission != nullptr
+                                    ? std::span<const std::uint32_t>(kShadingEmissionOccludedFrag)
+                                    : kShadingOccludedFrag;
+        options.bindings.push_back(kImage);
+    } else if (shading.emission != nullptr) {
+        options.fragmentSpirv = kShadingEmissionFrag;
+    }
+    if (shading.emission != nullptr) {
         options.bindings.push_back(kImage);
     }
     return options;
+}
+
+glm::dvec3 directionInView(const scene::Camera& camera, const glm::dvec3& world) {
+    return {glm::dot(camera.right, world), glm::dot(camera.up, world), glm::dot(camera.back, world)};
 }
 
 } // namespace
@@ -78,6 +95,7 @@ FullscreenPass& ShadingPass::passFor(std::uint32_t lights) {
 ShadingInputs ShadingPass::makeInputs(std::size_t lights) const {
     ShadingInputs inputs;
     inputs.m_effects = m_effects;
+    inputs.m_finishes = m_options.finishes;
     inputs.m_extent = m_gbuffer.options().extent;
     inputs.m_lights =
         gpu::Buffer(m_device, sizeof(shaders::ShadingHeader) + lights * sizeof(shaders::LightRecord),
@@ -89,6 +107,9 @@ ShadingInputs ShadingPass::makeInputs(std::size_t lights) const {
         inputs.m_inputs.setImage(2, m_occlusion->image());
         inputs.m_occlusion = m_occlusion->makeInputs(inputs.m_lights);
     }
+    if (m_options.emission != nullptr) {
+        inputs.m_inputs.setImage(emissionBinding(), *m_options.emission);
+    }
     return inputs;
 }
 
@@ -99,12 +120,21 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     const Fog& fog = m_effects.fog;
     m_background = fog.visibility > 0.0 ? fog.color : scene.background;
     header.background = m_background;
+    if (m_finishes) {
+        m_background = finished(m_background, m_effects.finish, scene.sky.has_value());
+    }
     header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
     header.rayScale = glm::vec2(frustum.tanX, frustum.tanY);
     header.pictureSize = glm::vec2(m_extent.width, m_extent.height);
     m_lightCount = static_cast<std::uint32_t>(scene.lights.size());
     header.lightCount = m_lightCount;
     header.fog = glm::vec4(fog.color, fog.extinction());
+    if (scene.sky) {
+        header.skyUp = glm::vec4(glm::vec3(directionInView(camera, scene.sky->up)), 0.0f);
+        header.skyZenith = glm::vec4(scene.sky->zenith, 0.0f);
+        header.skyHorizon = glm::vec4(scene.sky->horizon, 0.0f);
+        header.skyGround = glm::vec4(scene.sky->ground, 0.0f);
+    }
     std::transform(anchorsView.begin(), anchorsView.end(), header.anchors, splitDouble);
     auto* lights = reinterpret_cast<shaders::LightRecord*>(&header + 1);
     for (const scene::PointLight& light : scene.lights) {
@@ -115,6 +145,9 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
 
 void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs) {
     std::vector<vk::ImageMemoryBarrier2> barriers{readBarrier(m_gbuffer), attachBarrier(m_into)};
+    if (m_options.emission != nullptr) {
+        barriers.push_back(readBarrier(*m_options.emission));
+    }
     if (m_options.marks != nullptr) {
         barriers.push_back(marksBarrier(*m_options.marks));
     }

@@ -36,7 +36,8 @@ class ShadingInputs {
     Effects m_effects;
     vk::Extent2D m_extent; ///< of the picture
     std::uint32_t m_lightCount = 0;
-    glm::vec3 m_background{0.0f}; ///< linear; where no surface is
+    bool m_finishes = false;
+    glm::vec3 m_background{0.0f}; ///< linear; where no surface is, as the picture has it
     gpu::Buffer m_lights;
     PassInputs m_inputs;
     PassInputs m_occlusion; ///< where it is worked out over the whole picture
@@ -45,9 +46,12 @@ class ShadingInputs {
 /// What a ShadingPass is made for.
 struct ShadingOptions {
     Effects effects;
-    bool shiny = false;    ///< whether the surfaces hold how they shine
-    bool anchored = false; ///< whether the mapping has anchor planes
-    bool facets = false;   ///< whether surfaces come from a visibility buffer; then effects hold no occlusion
+    bool shiny = false;                   ///< whether the surfaces hold how they shine
+    bool anchored = false;                ///< whether the mapping has anchor planes
+    bool sky = false;                     ///< whether the scene has one
+    bool finishes = false;                ///< whether no later step does what Effects::finish says
+    const gpu::Image* emission = nullptr; ///< Targets::emission()
+    bool facets = false; ///< whether surfaces come from a visibility buffer; then effects hold no occlusion
     const gpu::Image* marks = nullptr; ///< Targets::marks()
     std::uint32_t lights = 0; ///< as many as the scene has at first; up to shaders::kFlatLights cost least
 };
@@ -74,6 +78,7 @@ class ShadingPass {
     const gpu::Device& m_device;
     const gpu::Image& m_gbuffer;
     const gpu::Image& m_into;
+    std::uint32_t emissionBinding() const { return m_occlusion ? 3u : 2u; }
     Effects m_effects;
     std::unique_ptr<OcclusionPass> m_occlusion; ///< null unless it is for the whole picture
     ShadingOptions m_options;

@@ -35,7 +35,8 @@ vk::UniqueDescriptorSetLayout makeOcclusionLayout(const gpu::Device& device, con
 } // namespace
 
 DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& scene,
-                                 std::optional<FacetMeshes> facets, const RenderOptions& options, bool shiny)
+                                 std::optional<FacetMeshes> facets, const RenderOptions& options,
+                                 const KeptSurfaces& kept)
     : m_device(device),
       m_scene(scene),
       m_submission(options.submission),
@@ -46,7 +47,8 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
                     : nullptr) {
     const GeometryOptions geometry{.technique = options.technique,
                                    .batching = options.batching,
-                                   .shiny = shiny,
+                                   .shiny = kept.shine,
+                                   .emission = kept.emission,
                                    .snapSteps = snapStepsOf(options),
                                    .subPixelBits = subPixelBitsOf(device, options),
                                    .layers = options.layers};

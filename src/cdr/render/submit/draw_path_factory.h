@@ -14,6 +14,12 @@
 
 namespace cdr::render {
 
+/// What surfaces keep for shading beside the G-buffer's colour, normal, distance and id.
+struct KeptSurfaces {
+    bool shine = false;    ///< GeometryOptions::shiny
+    bool emission = false; ///< GeometryOptions::emission
+};
+
 /// Makes the draw paths of a renderer's frame slots, all by one submission, and owns what they share.
 class DrawPathFactory {
   public:
@@ -21,9 +27,8 @@ class DrawPathFactory {
     /// base::InputError for a depth format that the device lacks, and for a submission it cannot do;
     /// base::RunError when its memory does not suffice, with both figures.
     /// @param facets what a visibility buffer is drawn from; empty for a G-buffer.
-    /// @param shiny as GeometryOptions has it.
     DrawPathFactory(const gpu::Device& device, const DrawnScene& scene, std::optional<FacetMeshes> facets,
-                    const RenderOptions& options, bool shiny);
+                    const RenderOptions& options, const KeptSurfaces& kept);
 
     /// The factory and the workers must outlive the path.
     /// @param name that captures show.

@@ -32,6 +32,8 @@ class HostDraws {
     /// Shows what was written to the device. Once all jobs are, before the frame is submitted.
     virtual void flush() const = 0;
     virtual vk::Format surfaceFormat() const = 0;
+    /// Whether an emission buffer is attached too.
+    virtual bool hasEmission() const { return false; }
     virtual vk::Format depthFormat() const = 0;
     /// The records of all facets, two texels each; none where the surfaces are not facets.
     virtual vk::BufferView facets() const { return {}; }

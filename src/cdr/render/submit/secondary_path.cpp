@@ -1,6 +1,7 @@
 #include <cdr/render/submit/secondary_path.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace cdr::render {
@@ -14,10 +15,11 @@ constexpr std::size_t kMinDrawsPerJob = 256;
 
 /// How a secondary begins that draws inside a rendering scope.
 struct SecondaryBegin {
-    explicit SecondaryBegin(const HostDraws& draws) : surfaceFormat(draws.surfaceFormat()) {
+    explicit SecondaryBegin(const HostDraws& draws) : colorFormats{draws.surfaceFormat(), kEmissionFormat} {
         rendering.depthAttachmentFormat = draws.depthFormat();
-        rendering.colorAttachmentCount = surfaceFormat == vk::Format::eUndefined ? 0 : 1;
-        if (marksDrawn(draws.depthFormat(), surfaceFormat)) {
+        const bool hasColors = draws.surfaceFormat() != vk::Format::eUndefined;
+        rendering.colorAttachmentCount = hasColors ? (draws.hasEmission() ? 2 : 1) : 0;
+        if (marksDrawn(draws.depthFormat(), draws.surfaceFormat())) {
             rendering.stencilAttachmentFormat = draws.depthFormat();
         }
     }
@@ -25,8 +27,8 @@ struct SecondaryBegin {
     SecondaryBegin(const SecondaryBegin&) = delete;
     SecondaryBegin& operator=(const SecondaryBegin&) = delete;
 
-    vk::Format surfaceFormat;
-    vk::CommandBufferInheritanceRenderingInfo rendering{.pColorAttachmentFormats = &surfaceFormat,
+    std::array<vk::Format, 2> colorFormats;
+    vk::CommandBufferInheritanceRenderingInfo rendering{.pColorAttachmentFormats = colorFormats.data(),
                                                         .rasterizationSamples = vk::SampleCountFlagBits::e1};
     vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};
     vk::CommandBufferBeginInfo info{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit |

@@ -1,6 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/render/targets/cascade_layers.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
+#include <cdr/shaders/merge_emission_frag.h>
 #include <cdr/shaders/merge_facets_frag.h>
 #include <cdr/shaders/merge_frag.h>
 #include <cdr/shaders/merge_occluded_frag.h>
@@ -34,6 +35,11 @@ FullscreenPassOptions mergeOptions(const TargetsOptions& options) {
     if (options.format == kVisibilityFormat) {
         merge.fragmentSpirv = kMergeFacetsFrag;
     }
+    if (options.emission) {
+        merge.fragmentSpirv = kMergeEmissionFrag;
+        merge.bindings.push_back(vk::DescriptorType::eCombinedImageSampler);
+        merge.formatBeside = kEmissionFormat;
+    }
     if (options.occlusionRadius > 0.0) {
         merge.fragmentSpirv = kMergeOccludedFrag;
         merge.pushBytes = sizeof(shaders::LayerPush);
@@ -56,6 +62,7 @@ CascadeLayers::CascadeLayers(const gpu::Device& device, const TargetsOptions& op
       m_perCascade(count.perCascade),
       m_merge(device, mergeOptions(options)),
       m_accumulated(makeGBuffer(device, options.extent, "G-buffer", options.format)),
+      m_accumulatedEmission(makeEmission(device, options, "emission")),
       m_zeroFill(makeZeroFill(device, options)) {
     grow(count.first);
 }
@@ -79,7 +86,12 @@ CascadeLayers::Layer CascadeLayers::makeLayer(std::size_t number) const {
     gpu::Image gbuffer = makeGBuffer(m_device, m_options.extent, name, m_options.format);
     PassInputs source = m_merge.makeInputs();
     source.setImage(0, gbuffer);
+    std::unique_ptr<gpu::Image> emission = makeEmission(m_device, m_options, name + " emission");
+    if (emission != nullptr) {
+        source.setImage(1, *emission);
+    }
     return {.gbuffer = std::move(gbuffer),
+            .emission = std::move(emission),
             .depth = makeDepthBuffer(m_device, m_options.extent, m_options.depthFormat, name + " depth",
                                      m_options.format),
             .source = std::move(source)};
@@ -109,6 +121,7 @@ void CascadeLayers::drawLayers(CascadeCommands& commands, std::span<const std::s
     const auto scopeOf = [&](std::size_t layer) {
         return GBufferScope{.gbuffer = m_layers[layer].gbuffer,
                             .depth = m_layers[layer].depth,
+                            .emission = m_layers[layer].emission.get(),
                             .clearColor = true,
                             .reversedDepth = m_options.reversedDepth,
                             .zeroFill = m_zeroFill.get()};
@@ -129,15 +142,22 @@ void CascadeLayers::mergeLayers(vk::CommandBuffer primary, std::span<const shade
     std::vector<FullscreenPass::Draw> draws;
     std::vector<vk::ImageMemoryBarrier2> barriers{
         load == vk::AttachmentLoadOp::eClear ? attachBarrier(m_accumulated) : chainBarrier(m_accumulated)};
+    if (m_accumulatedEmission != nullptr) {
+        barriers.push_back(load == vk::AttachmentLoadOp::eClear ? attachBarrier(*m_accumulatedEmission)
+                                                                : chainBarrier(*m_accumulatedEmission));
+    }
     for (std::size_t layer = 0; layer < layers.size(); ++layer) {
         barriers.push_back(readBarrier(m_layers[layer].gbuffer));
+        if (m_layers[layer].emission != nullptr) {
+            barriers.push_back(readBarrier(*m_layers[layer].emission));
+        }
         draws.push_back({.set = m_layers[layer].source.set()});
         if (m_options.occlusionRadius > 0.0) {
             draws.back().push = std::as_bytes(layers.subspan(layer, 1));
         }
     }
     gpu::pipelineBarrier(primary, barriers);
-    m_merge.record(primary, draws, m_accumulated, load);
+    m_merge.record(primary, draws, m_accumulated, load, {}, nullptr, m_accumulatedEmission.get());
     m_device.endLabel(primary);
 }
 

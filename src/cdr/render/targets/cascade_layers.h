@@ -28,6 +28,7 @@ class CascadeLayers final : public Targets {
 
     void record(CascadeCommands& commands, const FrameView& view) override;
     const gpu::Image& gbuffer() const override { return m_accumulated; }
+    const gpu::Image* emission() const override { return m_accumulatedEmission.get(); }
 
   private:
     /// Adds layers until there are `layers`; those that are there stay, so commands that use them may still
@@ -35,6 +36,7 @@ class CascadeLayers final : public Targets {
     void grow(std::size_t layers);
     struct Layer {
         gpu::Image gbuffer;
+        std::unique_ptr<gpu::Image> emission; ///< null without
         gpu::Image depth;
         PassInputs source;
     };
@@ -49,7 +51,8 @@ class CascadeLayers final : public Targets {
     bool m_perCascade;
     FullscreenPass m_merge; ///< lays a layer over the accumulated G-buffer, unchanged
     gpu::Image m_accumulated;
-    std::unique_ptr<ZeroFill> m_zeroFill; ///< of layers; null where the device clears quickly
+    std::unique_ptr<gpu::Image> m_accumulatedEmission; ///< null without
+    std::unique_ptr<ZeroFill> m_zeroFill;              ///< of layers; null where the device clears quickly
     std::vector<Layer> m_layers;
 };
 

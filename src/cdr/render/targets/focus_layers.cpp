@@ -1,4 +1,5 @@
 #include <cdr/gpu/commands.h>
+#include <cdr/render/shading/finish.h>
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/targets/focus_layers.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
@@ -39,6 +40,20 @@ vk::ClearValue clearTo(const glm::vec3& color) {
     return vk::ClearColorValue{std::array{color.r, color.g, color.b, 1.0f}};
 }
 
+/// Of shading.frag: layers have anchor planes and no marks, and a later step finishes their colours.
+std::vector<std::uint32_t> lightConstants(const FocusLayersOptions& focus) {
+    constexpr std::uint32_t kAnyLights = 0;
+    const auto [finish, exposure] = finishConstants({ToneMap::none}, focus.sky);
+    return {drawsFog(focus.effects) ? 1u : 0u,
+            focus.shiny ? 1u : 0u,
+            kAnyLights,
+            1u,
+            0u,
+            finish,
+            exposure,
+            focus.sky ? 1u : 0u};
+}
+
 /// The options, once the memory for the merged G-buffer is known to be there.
 const TargetsOptions& checked(const gpu::Device& device, const TargetsOptions& options) {
     gpu::requireDeviceBytes(
@@ -66,7 +81,7 @@ FocusLayers::FocusLayers(const gpu::Device& device, const TargetsOptions& option
                        .fragmentSpirv = kShadingLayerFrag,
                        .bindings = {kImage, kBuffer},
                        .format = kLitFormat,
-                       .constants = {drawsFog(focus.effects) ? 1u : 0u, focus.shiny ? 1u : 0u},
+                       .constants = lightConstants(focus),
                        .pushBytes = sizeof(shaders::LayerFade)}),
       m_compose(device, {.name = "compose layers",
                          .fragmentSpirv = kFocusComposeFrag,

@@ -25,6 +25,7 @@ struct FocusLayersOptions {
     Effects effects{};
     glm::vec3 background{0.0f}; ///< linear, what is seen where nothing is
     bool fades = false;         ///< lets cascades that overlap fade into each other
+    bool sky = false;           ///< whether the scene has one
     bool shiny = false;         ///< whether the surfaces hold how they shine
 };
 

@@ -2,6 +2,8 @@
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/targets/zero_fill.h>
 
+#include <vector>
+
 namespace cdr::render {
 
 namespace {
@@ -61,27 +63,41 @@ vk::ImageMemoryBarrier2 readBarrier(const gpu::Image& gbuffer) {
 }
 
 void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope) {
-    gpu::pipelineBarrier(
-        primary, {attachBarrier(scope.gbuffer),
-                  gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
-                                    Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
-                                    vk::ImageLayout::eUndefined, vk::ImageLayout::eAttachmentOptimal)});
+    std::vector<vk::ImageMemoryBarrier2> barriers{
+        attachBarrier(scope.gbuffer),
+        gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
+                          Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
+                          vk::ImageLayout::eUndefined, vk::ImageLayout::eAttachmentOptimal)};
+    if (scope.emission != nullptr) {
+        barriers.push_back(attachBarrier(*scope.emission));
+    }
+    gpu::pipelineBarrier(primary, barriers);
 }
 
 void chainGBufferScopes(vk::CommandBuffer primary, const GBufferScope& scope) {
-    gpu::pipelineBarrier(
-        primary,
-        {chainBarrier(scope.gbuffer),
-         gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
-                           Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
-                           vk::ImageLayout::eAttachmentOptimal, vk::ImageLayout::eAttachmentOptimal)});
+    std::vector<vk::ImageMemoryBarrier2> barriers{
+        chainBarrier(scope.gbuffer),
+        gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
+                          Access::eDepthStencilAttachmentWrite, kDepthStages, kDepthAccess,
+                          vk::ImageLayout::eAttachmentOptimal, vk::ImageLayout::eAttachmentOptimal)};
+    if (scope.emission != nullptr) {
+        barriers.push_back(chainBarrier(*scope.emission));
+    }
+    gpu::pipelineBarrier(primary, barriers);
 }
 
 void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk::RenderingFlags flags) {
-    const vk::RenderingAttachmentInfo color{.imageView = scope.gbuffer.view(),
-                                            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-                                            .loadOp = loadOf(scope),
-                                            .storeOp = vk::AttachmentStoreOp::eStore};
+    std::vector<vk::RenderingAttachmentInfo> colors{{.imageView = scope.gbuffer.view(),
+                                                     .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
+                                                     .loadOp = loadOf(scope),
+                                                     .storeOp = vk::AttachmentStoreOp::eStore}};
+    if (scope.emission != nullptr) {
+        colors.push_back(
+            {.imageView = scope.emission->view(),
+             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
+             .loadOp = scope.clearColor ? vk::AttachmentLoadOp::eDontCare : vk::AttachmentLoadOp::eLoad,
+             .storeOp = vk::AttachmentStoreOp::eStore});
+    }
     const vk::RenderingAttachmentInfo depth{
         .imageView = scope.depth.view(),
         .imageLayout = vk::ImageLayout::eAttachmentOptimal,
@@ -97,8 +113,8 @@ void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk:
     primary.beginRendering({.flags = flags,
                             .renderArea = {{0, 0}, scope.gbuffer.options().extent},
                             .layerCount = 1,
-                            .colorAttachmentCount = 1,
-                            .pColorAttachments = &color,
+                            .colorAttachmentCount = static_cast<std::uint32_t>(colors.size()),
+                            .pColorAttachments = colors.data(),
                             .pDepthAttachment = &depth,
                             .pStencilAttachment = marks ? &stencil : nullptr});
     if (!scope.clearColor || scope.zeroFill == nullptr) {

@@ -12,7 +12,8 @@ class ZeroFill;
 struct GBufferScope {
     const gpu::Image& gbuffer;
     const gpu::Image& depth;
-    bool clearColor = true; ///< else what earlier scopes drew stays
+    const gpu::Image* emission = nullptr; ///< beside the G-buffer, and never cleared; null: there is none
+    bool clearColor = true;               ///< else what earlier scopes drew stays
     bool reversedDepth = false;
     const ZeroFill* zeroFill = nullptr; ///< clears the colours, where there is one, as the scope's first draw
 };

@@ -39,6 +39,7 @@ DepthSlice integerSlice(std::size_t slice, std::size_t slices, int bits) {
 
 OnePassTargets::OnePassTargets(const gpu::Device& device, const TargetsOptions& options)
     : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer", options.format)),
+      m_emission(makeEmission(device, options, "emission")),
       m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth", options.format)),
       m_depthFormat(options.depthFormat),
       m_reversedDepth(options.reversedDepth),
@@ -53,6 +54,7 @@ DepthSlice OnePassTargets::depthSlice(std::size_t cascade, std::size_t cascades)
 void OnePassTargets::record(CascadeCommands& commands, const FrameView& view) {
     const GBufferScope scope{.gbuffer = m_gbuffer,
                              .depth = m_depth,
+                             .emission = m_emission.get(),
                              .clearColor = true,
                              .reversedDepth = m_reversedDepth,
                              .zeroFill = m_zeroFill.get()};

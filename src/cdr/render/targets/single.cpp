@@ -8,6 +8,7 @@ namespace cdr::render {
 
 SingleTargets::SingleTargets(const gpu::Device& device, const TargetsOptions& options)
     : m_gbuffer(makeGBuffer(device, options.extent, "G-buffer", options.format)),
+      m_emission(makeEmission(device, options, "emission")),
       m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth", options.format)),
       m_reversedDepth(options.reversedDepth),
       m_zeroFill(makeZeroFill(device, options)) {}
@@ -15,6 +16,7 @@ SingleTargets::SingleTargets(const gpu::Device& device, const TargetsOptions& op
 void SingleTargets::record(CascadeCommands& commands, const FrameView& view) {
     GBufferScope scope{.gbuffer = m_gbuffer,
                        .depth = m_depth,
+                       .emission = m_emission.get(),
                        .clearColor = true,
                        .reversedDepth = m_reversedDepth,
                        .zeroFill = m_zeroFill.get()};

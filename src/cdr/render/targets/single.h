@@ -13,10 +13,12 @@ class SingleTargets final : public Targets {
 
     void record(CascadeCommands& commands, const FrameView& view) override;
     const gpu::Image& gbuffer() const override { return m_gbuffer; }
+    const gpu::Image* emission() const override { return m_emission.get(); }
     const gpu::Image* marks() const override { return marksOf(m_depth, m_gbuffer); }
 
   private:
     gpu::Image m_gbuffer;
+    std::unique_ptr<gpu::Image> m_emission; ///< null without
     gpu::Image m_depth;
     bool m_reversedDepth;
     std::unique_ptr<ZeroFill> m_zeroFill; ///< null where the device clears quickly

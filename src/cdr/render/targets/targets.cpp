@@ -73,6 +73,13 @@ DepthSlice Targets::depthSlice(std::size_t, std::size_t) const {
     return {};
 }
 
+std::unique_ptr<gpu::Image> makeEmission(const gpu::Device& device, const TargetsOptions& options,
+                                         const std::string& name) {
+    return options.emission
+               ? std::make_unique<gpu::Image>(makeGBuffer(device, options.extent, name, kEmissionFormat))
+               : nullptr;
+}
+
 std::unique_ptr<Targets> makeTargets(const gpu::Device& device, const TargetsChoice& choice,
                                      const TargetsOptions& options) {
     switch (choice.kind) {

@@ -18,6 +18,7 @@ struct TargetsOptions {
     vk::Format format = kGBufferFormat; ///< or kVisibilityFormat
     depth::DepthFormat depthFormat = depth::DepthFormat::d32f;
     bool reversedDepth = false; ///< clear to 0 instead of 1
+    bool emission = false;      ///< whether an emission buffer lies beside the G-buffer
     /// Of ambient occlusion that each layer works out for itself before it is merged; 0 for none.
     double occlusionRadius = 0.0;
 };
@@ -40,10 +41,16 @@ class Targets {
     virtual void record(CascadeCommands& commands, const FrameView& view) = 0;
 
     virtual const gpu::Image& gbuffer() const = 0;
+    /// The emission buffer, in the same layout after record(); null: there is none.
+    virtual const gpu::Image* emission() const { return nullptr; }
     /// A depth attachment whose stencil plane is 1 after record() where gbuffer() holds a surface, else 0; null: there is
     /// none.
     virtual const gpu::Image* marks() const { return nullptr; }
 };
+
+/// The emission buffer of targets or of a layer, where they have one.
+std::unique_ptr<gpu::Image> makeEmission(const gpu::Device& device, const TargetsOptions& options,
+                                         const std::string& name);
 
 /// Makes the targets chosen. base::RunError, with both figures, when the device has too little memory for
 /// them; base::InputError for a pool whose layers are out of range.

@@ -8,6 +8,15 @@
 
 namespace cdr::render {
 
+namespace {
+
+/// Of the colour attachments of a scope over a G-buffer.
+std::vector<vk::Format> surfaceFormats(const TargetsOptions& options) {
+    return options.emission ? std::vector{options.format, kEmissionFormat} : std::vector{options.format};
+}
+
+} // namespace
+
 ZeroFill::ZeroFill(const gpu::Device& device, const TargetsOptions& options)
     : m_extent(options.extent),
       m_layout(gpu::makePipelineLayout(device, {}, {}, "zero fill layout")),
@@ -18,7 +27,7 @@ ZeroFill::ZeroFill(const gpu::Device& device, const TargetsOptions& options)
                                                     .layout = *m_layout,
                                                     .bindings = {},
                                                     .attributes = {},
-                                                    .colorFormats = {options.format},
+                                                    .colorFormats = surfaceFormats(options),
                                                     .depthFormat = device.depthFormat(options.depthFormat),
                                                     .usesDepth = false})),
       m_pool(device.handle().createCommandPoolUnique({.queueFamilyIndex = device.queueFamily()})) {
@@ -27,9 +36,10 @@ ZeroFill::ZeroFill(const gpu::Device& device, const TargetsOptions& options)
                                                                .level = vk::CommandBufferLevel::eSecondary,
                                                                .commandBufferCount = 1})
                                 .front());
+    const std::vector<vk::Format> formats = surfaceFormats(options);
     const vk::CommandBufferInheritanceRenderingInfo rendering{
-        .colorAttachmentCount = 1,
-        .pColorAttachmentFormats = &options.format,
+        .colorAttachmentCount = static_cast<std::uint32_t>(formats.size()),
+        .pColorAttachmentFormats = formats.data(),
         .depthAttachmentFormat = device.depthFormat(options.depthFormat),
         .rasterizationSamples = vk::SampleCountFlagBits::e1};
     const vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};

@@ -2,7 +2,9 @@
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/translucency/sorted_blend.h>
+#include <cdr/shaders/translucent_sorted_counted_detailed_frag.h>
 #include <cdr/shaders/translucent_sorted_counted_frag.h>
+#include <cdr/shaders/translucent_sorted_detailed_frag.h>
 #include <cdr/shaders/translucent_sorted_frag.h>
 #include <cdr/shaders/translucent_sorted_resolve_frag.h>
 
@@ -19,10 +21,12 @@ TranslucentPipelinesOptions drawOptions(vk::DescriptorSetLayout surroundings, vk
                                         bool countsFragments) {
     TranslucentPipelinesOptions options{.name = "translucent, sorted",
                                         .fragmentSpirv = kTranslucentSortedFrag,
+                                        .detailedSpirv = kTranslucentSortedDetailedFrag,
                                         .sets = {surroundings, list},
                                         .colorFormats = {}};
     if (countsFragments) {
         options.fragmentSpirv = kTranslucentSortedCountedFrag;
+        options.detailedSpirv = kTranslucentSortedCountedDetailedFrag;
         options.colorFormats.push_back(FragmentCounter::kFormat);
     }
     return options;

@@ -28,6 +28,10 @@ class Binder {
         }
         m_commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 0,
                                       kind.textureSet, {});
+        if (kind.detailSet) {
+            m_commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(),
+                                          m_pipelines.detailSet(), kind.detailSet, {});
+        }
         if (kind.layer != m_layer) {
             m_commands.pushConstants<float>(m_pipelines.layout(), TranslucentPipelines::kStages,
                                             offsetof(shaders::TranslucentPush, layerOffset),
@@ -135,6 +139,9 @@ void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,
     commands.setScissor(0, vk::Rect2D{{0, 0}, extent});
     const GpuScene& scene = m_scene.uploaded;
     commands.bindVertexBuffers(0, {scene.vertices(), m_records.handle()}, {0, 0});
+    if (const vk::Buffer details = scene.details()) {
+        commands.bindVertexBuffers(kDetailBinding, details, vk::DeviceSize{0});
+    }
     commands.bindIndexBuffer(scene.indices(), 0, vk::IndexType::eUint32);
     commands.pushConstants<shaders::TranslucentPush>(pipelines.layout(), TranslucentPipelines::kStages, 0,
                                                      pushOf(range, extent, capacity));

@@ -1,5 +1,6 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/render/translucency/translucent_pipelines.h>
+#include <cdr/shaders/translucent_detailed_vert.h>
 #include <cdr/shaders/translucent_shared.h>
 #include <cdr/shaders/translucent_vert.h>
 
@@ -11,10 +12,25 @@ namespace {
 
 constexpr std::uint32_t kRecordBinding = 1;
 
-std::vector<vk::VertexInputAttributeDescription> attributes() {
+std::vector<vk::VertexInputBindingDescription> bindings(bool isDetailed) {
+    std::vector<vk::VertexInputBindingDescription> all{vertexBinding(),
+                                                       {.binding = kRecordBinding,
+                                                        .stride = sizeof(shaders::TranslucentRecord),
+                                                        .inputRate = vk::VertexInputRate::eInstance}};
+    if (isDetailed) {
+        all.push_back(detailBinding());
+    }
+    return all;
+}
+
+std::vector<vk::VertexInputAttributeDescription> attributes(bool isDetailed) {
     using shaders::TranslucentRecord;
     constexpr auto kRow = vk::Format::eR32G32B32A32Sfloat;
     std::vector<vk::VertexInputAttributeDescription> all = vertexAttributes();
+    if (isDetailed) {
+        const std::vector<vk::VertexInputAttributeDescription> more = detailAttributes();
+        all.insert(all.end(), more.begin(), more.end());
+    }
     for (const vk::VertexInputAttributeDescription& attribute :
          {vk::VertexInputAttributeDescription{4, kRecordBinding, kRow, offsetof(TranslucentRecord, right)},
           {5, kRecordBinding, kRow, offsetof(TranslucentRecord, up)},
@@ -26,30 +42,51 @@ std::vector<vk::VertexInputAttributeDescription> attributes() {
     return all;
 }
 
+/// What of a kind decides its pipeline: whether it is textured, and the parts of its detail.
+std::uint32_t keyOf(const DrawKind& kind) {
+    return (kind.variant & kTexturedVariant) + kind.variant / kDetailStep * kDetailStep;
+}
+
 } // namespace
 
 TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const GpuScene& scene,
-                                           const TranslucentPipelinesOptions& options) {
+                                           const TranslucentPipelinesOptions& options)
+    : m_device(device),
+      m_scene(scene),
+      m_options(options),
+      m_detailSet(static_cast<std::uint32_t>(1 + options.sets.size())) {
     std::vector<vk::DescriptorSetLayout> sets{scene.textureLayout()};
     sets.insert(sets.end(), options.sets.begin(), options.sets.end());
+    sets.push_back(scene.detailLayout());
     m_layout = gpu::makePipelineLayout(device, sets,
                                        {{.stageFlags = kStages, .size = sizeof(shaders::TranslucentPush)}},
                                        options.name + " layout");
-    for (std::uint32_t textured = 0; textured < m_pipelines.size(); ++textured) {
-        m_pipelines[textured] =
-            gpu::makeGraphicsPipeline(device, {.name = options.name,
-                                               .vertexSpirv = kTranslucentVert,
-                                               .fragmentSpirv = options.fragmentSpirv,
-                                               .constants = {textured, scene.isShiny() ? 1u : 0u},
-                                               .layout = *m_layout,
-                                               .bindings = {vertexBinding(),
-                                                            {.binding = kRecordBinding,
-                                                             .stride = sizeof(shaders::TranslucentRecord),
-                                                             .inputRate = vk::VertexInputRate::eInstance}},
-                                               .attributes = attributes(),
-                                               .colorFormats = options.colorFormats,
-                                               .blend = gpu::Blend::accumulate});
+    for (const std::uint32_t key : {0u, kTexturedVariant}) {
+        m_pipelines.try_emplace(key, make(key));
     }
+}
+
+vk::UniquePipeline TranslucentPipelines::make(std::uint32_t key) const {
+    const bool isDetailed = key >= kDetailStep;
+    return gpu::makeGraphicsPipeline(
+        m_device, {.name = m_options.name,
+                   .vertexSpirv = isDetailed ? std::span<const std::uint32_t>(kTranslucentDetailedVert)
+                                             : std::span<const std::uint32_t>(kTranslucentVert),
+                   .fragmentSpirv = isDetailed ? m_options.detailedSpirv : m_options.fragmentSpirv,
+                   .constants = {key & kTexturedVariant, m_scene.isShiny() ? 1u : 0u,
+                                 m_scene.scene().sky ? 1u : 0u, key / kDetailStep},
+                   .layout = *m_layout,
+                   .bindings = bindings(isDetailed),
+                   .attributes = attributes(isDetailed),
+                   .colorFormats = m_options.colorFormats,
+                   .blend = gpu::Blend::accumulate});
+}
+
+vk::Pipeline TranslucentPipelines::pipeline(const DrawKind& kind) const {
+    const std::uint32_t key = keyOf(kind);
+    const auto found = m_pipelines.find(key);
+    return found != m_pipelines.end() ? *found->second
+                                      : *m_pipelines.try_emplace(key, make(key)).first->second;
 }
 
 } // namespace cdr::render

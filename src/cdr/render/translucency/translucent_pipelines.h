@@ -4,8 +4,8 @@
 
 #include <vulkan/vulkan.hpp>
 
-#include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,8 +16,10 @@ namespace cdr::render {
 struct TranslucentPipelinesOptions {
     std::string name;
     std::span<const std::uint32_t> fragmentSpirv;
-    std::vector<vk::DescriptorSetLayout> sets; ///< from set 1 on; set 0 is the texture
-    std::vector<vk::Format> colorFormats;      ///< all blended as gpu::Blend::accumulate
+    std::span<const std::uint32_t> detailedSpirv; ///< the same for materials with detail
+    std::vector<vk::DescriptorSetLayout>
+        sets;                             ///< from set 1 on; set 0 is the texture, the last one the detail
+    std::vector<vk::Format> colorFormats; ///< all blended as gpu::Blend::accumulate
 };
 
 /// The pipelines that draw translucent surfaces: no depth buffer, blended.
@@ -27,15 +29,22 @@ class TranslucentPipelines {
                          const TranslucentPipelinesOptions& options);
 
     vk::PipelineLayout layout() const { return *m_layout; }
-    vk::Pipeline pipeline(const DrawKind& kind) const {
-        return *m_pipelines[(kind.variant & kTexturedVariant) != 0 ? 1 : 0];
-    }
+    /// Of a kind that the scene had when this was made, or was told of since.
+    vk::Pipeline pipeline(const DrawKind& kind) const;
+    /// Which set DrawKind::detailSet is.
+    std::uint32_t detailSet() const { return m_detailSet; }
 
     static constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
   private:
+    vk::UniquePipeline make(std::uint32_t key) const;
+
+    const gpu::Device& m_device;
+    const GpuScene& m_scene;
+    TranslucentPipelinesOptions m_options;
+    std::uint32_t m_detailSet;
     vk::UniquePipelineLayout m_layout;
-    std::array<vk::UniquePipeline, 2> m_pipelines; ///< plain, textured
+    mutable std::map<std::uint32_t, vk::UniquePipeline> m_pipelines; ///< by key, made when first needed
 };
 
 } // namespace cdr::render

@@ -2,7 +2,9 @@
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/translucency/weighted_blend.h>
+#include <cdr/shaders/translucent_weighted_counted_detailed_frag.h>
 #include <cdr/shaders/translucent_weighted_counted_frag.h>
+#include <cdr/shaders/translucent_weighted_detailed_frag.h>
 #include <cdr/shaders/translucent_weighted_frag.h>
 #include <cdr/shaders/translucent_weighted_resolve_frag.h>
 
@@ -30,10 +32,12 @@ gpu::Image makeImage(const gpu::Device& device, vk::Extent2D extent, vk::Format 
 TranslucentPipelinesOptions drawOptions(vk::DescriptorSetLayout surroundings, bool countsFragments) {
     TranslucentPipelinesOptions options{.name = "translucent, weighted",
                                         .fragmentSpirv = kTranslucentWeightedFrag,
+                                        .detailedSpirv = kTranslucentWeightedDetailedFrag,
                                         .sets = {surroundings},
                                         .colorFormats = {kSumFormat, kWeightFormat}};
     if (countsFragments) {
         options.fragmentSpirv = kTranslucentWeightedCountedFrag;
+        options.detailedSpirv = kTranslucentWeightedCountedDetailedFrag;
         options.colorFormats.push_back(FragmentCounter::kFormat);
     }
     return options;

@@ -1,8 +1,6 @@
 #include <cdr/gpu/upload.h>
-#include <cdr/render/octahedral.h>
+#include <cdr/render/materials/packed_vertex.h>
 #include <cdr/render/upload/scene_meshes.h>
-
-#include <glm/gtc/packing.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -13,17 +11,13 @@ namespace cdr::render {
 
 namespace {
 
-/// A vertex as the device reads it: 28 bytes.
-struct PackedVertex {
-    glm::vec3 position;
-    std::uint32_t normal; ///< octahedral, two snorm16
-    glm::vec2 uv;
-    glm::u8vec4 color;
-};
-static_assert(sizeof(PackedVertex) == 28);
+bool hasDetail(const scene::Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [](const scene::Material& material) { return scene::hasDetail(material); });
+}
 
-PackedVertex packed(const scene::Vertex& vertex) {
-    return {vertex.position, glm::packSnorm2x16(encodeOctahedral(vertex.normal)), vertex.uv, vertex.color};
+PackedVertex packedVertex(const scene::Vertex& vertex) {
+    return packed(vertex);
 }
 
 bool areFaceted(const std::vector<scene::Vertex>& vertices, const std::vector<std::uint32_t>& indices) {
@@ -68,12 +62,35 @@ void SceneMeshes::upload(const scene::Scene& scene) {
                                 .error = level.error});
             indices.insert(indices.end(), level.indices.begin(), level.indices.end());
         }
-        std::transform(mesh.vertices.begin(), mesh.vertices.end(), std::back_inserter(vertices), packed);
+        std::transform(mesh.vertices.begin(), mesh.vertices.end(), std::back_inserter(vertices),
+                       packedVertex);
     }
     m_vertices = gpu::uploadBuffer(m_device, std::as_bytes(std::span(vertices)),
                                    vk::BufferUsageFlagBits::eVertexBuffer, "scene vertices");
     m_indices = gpu::uploadBuffer(m_device, std::as_bytes(std::span(indices)),
                                   vk::BufferUsageFlagBits::eIndexBuffer, "scene indices");
+    uploadDetails(scene);
+}
+
+void SceneMeshes::uploadDetails(const scene::Scene& scene) {
+    m_details = {};
+    if (!hasDetail(scene)) {
+        return;
+    }
+    std::vector<PackedDetail> details;
+    for (const scene::Mesh& mesh : scene.meshes) {
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+            details.push_back(packed(mesh.details.empty() ? scene::VertexDetail{} : mesh.details[i]));
+        }
+    }
+    m_details = gpu::uploadBuffer(m_device, std::as_bytes(std::span(details)),
+                                  vk::BufferUsageFlagBits::eVertexBuffer, "scene vertex details");
+}
+
+void SceneMeshes::followDetails(const scene::Scene& scene) {
+    if ((m_details.size() != 0) != hasDetail(scene)) {
+        uploadDetails(scene);
+    }
 }
 
 bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed) {
@@ -83,7 +100,7 @@ bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std:
         const scene::Mesh& mesh = scene.meshes[i];
         MeshRange& range = m_ranges[i];
         std::vector<PackedVertex> vertices(mesh.vertices.size());
-        std::transform(mesh.vertices.begin(), mesh.vertices.end(), vertices.begin(), packed);
+        std::transform(mesh.vertices.begin(), mesh.vertices.end(), vertices.begin(), packedVertex);
         const std::span<const std::byte> bytes = std::as_bytes(std::span(vertices));
         parts.push_back({.offset = static_cast<std::size_t>(range.vertexOffset) * sizeof(PackedVertex),
                          .bytes = {bytes.begin(), bytes.end()}});
@@ -97,24 +114,14 @@ bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std:
 
 std::uint64_t SceneMeshes::predictBytes(const scene::Scene& scene) {
     std::uint64_t bytes = 0;
+    const std::size_t vertexBytes = sizeof(PackedVertex) + (hasDetail(scene) ? sizeof(PackedDetail) : 0);
     for (const scene::Mesh& mesh : scene.meshes) {
-        bytes += mesh.vertices.size() * sizeof(PackedVertex) + mesh.indices.size() * sizeof(std::uint32_t);
+        bytes += mesh.vertices.size() * vertexBytes + mesh.indices.size() * sizeof(std::uint32_t);
         for (const scene::MeshLevel& level : mesh.levels) {
             bytes += level.indices.size() * sizeof(std::uint32_t);
         }
     }
     return bytes;
-}
-
-vk::VertexInputBindingDescription vertexBinding() {
-    return {.binding = 0, .stride = sizeof(PackedVertex), .inputRate = vk::VertexInputRate::eVertex};
-}
-
-std::vector<vk::VertexInputAttributeDescription> vertexAttributes() {
-    return {{0, 0, vk::Format::eR32G32B32Sfloat, offsetof(PackedVertex, position)},
-            {1, 0, vk::Format::eR16G16Snorm, offsetof(PackedVertex, normal)},
-            {2, 0, vk::Format::eR32G32Sfloat, offsetof(PackedVertex, uv)},
-            {3, 0, vk::Format::eR8G8B8A8Unorm, offsetof(PackedVertex, color)}};
 }
 
 } // namespace cdr::render

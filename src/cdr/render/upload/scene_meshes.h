@@ -24,7 +24,12 @@ class SceneMeshes {
     /// @param changed meshes, repeats allowed
     bool followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed);
 
+    /// Uploads what vertices have beside themselves, or drops it, where materials now need it or do so no more; then waits.
+    void followDetails(const scene::Scene& scene);
+
     const gpu::Buffer& vertices() const { return m_vertices; }
+    /// PackedDetails, one per vertex; empty where no material has detail.
+    const gpu::Buffer& details() const { return m_details; }
     const gpu::Buffer& indices() const { return m_indices; }
     /// By mesh of the scene.
     const std::vector<MeshRange>& ranges() const { return m_ranges; }
@@ -35,8 +40,11 @@ class SceneMeshes {
     static std::uint64_t predictBytes(const scene::Scene& scene);
 
   private:
+    void uploadDetails(const scene::Scene& scene);
+
     const gpu::Device& m_device;
     gpu::Buffer m_vertices;
+    gpu::Buffer m_details;
     gpu::Buffer m_indices;
     std::vector<MeshRange> m_ranges;
     std::vector<LevelRange> m_levels;

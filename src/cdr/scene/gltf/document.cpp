@@ -15,7 +15,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 3> kSupportedExtensions{"KHR_materials_unlit", "KHR_mesh_quantization",
+constexpr std::array<std::string_view, 4> kSupportedExtensions{"KHR_materials_emissive_strength",
+                                                               "KHR_materials_unlit", "KHR_mesh_quantization",
                                                                "KHR_texture_transform"};
 
 bool isSupported(const std::string& extension) {

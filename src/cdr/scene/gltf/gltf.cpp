@@ -115,7 +115,10 @@ std::uint64_t Importer::readBounded(int mesh, MemoryPrediction& memory) {
     std::uint64_t triangles = 0;
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
         triangles += triangleCount(source.primitives[i], m_accessors);
-        memory.add(predictBytes(source.primitives[i], m_accessors), placeOf(mesh, source.name, i));
+        const Primitive& primitive = source.primitives[i];
+        memory.add(
+            predictBytes(primitive, m_accessors, mayHaveDetail(m_sources.document.root, primitive.material)),
+            placeOf(mesh, source.name, i));
     }
     return triangles;
 }

@@ -5,6 +5,7 @@
 #include "layer.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace cdr::scene::gltf {
@@ -14,7 +15,13 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kColorTexture = "baseColorTexture";
-constexpr const char* kShineTexture = "metallicRoughnessTexture";
+
+constexpr std::array kDetailTextures{"normalTexture", "occlusionTexture", "emissiveTexture"};
+
+/// Most that a surface emits, of any colour: render's picture is white far below.
+constexpr double kMostEmission = 1e4;
+/// Beyond it a normal lies in the surface, and the product would overflow.
+constexpr double kMostNormalScale = 1e4;
 
 AlphaMode alphaMode(const json& material, const std::string& where) {
     const std::string mode = stringMember(material, "alphaMode").value_or("OPAQUE");
@@ -30,19 +37,39 @@ AlphaMode alphaMode(const json& material, const std::string& where) {
     refuse("{}: alpha mode '{}' does not exist", where, oneLine(mode));
 }
 
-void noteUnused(const json& material, const std::string& where, Notes& notes) {
-    const auto emissive = numbersMember(material, "emissiveFactor", 3, where);
-    if (emissive && *emissive != std::vector<double>{0.0, 0.0, 0.0}) {
-        notes.add("emissive factors are not drawn", where);
+/// glTF bounds its factors by 0 and 1.
+float shareMember(const json& object, const char* key, const std::string& where) {
+    return static_cast<float>(std::clamp(numberMember(object, key, where).value_or(1.0), 0.0, 1.0));
+}
+
+/// Emitted light, linear; the strength is an extension's.
+glm::vec3 emissionOf(const json& material, const std::string& where) {
+    const auto factor = numbersMember(material, "emissiveFactor", 3, where);
+    if (!factor) {
+        return glm::vec3(0.0f);
     }
-    for (const char* what : {"normal", "occlusion", "emissive"}) {
-        if (member(material, fmt::format("{}Texture", what).c_str()) != nullptr) {
-            notes.add(fmt::format("{} textures are not used", what), where);
-        }
+    double strength = 1.0;
+    if (const json* extension = extensionOf(material, "KHR_materials_emissive_strength")) {
+        strength = numberMember(*extension, "emissiveStrength", where).value_or(1.0);
     }
+    const glm::dvec3 emitted =
+        glm::clamp(glm::dvec3((*factor)[0], (*factor)[1], (*factor)[2]), 0.0, 1.0) * strength;
+    return {glm::clamp(emitted, 0.0, kMostEmission)};
 }
 
 } // namespace
+
+bool mayHaveDetail(const json& root, int material) {
+    const json& materials = arrayMember(root, "materials");
+    if (material < 0 || static_cast<std::size_t>(material) >= materials.size()) {
+        return false;
+    }
+    const json& source = materials[static_cast<std::size_t>(material)];
+    const json* factors = member(source, "pbrMetallicRoughness");
+    return (factors != nullptr && member(*factors, "metallicRoughnessTexture") != nullptr) ||
+           std::any_of(kDetailTextures.begin(), kDetailTextures.end(),
+                       [&](const char* key) { return member(source, key) != nullptr; });
+}
 
 MaterialImporter::MaterialImporter(const Sources& sources, Scene& scene)
     : m_sources(sources),
@@ -79,30 +106,65 @@ MaterialUse MaterialImporter::import(int index) {
             static_cast<float>(std::max(numberMember(source, "alphaCutoff", where).value_or(0.5), 0.0));
         if (member(factors, kColorTexture) != nullptr) {
             const json& info = objectMember(factors, kColorTexture, where);
-            material.baseColorTexture = m_textures.use(requiredIndex(info, "index", where));
-            use.uv = uvSourceOf(info);
+            material.baseColorTexture =
+                m_textures.use(requiredIndex(info, "index", where), TextureContent::color);
+            use.uv.place(uvSourceOf(info));
         }
-        material.shine = material.unlit ? std::nullopt : std::optional(shineOf(factors, where));
+        if (!material.unlit) {
+            material.shine = Shine{.metallic = shareMember(factors, "metallicFactor", where),
+                                   .roughness = shareMember(factors, "roughnessFactor", where)};
+            material.detail = detailOf(source, where, use.uv);
+        } else {
+            material.shine.reset();
+        }
         material.layer = layerOf(source, where, m_sources.notes).value_or(0.0f);
-        noteUnused(source, where, m_sources.notes);
     }
     use.index = static_cast<std::uint32_t>(m_scene.materials.size());
     m_scene.materials.push_back(std::move(material));
     return use;
 }
 
-Shine MaterialImporter::shineOf(const json& factors, const std::string& where) {
-    glm::dvec2 shine(numberMember(factors, "metallicFactor", where).value_or(1.0),
-                     numberMember(factors, "roughnessFactor", where).value_or(1.0));
-    shine = glm::clamp(shine, 0.0, 1.0);
-    if (member(factors, kShineTexture) != nullptr) {
-        const json& info = objectMember(factors, kShineTexture, where);
-        if (const auto mean = m_textures.meanMetallicRoughness(requiredIndex(info, "index", where))) {
-            shine *= *mean;
-            m_sources.notes.add("metallic-roughness textures are drawn as their mean", where);
-        }
+MaterialDetail MaterialImporter::detailOf(const json& material, const std::string& where, UvPlaces& uv) {
+    MaterialDetail detail;
+    const json& factors = objectMember(material, "pbrMetallicRoughness", where);
+    detail.metallicRoughness =
+        textureOf(factors, "metallicRoughnessTexture", TextureContent::data, where, uv);
+    detail.normal = textureOf(material, "normalTexture", TextureContent::data, where, uv);
+    detail.occlusion = textureOf(material, "occlusionTexture", TextureContent::data, where, uv);
+    detail.emission = emissionOf(material, where);
+    if (detail.emission != glm::vec3(0.0f)) {
+        detail.emissive = textureOf(material, "emissiveTexture", TextureContent::color, where, uv);
     }
-    return {.metallic = static_cast<float>(shine.x), .roughness = static_cast<float>(shine.y)};
+    if (detail.normal) {
+        const double scale =
+            numberMember(objectMember(material, "normalTexture", where), "scale", where).value_or(1.0);
+        detail.normalScale = static_cast<float>(std::clamp(scale, -kMostNormalScale, kMostNormalScale));
+        uv.tangents = detail.normal->second ? UvPlaces::Tangents::second : UvPlaces::Tangents::first;
+    }
+    if (detail.occlusion) {
+        detail.occlusionStrength =
+            shareMember(objectMember(material, "occlusionTexture", where), "strength", where);
+    }
+    return detail;
+}
+
+std::optional<TextureUse> MaterialImporter::textureOf(const json& object, const char* key,
+                                                      TextureContent content, const std::string& where,
+                                                      UvPlaces& uv) {
+    if (member(object, key) == nullptr) {
+        return {};
+    }
+    const json& info = objectMember(object, key, where);
+    const std::optional<std::uint32_t> texture = m_textures.use(requiredIndex(info, "index", where), content);
+    if (!texture) {
+        return {};
+    }
+    const std::optional<bool> second = uv.place(uvSourceOf(info));
+    if (!second) {
+        m_sources.notes.add(
+            fmt::format("{} is drawn where another texture is: a third place in textures", key), where);
+    }
+    return TextureUse{.texture = *texture, .second = second.value_or(true)};
 }
 
 } // namespace cdr::scene::gltf

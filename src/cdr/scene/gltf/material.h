@@ -2,6 +2,7 @@
 
 #include "document.h"
 #include "files.h"
+#include "materials/uv_places.h"
 #include "mesh.h"
 #include "notes.h"
 
@@ -29,29 +30,31 @@ class TextureImporter {
     TextureImporter(const Sources& sources, Scene& scene);
 
     /// Index into Scene::textures of a glTF texture; nothing when only an extension supplies its picture.
-    std::optional<std::uint32_t> use(int index);
-
-    /// What a glTF metallic-roughness texture holds on average over its texels, each in [0, 1]: metallic
-    /// (blue) and roughness (green). Nothing when only an extension supplies its picture.
-    std::optional<glm::dvec2> meanMetallicRoughness(int index);
+    std::optional<std::uint32_t> use(int index, TextureContent content);
 
   private:
     /// The texture's image; nothing, with a note, when only an extension supplies it.
     std::optional<int> imageOf(int index);
-    Texture import(int imageIndex);
+    image::ImageRgba8 import(int imageIndex, std::string& name);
+
+    /// Image, how it goes on along u and v, whether single texels show, what its channels are.
+    using Key = std::tuple<int, int, int, bool, TextureContent>;
 
     Sources m_sources;
     Scene& m_scene;
-    std::map<std::tuple<int, bool, bool>, std::uint32_t> m_imported; ///< by image and repeat flags
-    std::map<int, glm::dvec2> m_means;                               ///< by image
+    std::map<Key, std::uint32_t> m_imported;
     std::uint64_t m_pixels = 0;
 };
 
 /// A glTF material in the scene, and what its primitives must know of it.
 struct MaterialUse {
     std::uint32_t index = 0; ///< into Scene::materials
-    UvSource uv;
+    UvPlaces uv;
 };
+
+/// Whether a material names a texture beside its base colour's, so that vertices may need scene::VertexDetail. False for
+/// one that does not exist.
+bool mayHaveDetail(const nlohmann::json& root, int material);
 
 /// Imports materials into a scene when they are first used, each once.
 class MaterialImporter {
@@ -63,7 +66,11 @@ class MaterialImporter {
 
   private:
     MaterialUse import(int index);
-    Shine shineOf(const nlohmann::json& factors, const std::string& where);
+    /// The textures that a lit material has beside its base colour's, and what it emits.
+    MaterialDetail detailOf(const nlohmann::json& material, const std::string& where, UvPlaces& uv);
+    /// A texture that a member names, and its UV; nothing where there is none.
+    std::optional<TextureUse> textureOf(const nlohmann::json& object, const char* key, TextureContent content,
+                                        const std::string& where, UvPlaces& uv);
 
     Sources m_sources;
     Scene& m_scene;

@@ -16,6 +16,9 @@ constexpr std::uint64_t kIndexBytes = sizeof(std::uint32_t);
 /// Tables of an index per vertex while a mesh is cut into pieces: order, points, keepers, new and used indices.
 constexpr std::uint64_t kTablesPerVertex = 5;
 
+/// What deriving tangents keeps of a vertex.
+constexpr std::uint64_t kTangentBytes = sizeof(glm::dvec3) + 2 * sizeof(std::uint32_t);
+
 /// Instances grow by doubling: the old arrays, and new ones twice as large.
 constexpr std::uint64_t kGrowth = 3;
 
@@ -29,13 +32,22 @@ std::uint64_t positionCount(const Primitive& primitive, Accessors& accessors) {
 
 } // namespace
 
-PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors) {
+PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors, bool hasDetail) {
     const std::uint64_t corners = 3 * triangleCount(primitive, accessors);
     const std::uint64_t positions = positionCount(primitive, accessors);
     // Without normals each triangle has vertices of its own.
     const bool isShared = primitive.attributes.contains("NORMAL");
     const std::uint64_t vertices = isShared ? std::min(corners, positions) : corners;
     PrimitiveBytes bytes;
+    if (hasDetail) {
+        // Deriving tangents may split each vertex in two.
+        const std::uint64_t most = isShared ? std::min(corners, 2 * vertices) : corners;
+        bytes.kept = most * (sizeof(Vertex) + sizeof(VertexDetail)) + corners * kIndexBytes;
+        bytes.passing = bytes.kept +
+                        most * (sizeof(glm::dvec3) + kTangentBytes + kTablesPerVertex * kIndexBytes) +
+                        corners * 2 * kIndexBytes + positions * kIndexBytes;
+        return bytes;
+    }
     bytes.kept = vertices * sizeof(Vertex) + corners * kIndexBytes;
     bytes.passing = vertices * (sizeof(Vertex) + sizeof(glm::dvec3) + kTablesPerVertex * kIndexBytes) +
                     corners * 2 * kIndexBytes + (isShared && corners > 0 ? positions * kIndexBytes : 0);

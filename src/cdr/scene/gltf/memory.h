@@ -17,7 +17,8 @@ struct PrimitiveBytes {
 /// What importing a primitive takes at most, but for the rows of triangles that pieces share at their seams.
 /// A small file can name large counts: elements without bytes are zeros, and repeated indices take bytes for
 /// each vertex that they name.
-PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors);
+/// @param hasDetail whether its vertices may need scene::VertexDetail.
+PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors, bool hasDetail);
 
 /// Adds up what an import is about to take, and refuses what would go over the limit.
 class MemoryPrediction {

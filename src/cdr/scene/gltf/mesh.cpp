@@ -1,6 +1,7 @@
 #include "mesh.h"
 
 #include "checks.h"
+#include "materials/tangents.h"
 #include "triangles.h"
 
 #include <algorithm>
@@ -41,12 +42,14 @@ struct MeshImporter::Attributes {
     const Accessor* normal = nullptr;
     const Accessor* uv = nullptr;
     const Accessor* color = nullptr;
-    UvSource uvSource;
+    const Accessor* secondUv = nullptr;
+    const Accessor* tangent = nullptr;
+    UvPlaces places;
 };
 
 MeshImporter::MeshImporter(Accessors& accessors, Notes& notes) : m_accessors(accessors), m_notes(notes) {}
 
-std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const UvSource& uvSource,
+std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const UvPlaces& uv,
                                             double pieceRadius, const std::string& where) {
     if (primitive.mode < kModePoints || primitive.mode > kModeTriangleFan) {
         refuse("{}: mode {} does not exist", where, primitive.mode);
@@ -58,7 +61,7 @@ std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const Uv
     if (primitive.hasMorphTargets) {
         m_notes.add("morph targets are not applied", where);
     }
-    const Attributes attributes = findAttributes(primitive, uvSource, where);
+    const Attributes attributes = findAttributes(primitive, uv, where);
     SourceMesh source;
     source.name = where;
     source.indices = triangleList(primitive, m_accessors, attributes.position->count(), where);
@@ -70,6 +73,9 @@ std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const Uv
         addFlat(source, attributes, where);
     } else {
         addShared(source, attributes, where);
+    }
+    if (uv.tangents != UvPlaces::Tangents::none && attributes.tangent == nullptr) {
+        deriveTangents(source, uv.tangents == UvPlaces::Tangents::second);
     }
     source.positions.reserve(source.vertices.size());
     for (const Vertex& vertex : source.vertices) {
@@ -88,7 +94,7 @@ std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const Uv
     return pieces;
 }
 
-MeshImporter::Attributes MeshImporter::findAttributes(const Primitive& primitive, const UvSource& uvSource,
+MeshImporter::Attributes MeshImporter::findAttributes(const Primitive& primitive, const UvPlaces& uv,
                                                       const std::string& where) {
     const auto find = [&](const std::string& name, int fewest, int most) -> const Accessor* {
         const auto found = primitive.attributes.find(name);
@@ -101,15 +107,26 @@ MeshImporter::Attributes MeshImporter::findAttributes(const Primitive& primitive
         }
         return &accessor;
     };
-    const Attributes attributes{find("POSITION", 3, 3), find("NORMAL", 3, 3),
-                                find(fmt::format("TEXCOORD_{}", uvSource.texCoord), 2, 2),
-                                find("COLOR_0", 3, 4), uvSource};
+    const auto findUv = [&](const std::optional<UvSource>& place) {
+        return find(fmt::format("TEXCOORD_{}", place.value_or(UvSource{}).texCoord), 2, 2);
+    };
+    Attributes attributes{.position = find("POSITION", 3, 3),
+                          .normal = find("NORMAL", 3, 3),
+                          .uv = findUv(uv.first),
+                          .color = find("COLOR_0", 3, 4),
+                          .secondUv = uv.second ? findUv(uv.second) : nullptr,
+                          .places = uv};
+    // glTF: without normals, tangents do not count.
+    if (uv.tangents != UvPlaces::Tangents::none && attributes.normal != nullptr) {
+        attributes.tangent = find("TANGENT", 4, 4);
+    }
     if (attributes.position == nullptr ||
         (!attributes.position->hasData() && !attributes.position->isSparse())) {
         refuse("{}: has no positions{}", where,
                primitive.extension.empty() ? "" : ", or only compressed ones: " + primitive.extension);
     }
-    for (const Accessor* accessor : {attributes.normal, attributes.uv, attributes.color}) {
+    for (const Accessor* accessor :
+         {attributes.normal, attributes.uv, attributes.color, attributes.secondUv, attributes.tangent}) {
         if (accessor != nullptr && accessor->count() != attributes.position->count()) {
             refuse("{}: an attribute has {} elements for {} positions", where, accessor->count(),
                    attributes.position->count());
@@ -132,13 +149,38 @@ Vertex MeshImporter::readVertex(const Attributes& attributes, std::uint32_t inde
         vertex.normal = normal.value_or(kAnyNormal);
     }
     if (attributes.uv != nullptr) {
-        vertex.uv = attributes.uvSource.apply(attributes.uv->vector(index));
+        vertex.uv = attributes.places.first.value_or(UvSource{}).apply(attributes.uv->vector(index));
     }
     if (attributes.color != nullptr) {
         const glm::vec4 color = attributes.color->vector(index);
         vertex.color = {toUnorm8(color.r), toUnorm8(color.g), toUnorm8(color.b), toUnorm8(color.a)};
     }
     return vertex;
+}
+
+VertexDetail MeshImporter::readDetail(const Attributes& attributes, std::uint32_t index,
+                                      const glm::vec3& normal, const std::string& where) {
+    VertexDetail detail;
+    if (attributes.secondUv != nullptr) {
+        detail.uv = attributes.places.second->apply(attributes.secondUv->vector(index));
+    }
+    if (attributes.tangent != nullptr) {
+        const glm::vec4 read = attributes.tangent->vector(index);
+        const std::optional<glm::vec3> tangent = normalized(glm::dvec3(read));
+        if (!tangent) {
+            m_notes.add("a tangent has no direction, any taken", where);
+        }
+        detail.tangent = glm::vec4(tangent.value_or(anyTangent(normal)), read.w < 0.0f ? -1.0f : 1.0f);
+    }
+    return detail;
+}
+
+void MeshImporter::addVertex(SourceMesh& mesh, const Attributes& attributes, std::uint32_t index,
+                             const std::string& where) {
+    mesh.vertices.push_back(readVertex(attributes, index, where));
+    if (attributes.places.hasDetail()) {
+        mesh.details.push_back(readDetail(attributes, index, mesh.vertices.back().normal, where));
+    }
 }
 
 void MeshImporter::addShared(SourceMesh& mesh, const Attributes& attributes, const std::string& where) {
@@ -155,7 +197,7 @@ void MeshImporter::addShared(SourceMesh& mesh, const Attributes& attributes, con
     }
     mesh.vertices.reserve(used.size());
     for (const std::uint32_t index : used) {
-        mesh.vertices.push_back(readVertex(attributes, index, where));
+        addVertex(mesh, attributes, index, where);
         m_newIndex[index] = kUnused;
     }
 }
@@ -163,7 +205,7 @@ void MeshImporter::addShared(SourceMesh& mesh, const Attributes& attributes, con
 void MeshImporter::addFlat(SourceMesh& mesh, const Attributes& attributes, const std::string& where) {
     mesh.vertices.reserve(mesh.indices.size());
     for (std::uint32_t& index : mesh.indices) {
-        mesh.vertices.push_back(readVertex(attributes, index, where));
+        addVertex(mesh, attributes, index, where);
         index = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
     }
     for (std::size_t i = 0; i < mesh.vertices.size(); i += 3) {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "accessor.h"
+#include "materials/uv_places.h"
 #include "notes.h"
 #include "primitive.h"
-#include "uv.h"
 
 #include <cdr/scene/lod/mesh_pieces.h>
 
@@ -21,14 +21,18 @@ class MeshImporter {
 
     /// Nothing when the primitive has no triangles or no extent. `where` names it in messages.
     /// @param pieceRadius as of cutIntoPieces().
-    std::vector<MeshPiece> import(const Primitive& primitive, const UvSource& uvSource, double pieceRadius,
+    std::vector<MeshPiece> import(const Primitive& primitive, const UvPlaces& uv, double pieceRadius,
                                   const std::string& where);
 
   private:
     struct Attributes;
 
-    Attributes findAttributes(const Primitive& primitive, const UvSource& uvSource, const std::string& where);
+    Attributes findAttributes(const Primitive& primitive, const UvPlaces& uv, const std::string& where);
     Vertex readVertex(const Attributes& attributes, std::uint32_t index, const std::string& where);
+    VertexDetail readDetail(const Attributes& attributes, std::uint32_t index, const glm::vec3& normal,
+                            const std::string& where);
+    void addVertex(SourceMesh& mesh, const Attributes& attributes, std::uint32_t index,
+                   const std::string& where);
     void addShared(SourceMesh& mesh, const Attributes& attributes, const std::string& where);
     void addFlat(SourceMesh& mesh, const Attributes& attributes, const std::string& where);
 

@@ -1,3 +1,4 @@
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/gltf/open_gltf.h>
@@ -40,7 +41,7 @@ Sphere boundingSphere(const Instances& instances) {
 
 /// Lights a model from the front left above, and from behind, and looks at it from the front, a little from
 /// above, or through a camera of its own.
-SceneSetup setUpModel(Scene scene, const std::optional<Camera>& own) {
+SceneSetup setUpModel(Scene scene, const std::optional<Camera>& own, ModelLight light) {
     const Sphere bounds = boundingSphere(scene.instances);
     if (bounds.radius <= 0.0 || !std::isfinite(bounds.radius)) {
         throw base::InputError(scene.name + ": the scene has no extent to look at");
@@ -50,9 +51,13 @@ SceneSetup setUpModel(Scene scene, const std::optional<Camera>& own) {
     };
     scene.lights.push_back(
         {.position = at(-2.0, 2.5, 3.0), .color = glm::vec3(1.3f), .halfDistance = 6.0 * bounds.radius});
-    scene.lights.push_back({.position = at(2.5, 1.0, -2.0),
-                            .color = glm::vec3(0.5f, 0.55f, 0.7f),
-                            .halfDistance = 6.0 * bounds.radius});
+    if (light == ModelLight::sky) {
+        scene.sky = Sky{};
+    } else {
+        scene.lights.push_back({.position = at(2.5, 1.0, -2.0),
+                                .color = glm::vec3(0.5f, 0.55f, 0.7f),
+                                .halfDistance = 6.0 * bounds.radius});
+    }
     scene.background = glm::vec3(0.03f, 0.035f, 0.045f);
     if (own) {
         return {.scene = std::move(scene), .path = stillPath(*own)};
@@ -83,7 +88,17 @@ std::optional<Camera> chosenCamera(const std::filesystem::path& path, const Gltf
                                        *choice, import.cameras.size(), names));
 }
 
+constexpr base::EnumNames<ModelLight, kModelLights.size()> kLightNames{"light", {"lamps", "sky"}};
+
 } // namespace
+
+std::string_view nameOf(ModelLight light) {
+    return kLightNames.nameOf(light);
+}
+
+ModelLight parseModelLight(std::string_view name) {
+    return kLightNames.parse(name);
+}
 
 bool isGltfPath(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
@@ -101,7 +116,8 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
                                      : fmt::format("its {} cameras, which --camera 0 to {} looks through",
                                                    import.cameras.size(), import.cameras.size() - 1));
     }
-    return {.setup = setUpModel(std::move(import.scene), camera), .notes = std::move(import.ignored)};
+    return {.setup = setUpModel(std::move(import.scene), camera, choice.light.value_or(ModelLight::lamps)),
+            .notes = std::move(import.ignored)};
 }
 
 } // namespace cdr::scene

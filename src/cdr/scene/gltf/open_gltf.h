@@ -3,17 +3,34 @@
 #include <cdr/base/export.h>
 #include <cdr/scene/scene_setup.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 namespace cdr::scene {
+
+/// What lights a model beside the lamps that stand around it.
+enum class ModelLight : std::uint8_t {
+    lamps, ///< the same light from everywhere, and more of the lamps
+    sky,   ///< a clear sky
+};
+
+/// All of them.
+inline constexpr std::array kModelLights{ModelLight::lamps, ModelLight::sky};
+
+/// "lamps" or "sky".
+CDR_EXPORT std::string_view nameOf(ModelLight light);
+/// base::InputError with a suggestion for an unknown name.
+CDR_EXPORT ModelLight parseModelLight(std::string_view name);
 
 /// What of a glTF file is shown, and through which eyes.
 struct GltfChoice {
     std::optional<std::uint32_t> scene; ///< else the file's default one
     std::optional<std::uint32_t>
-        camera; ///< of the scene's perspective cameras; else one that frames all of it
+        camera;                        ///< of the scene's perspective cameras; else one that frames all of it
+    std::optional<ModelLight> light{}; ///< else lamps
 
     bool operator==(const GltfChoice&) const = default;
 };

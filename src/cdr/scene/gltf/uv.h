@@ -14,6 +14,8 @@ struct UvSource {
 
     /// The transformed coordinates of a vertex, zero when they are not finite.
     glm::vec2 apply(const glm::vec4& uv) const;
+
+    bool operator==(const UvSource&) const = default;
 };
 
 /// Reads a texture reference and its KHR_texture_transform; refuses one that is not sound.

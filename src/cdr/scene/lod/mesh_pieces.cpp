@@ -91,6 +91,9 @@ class PieceMaker {
                     Vertex vertex = m_source.vertices[index];
                     vertex.position = glm::vec3(m_source.positions[index] - origin);
                     piece.mesh.vertices.push_back(vertex);
+                    if (!m_source.details.empty()) {
+                        piece.mesh.details.push_back(m_source.details[index]);
+                    }
                 }
                 piece.mesh.indices.push_back(m_newIndex[index]);
             }

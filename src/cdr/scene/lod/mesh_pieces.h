@@ -19,10 +19,11 @@ namespace cdr::scene {
 /// Importers fill it with what their files hold (glTF: float32, so a vertex 10^6 from the mesh's origin has a
 /// step of 1/16 before anybody sees it); generators may use all of float64.
 struct SourceMesh {
-    std::string name;                   ///< that pieces get
-    std::vector<glm::dvec3> positions;  ///< in the source's own space
-    std::vector<Vertex> vertices;       ///< one per position; their own positions are not read
-    std::vector<std::uint32_t> indices; ///< three per triangle, each below positions.size()
+    std::string name;                    ///< that pieces get
+    std::vector<glm::dvec3> positions;   ///< in the source's own space
+    std::vector<Vertex> vertices;        ///< one per position; their own positions are not read
+    std::vector<std::uint32_t> indices;  ///< three per triangle, each below positions.size()
+    std::vector<VertexDetail> details{}; ///< one per position, or empty
 };
 
 /// A part of a mesh about an origin of its own.

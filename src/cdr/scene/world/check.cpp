@@ -99,6 +99,14 @@ void requireUsable(std::span<const Vertex> vertices, float boundingRadius, const
     if (!(boundingRadius >= 0.0f && boundingRadius <= kMostRadius)) {
         refuseUse("{}: its bounding radius must lie in [0, 1e20], not {}", what, boundingRadius);
     }
+    if (!mesh.details.empty() && mesh.details.size() != mesh.vertices.size()) {
+        refuseUse("{}: {} details for {} vertices", what, mesh.details.size(), mesh.vertices.size());
+    }
+    for (const VertexDetail& detail : mesh.details) {
+        if (!areFinite(detail.tangent) || !areFinite(detail.uv)) {
+            refuseUse("{}: its vertices must be finite", what);
+        }
+    }
     // What is beyond by roundings is culled right as well, since an instance's radius has slack.
     const float most = boundingRadius * 1.00001f;
     for (const Vertex& vertex : vertices) {
@@ -122,10 +130,11 @@ void requireUsable(const Texture& texture, const std::string& what) {
 }
 
 void requireUsable(const Material& material, std::size_t textures, const std::string& what) {
-    if (material.baseColorTexture && *material.baseColorTexture >= textures) {
-        refuseUse("{}: texture {} is not there, the scene has {}", what, *material.baseColorTexture,
-                  textures);
-    }
+    forEachTexture(material, [&](std::uint32_t texture) {
+        if (texture >= textures) {
+            refuseUse("{}: texture {} is not there, the scene has {}", what, texture, textures);
+        }
+    });
     if (!areFinite(material.baseColorFactor) || !std::isfinite(material.alphaCutoff)) {
         refuseUse("{}: its base colour and alpha cutoff must be finite", what);
     }
@@ -135,6 +144,13 @@ void requireUsable(const Material& material, std::size_t textures, const std::st
     const auto isShare = [](float value) { return value >= 0.0f && value <= 1.0f; };
     if (material.shine && (!isShare(material.shine->metallic) || !isShare(material.shine->roughness))) {
         refuseUse("{}: its metallic and roughness must lie in [0, 1]", what);
+    }
+    const MaterialDetail& detail = material.detail;
+    if (!isShare(detail.occlusionStrength) || !std::isfinite(detail.normalScale) ||
+        !areFinite(detail.emission) || !glm::all(glm::greaterThanEqual(detail.emission, glm::vec3(0.0f)))) {
+        refuseUse(
+            "{}: its normal scale must be finite, its occlusion strength in [0, 1], its emission 0 or more",
+            what);
     }
 }
 

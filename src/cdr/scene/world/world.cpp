@@ -61,15 +61,11 @@ void World::noteInstance(std::uint32_t index) {
 }
 
 void World::useTexture(const Material& material) {
-    if (material.baseColorTexture) {
-        m_textures.use(static_cast<std::uint32_t>(*material.baseColorTexture));
-    }
+    forEachTexture(material, [&](std::uint32_t texture) { m_textures.use(texture); });
 }
 
 void World::releaseTexture(const Material& material) {
-    if (material.baseColorTexture) {
-        m_textures.release(static_cast<std::uint32_t>(*material.baseColorTexture));
-    }
+    forEachTexture(material, [&](std::uint32_t texture) { m_textures.release(texture); });
 }
 
 void World::requireInstance(const InstanceOptions& options) const {
@@ -206,9 +202,7 @@ void World::removeMesh(MeshHandle handle) {
 
 void World::requireMaterial(const Material& material) const {
     requireUsable(material, m_scene.textures.size(), "the material");
-    if (material.baseColorTexture) {
-        m_textures.places().at(*material.baseColorTexture);
-    }
+    forEachTexture(material, [&](std::uint32_t texture) { m_textures.places().at(texture); });
 }
 
 MaterialHandle World::addMaterial(Material material) {

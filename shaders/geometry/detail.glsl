@@ -1,0 +1,61 @@
+// What a material has beside base colour and shine, read from its textures. Define DETAIL_SET and DETAIL_CONSTANT first.
+#ifndef CDR_SHADERS_DETAIL_GLSL
+#define CDR_SHADERS_DETAIL_GLSL
+
+#include "shading/cheap_division.glsl"
+
+layout(constant_id = DETAIL_CONSTANT) const uint kDetail = 0u; // kDetailShine and its siblings
+
+layout(set = DETAIL_SET, binding = 0) uniform sampler2D shineTexture;
+layout(set = DETAIL_SET, binding = 1) uniform sampler2D normalTexture;
+layout(set = DETAIL_SET, binding = 2) uniform sampler2D occlusionTexture;
+layout(set = DETAIL_SET, binding = 3) uniform sampler2D emissiveTexture;
+layout(set = DETAIL_SET, binding = 4, std140) uniform Detail { DetailRecord detail; };
+
+bool has(uint part) { return (kDetail & part) != 0u; }
+
+// Both places of a vertex in textures.
+vec2 placeOf(uint part, vec4 places) { return (detail.secondPlaces & part) != 0u ? places.zw : places.xy; }
+
+// The normal of a front, in the space of both vectors, which need not be unit.
+vec3 detailNormal(vec3 normal, vec4 tangent, vec4 places) {
+    if (!has(kDetailNormal)) {
+        return normal;
+    }
+    vec3 n = unit(normal);
+    vec3 t = unit(tangent.xyz);
+    vec3 bumped = texture(normalTexture, placeOf(kDetailNormal, places)).xyz * 2.0 - 1.0;
+    bumped.xy *= detail.emissionAndNormalScale.w;
+    return bumped.x * t + bumped.y * (tangent.w * cross(n, t)) + bumped.z * n;
+}
+
+// Metallic and roughness, each in [0, 1].
+vec2 detailShine(vec4 places) {
+    vec2 shine = detail.shineAndOcclusion.xy;
+    return has(kDetailShine) ? shine * texture(shineTexture, placeOf(kDetailShine, places)).bg : shine;
+}
+
+// As the G-buffer has it, in the last byte.
+uint shineCode(vec2 shine) {
+    uvec2 steps = uvec2(round(shine * vec2(float(kMetallicSteps - 1u), float(kRoughnessSteps - 1u))));
+    return 1u + steps.x * kRoughnessSteps + steps.y;
+}
+
+// The share of ambient light that arrives.
+float detailOpenness(vec4 places) {
+    if (!has(kDetailOcclusion)) {
+        return 1.0;
+    }
+    return mix(1.0, texture(occlusionTexture, placeOf(kDetailOcclusion, places)).r, detail.shineAndOcclusion.z);
+}
+
+// Linear light that the surface sends by itself.
+vec3 detailEmission(vec4 places) {
+    if (!has(kDetailEmits)) {
+        return vec3(0.0);
+    }
+    vec3 emission = detail.emissionAndNormalScale.rgb;
+    return has(kDetailEmissive) ? emission * texture(emissiveTexture, placeOf(kDetailEmissive, places)).rgb : emission;
+}
+
+#endif

@@ -1,0 +1,151 @@
+#include <cdr/gpu/pipeline.h>
+#include <cdr/gpu/upload.h>
+#include <cdr/render/materials/scene_textures.h>
+#include <cdr/shaders/shared.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace cdr::render {
+
+namespace {
+
+constexpr auto kTextureType = vk::DescriptorType::eCombinedImageSampler;
+
+/// The bindings of a material's detail: textures in the order of kDetailParts, then the record.
+const std::vector kDetailTypes{kTextureType, kTextureType, kTextureType, kTextureType,
+                               vk::DescriptorType::eUniformBuffer};
+
+/// A texture of a material's detail, and the part that says so to shaders.
+struct DetailPart {
+    std::optional<scene::TextureUse> scene::MaterialDetail::*use;
+    std::uint32_t part;
+};
+constexpr std::array kDetailParts{
+    DetailPart{&scene::MaterialDetail::metallicRoughness, shaders::kDetailShine},
+    DetailPart{&scene::MaterialDetail::normal, shaders::kDetailNormal},
+    DetailPart{&scene::MaterialDetail::occlusion, shaders::kDetailOcclusion},
+    DetailPart{&scene::MaterialDetail::emissive, shaders::kDetailEmissive},
+};
+
+vk::UniqueSampler makeSampler(const gpu::Device& device, const scene::Texture& texture) {
+    const auto mode = [](bool repeat, bool mirror) {
+        if (!repeat) {
+            return vk::SamplerAddressMode::eClampToEdge;
+        }
+        return mirror ? vk::SamplerAddressMode::eMirroredRepeat : vk::SamplerAddressMode::eRepeat;
+    };
+    const vk::Filter filter = texture.nearest ? vk::Filter::eNearest : vk::Filter::eLinear;
+    return device.handle().createSamplerUnique({.magFilter = filter,
+                                                .minFilter = filter,
+                                                .addressModeU = mode(texture.repeatU, texture.mirrorU),
+                                                .addressModeV = mode(texture.repeatV, texture.mirrorV)});
+}
+
+shaders::DetailRecord recordOf(const scene::Material& material) {
+    const scene::MaterialDetail& detail = material.detail;
+    const scene::Shine shine = material.shine.value_or(scene::Shine{.metallic = 0.0f, .roughness = 1.0f});
+    shaders::DetailRecord record{
+        .emissionAndNormalScale = glm::vec4(detail.emission, detail.normalScale),
+        .shineAndOcclusion = {shine.metallic, shine.roughness, detail.occlusionStrength, 0.0f},
+        .secondPlaces = 0,
+        .unused0 = 0,
+        .unused1 = 0,
+        .unused2 = 0};
+    for (const DetailPart& part : kDetailParts) {
+        const auto& use = detail.*part.use;
+        record.secondPlaces |= use && use->second ? part.part : 0u;
+    }
+    return record;
+}
+
+} // namespace
+
+std::uint32_t detailPartsOf(const scene::Material& material) {
+    if (!scene::hasDetail(material)) {
+        return 0;
+    }
+    std::uint32_t parts = material.detail.emission != glm::vec3(0.0f) ? shaders::kDetailEmits : 0u;
+    for (const DetailPart& part : kDetailParts) {
+        parts |= (material.detail.*part.use).has_value() ? part.part : 0u;
+    }
+    return parts;
+}
+
+SceneTextures::SceneTextures(const gpu::Device& device)
+    : m_device(device),
+      m_baseColorLayout(
+          gpu::makeSetLayout(device, {kTextureType}, vk::ShaderStageFlagBits::eFragment, "texture set")),
+      m_detailLayout(
+          gpu::makeSetLayout(device, kDetailTypes, vk::ShaderStageFlagBits::eFragment, "detail set")),
+      m_white(upload({.name = "white", .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})})) {}
+
+SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture) const {
+    const image::ImageRgba8& pixels = texture.pixels;
+    const vk::Format format = texture.content == scene::TextureContent::color ? vk::Format::eR8G8B8A8Srgb
+                                                                              : vk::Format::eR8G8B8A8Unorm;
+    Uploaded uploaded{.image = gpu::uploadImage(m_device, {pixels.width, pixels.height}, format,
+                                                std::as_bytes(std::span(pixels.pixels)),
+                                                "texture " + texture.name),
+                      .sampler = makeSampler(m_device, texture),
+                      .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kTextureType}),
+                      .set = {}};
+    uploaded.set = gpu::allocateSet(m_device, *uploaded.pool, *m_baseColorLayout);
+    gpu::writeImageBinding(m_device, uploaded.set, 0, kTextureType, uploaded.image.view(), *uploaded.sampler);
+    return uploaded;
+}
+
+void SceneTextures::follow(const scene::Scene& scene,
+                           const std::optional<std::span<const std::uint32_t>>& changed) {
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        const bool isNew = i >= m_textures.size();
+        if (isNew) {
+            m_textures.emplace_back();
+        }
+        if (isNew || !changed || std::find(changed->begin(), changed->end(), i) != changed->end()) {
+            m_textures[i] = upload(scene.textures[i]);
+        }
+    }
+}
+
+void SceneTextures::followMaterials(const scene::Scene& scene) {
+    m_details.clear();
+    for (const scene::Material& material : scene.materials) {
+        m_details.push_back(scene::hasDetail(material) ? makeDetail(material) : Detail{});
+    }
+}
+
+SceneTextures::Detail SceneTextures::makeDetail(const scene::Material& material) const {
+    Detail made{.record = {m_device, sizeof(shaders::DetailRecord), vk::BufferUsageFlagBits::eUniformBuffer,
+                           gpu::MemoryUse::hostWrites, "detail of " + material.name},
+                .pool = gpu::makeDescriptorPool(m_device, 1, 4, kDetailTypes),
+                .set = {}};
+    made.record.as<shaders::DetailRecord>(1).front() = recordOf(material);
+    made.record.flush();
+    made.set = gpu::allocateSet(m_device, *made.pool, *m_detailLayout);
+    std::uint32_t binding = 0;
+    for (const DetailPart& part : kDetailParts) {
+        const auto& use = material.detail.*part.use;
+        const Uploaded& texture = use ? m_textures[use->texture] : m_white;
+        gpu::writeImageBinding(m_device, made.set, binding++, kTextureType, texture.image.view(),
+                               *texture.sampler);
+    }
+    gpu::writeBufferBinding(m_device, made.set, binding, vk::DescriptorType::eUniformBuffer,
+                            made.record.handle());
+    return made;
+}
+
+vk::DescriptorSet SceneTextures::baseColorSet(const scene::Material& material) const {
+    return material.baseColorTexture ? m_textures[*material.baseColorTexture].set : m_white.set;
+}
+
+std::uint64_t SceneTextures::predictBytes(const scene::Scene& scene) {
+    std::uint64_t bytes = 0;
+    for (const scene::Texture& texture : scene.textures) {
+        bytes += texture.pixels.pixels.size() * sizeof(image::Rgba8);
+    }
+    return bytes;
+}
+
+} // namespace cdr::render

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cdr/gpu/memory.h>
+#include <cdr/scene/scene.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace cdr::render {
+
+/// A scene's textures on a device, and the descriptor sets by which draws read them.
+class SceneTextures {
+  public:
+    explicit SceneTextures(const gpu::Device& device);
+
+    /// Uploads what came, and what changed.
+    /// @param changed which of those that were there; nothing: all.
+    void follow(const scene::Scene& scene, const std::optional<std::span<const std::uint32_t>>& changed);
+    /// Makes the sets of materials with detail anew, of textures that are there; nothing in flight may use them.
+    void followMaterials(const scene::Scene& scene);
+
+    /// Of baseColorSet().
+    vk::DescriptorSetLayout baseColorLayout() const { return *m_baseColorLayout; }
+    /// Of detailSet(): four textures and a shaders::DetailRecord, as shaders/geometry/detail.glsl reads them.
+    vk::DescriptorSetLayout detailLayout() const { return *m_detailLayout; }
+    /// A material's base colour texture; a white pixel for one without, so that every pipeline has a valid set.
+    vk::DescriptorSet baseColorSet(const scene::Material& material) const;
+    /// Null for a material without detail.
+    vk::DescriptorSet detailSet(std::size_t material) const { return m_details[material].set; }
+
+    static std::uint64_t predictBytes(const scene::Scene& scene);
+
+  private:
+    struct Uploaded {
+        gpu::Image image;
+        vk::UniqueSampler sampler;
+        vk::UniqueDescriptorPool pool;
+        vk::DescriptorSet set;
+    };
+    struct Detail {
+        gpu::Buffer record;
+        vk::UniqueDescriptorPool pool;
+        vk::DescriptorSet set;
+    };
+    Uploaded upload(const scene::Texture& texture) const;
+    Detail makeDetail(const scene::Material& material) const;
+
+    const gpu::Device& m_device;
+    vk::UniqueDescriptorSetLayout m_baseColorLayout;
+    vk::UniqueDescriptorSetLayout m_detailLayout;
+    Uploaded m_white;
+    std::vector<Uploaded> m_textures; ///< the scene's
+    std::vector<Detail> m_details;    ///< by material
+};
+
+/// Which parts of a material's detail its pipelines read: a sum of shaders::kDetailShine and its siblings; 0 for a
+/// material without detail.
+std::uint32_t detailPartsOf(const scene::Material& material);
+
+} // namespace cdr::render

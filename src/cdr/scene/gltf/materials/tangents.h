@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cdr/scene/lod/mesh_pieces.h>
+
+namespace cdr::scene::gltf {
+
+/// Works out the tangents of a mesh whose file has none: of each corner the direction in which u grows on its triangle,
+/// weighted by the corner's angle and turned into the plane of the vertex' normal. A vertex between triangles that run
+/// through their texture in opposite senses becomes two.
+/// @param mesh with details. @param second whether tangents follow VertexDetail::uv; else Vertex::uv.
+void deriveTangents(SourceMesh& mesh, bool second);
+
+/// Any unit vector at a right angle to a unit normal.
+glm::vec3 anyTangent(const glm::vec3& normal);
+
+} // namespace cdr::scene::gltf

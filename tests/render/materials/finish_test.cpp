@@ -1,0 +1,109 @@
+#include "../fixture.h"
+
+#include <cdr/base/error.h>
+#include <cdr/measure/truth/layered_truth.h>
+
+#include <cstdlib>
+
+namespace cdr::render_test {
+
+namespace {
+
+class FinishTest : public RenderTest {};
+
+scene::Scene brightScene() {
+    scene::Scene scene = boxScene();
+    scene.background = glm::vec3(0.9f, 0.5f, 2.0f);
+    scene.materials[0].baseColorFactor = glm::vec4(0.9f, 0.5f, 0.2f, 1.0f);
+    scene.lights[0].color = glm::vec3(4.0f);
+    addBox(scene, {0.0, 0.0, 0.0}, glm::mat3(2.0f));
+    addBox(scene, {2.0, 0.5, 0.0});
+    return scene;
+}
+
+const scene::Camera kCamera = scene::lookAt({.fovY = 0.9}, {1.0, 2.0, 5.0}, glm::dvec3(0.0));
+
+/// The largest difference to the truth, inside of surfaces and of background, 8-bit steps.
+int largestStepTo(const measure::LayeredTruth& truth, const measure::TruthFinish& finish,
+                  const image::ImageRgba8& picture) {
+    const image::ImageRgba8 wanted = pictureOf(truth, finish);
+    int largest = 0;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        for (std::size_t c = 0; truth.pixels[i].isInner && c < 3; ++c) {
+            largest = std::max(largest, std::abs(int{wanted.pixels[i][c]} - int{picture.pixels[i][c]}));
+        }
+    }
+    return largest;
+}
+
+/// Shading finishes the picture itself; the pass that smooths edges does so in its place; a visibility buffer's background
+/// is cleared, and comes from the CPU.
+TEST_F(FinishTest, PicturesAreFinishedAsInFloat64) {
+    const scene::Scene scene = brightScene();
+    host::WorkerPool workers(2);
+    render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+    const measure::LayeredTruth truth =
+        measure::castLayers(scene, kCamera, options.width, options.height, workers);
+    for (const double exposure : {-1.0, 0.0, 1.5}) {
+        for (const render::ToneMap toneMap : {render::ToneMap::none, render::ToneMap::neutral}) {
+            const measure::TruthFinish finish{.exposure = exposure,
+                                              .neutral = toneMap == render::ToneMap::neutral};
+            options.effects = {.finish = {.toneMap = toneMap, .exposure = exposure}};
+            EXPECT_LE(largestStepTo(truth, finish, draw(scene, kCamera, options).color), 2);
+            options.effects.antialias = render::Antialias::edges;
+            EXPECT_LE(largestStepTo(truth, finish, draw(scene, kCamera, options).color), 3);
+            options.effects.antialias = render::Antialias::none;
+            options.surface = render::SurfacePath::visibility;
+            EXPECT_LE(largestStepTo(truth, finish, draw(scene, kCamera, options).color), 3);
+            options.surface = render::SurfacePath::gbuffer;
+        }
+    }
+}
+
+/// A sky is no lamp: its scene shows highlights whole.
+TEST_F(FinishTest, TheSceneChoosesUnlessTold) {
+    scene::Scene scene = brightScene();
+    render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+    const auto hashWith = [&](render::ToneMap toneMap) {
+        options.effects.finish.toneMap = toneMap;
+        return hashOf(draw(scene, kCamera, options));
+    };
+    EXPECT_EQ(hashWith(render::ToneMap::scene), hashWith(render::ToneMap::none));
+    scene.sky = scene::Sky{};
+    EXPECT_EQ(hashWith(render::ToneMap::scene), hashWith(render::ToneMap::neutral));
+    EXPECT_NE(hashWith(render::ToneMap::scene), hashWith(render::ToneMap::none));
+}
+
+TEST_F(FinishTest, ExposureOutOfRangeIsRefused) {
+    render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+    for (const double stops : {17.0, -17.0, static_cast<double>(NAN)}) {
+        options.effects.finish.exposure = stops;
+        EXPECT_THROW(draw(brightScene(), kCamera, options), base::InputError) << stops;
+    }
+}
+
+/// Matt and shiny, in the G-buffer and in a visibility buffer. The truth sums over directions of the sky.
+TEST_F(FinishTest, SkiesLightAsInFloat64) {
+    scene::Scene scene = brightScene();
+    scene.lights.clear();
+    scene.sky = scene::Sky{.up = glm::normalize(glm::dvec3(0.2, 1.0, 0.3))};
+    host::WorkerPool workers(2);
+    render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+    options.effects.finish.toneMap = render::ToneMap::none;
+    const auto expectAlike = [&](int most) {
+        const auto truth = measure::castLayers(scene, kCamera, options.width, options.height, workers);
+        options.surface = render::SurfacePath::gbuffer;
+        EXPECT_LE(largestStepTo(truth, {}, draw(scene, kCamera, options).color), most);
+        options.surface = render::SurfacePath::visibility;
+        EXPECT_LE(largestStepTo(truth, {}, draw(scene, kCamera, options).color), most);
+    };
+    expectAlike(2);
+    scene.materials[0].shine = scene::Shine{.metallic = 0.0f, .roughness = 0.5f};
+    expectAlike(12);
+    scene.materials[0].shine = scene::Shine{.metallic = 1.0f, .roughness = 0.3f};
+    expectAlike(20);
+}
+
+} // namespace
+
+} // namespace cdr::render_test

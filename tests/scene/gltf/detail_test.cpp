@@ -1,0 +1,177 @@
+#include "fixture.h"
+
+#include <cdr/image/codec.h>
+
+namespace cdr::scene::test {
+namespace {
+
+using GltfDetail = GltfFolder;
+
+/// A square with two sets of UVs, a picture and a material of one normal texture.
+Document bumpy() {
+    Document document = square();
+    document.primitive()["attributes"]["NORMAL"] =
+        document.addAccessor(std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", kFloat);
+    document.primitive()["attributes"]["TEXCOORD_0"] =
+        document.addAccessor(std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0}, "VEC2", kFloat);
+    document.primitive()["attributes"]["TEXCOORD_1"] =
+        document.addAccessor(std::vector<float>{0, 0, 0, 2, 2, 2, 2, 0}, "VEC2", kFloat);
+    document.root["images"] = {
+        {{"bufferView", document.addView(image::encodePng(image::ImageRgba8(1, 1, {128, 128, 255, 255})))},
+         {"mimeType", "image/png"}}};
+    document.root["textures"] = {{{"source", 0}}};
+    document.root["materials"] = {{{"name", "paint"}, {"normalTexture", {{"index", 0}}}}};
+    document.primitive()["material"] = 0;
+    return document;
+}
+
+const MaterialDetail& detailOf(const Scene& scene) {
+    return scene.materials.at(scene.instances.material.at(0)).detail;
+}
+
+TEST_F(GltfDetail, TexturesAreData) {
+    Document document = bumpy();
+    json& material = document.root["materials"][0];
+    material["normalTexture"]["scale"] = 0.5;
+    material["occlusionTexture"] = {{"index", 0}, {"strength", 0.25}};
+    material["emissiveTexture"] = {{"index", 0}};
+    material["emissiveFactor"] = {1, 0.5, 2};
+    const GltfImport result = load(document);
+    const MaterialDetail& detail = detailOf(result.scene);
+    EXPECT_EQ(detail.normalScale, 0.5f);
+    EXPECT_EQ(detail.occlusionStrength, 0.25f);
+    EXPECT_EQ(detail.emission, glm::vec3(1.0f, 0.5f, 1.0f));
+    EXPECT_EQ(detail.normal, detail.occlusion); // one picture, read alike
+    EXPECT_EQ(result.scene.textures.at(detail.normal.value().texture).content, TextureContent::data);
+    EXPECT_EQ(result.scene.textures.at(detail.emissive.value().texture).content, TextureContent::color);
+    EXPECT_TRUE(result.ignored.empty());
+}
+
+TEST_F(GltfDetail, EmissionMayBeStronger) {
+    Document document = bumpy();
+    json& material = document.root["materials"][0];
+    material["emissiveFactor"] = {1, 0.5, 0};
+    material["extensions"] = {{"KHR_materials_emissive_strength", {{"emissiveStrength", 6}}}};
+    document.root["extensionsUsed"] = {"KHR_materials_emissive_strength"};
+    const GltfImport result = load(document);
+    EXPECT_EQ(detailOf(result.scene).emission, glm::vec3(6.0f, 3.0f, 0.0f));
+    EXPECT_TRUE(result.ignored.empty());
+    material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 1e300;
+    EXPECT_LE(detailOf(load(document).scene).emission.r, 1e4f);
+    material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = "bright";
+    expectSays(refusal(document), "'emissiveStrength' is not a number");
+}
+
+TEST_F(GltfDetail, UnlitMaterialsHaveNone) {
+    Document document = bumpy();
+    document.root["materials"][0]["extensions"] = {{"KHR_materials_unlit", json::object()}};
+    const Scene scene = load(document).scene;
+    EXPECT_EQ(detailOf(scene), MaterialDetail{});
+    EXPECT_TRUE(scene.textures.empty());
+}
+
+TEST_F(GltfDetail, ASecondPlaceInTextures) {
+    Document document = bumpy();
+    json& material = document.root["materials"][0];
+    material["occlusionTexture"] = {{"index", 0}, {"texCoord", 1}};
+    const Scene scene = load(document).scene;
+    EXPECT_FALSE(detailOf(scene).normal.value().second);
+    EXPECT_TRUE(detailOf(scene).occlusion.value().second);
+    ASSERT_EQ(scene.meshes[0].details.size(), scene.meshes[0].vertices.size());
+    for (std::size_t i = 0; i < scene.meshes[0].vertices.size(); ++i) {
+        const glm::vec2 first = scene.meshes[0].vertices[i].uv;
+        EXPECT_EQ(scene.meshes[0].details[i].uv, glm::vec2(2.0f - 2.0f * first.y, 2.0f * first.x));
+    }
+}
+
+TEST_F(GltfDetail, TransformsMakePlacesToo) {
+    Document document = bumpy();
+    json& material = document.root["materials"][0];
+    const json moved = {{"KHR_texture_transform", {{"offset", {0.25, 0.5}}}}};
+    material["occlusionTexture"] = {{"index", 0}, {"extensions", moved}};
+    const Scene scene = load(document).scene;
+    EXPECT_TRUE(detailOf(scene).occlusion.value().second);
+    EXPECT_EQ(scene.meshes[0].details[2].uv, scene.meshes[0].vertices[2].uv + glm::vec2(0.25f, 0.5f));
+}
+
+TEST_F(GltfDetail, AThirdPlaceIsSaid) {
+    Document document = bumpy();
+    json& material = document.root["materials"][0];
+    const json moved = {{"KHR_texture_transform", {{"offset", {0.25, 0.5}}}}};
+    material["occlusionTexture"] = {{"index", 0}, {"texCoord", 1}};
+    material["emissiveFactor"] = {1, 1, 1};
+    material["emissiveTexture"] = {{"index", 0}, {"extensions", moved}};
+    EXPECT_TRUE(anySays(load(document).ignored,
+                        "material 'paint': emissiveTexture is drawn where another texture is"));
+}
+
+TEST_F(GltfDetail, TangentsOfTheFileAreKept) {
+    Document document = bumpy();
+    document.primitive()["attributes"]["TANGENT"] = document.addAccessor(
+        std::vector<float>{0, 2, 0, -1, 0, 2, 0, -1, 0, 2, 0, -1, 0, 0, 0, 1}, "VEC4", kFloat);
+    const GltfImport result = load(document);
+    const std::vector<VertexDetail>& details = result.scene.meshes[0].details;
+    ASSERT_EQ(details.size(), 4u);
+    EXPECT_EQ(details[0].tangent, glm::vec4(0.0f, 1.0f, 0.0f, -1.0f));
+    EXPECT_NEAR(glm::length(glm::vec3(details[3].tangent)), 1.0f, 1e-6f);
+    EXPECT_TRUE(anySays(result.ignored, "a tangent has no direction"));
+}
+
+/// u grows along x and v down: nothing is mirrored.
+TEST_F(GltfDetail, TangentsAreDerivedFromTheTexture) {
+    for (const VertexDetail& detail : load(bumpy()).scene.meshes[0].details) {
+        EXPECT_NEAR(glm::distance(detail.tangent, glm::vec4(1.0f, 0.0f, 0.0f, 1.0f)), 0.0f, 1e-6f);
+    }
+}
+
+TEST_F(GltfDetail, TangentsFollowTheSecondPlaceWhereTheNormalTextureDoes) {
+    Document document = bumpy();
+    document.root["materials"][0]["occlusionTexture"] = {{"index", 0}, {"texCoord", 1}};
+    document.root["materials"][0]["normalTexture"]["texCoord"] = 1;
+    document.root["materials"][0]["pbrMetallicRoughness"] = {{"baseColorTexture", {{"index", 0}}}};
+    const Scene scene = load(document).scene;
+    ASSERT_TRUE(detailOf(scene).normal.value().second);
+    for (const VertexDetail& detail : scene.meshes[0].details) { // u grows along y, v along x
+        EXPECT_NEAR(glm::distance(detail.tangent, glm::vec4(0.0f, 1.0f, 0.0f, 1.0f)), 0.0f, 1e-6f);
+    }
+}
+
+/// Both triangles of the square share two corners; the second triangle is made to run through its texture backwards.
+TEST_F(GltfDetail, AVertexBetweenTwoSensesBecomesTwo) {
+    Document document = bumpy();
+    document.primitive()["attributes"]["TEXCOORD_0"] =
+        document.addAccessor(std::vector<float>{0, 1, 1, 1, 1, 0, 2, 1}, "VEC2", kFloat);
+    const Mesh mesh = load(document).scene.meshes.at(0);
+    ASSERT_EQ(mesh.indices.size(), 6u);
+    EXPECT_EQ(mesh.vertices.size(), 6u);
+    EXPECT_EQ(mesh.details.size(), 6u);
+    for (std::size_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(mesh.details[mesh.indices[i]].tangent.w, i < 3 ? 1.0f : -1.0f) << i;
+    }
+}
+
+TEST_F(GltfDetail, MeshesWithoutNeedHaveNoDetails) {
+    Document document = bumpy();
+    document.root["materials"][0] = {{"name", "plain"}, {"emissiveFactor", {1, 1, 1}}};
+    EXPECT_TRUE(load(document).scene.meshes[0].details.empty());
+}
+
+TEST_F(GltfDetail, UnsoundReferencesAreRefused) {
+    for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
+        Document document = bumpy();
+        document.root["materials"][0]["emissiveFactor"] = {1, 1, 1};
+        document.root["materials"][0][key] = {{"index", 7}};
+        expectSays(refusal(document), "texture 7 does not exist");
+        document.root["materials"][0][key] = {{"index", 0}, {"texCoord", "x"}};
+        EXPECT_NE(refusal(document), "loaded") << key;
+        document.root["materials"][0][key] = 3;
+        EXPECT_NE(refusal(document), "loaded") << key;
+    }
+    Document document = bumpy();
+    document.primitive()["attributes"]["TANGENT"] =
+        document.addAccessor(std::vector<float>{1, 0, 0, 1, 0, 0}, "VEC2", kFloat);
+    EXPECT_NE(refusal(document), "loaded");
+}
+
+} // namespace
+} // namespace cdr::scene::test
