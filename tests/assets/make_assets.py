@@ -2,6 +2,7 @@
 """Writes the models of this folder: python3 tests/assets/make_assets.py
 
 garden.glb: 54 nodes, nested, one mirrored; opaque, masked and blended materials; two PNG pictures inside; a camera.
+materials.glb: every texture of a material, read in every way that the importer knows; a camera.
 well.gltf, well.bin and stone.jpg: a model in three files. ffmpeg writes the JPEG, so its bytes depend on the version.
 """
 

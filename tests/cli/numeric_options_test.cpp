@@ -79,6 +79,7 @@ struct Numbers {
 const std::vector<Numbers> kNumbersOfCommands{
     {"render cubes --size 16x16 -o a%d.png",
      {"--fov @",
+      "--exposure @",
       "--near @",
       "--far @",
       "--near @ --far 1e40",
@@ -124,7 +125,7 @@ const std::vector<Numbers> kNumbersOfCommands{
       "--size 8x@"},
      "Render"},
     {"render sheets --size 16x16 -o a.png --translucency sorted",
-     {"--translucency-memory @", "--near @", "--far @", "--fog @", "--occlusion @"},
+     {"--translucency-memory @", "--near @", "--far @", "--fog @", "--occlusion @", "--exposure @"},
      "Sheets"},
     {"render orbit --size 16x16 -o a.png --technique anchored",
      {"--fov @", "--near @", "--frame @"},

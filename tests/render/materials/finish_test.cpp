@@ -101,7 +101,7 @@ TEST_F(FinishTest, SkiesLightAsInFloat64) {
     scene.materials[0].shine = scene::Shine{.metallic = 0.0f, .roughness = 0.5f};
     expectAlike(12);
     scene.materials[0].shine = scene::Shine{.metallic = 1.0f, .roughness = 0.3f};
-    expectAlike(20);
+    expectAlike(25);
 }
 
 } // namespace

@@ -119,7 +119,9 @@ TEST_F(GltfDetail, TangentsOfTheFileAreKept) {
 
 /// u grows along x and v down: nothing is mirrored.
 TEST_F(GltfDetail, TangentsAreDerivedFromTheTexture) {
-    for (const VertexDetail& detail : load(bumpy()).scene.meshes[0].details) {
+    const Scene scene = load(bumpy()).scene;
+    ASSERT_EQ(scene.meshes[0].details.size(), 4u);
+    for (const VertexDetail& detail : scene.meshes[0].details) {
         EXPECT_NEAR(glm::distance(detail.tangent, glm::vec4(1.0f, 0.0f, 0.0f, 1.0f)), 0.0f, 1e-6f);
     }
 }

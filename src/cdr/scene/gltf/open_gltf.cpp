@@ -20,6 +20,10 @@ struct Sphere {
     double radius = 1.0;
 };
 
+/// Bright enough that rough metals, which mirror little of it, are not dark.
+constexpr Sky kModelSky{
+    .zenith = {0.42f, 0.6f, 0.95f}, .horizon = {1.05f, 1.08f, 1.1f}, .ground = {0.32f, 0.29f, 0.26f}};
+
 /// A sphere around every instance, about the middle of their bounding box.
 Sphere boundingSphere(const Instances& instances) {
     if (instances.size() == 0) {
@@ -49,16 +53,16 @@ SceneSetup setUpModel(Scene scene, const std::optional<Camera>& own, ModelLight 
     const auto at = [&](double x, double y, double z) {
         return bounds.centre + bounds.radius * glm::dvec3(x, y, z);
     };
-    scene.lights.push_back(
-        {.position = at(-2.0, 2.5, 3.0), .color = glm::vec3(1.3f), .halfDistance = 6.0 * bounds.radius});
-    if (light == ModelLight::sky) {
-        scene.sky = Sky{};
-    } else {
-        scene.lights.push_back({.position = at(2.5, 1.0, -2.0),
-                                .color = glm::vec3(0.5f, 0.55f, 0.7f),
-                                .halfDistance = 6.0 * bounds.radius});
-    }
+    const double reach = 6.0 * bounds.radius;
+    scene.lights.push_back({.position = at(-2.0, 2.5, 3.0), .color = glm::vec3(1.3f), .halfDistance = reach});
     scene.background = glm::vec3(0.03f, 0.035f, 0.045f);
+    if (light == ModelLight::sky) {
+        scene.sky = kModelSky;
+        scene.background = glm::vec3(0.07f, 0.075f, 0.085f); // tone mapping darkens it to the other one
+    } else {
+        scene.lights.push_back(
+            {.position = at(2.5, 1.0, -2.0), .color = {0.5f, 0.55f, 0.7f}, .halfDistance = reach});
+    }
     if (own) {
         return {.scene = std::move(scene), .path = stillPath(*own)};
     }

@@ -58,6 +58,17 @@ void requireInstance(const Scene& scene, std::size_t i) {
     requireUsable({instances.position(i), instances.basis[i]}, what);
 }
 
+void requireSky(const Sky& sky) {
+    for (const glm::vec3& color : {sky.zenith, sky.horizon, sky.ground}) {
+        if (!areFinite(color) || !glm::all(glm::greaterThanEqual(color, glm::vec3(0.0f)))) {
+            refuseUse("the sky's colours must be finite and 0 or more");
+        }
+    }
+    if (!(std::abs(glm::length(sky.up) - 1.0) < 1e-6)) {
+        refuseUse("the sky's up must be of length 1");
+    }
+}
+
 } // namespace
 
 bool isUsable(const Transform& transform) {
@@ -92,13 +103,6 @@ void requireUsable(const Mesh& mesh, const std::string& what) {
     for (const MeshLevel& level : mesh.levels) {
         requireIndices(level.indices, mesh.vertices.size(), what);
     }
-    requireUsable(mesh.vertices, mesh.boundingRadius, what);
-}
-
-void requireUsable(std::span<const Vertex> vertices, float boundingRadius, const std::string& what) {
-    if (!(boundingRadius >= 0.0f && boundingRadius <= kMostRadius)) {
-        refuseUse("{}: its bounding radius must lie in [0, 1e20], not {}", what, boundingRadius);
-    }
     if (!mesh.details.empty() && mesh.details.size() != mesh.vertices.size()) {
         refuseUse("{}: {} details for {} vertices", what, mesh.details.size(), mesh.vertices.size());
     }
@@ -106,6 +110,13 @@ void requireUsable(std::span<const Vertex> vertices, float boundingRadius, const
         if (!areFinite(detail.tangent) || !areFinite(detail.uv)) {
             refuseUse("{}: its vertices must be finite", what);
         }
+    }
+    requireUsable(mesh.vertices, mesh.boundingRadius, what);
+}
+
+void requireUsable(std::span<const Vertex> vertices, float boundingRadius, const std::string& what) {
+    if (!(boundingRadius >= 0.0f && boundingRadius <= kMostRadius)) {
+        refuseUse("{}: its bounding radius must lie in [0, 1e20], not {}", what, boundingRadius);
     }
     // What is beyond by roundings is culled right as well, since an instance's radius has slack.
     const float most = boundingRadius * 1.00001f;
@@ -164,6 +175,9 @@ void requireUsable(const Scene& scene) {
     requireAll(scene.textures, "texture ");
     requireAll(scene.materials, "material ", scene.textures.size());
     requireAll(scene.lights, "light ");
+    if (scene.sky) {
+        requireSky(*scene.sky);
+    }
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         requireInstance(scene, i);
     }
