@@ -5,6 +5,7 @@
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
+#include <array>
 #include <cstdlib>
 #include <functional>
 
@@ -116,6 +117,29 @@ TEST_F(ModelTest, ThePictureIsTheSameForAllTargetsThreadsAndSubmissions) {
         render::RenderOptions other = first;
         other.batching = batching;
         EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(0), other)), wanted) << nameOf(batching);
+    }
+}
+
+TEST_F(ModelTest, MaterialsThatDifferInDetailAloneAreToldApart) {
+    scene::Scene scene = boxScene();
+    scene.materials[0].detail.emission = glm::vec3(0.8f, 0.0f, 0.0f);
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].detail.emission = glm::vec3(0.0f, 0.8f, 0.0f);
+    addBox(scene, {-1.0, 0.0, 0.0});
+    addBox(scene, {1.0, 0.0, 0.0});
+    scene.instances.material[1] = 1;
+    const scene::Camera camera = scene::lookAt({.fovY = 0.9}, {0.0, 0.5, 5.0}, glm::dvec3(0.0));
+    render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+    for (const render::Submission submission : submissions()) {
+        options.submission = submission;
+        const render::Frame frame = draw(scene, camera, options);
+        std::array<std::size_t, 2> glows{};
+        for (const image::Rgba8& pixel : frame.color.pixels) {
+            glows[0] += pixel[0] > 200 && pixel[1] < 200 ? 1 : 0;
+            glows[1] += pixel[1] > 200 && pixel[0] < 200 ? 1 : 0;
+        }
+        EXPECT_GT(glows[0], 200u) << nameOf(submission);
+        EXPECT_GT(glows[1], 200u) << nameOf(submission);
     }
 }
 

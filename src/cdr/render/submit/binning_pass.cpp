@@ -50,7 +50,7 @@ const gpu::Device& checked(const gpu::Device& device, const scene::Instances& in
 /// Whether two kinds are drawn with the same things bound.
 bool bindAlike(const DrawKind& a, const DrawKind& b) {
     return a.variant == b.variant && a.doubleSided == b.doubleSided && a.mirrored == b.mirrored &&
-           a.layer == b.layer && a.textureSet == b.textureSet;
+           a.layer == b.layer && a.textureSet == b.textureSet && a.detailSet == b.detailSet;
 }
 
 shaders::InstanceLook lookOf(const DrawSource& source) {
