@@ -104,11 +104,20 @@ void checkArguments(const RenderArguments& arguments, const experiments::FrameCa
 }
 
 nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth::Technique& technique) {
-    return {{"scene", arguments.scene},         {"mapping", nameOf(technique.mapping)},
-            {"split", nameOf(technique.split)}, {"format", nameOf(technique.format)},
-            {"width", arguments.width},         {"height", arguments.height},
-            {"seed", arguments.seed},           {"aov", arguments.aov},
-            {"snap_bits", arguments.snapBits}};
+    nlohmann::ordered_json options{{"scene", arguments.scene},         {"mapping", nameOf(technique.mapping)},
+                                   {"split", nameOf(technique.split)}, {"format", nameOf(technique.format)},
+                                   {"width", arguments.width},         {"height", arguments.height},
+                                   {"seed", arguments.seed},           {"aov", arguments.aov},
+                                   {"snap_bits", arguments.snapBits}};
+    const auto add = [&](const char* key, const auto& value) {
+        if (value) {
+            options[key] = *value;
+        }
+    };
+    add("animation", arguments.choice.animation);
+    add("time", arguments.choice.seconds);
+    add("fps", arguments.choice.framesPerSecond);
+    return options;
 }
 
 render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::Aov aov) {
@@ -199,8 +208,14 @@ class FrameMaker {
     }
 
     void show(std::uint32_t number) {
-        if (m_moving != nullptr) {
-            m_moving->show(number);
+        if (m_moving == nullptr || !m_moving->show(number, m_workers)) {
+            return;
+        }
+        if (m_caster) {
+            m_caster->follow(m_moving->deformedMeshes(), m_workers);
+        }
+        if (m_certifier) {
+            m_certifier->follow(m_moving->deformedMeshes(), m_workers);
         }
     }
 
@@ -341,7 +356,8 @@ void runRender(Command& command, RenderArguments& arguments) {
              [&](std::size_t frame, render::Frame drawn) {
                  const FrameOutput made = maker.finish(numberOf(frame), std::move(drawn));
                  const std::string hash = arguments.hash || command.output().json ? made.hash(aov) : "";
-                 const RenderRow row{made, options, arguments.scene, technique, hash};
+                 const RenderRow row{made,      options, arguments.scene,
+                                     technique, hash,    scene::secondsAt(arguments.choice, made.number())};
                  const auto& certified = made.certified();
                  const bool isWritten =
                      !arguments.file.empty() && !(certified && certified->certificate.isRefused());
@@ -434,6 +450,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     experiments::addCameraOptions(command, arguments.camera);
     command.option_defaults()->group("Scene");
     experiments::addSceneChoice(command, arguments.choice);
+    experiments::addAnimationChoice(command, arguments.choice);
     addSeed(command, arguments.seed, "Seed of a random scene");
     experiments::addColours(command, arguments.colours);
     command.option_defaults()->group("Ranks");

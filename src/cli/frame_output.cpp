@@ -84,6 +84,11 @@ experiments::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
         {.key = "draws", .value = ofStats(&render::FrameStats::draws), .heading = "draws"},
         {.key = "hash", .value = &RenderRow::hash},
         {.key = "frame", .value = [](const RenderRow& row) { return row.made.number(); }},
+        {.key = "seconds",
+         .value =
+             [](const RenderRow& row) {
+                 return row.seconds ? experiments::Json(*row.seconds) : experiments::absent();
+             }},
         {.key = "visible", .value = ofStats(&render::FrameStats::visible)},
         {.key = "duplication", .value = ofStats(&render::FrameStats::duplication)},
         {.key = "occluder_draws",

@@ -52,6 +52,7 @@ struct RenderRow {
     std::string scene;
     std::string technique;
     std::string hash;
+    std::optional<double> seconds; ///< of the animation that is played
 };
 
 /// What the table has beside the rest; JSON has it always.

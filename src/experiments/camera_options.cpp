@@ -89,6 +89,14 @@ void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
                        "Look through a glTF scene's perspective camera, from 0; else all of it is framed");
 }
 
+void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice) {
+    command.add_option("--animation", choice.animation,
+                       "Animation of a glTF file, by name or from 0; with --time or --fps the first");
+    command.add_option("--time", choice.seconds, "Seconds of the animation at frame 0");
+    command.add_option("--fps", choice.framesPerSecond,
+                       "Frames of --frames to a second of the animation; else all show one moment");
+}
+
 FrameCameras::FrameCameras(const CameraOptions& options)
     : first(options.frame),
       frames(options.frames.value_or(1)),

@@ -37,6 +37,8 @@ void addFrameOptions(CLI::App& command, CameraOptions& options);
 void addCameraOptions(CLI::App& command, CameraOptions& options);
 /// Adds --gltf-scene and --camera.
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
+/// Adds --animation, --time and --fps.
+void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice);
 /// Adds --colours.
 void addColours(CLI::App& command, std::string& colours);
 

@@ -4,19 +4,39 @@
 
 namespace cdr::scenes {
 
-MovingScene::MovingScene(scene::Scene scene, scene::InstancePaths motion)
-    : m_world(std::move(scene)),
+namespace {
+
+scene::Scene withoutLevels(scene::Scene scene, const std::vector<std::uint32_t>& meshes) {
+    for (const std::uint32_t mesh : meshes) {
+        scene.meshes[mesh].levels.clear();
+    }
+    return scene;
+}
+
+} // namespace
+
+MovingScene::MovingScene(scene::Scene scene, scene::SceneMotion motion)
+    : m_world(withoutLevels(std::move(scene), motion.meshes)),
       m_motion(std::move(motion)) {
-    for (std::size_t i = 0; i < m_world.scene().instances.size(); ++i) {
-        m_instances.push_back(m_world.instance(i));
+    for (const std::uint32_t instance : m_motion.instances) {
+        m_instances.push_back(m_world.instance(instance));
+    }
+    for (const std::uint32_t mesh : m_motion.meshes) {
+        m_meshes.push_back(m_world.mesh(mesh));
     }
 }
 
-bool MovingScene::show(std::uint32_t frame) {
+bool MovingScene::show(std::uint32_t frame, host::WorkerPool& workers) {
     if (frame == m_frame) {
         return false;
     }
-    m_world.setTransforms(m_instances, m_motion(frame));
+    if (!m_meshes.empty()) {
+        std::vector<std::vector<scene::Vertex>> vertices = m_motion.vertices(frame, workers);
+        for (std::size_t i = 0; i < m_meshes.size(); ++i) {
+            m_world.setVertices(m_meshes[i], std::move(vertices[i]));
+        }
+    }
+    m_world.setTransforms(m_instances, m_motion.transforms(frame));
     m_frame = frame;
     return true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/host/worker_pool.h>
 #include <cdr/scene/scene_setup.h>
 #include <cdr/scene/world/world.h>
 
@@ -8,21 +9,26 @@
 
 namespace cdr::scenes {
 
-/// A scene whose instances follow their paths, from frame to frame.
+/// A scene whose instances follow their paths and whose meshes deform, from frame to frame. What deforms has no levels of
+/// detail.
 class MovingScene {
   public:
     /// @param motion of the scene's instances. base::InputError as scene::World.
-    MovingScene(scene::Scene scene, scene::InstancePaths motion);
+    MovingScene(scene::Scene scene, scene::SceneMotion motion);
 
     /// Brings all to where they are at a frame. Whether that was another one than is shown.
-    bool show(std::uint32_t frame);
+    /// base::InputError where a frame puts something where nothing can be drawn.
+    bool show(std::uint32_t frame, host::WorkerPool& workers);
 
     const scene::World& world() const { return m_world; }
+    /// The meshes that show() deforms, by index.
+    const std::vector<std::uint32_t>& deformedMeshes() const { return m_motion.meshes; }
 
   private:
     scene::World m_world;
-    scene::InstancePaths m_motion;
+    scene::SceneMotion m_motion;
     std::vector<scene::InstanceHandle> m_instances;
+    std::vector<scene::MeshHandle> m_meshes;
     std::uint32_t m_frame = 0;
 };
 

@@ -60,7 +60,7 @@ scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
         return scene::openGltf(nameOrPath, choice);
     }
     if (choice != scene::GltfChoice{}) {
-        throw base::InputError("--gltf-scene, --camera and --light are for .gltf and .glb files, not " +
+        throw base::InputError("--gltf-scene, --camera, --light, --animation, --time and --fps are for .gltf and .glb files, not " +
                                nameOrPath);
     }
     for (const Generator& generator : kGenerators) {

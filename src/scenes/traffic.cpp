@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -78,7 +79,9 @@ scene::SceneSetup makeTraffic(std::uint64_t seed, std::uint32_t movers) {
     }
     const scene::Camera lens{.fovY = 60.0 * kDegree, .nearView = 0.5, .farView = 2e7};
     setup.path = scene::turnPath(lens, glm::dvec3(0.0), 360);
-    setup.motion = [all](std::uint32_t frame) {
+    setup.motion.instances.resize(movers);
+    std::iota(setup.motion.instances.begin(), setup.motion.instances.end(), 0u);
+    setup.motion.transforms = [all](std::uint32_t frame) {
         std::vector<scene::Transform> transforms;
         transforms.reserve(all->size());
         for (const Mover& mover : *all) {

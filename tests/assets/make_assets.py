@@ -3,6 +3,7 @@
 
 garden.glb: 54 nodes, nested, one mirrored; opaque, masked and blended materials; two PNG pictures inside; a camera.
 materials.glb: every texture of a material, read in every way that the importer knows; a camera.
+machine.glb: animations of every path and interpolation, a skin of six joints, morph targets, a camera that moves.
 well.gltf, well.bin and stone.jpg: a model in three files. ffmpeg writes the JPEG, so its bytes depend on the version.
 """
 
@@ -52,8 +53,8 @@ class Model:
     def accessor(self, rows, kind, component=FLOAT, **more):
         packed = b"".join(struct.pack(f"<{len(row)}{CODES[component]}", *row) for row in rows)
         item = {"bufferView": self.view(packed), "componentType": component, "count": len(rows), "type": kind, **more}
-        if kind == "VEC3":
-            floats = [struct.unpack("<3f", struct.pack("<3f", *row)) for row in rows]
+        if kind == "VEC3" or kind == "SCALAR" and component == FLOAT:
+            floats = [struct.unpack(f"<{len(row)}f", struct.pack(f"<{len(row)}f", *row)) for row in rows]
             item["min"], item["max"] = [min(c) for c in zip(*floats)], [max(c) for c in zip(*floats)]
         return self.append("accessors", item)
 
@@ -239,6 +240,75 @@ def garden():
     model.write_glb("garden.glb")
 
 
+def machine():
+    """What moves: by keyframes of every interpolation, by joints, by morph targets, and a camera."""
+    model = Model()
+    paint = model.material("paint", (0.8, 0.3, 0.15, 1))
+    steel = model.material("steel", (0.6, 0.62, 0.65, 1))
+    floor = model.mesh("floor", box(4, 0.1, 4), steel)
+    block = model.mesh("block", box(0.4, 0.4, 0.4), paint)
+    joints = 6
+    rows = 15
+    bend = lambda u, v: [(0.3 - 0.15 * v) * math.cos(-2 * math.pi * u), 3 * v, (0.3 - 0.15 * v) * math.sin(-2 * math.pi * u)]
+    arm_shape = grid(12, rows, bend)
+    arm = model.mesh("arm", arm_shape, paint)
+    sets = {name: [] for name in ("JOINTS_0", "WEIGHTS_0", "JOINTS_1", "WEIGHTS_1")}
+    for _, y, _ in arm_shape["positions"]:
+        along = min(y / 3 * (joints - 1), joints - 1 - 1e-6)
+        low, share = int(along), along - int(along)
+        sets["JOINTS_0"].append((low, 0, 0, 0))
+        sets["WEIGHTS_0"].append((1 - share, 0, 0, 0))
+        sets["JOINTS_1"].append((low + 1, 0, 0, 0))
+        sets["WEIGHTS_1"].append((share, 0, 0, 0))
+    for name, values in sets.items():
+        accessor = model.accessor(values, "VEC4", UBYTE if "JOINTS" in name else FLOAT)
+        model.root["meshes"][arm]["primitives"][0]["attributes"][name] = accessor
+    ball_shape = sphere(0.6)
+    ball = model.mesh("ball", ball_shape, steel)
+    wide = [[0.8 * x, -0.3 * y, 0.8 * z] for x, y, z in ball_shape["positions"]]
+    tall = [[-0.2 * x, 0.9 * y, -0.2 * z] for x, y, z in ball_shape["positions"]]
+    model.root["meshes"][ball]["primitives"][0]["targets"] = [{"POSITION": model.accessor(d, "VEC3")} for d in (wide, tall)]
+    model.root["meshes"][ball]["weights"] = [0.25, 0]
+    bones = []
+    for k in reversed(range(joints)):
+        children = {"children": [bones[-1]]} if bones else {}
+        bones.append(model.node(f"bone {k}", translation=[0, 3 / (joints - 1) if k else 0, 0], **children))
+    bones.reverse()
+    inverse = [(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -3 * k / (joints - 1), 0, 1) for k in range(joints)]
+    model.root["skins"] = [{"joints": bones, "inverseBindMatrices": model.accessor(inverse, "MAT4"), "name": "arm"}]
+    shoulder = model.node("shoulder", translation=[-1.5, 0.1, 0], children=[bones[0]])
+    skinned = model.node("arm", arm, skin=0, translation=[99, 0, 0])
+    rider = model.node("rider", block, translation=[1.2, 0, 0])
+    wheel = model.node("wheel", block, translation=[1.8, 1.2, 0], children=[rider])
+    drop = model.node("drop", block, translation=[0, 2.5, -2], scale=[0.5, 0.5, 0.5])
+    swell = model.node("swell", ball, translation=[0.5, 0.9, 1.8])
+    model.root["cameras"] = [{"type": "perspective", "name": "crane", "perspective": {"yfov": 0.8, "znear": 0.1, "zfar": 100}}]
+    crane = model.node("crane", camera=0, translation=[0, 2, 9])
+    quarter = [(0, 0, 0, 1), (0, 0, math.sqrt(0.5), math.sqrt(0.5)), (0, 0, 1, 0)]
+    splined = [part for turn_ in quarter for part in ((0, 0, 0, 0), turn_, (0, 0, 0, 0))]
+
+    def animation(name, *tracks):
+        made = {"name": name, "samplers": [], "channels": []}
+        for node, path, mode, times, values, kind in tracks:
+            sampler = {"input": model.accessor([(t,) for t in times], "SCALAR"), "interpolation": mode}
+            sampler["output"] = model.accessor(values, kind)
+            made["channels"].append({"sampler": len(made["samplers"]), "target": {"node": node, "path": path}})
+            made["samplers"].append(sampler)
+        return made
+
+    curl = [(0, 0, 0, 1), (0, 0, math.sin(0.2), math.cos(0.2)), (math.sin(0.15), 0, 0, math.cos(0.15))]
+    work = [(bone, "rotation", "LINEAR", (0, 1, 2), curl, "VEC4") for bone in bones[1:]]
+    work.append((wheel, "rotation", "CUBICSPLINE", (0, 1, 2), splined, "VEC4"))
+    work.append((drop, "translation", "LINEAR", (0, 0.5, 2), [(0, 2.5, -2), (0, 0.5, -2), (0.5, 2.5, -2)], "VEC3"))
+    work.append((drop, "scale", "STEP", (0, 1), [(0.5, 0.5, 0.5), (0.9, 0.5, 0.9)], "VEC3"))
+    work.append((swell, "weights", "LINEAR", (0, 1, 2), [(w,) for w in (0.25, 0, 1, 0, 0, 1)], "SCALAR"))
+    fly = [(crane, "translation", "LINEAR", (0, 2), [(0, 2, 9), (3, 3, 7)], "VEC3")]
+    model.root["animations"] = [animation("work", *work), animation("fly", *fly)]
+    ground = model.node("floor", floor)
+    model.root["scenes"] = [{"name": "machine", "nodes": [ground, shoulder, skinned, wheel, drop, swell, crane]}]
+    model.write_glb("machine.glb")
+
+
 def stone():
     """128 x 128 of a wall of grey blocks."""
     rng = random.Random(7)
@@ -404,5 +474,6 @@ def materials():
 
 garden()
 materials()
+machine()
 stone()
 well()

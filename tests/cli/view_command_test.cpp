@@ -90,7 +90,8 @@ TEST_F(ViewCommand, DrawsTheViewersPictureToTheBit) {
 TEST_F(ViewCommand, DrawsTheFrameOfASceneThatMoves) {
     const scene::SceneSetup setup = scenes::makeTraffic(scenes::kDefaultSeed);
     scenes::MovingScene moving(setup.scene, setup.motion);
-    moving.show(5);
+    host::WorkerPool workers(1);
+    moving.show(5, workers);
     viewer::ReproducedView view{.settings = {.scene = "traffic"},
                                 .side = 0,
                                 .camera = scene::canonical(setup.path.at(5)),

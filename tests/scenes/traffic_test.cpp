@@ -18,7 +18,7 @@ TEST(Traffic, ReachesFromAUnitToTenMillionInEachDecade) {
     ASSERT_EQ(setup.scene.instances.size(), 100'000u);
     for (const std::uint32_t frame : {0u, 100u}) {
         std::array<int, 7> decades{};
-        for (const scene::Transform& transform : setup.motion(frame)) {
+        for (const scene::Transform& transform : setup.motion.transforms(frame)) {
             const double distance = glm::length(transform.position);
             ASSERT_GE(distance, 0.999999);
             ASSERT_LE(distance, 1.000001e7);
@@ -32,9 +32,9 @@ TEST(Traffic, ReachesFromAUnitToTenMillionInEachDecade) {
 
 TEST(Traffic, AllMoveAndEveryFrameCanBeMadeAlone) {
     const scene::SceneSetup setup = makeTraffic(1, 500);
-    const std::vector<scene::Transform> before = setup.motion(3);
-    const std::vector<scene::Transform> after = setup.motion(4);
-    EXPECT_EQ(setup.motion(3), before);
+    const std::vector<scene::Transform> before = setup.motion.transforms(3);
+    const std::vector<scene::Transform> after = setup.motion.transforms(4);
+    EXPECT_EQ(setup.motion.transforms(3), before);
     for (std::size_t i = 0; i < before.size(); ++i) {
         const double share =
             glm::length(after[i].position - before[i].position) / glm::length(before[i].position);
@@ -43,8 +43,9 @@ TEST(Traffic, AllMoveAndEveryFrameCanBeMadeAlone) {
         EXPECT_NE(after[i].basis, before[i].basis);
     }
     MovingScene moving(setup.scene, setup.motion);
+    host::WorkerPool workers(1);
     for (const std::uint32_t frame : {7u, 4u}) {
-        moving.show(frame);
+        moving.show(frame, workers);
     }
     const scene::Instances& instances = moving.world().scene().instances;
     for (std::size_t i = 0; i < instances.size(); ++i) {

@@ -9,22 +9,44 @@
 #include <string>
 #include <vector>
 
+namespace cdr::host {
+class WorkerPool;
+}
+
 namespace cdr::scene {
 
-/// Where every instance is at a frame, by index, as a pure function of the frame number; empty where nothing moves.
-using InstancePaths = std::function<std::vector<Transform>(std::uint32_t frame)>;
+/// What moves in a scene, as pure functions of the frame number. The scene is as it is at frame 0.
+struct SceneMotion {
+    std::vector<std::uint32_t> instances{}; ///< that move, by index
+    /// Where they are at a frame.
+    std::function<std::vector<Transform>(std::uint32_t frame)> transforms{};
+    std::vector<std::uint32_t> meshes{}; ///< that deform, by index; their instances are among `instances`
+    /// The vertices of these at a frame, as many as each has.
+    std::function<std::vector<std::vector<Vertex>>(std::uint32_t frame, host::WorkerPool& workers)>
+        vertices{};
+
+    /// Whether anything moves.
+    explicit operator bool() const { return !instances.empty(); }
+};
+
+/// An animation of a file.
+struct PlayableAnimation {
+    std::string name;     ///< may be empty
+    double seconds = 0.0; ///< how long it takes
+};
 
 /// A scene, the cameras that look at it, and what moves in it.
 struct SceneSetup {
-    Scene scene;            ///< what is looked at
-    CameraPath path;        ///< the cameras that look
-    InstancePaths motion{}; ///< the scene is as it is at frame 0
+    Scene scene;          ///< what is looked at
+    CameraPath path;      ///< the cameras that look
+    SceneMotion motion{}; ///< what moves
 };
 
 /// A scene that was opened by name or from a file.
 struct OpenedScene {
-    SceneSetup setup;               ///< scene and cameras
-    std::vector<std::string> notes; ///< what an importer ignored, one line each
+    SceneSetup setup;                            ///< scene and cameras
+    std::vector<std::string> notes;              ///< what an importer ignored, one line each
+    std::vector<PlayableAnimation> animations{}; ///< what a file holds, whether it is played or not
 };
 
 } // namespace cdr::scene

@@ -97,8 +97,9 @@ void run(Command& command, OrbitArguments& arguments) {
     if (!arguments.files.model.empty()) {
         command.files().reads(arguments.files.model);
     }
-    const auto [setup, notes] = scenes::openOrbit(arguments.files);
-    command.note(notes);
+    const scene::OpenedScene opened = scenes::openOrbit(arguments.files);
+    const scene::SceneSetup& setup = opened.setup;
+    command.note(opened.notes);
     const experiments::OrbitRun result =
         experiments::runOrbit(command.device(), setup, options, command.progress(), command.ranks());
     command.endProgress();

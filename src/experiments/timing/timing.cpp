@@ -72,6 +72,7 @@ class Race {
   public:
     Race(const gpu::Device& device, const TimingOptions& options)
         : m_options(options),
+          m_workers(options.threads),
           m_setup(openTimed(options)),
           m_moving(m_setup.motion ? std::make_unique<scenes::MovingScene>(m_setup.scene, m_setup.motion)
                                   : nullptr),
@@ -91,7 +92,7 @@ class Race {
     void drawFrame(std::uint32_t number) {
         const scene::Camera camera = m_path.at(number);
         if (m_moving != nullptr) {
-            m_moving->show(number);
+            m_moving->show(number, m_workers);
             m_gpuScene.update(); // else the first mode to draw would pay for all
         }
         m_frames.draw([&](std::size_t mode) {
@@ -173,6 +174,7 @@ class Race {
     }
 
     const TimingOptions& m_options;
+    host::WorkerPool m_workers; ///< that deform meshes
     scene::SceneSetup m_setup;
     scene::CameraPath m_path;
     std::unique_ptr<scenes::MovingScene> m_moving; ///< where the scene moves

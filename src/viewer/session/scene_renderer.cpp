@@ -120,8 +120,8 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
                         .settings = request.settings,
                         .scene = m_scene->opened};
     result.frame = request.frame;
-    if (m_scene->moving != nullptr && m_scene->moving->show(request.frame)) {
-        host::WorkerPool workers(request.settings.threads);
+    host::WorkerPool workers(request.settings.threads);
+    if (m_scene->moving != nullptr && m_scene->moving->show(request.frame, workers)) {
         m_scene->obstacles = std::make_shared<const Obstacles>(
             m_scene->obstacles->moved(m_scene->moving->world().scene(), workers));
     }

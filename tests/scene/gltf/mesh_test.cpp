@@ -291,12 +291,6 @@ TEST_F(Gltf, PrimitiveWithoutExtentIsNotDrawn) {
     EXPECT_TRUE(anySays(result.ignored, "has no extent"));
 }
 
-TEST_F(Gltf, MorphTargetsAreSaid) {
-    Document document = triangle();
-    document.primitive()["targets"] = {{{"POSITION", 0}}};
-    EXPECT_TRUE(anySays(load(document).ignored, "morph targets are not applied"));
-}
-
 TEST_F(Gltf, UnsoundAttributesAreRefused) {
     Document document = square();
     document.primitive()["attributes"].erase("POSITION");

@@ -53,6 +53,13 @@ Certifier::Certifier(const scene::Scene& scene, host::WorkerPool& workers)
                 [&](std::size_t mesh, std::size_t) { m_outlines[mesh] = outlineOf(scene.meshes[mesh]); });
 }
 
+void Certifier::follow(std::span<const std::uint32_t> meshes, host::WorkerPool& workers) {
+    m_caster.follow(meshes, workers);
+    workers.run(meshes.size(), [&](std::size_t i, std::size_t) {
+        m_outlines.at(meshes[i]) = outlineOf(m_scene->meshes[meshes[i]]);
+    });
+}
+
 Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& workers) const {
     const std::uint32_t width = frame.ids.width;
     const std::uint32_t height = frame.ids.height;

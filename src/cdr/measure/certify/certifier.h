@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace cdr::measure {
@@ -57,9 +58,12 @@ struct Certificate {
 /// decide only which pixels are cast and which refused.
 class Certifier {
   public:
-    /// @param scene must outlive the certifier; instances may change, meshes and materials not.
+    /// @param scene must outlive the certifier; instances may change, and meshes that follow() is told of, materials not.
     /// base::InputError for a scene with surfaces that are blended, masked or in layers, and as TruthCaster.
     Certifier(const scene::Scene& scene, host::WorkerPool& workers);
+
+    /// As TruthCaster::follow().
+    void follow(std::span<const std::uint32_t> meshes, host::WorkerPool& workers);
 
     /// The same for any number of workers. base::InputError when the sizes of the frame's rasters differ.
     Certificate certify(const DrawnFrame& frame, host::WorkerPool& workers) const;

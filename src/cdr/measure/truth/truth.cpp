@@ -153,6 +153,12 @@ TruthCaster::TruthCaster(const scene::Scene& scene, host::WorkerPool& workers) :
     }
 }
 
+void TruthCaster::follow(std::span<const std::uint32_t> meshes, host::WorkerPool& workers) {
+    workers.run(meshes.size(), [&](std::size_t i, std::size_t) {
+        m_shapes.at(meshes[i]) = Shape(m_scene->meshes[meshes[i]]);
+    });
+}
+
 TruthImage TruthCaster::cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
                              host::WorkerPool& workers) const {
     TruthImage truth(width, height);

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace cdr::measure {
@@ -46,7 +47,7 @@ using TruthImage = image::Raster<TruthPixel>;
 /// Prepares the scene's meshes once, for any number of pictures.
 class TruthCaster {
   public:
-    /// @param scene must outlive the caster, its meshes unchanged; instances may change.
+    /// @param scene must outlive the caster; instances may change, and meshes that follow() is told of.
     /// base::InputError when a mesh is unsound.
     TruthCaster(const scene::Scene& scene, host::WorkerPool& workers);
 
@@ -58,6 +59,9 @@ class TruthCaster {
     /// The same of the pixels that are not 0 in `wanted` alone; the others stay as they begin.
     TruthImage cast(const scene::Camera& camera, const image::Raster<std::uint8_t>& wanted,
                     host::WorkerPool& workers) const;
+
+    /// Reads meshes anew whose vertices changed. base::InputError when one is unsound.
+    void follow(std::span<const std::uint32_t> meshes, host::WorkerPool& workers);
 
     /// Of each mesh.
     const std::vector<Shape>& shapes() const { return m_shapes; }

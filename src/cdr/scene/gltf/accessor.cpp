@@ -98,11 +98,22 @@ glm::vec4 Accessor::vector(std::size_t i) const {
     glm::vec4 result(0.0f, 0.0f, 0.0f, 1.0f);
     const std::uint8_t* bytes = element(i);
     const std::size_t size = componentBytes(m_componentType);
-    for (int c = 0; c < m_components; ++c) {
+    for (int c = 0; c < std::min(m_components, 4); ++c) {
         result[c] = bytes == nullptr
                         ? 0.0f
                         : static_cast<float>(component(bytes + static_cast<std::size_t>(c) * size,
                                                        m_componentType, m_normalized));
+    }
+    return result;
+}
+
+glm::dmat4 Accessor::matrix(std::size_t i) const {
+    glm::dmat4 result(0.0);
+    const std::uint8_t* bytes = element(i);
+    const std::size_t size = componentBytes(m_componentType);
+    for (int c = 0; bytes != nullptr && c < std::min(m_components, 16); ++c) {
+        result[c / 4][c % 4] =
+            component(bytes + static_cast<std::size_t>(c) * size, m_componentType, m_normalized);
     }
     return result;
 }

@@ -25,14 +25,16 @@ class Accessor {
     Accessor(const nlohmann::json& root, const Buffers& buffers, int index);
 
     std::size_t count() const { return m_count; }
-    /// Components of an element: 1 for SCALAR to 4 for VEC4, 0 for matrices.
+    /// Components of an element: 1 for SCALAR to 4 for VEC4, 16 for MAT4, 0 for smaller matrices.
     int components() const { return m_components; }
     /// Whether bytes in the file back its elements, sparse ones aside.
     bool hasData() const { return m_elements.first != nullptr; }
     bool isSparse() const { return m_sparseCount > 0; }
 
-    /// Element `i` < count() as floats, absent components as in (0, 0, 0, 1).
+    /// Element `i` < count() as floats, absent components as in (0, 0, 0, 1); of a matrix its first column.
     glm::vec4 vector(std::size_t i) const;
+    /// Element `i` < count() of a MAT4, column by column.
+    glm::dmat4 matrix(std::size_t i) const;
     /// Component 0 of element `i` < count() as an integer; the accessor must pass requireIndices().
     std::uint32_t integer(std::size_t i) const;
     /// Refuses an accessor that cannot hold vertex indices.

@@ -3,6 +3,8 @@
 #include "checks.h"
 #include "json.h"
 
+#include <cdr/scene/animation/node_camera.h>
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -72,22 +74,16 @@ std::vector<GltfCamera> placeCameras(std::span<const CameraNode> nodes, const Do
         if (!lens.isPerspective) {
             continue;
         }
-        const glm::dvec3 up(node.toWorld[1]);
-        const glm::dvec3 back(node.toWorld[2]);
-        const glm::dvec3 right = glm::cross(up, back);
-        if (!(glm::length(right) > 1e-9 * glm::length(up) * glm::length(back))) {
+        const auto camera =
+            carriedBy(node.toWorld, {.fovY = lens.fovY,
+                                     .nearView = lens.nearView,
+                                     .farView = lens.farView.value_or(kGltfFarRatio * lens.nearView)});
+        if (!camera) {
             notes.add("a camera is not used, its transform flattens it", fmt::format("node {}", node.node));
             continue;
         }
-        Camera camera{.position = glm::dvec3(node.toWorld[3]),
-                      .right = glm::normalize(right),
-                      .back = glm::normalize(back),
-                      .fovY = lens.fovY,
-                      .nearView = lens.nearView,
-                      .farView = lens.farView.value_or(kGltfFarRatio * lens.nearView)};
-        camera.up = glm::cross(camera.back, camera.right);
         const std::string nodeName = oneLine(fullNameOf(itemAt(document.root, "nodes", node.node, "node")));
-        cameras.push_back({!lens.name.empty() ? lens.name : nodeName, camera});
+        cameras.push_back({!lens.name.empty() ? lens.name : nodeName, *camera, node.node});
     }
     return cameras;
 }

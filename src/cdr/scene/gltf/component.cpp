@@ -57,7 +57,10 @@ int componentsOf(std::string_view type, const std::string& where) {
     if (found != kTypes.end()) {
         return static_cast<int>(found - kTypes.begin()) + 1;
     }
-    if (type != "MAT2" && type != "MAT3" && type != "MAT4") {
+    if (type == "MAT4") {
+        return 16;
+    }
+    if (type != "MAT2" && type != "MAT3") {
         refuse("{}: its type '{}' does not exist", where, oneLine(type));
     }
     return 0;

@@ -52,16 +52,6 @@ void requireSupportedExtensions(const json& root, Notes& notes) {
     }
 }
 
-void noteUnusedParts(const json& root, Notes& notes) {
-    for (const json& animation : arrayMember(root, "animations")) {
-        notes.add("animations are not played", fmt::format("animation '{}'", nameOf(animation)));
-    }
-    for (const json& skin : arrayMember(root, "skins")) {
-        notes.add("skins are not applied, their meshes stand where their nodes do",
-                  fmt::format("skin '{}'", nameOf(skin)));
-    }
-}
-
 void requireBoundedArrays(const json& root, const GltfLimits& limits) {
     constexpr std::size_t kMaxEntries = 1'000'000;
     // Each of these becomes memory, a file that is read, or a resource of the device.
@@ -92,7 +82,6 @@ Document parseDocument(std::string_view text, const GltfLimits& limits, Notes& n
     requireVersion2(root);
     requireBoundedArrays(root, limits);
     requireSupportedExtensions(root, notes);
-    noteUnusedParts(root, notes);
     document.lenses = takeLenses(root, notes);
     return document;
 }

@@ -1,3 +1,4 @@
+#include "animation/moving_parts.h"
 #include "cameras.h"
 #include "checks.h"
 #include "container.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace cdr::scene {
@@ -50,39 +52,48 @@ class Importer {
     Importer(const Sources& sources, const GltfLimits& limits)
         : m_sources(sources),
           m_limits(limits),
+          m_memory(limits.maxBytes),
           m_accessors(sources.document.root, sources.buffers),
           m_meshes(m_accessors, sources.notes),
           m_materials(sources, m_scene) {}
 
-    Scene run(const std::vector<MeshNode>& nodes) {
-        requireBounded(nodes);
-        for (const MeshNode& node : nodes) {
+    void run(const PlacedNodes& nodes, GltfImport& result) {
+        m_moving.emplace(m_sources.document.root, nodes, m_accessors, m_memory, m_sources.notes);
+        requireBounded(nodes.meshes);
+        for (const MeshNode& node : nodes.meshes) {
             double& stretch = m_stretch[node.mesh];
             stretch = std::max(stretch, stretchOf(node.toWorld));
         }
-        for (const MeshNode& node : nodes) {
+        for (const MeshNode& node : nodes.meshes) {
             addObject(node);
         }
-        return std::move(m_scene);
+        result.animation = m_moving->finish(m_scene);
+        result.rigNodeOf = m_moving->rigNodes();
+        result.scene = std::move(m_scene);
     }
 
   private:
     void requireBounded(const std::vector<MeshNode>& nodes);
-    /// Reads a mesh and adds what it takes; returns its triangles.
-    std::uint64_t readBounded(int mesh, MemoryPrediction& memory);
+    /// Reads a mesh and adds what its parts take; returns its triangles.
+    std::uint64_t readBounded(int mesh);
     void addObject(const MeshNode& node);
-    const std::vector<PlacedPrimitive>& use(int mesh);
+    void addRigid(const MeshNode& node, std::size_t primitive, std::uint32_t object, const std::string& name);
+    void addDeformed(const MeshNode& node, std::size_t primitive, std::uint32_t object);
+    const std::optional<PlacedPrimitive>& use(int mesh, std::size_t primitive);
     /// A material of the scene in the layer of a node, if the node has one.
     std::uint32_t materialIn(std::optional<float> layer, std::uint32_t material);
 
     Sources m_sources;
     GltfLimits m_limits;
+    MemoryPrediction m_memory;
     Scene m_scene;
     Accessors m_accessors;
     MeshImporter m_meshes;
     MaterialImporter m_materials;
-    std::map<int, MeshSource> m_sourceMeshes;                           ///< by mesh, those of the scene
-    std::map<int, std::vector<PlacedPrimitive>> m_imported;             ///< by mesh
+    std::optional<MovingParts> m_moving;      ///< while it runs
+    std::map<int, MeshSource> m_sourceMeshes; ///< by mesh, those of the scene
+    std::map<std::pair<int, std::size_t>, std::optional<PlacedPrimitive>>
+        m_imported;                                                     ///< by mesh and primitive
     std::map<std::pair<std::uint32_t, float>, std::uint32_t> m_layered; ///< by material and layer
     std::map<int, double> m_stretch;                                    ///< by mesh, the largest of its nodes
 };
@@ -91,14 +102,18 @@ void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
     if (nodes.size() > kMaxObjects) {
         refuse("{} objects are over the limit of {}", nodes.size(), kMaxObjects);
     }
-    MemoryPrediction memory(m_limits.maxBytes);
     std::map<int, std::uint64_t> trianglesOf;
     std::uint64_t triangles = 0;
     std::uint64_t instances = 0;
     for (const MeshNode& node : nodes) {
         const auto [found, isNew] = trianglesOf.try_emplace(node.mesh, 0);
         if (isNew) {
-            found->second = readBounded(node.mesh, memory);
+            found->second = readBounded(node.mesh);
+        }
+        for (const Primitive& primitive : m_sourceMeshes.at(node.mesh).primitives) {
+            if (m_moving->deforms(node, primitive)) {
+                m_memory.add(predictDeformer(primitive, m_accessors), fmt::format("node {}", node.node));
+            }
         }
         triangles += found->second;
         instances += m_sourceMeshes.at(node.mesh).primitives.size();
@@ -106,17 +121,17 @@ void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
             refuse("its triangles, repeats counted, are over the limit of {}", m_limits.maxTriangles);
         }
     }
-    memory.addInstances(instances);
+    m_memory.addInstances(instances);
 }
 
-std::uint64_t Importer::readBounded(int mesh, MemoryPrediction& memory) {
+std::uint64_t Importer::readBounded(int mesh) {
     const MeshSource& source =
         m_sourceMeshes.emplace(mesh, readMesh(m_sources.document.root, mesh)).first->second;
     std::uint64_t triangles = 0;
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
         triangles += triangleCount(source.primitives[i], m_accessors);
         const Primitive& primitive = source.primitives[i];
-        memory.add(
+        m_memory.add(
             predictBytes(primitive, m_accessors, mayHaveDetail(m_sources.document.root, primitive.material)),
             placeOf(mesh, source.name, i));
     }
@@ -130,43 +145,68 @@ void Importer::addObject(const MeshNode& node) {
     m_scene.objectNames.push_back(!name.empty()       ? name
                                   : !meshName.empty() ? meshName
                                                       : fmt::format("node {}", node.node));
-    const glm::dmat3 linear(node.toWorld);
-    const glm::mat3 basis(linear);
-    if (isFlat(linear, basis)) {
-        m_sources.notes.add("not drawn, its transform flattens it", fmt::format("node {}", node.node));
-        return;
-    }
-    for (const PlacedPrimitive& primitive : use(node.mesh)) {
-        const std::size_t first = m_scene.instances.size();
-        placePieces(m_scene, primitive.pieces, materialIn(node.layer, primitive.material), object,
-                    node.toWorld);
-        for (std::size_t i = first; i < m_scene.instances.size(); ++i) {
-            const glm::dvec3 position = m_scene.instances.position(i);
-            if (!std::isfinite(m_scene.instances.radius[i]) || !std::isfinite(glm::dot(position, position))) {
-                refuse("node {} '{}': its size or place is over what can be drawn", node.node,
-                       oneLine(name, kMaxNameLength));
-            }
+    const std::vector<Primitive>& primitives = m_sourceMeshes.at(node.mesh).primitives;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+        if (m_moving->deforms(node, primitives[i])) {
+            addDeformed(node, i, object);
+        } else {
+            addRigid(node, i, object, name);
         }
     }
 }
 
-const std::vector<PlacedPrimitive>& Importer::use(int meshIndex) {
-    const auto [found, isNew] = m_imported.try_emplace(meshIndex);
+void Importer::addRigid(const MeshNode& node, std::size_t index, std::uint32_t object,
+                        const std::string& name) {
+    const glm::dmat3 linear(node.toWorld);
+    const bool flat = isFlat(linear, glm::mat3(linear));
+    if (flat && !m_moving->moves(node)) {
+        m_sources.notes.add("not drawn, its transform flattens it", fmt::format("node {}", node.node));
+        return;
+    }
+    const std::optional<PlacedPrimitive>& primitive = use(node.mesh, index);
+    if (!primitive) {
+        return;
+    }
+    const std::size_t first = m_scene.instances.size();
+    placePieces(m_scene, primitive->pieces, materialIn(node.layer, primitive->material), object,
+                flat ? glm::dmat4(glm::dmat3(0.0)) : node.toWorld);
+    for (std::size_t i = first; i < m_scene.instances.size(); ++i) {
+        const glm::dvec3 position = m_scene.instances.position(i);
+        if (!std::isfinite(m_scene.instances.radius[i]) || !std::isfinite(glm::dot(position, position))) {
+            refuse("node {} '{}': its size or place is over what can be drawn", node.node,
+                   oneLine(name, kMaxNameLength));
+        }
+        m_moving->carry(node, static_cast<std::uint32_t>(i), primitive->pieces.origins[i - first]);
+    }
+}
+
+void Importer::addDeformed(const MeshNode& node, std::size_t index, std::uint32_t object) {
+    const MeshSource& mesh = m_sourceMeshes.at(node.mesh);
+    const Primitive& primitive = mesh.primitives[index];
+    const std::string where = placeOf(node.mesh, mesh.name, index);
+    const MaterialUse& material = m_materials.use(primitive.material);
+    std::optional<SourcePrimitive> source = m_meshes.read(primitive, material.uv, where);
+    if (source) {
+        m_moving->addDeformed(m_scene, node, primitive, std::move(*source),
+                              materialIn(node.layer, material.index), object, where);
+    }
+}
+
+const std::optional<PlacedPrimitive>& Importer::use(int meshIndex, std::size_t index) {
+    const auto [found, isNew] = m_imported.try_emplace({meshIndex, index});
     if (!isNew) {
         return found->second;
     }
     const MeshSource& source = m_sourceMeshes.at(meshIndex);
-    for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-        const Primitive& primitive = source.primitives[i];
-        const std::string where = placeOf(meshIndex, source.name, i);
-        const MaterialUse& material = m_materials.use(primitive.material);
-        // Pieces overlap at their seams, which blending would show.
-        const bool whole = m_scene.materials[material.index].alphaMode == AlphaMode::blend;
-        const double pieceRadius = whole ? INFINITY : m_limits.pieceRadius / m_stretch[meshIndex];
-        std::vector<MeshPiece> pieces = m_meshes.import(primitive, material.uv, pieceRadius, where);
-        if (!pieces.empty()) {
-            found->second.push_back({addPieces(m_scene, std::move(pieces)), material.index});
-        }
+    const Primitive& primitive = source.primitives[index];
+    const std::string where = placeOf(meshIndex, source.name, index);
+    const MaterialUse& material = m_materials.use(primitive.material);
+    // Pieces overlap at their seams, which blending would show.
+    const bool whole = m_scene.materials[material.index].alphaMode == AlphaMode::blend;
+    const double pieceRadius = whole ? INFINITY : m_limits.pieceRadius / m_stretch[meshIndex];
+    std::vector<MeshPiece> pieces = m_meshes.import(primitive, material.uv, pieceRadius, where);
+    if (!pieces.empty()) {
+        found->second = {addPieces(m_scene, std::move(pieces)), material.index};
     }
     return found->second;
 }
@@ -195,7 +235,7 @@ GltfImport importParts(std::span<const std::uint8_t> file, const std::filesystem
     const Buffers buffers(document.root, container.bin, files);
     GltfImport result;
     const PlacedNodes nodes = placeNodes(document.root, limits, scene, notes);
-    result.scene = Importer({document, buffers, files, notes}, limits).run(nodes.meshes);
+    Importer({document, buffers, files, notes}, limits).run(nodes, result);
     result.cameras = placeCameras(nodes.cameras, document, notes);
     result.scene.name = path.stem().string();
     if (result.scene.instances.size() == 0) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cdr/scene/animation/scene_animation.h>
 #include <cdr/scene/camera.h>
 #include <cdr/scene/lod/mesh_pieces.h>
 #include <cdr/scene/scene.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +31,7 @@ struct GltfLimits {
 struct GltfCamera {
     std::string name;
     Camera camera;
+    int node = 0; ///< of the file
 };
 inline constexpr double kGltfFarRatio = 1e7;
 
@@ -38,10 +41,14 @@ struct GltfImport {
     Scene scene;
     std::vector<GltfCamera> cameras;  ///< of the scene's nodes, in the order of the file's node array
     std::vector<std::string> ignored; ///< one line per feature of the file that was not used
+    /// What nodes move; the scene is as it is at rest. Null where nothing of it can move.
+    std::shared_ptr<const SceneAnimation> animation;
+    /// By node of the file: which one of the animation's rig it is.
+    std::vector<std::optional<std::size_t>> rigNodeOf;
 };
 
-/// Imports static glTF 2.0 (`.gltf` with embedded or external buffers, or `.glb`). Node transforms are
-/// composed in float64; skins are not applied. Buffers and images outside the file's folder are
+/// Imports glTF 2.0 (`.gltf` with embedded or external buffers, or `.glb`). Node transforms are composed in float64. Skins and
+/// morph targets deform meshes as they are at rest. Buffers and images outside the file's folder are
 /// refused. base::InputError with one line naming the file and the fault for anything that is not sound.
 /// @param scene which of the file's scenes; without it the file's default one, else its first, else all
 /// nodes.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cdr::scene::gltf {
@@ -123,6 +124,16 @@ std::optional<std::vector<double>> numbersMember(const json& object, const char*
         refuse("{}: '{}' is not {} numbers", where, key, length);
     }
     return value->get<std::vector<double>>();
+}
+
+std::vector<double> numbersOf(const json& object, const char* key, const std::string& where) {
+    const std::size_t length = arrayMember(object, key).size();
+    std::vector<double> numbers =
+        length == 0 ? std::vector<double>() : numbersMember(object, key, length, where).value();
+    if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); })) {
+        refuse("{}: '{}' holds a number that is not finite", where, key);
+    }
+    return numbers;
 }
 
 std::optional<int> indexMember(const json& object, const char* key) {

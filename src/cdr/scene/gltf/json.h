@@ -32,6 +32,8 @@ std::optional<double> numberMember(const nlohmann::json& object, const char* key
 /// A member that is an array of `length` numbers, nothing when absent.
 std::optional<std::vector<double>> numbersMember(const nlohmann::json& object, const char* key,
                                                  std::size_t length, const std::string& where);
+/// A member that is an array of finite numbers, empty when absent.
+std::vector<double> numbersOf(const nlohmann::json& object, const char* key, const std::string& where);
 /// A member that is an index or a size: an integer in [0, 2^31). Nothing when absent.
 std::optional<int> indexMember(const nlohmann::json& object, const char* key);
 /// The same, and refuses an object that lacks it.

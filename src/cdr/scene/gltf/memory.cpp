@@ -13,8 +13,9 @@ namespace {
 
 constexpr std::uint64_t kIndexBytes = sizeof(std::uint32_t);
 
-/// Tables of an index per vertex while a mesh is cut into pieces: order, points, keepers, new and used indices.
-constexpr std::uint64_t kTablesPerVertex = 5;
+/// Tables of an index per vertex while a mesh is cut into pieces: order, points, keepers, new and used indices, and which of
+/// the file's it is.
+constexpr std::uint64_t kTablesPerVertex = 6;
 
 /// What deriving tangents keeps of a vertex.
 constexpr std::uint64_t kTangentBytes = sizeof(glm::dvec3) + 2 * sizeof(std::uint32_t);

@@ -49,25 +49,23 @@ struct MeshImporter::Attributes {
 
 MeshImporter::MeshImporter(Accessors& accessors, Notes& notes) : m_accessors(accessors), m_notes(notes) {}
 
-std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const UvPlaces& uv,
-                                            double pieceRadius, const std::string& where) {
+std::optional<SourcePrimitive> MeshImporter::read(const Primitive& primitive, const UvPlaces& uv,
+                                                  const std::string& where) {
     if (primitive.mode < kModePoints || primitive.mode > kModeTriangleFan) {
         refuse("{}: mode {} does not exist", where, primitive.mode);
     }
     if (primitive.mode < kModeTriangles) {
         m_notes.add("points and lines are not drawn", where);
-        return {};
-    }
-    if (primitive.hasMorphTargets) {
-        m_notes.add("morph targets are not applied", where);
+        return std::nullopt;
     }
     const Attributes attributes = findAttributes(primitive, uv, where);
-    SourceMesh source;
-    source.name = where;
-    source.indices = triangleList(primitive, m_accessors, attributes.position->count(), where);
-    if (source.indices.empty()) {
+    SourcePrimitive source;
+    source.mesh.name = where;
+    source.fileVertexCount = attributes.position->count();
+    source.mesh.indices = triangleList(primitive, m_accessors, attributes.position->count(), where);
+    if (source.mesh.indices.empty()) {
         m_notes.add("a primitive has no triangles", where);
-        return {};
+        return std::nullopt;
     }
     if (attributes.normal == nullptr) {
         addFlat(source, attributes, where);
@@ -75,13 +73,27 @@ std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const Uv
         addShared(source, attributes, where);
     }
     if (uv.tangents != UvPlaces::Tangents::none && attributes.tangent == nullptr) {
-        deriveTangents(source, uv.tangents == UvPlaces::Tangents::second);
+        const std::vector<std::uint32_t> before = source.mesh.indices;
+        deriveTangents(source.mesh, uv.tangents == UvPlaces::Tangents::second);
+        source.fileVertices.resize(source.mesh.vertices.size());
+        for (std::size_t i = 0; i < before.size(); ++i) { // a vertex may have become two
+            source.fileVertices[source.mesh.indices[i]] = source.fileVertices[before[i]];
+        }
     }
-    source.positions.reserve(source.vertices.size());
-    for (const Vertex& vertex : source.vertices) {
-        source.positions.emplace_back(vertex.position);
+    source.mesh.positions.reserve(source.mesh.vertices.size());
+    for (const Vertex& vertex : source.mesh.vertices) {
+        source.mesh.positions.emplace_back(vertex.position);
     }
-    std::vector<MeshPiece> pieces = cutIntoPieces(source, pieceRadius);
+    return source;
+}
+
+std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const UvPlaces& uv,
+                                            double pieceRadius, const std::string& where) {
+    const std::optional<SourcePrimitive> source = read(primitive, uv, where);
+    if (!source) {
+        return {};
+    }
+    std::vector<MeshPiece> pieces = cutIntoPieces(source->mesh, pieceRadius);
     for (const MeshPiece& piece : pieces) {
         if (!std::isfinite(piece.mesh.boundingRadius)) {
             refuse("{}: its extent is over what a float32 holds", where);
@@ -183,11 +195,13 @@ void MeshImporter::addVertex(SourceMesh& mesh, const Attributes& attributes, std
     }
 }
 
-void MeshImporter::addShared(SourceMesh& mesh, const Attributes& attributes, const std::string& where) {
+void MeshImporter::addShared(SourcePrimitive& source, const Attributes& attributes,
+                             const std::string& where) {
     if (m_newIndex.size() < attributes.position->count()) {
         m_newIndex.resize(attributes.position->count(), kUnused);
     }
-    std::vector<std::uint32_t> used;
+    SourceMesh& mesh = source.mesh;
+    std::vector<std::uint32_t>& used = source.fileVertices;
     for (std::uint32_t& index : mesh.indices) {
         if (m_newIndex[index] == kUnused) {
             m_newIndex[index] = static_cast<std::uint32_t>(used.size());
@@ -202,8 +216,10 @@ void MeshImporter::addShared(SourceMesh& mesh, const Attributes& attributes, con
     }
 }
 
-void MeshImporter::addFlat(SourceMesh& mesh, const Attributes& attributes, const std::string& where) {
+void MeshImporter::addFlat(SourcePrimitive& source, const Attributes& attributes, const std::string& where) {
+    SourceMesh& mesh = source.mesh;
     mesh.vertices.reserve(mesh.indices.size());
+    source.fileVertices = mesh.indices;
     for (std::uint32_t& index : mesh.indices) {
         addVertex(mesh, attributes, index, where);
         index = static_cast<std::uint32_t>(mesh.vertices.size() - 1);

@@ -7,11 +7,20 @@
 
 #include <cdr/scene/lod/mesh_pieces.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace cdr::scene::gltf {
+
+/// The triangles of a primitive as the file has them.
+struct SourcePrimitive {
+    SourceMesh mesh;
+    std::vector<std::uint32_t> fileVertices; ///< by vertex of the mesh: which one of the file's it is
+    std::size_t fileVertexCount = 0;
+};
 
 /// Imports the triangles of a primitive. Keeps a scratch table between calls, so that many primitives which
 /// each use a little of one large vertex buffer cost what they use.
@@ -19,7 +28,11 @@ class MeshImporter {
   public:
     MeshImporter(Accessors& accessors, Notes& notes);
 
-    /// Nothing when the primitive has no triangles or no extent. `where` names it in messages.
+    /// Nothing when the primitive has no triangles. `where` names it in messages.
+    std::optional<SourcePrimitive> read(const Primitive& primitive, const UvPlaces& uv,
+                                        const std::string& where);
+
+    /// The same in pieces; none when it has no extent either.
     /// @param pieceRadius as of cutIntoPieces().
     std::vector<MeshPiece> import(const Primitive& primitive, const UvPlaces& uv, double pieceRadius,
                                   const std::string& where);
@@ -33,8 +46,8 @@ class MeshImporter {
                             const std::string& where);
     void addVertex(SourceMesh& mesh, const Attributes& attributes, std::uint32_t index,
                    const std::string& where);
-    void addShared(SourceMesh& mesh, const Attributes& attributes, const std::string& where);
-    void addFlat(SourceMesh& mesh, const Attributes& attributes, const std::string& where);
+    void addShared(SourcePrimitive& source, const Attributes& attributes, const std::string& where);
+    void addFlat(SourcePrimitive& source, const Attributes& attributes, const std::string& where);
 
     Accessors& m_accessors;
     Notes& m_notes;

@@ -33,6 +33,7 @@ struct NodeSource {
     std::vector<int> children;
     int mesh = -1;   ///< or none
     int camera = -1; ///< or none
+    std::optional<int> skin{};
 };
 
 std::vector<NodeSource> readNodes(const json& root) {
@@ -42,37 +43,10 @@ std::vector<NodeSource> readNodes(const json& root) {
         const json& node = itemAt(root, "nodes", static_cast<int>(i), "node");
         nodes.push_back({.children = indicesMember(node, "children"),
                          .mesh = indexMember(node, "mesh").value_or(-1),
-                         .camera = indexMember(node, "camera").value_or(-1)});
+                         .camera = indexMember(node, "camera").value_or(-1),
+                         .skin = indexMember(node, "skin")});
     }
     return nodes;
-}
-
-glm::dmat4 localTransform(const json& node) {
-    const std::string where = fmt::format("node '{}'", nameOf(node));
-    glm::dmat4 local(1.0);
-    if (const auto matrix = numbersMember(node, "matrix", 16, where)) {
-        for (int i = 0; i < 16; ++i) {
-            local[i / 4][i % 4] = (*matrix)[static_cast<std::size_t>(i)];
-        }
-        return local;
-    }
-    if (const auto turn = numbersMember(node, "rotation", 4, where)) {
-        // glTF stores x, y, z, w; glm takes w first, and would take no rotation for the identity.
-        const glm::dquat rotation((*turn)[3], (*turn)[0], (*turn)[1], (*turn)[2]);
-        const double length = glm::length(rotation);
-        if (!(length > 0.0) || !std::isfinite(length)) {
-            refuse("{}: its rotation has no direction", where);
-        }
-        local = glm::mat4_cast(rotation / length);
-    }
-    const auto scale = numbersMember(node, "scale", 3, where);
-    const auto translation = numbersMember(node, "translation", 3, where);
-    for (int c = 0; c < 3; ++c) {
-        const auto i = static_cast<std::size_t>(c);
-        local[c] *= scale ? (*scale)[i] : 1.0;
-        local[3][c] = translation ? (*translation)[i] : 0.0;
-    }
-    return local;
 }
 
 void requireUsable(const glm::dmat4& matrix, const json& node, std::size_t index) {
@@ -137,7 +111,8 @@ void markScene(const json& root, const std::vector<int>& parents, std::optional<
 /// Walks down from every root. In a graph where a node has one parent at most, what is not reached is on a
 /// cycle.
 void place(const json& root, const std::vector<NodeSource>& nodes, const std::vector<int>& parents,
-           const GltfLimits& limits, Notes& notes, std::vector<Placement>& placements) {
+           const GltfLimits& limits, Notes& notes, std::vector<Placement>& placements,
+           std::vector<std::size_t>& order) {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < parents.size(); ++i) {
         if (parents[i] == kNoParent) {
@@ -147,6 +122,7 @@ void place(const json& root, const std::vector<NodeSource>& nodes, const std::ve
     while (!open.empty()) {
         const std::size_t i = open.back();
         open.pop_back();
+        order.push_back(i);
         Placement& placement = placements[i];
         placement.reached = true;
         if (parents[i] != kNoParent) {
@@ -160,7 +136,9 @@ void place(const json& root, const std::vector<NodeSource>& nodes, const std::ve
             refuse("node {} is nested over the limit of {} deep", i, limits.maxNodeDepth);
         }
         const json& node = arrayMember(root, "nodes")[i];
-        placement.toWorld = placement.toWorld * localTransform(node);
+        const NodeTransform transform = readTransform(node);
+        placement.toWorld =
+            placement.toWorld * (transform.matrix ? *transform.matrix : matrixOf(transform.local));
         requireUsable(placement.toWorld, node, i);
         if (const auto layer = layerOf(node, fmt::format("node {}", i), notes)) {
             placement.layer = layer;
@@ -173,21 +151,57 @@ void place(const json& root, const std::vector<NodeSource>& nodes, const std::ve
 
 } // namespace
 
+NodeTransform readTransform(const json& node) {
+    const std::string where = fmt::format("node '{}'", nameOf(node));
+    NodeTransform transform;
+    if (const auto numbers = numbersMember(node, "matrix", 16, where)) {
+        transform.matrix.emplace(1.0);
+        for (int i = 0; i < 16; ++i) {
+            (*transform.matrix)[i / 4][i % 4] = (*numbers)[static_cast<std::size_t>(i)];
+        }
+        return transform;
+    }
+    LocalTransform& local = transform.local;
+    if (const auto turn = numbersMember(node, "rotation", 4, where)) {
+        // glTF stores x, y, z, w; glm takes w first, and would take no rotation for the identity.
+        local.rotation = glm::dquat((*turn)[3], (*turn)[0], (*turn)[1], (*turn)[2]);
+        const double length = glm::length(local.rotation);
+        if (!(length > 0.0) || !std::isfinite(length)) {
+            refuse("{}: its rotation has no direction", where);
+        }
+        local.rotation /= length;
+    }
+    if (const auto scale = numbersMember(node, "scale", 3, where)) {
+        local.scale = {(*scale)[0], (*scale)[1], (*scale)[2]};
+    }
+    if (const auto translation = numbersMember(node, "translation", 3, where)) {
+        local.translation = {(*translation)[0], (*translation)[1], (*translation)[2]};
+    }
+    return transform;
+}
+
 PlacedNodes placeNodes(const json& root, const GltfLimits& limits, std::optional<std::uint32_t> scene,
                        Notes& notes) {
     const std::vector<NodeSource> sources = readNodes(root);
     const std::vector<int> parents = findParents(root, sources);
     std::vector<Placement> placements(sources.size());
     markScene(root, parents, scene, placements);
-    place(root, sources, parents, limits, notes, placements);
     PlacedNodes nodes;
+    nodes.order.reserve(sources.size());
+    place(root, sources, parents, limits, notes, placements, nodes.order);
+    nodes.all.reserve(sources.size());
     for (std::size_t i = 0; i < placements.size(); ++i) {
         if (!placements[i].reached) {
             refuse("node {} is its own ancestor", i);
         }
+        nodes.all.push_back({.parent = parents[i] == kNoParent
+                                           ? std::nullopt
+                                           : std::optional(static_cast<std::size_t>(parents[i])),
+                             .toWorld = placements[i].toWorld,
+                             .inScene = placements[i].inScene});
         if (placements[i].inScene && sources[i].mesh >= 0) {
-            nodes.meshes.push_back(
-                {static_cast<int>(i), sources[i].mesh, placements[i].toWorld, placements[i].layer});
+            nodes.meshes.push_back({static_cast<int>(i), sources[i].mesh, placements[i].toWorld,
+                                    placements[i].layer, sources[i].skin});
         }
         if (placements[i].inScene && sources[i].camera >= 0) {
             nodes.cameras.push_back({static_cast<int>(i), sources[i].camera, placements[i].toWorld});

@@ -2,11 +2,13 @@
 
 #include "notes.h"
 
+#include <cdr/scene/animation/pose.h>
 #include <cdr/scene/gltf/gltf.h>
 
 #include <glm/glm.hpp>
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -19,6 +21,7 @@ struct MeshNode {
     int mesh = 0;
     glm::dmat4 toWorld{1.0};
     std::optional<float> layer{}; ///< of all that it draws, instead of its materials' own
+    std::optional<int> skin{};
 };
 
 /// A node with a camera.
@@ -28,8 +31,26 @@ struct CameraNode {
     glm::dmat4 toWorld{1.0};
 };
 
+/// Where a node of the file stands.
+struct PlacedNode {
+    std::optional<std::size_t> parent{};
+    glm::dmat4 toWorld{1.0};
+    bool inScene = false;
+};
+
+/// What a document says of how a node stands in its parent.
+struct NodeTransform {
+    LocalTransform local;
+    std::optional<glm::dmat4> matrix; ///< instead
+};
+
+/// Refuses a rotation without direction.
+NodeTransform readTransform(const nlohmann::json& node);
+
 /// What stands in a scene, in the order of the file's node array.
 struct PlacedNodes {
+    std::vector<PlacedNode> all;    ///< every node of the file
+    std::vector<std::size_t> order; ///< all of them, parents first
     std::vector<MeshNode> meshes;
     std::vector<CameraNode> cameras;
 };

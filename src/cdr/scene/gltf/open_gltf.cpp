@@ -1,5 +1,8 @@
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
+#include <cdr/host/worker_pool.h>
+#include <cdr/scene/animation/node_camera.h>
+#include <cdr/scene/animation/scene_animation.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
@@ -9,11 +12,16 @@
 #include <cctype>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace cdr::scene {
 
 namespace {
+
+/// So many that a step is far shorter than any frame.
+constexpr double kMostFramesPerSecond = 1e6;
 
 struct Sphere {
     glm::dvec3 centre{0.0};
@@ -76,13 +84,13 @@ SceneSetup setUpModel(Scene scene, const std::optional<Camera>& own, ModelLight 
     return {.scene = std::move(scene), .path = stillPath(first)};
 }
 
-std::optional<Camera> chosenCamera(const std::filesystem::path& path, const GltfImport& import,
-                                   const std::optional<std::uint32_t>& choice) {
+std::optional<GltfCamera> chosenCamera(const std::filesystem::path& path, const GltfImport& import,
+                                       const std::optional<std::uint32_t>& choice) {
     if (!choice) {
         return std::nullopt;
     }
     if (*choice < import.cameras.size()) {
-        return import.cameras[*choice].camera;
+        return import.cameras[*choice];
     }
     std::string names;
     for (std::size_t i = 0; i < std::min<std::size_t>(import.cameras.size(), 10); ++i) {
@@ -93,6 +101,77 @@ std::optional<Camera> chosenCamera(const std::filesystem::path& path, const Gltf
 }
 
 constexpr base::EnumNames<ModelLight, kModelLights.size()> kLightNames{"light", {"lamps", "sky"}};
+bool isPlayed(const GltfChoice& choice) {
+    return choice.animation || choice.seconds || choice.framesPerSecond;
+}
+
+FrameClock clockOf(const GltfChoice& choice) {
+    return {.start = choice.seconds.value_or(0.0), .framesPerSecond = choice.framesPerSecond.value_or(0.0)};
+}
+
+void requireUsable(const GltfChoice& choice) {
+    if (choice.seconds && !(*choice.seconds >= 0.0 && std::isfinite(*choice.seconds))) {
+        throw base::InputError(
+            fmt::format("--time must be finite and at least 0, in seconds, not {}", *choice.seconds));
+    }
+    if (choice.framesPerSecond &&
+        !(*choice.framesPerSecond > 0.0 && *choice.framesPerSecond <= kMostFramesPerSecond)) {
+        throw base::InputError(fmt::format("--fps must be above 0 and at most {}, not {}",
+                                           kMostFramesPerSecond, *choice.framesPerSecond));
+    }
+}
+
+/// An animation by its name, else by its number.
+std::optional<std::size_t> chosenAnimation(const std::filesystem::path& path, const GltfImport& import,
+                                           const GltfChoice& choice) {
+    if (!isPlayed(choice)) {
+        return std::nullopt;
+    }
+    if (import.animation == nullptr || import.animation->animations.empty()) {
+        throw base::InputError(
+            fmt::format("{}: it has no animations, which --animation, --time and --fps play", path.string()));
+    }
+    const std::vector<Animation>& animations = import.animation->animations;
+    const std::string asked = choice.animation.value_or("0");
+    for (std::size_t i = 0; i < animations.size(); ++i) {
+        if (animations[i].name == asked) {
+            return i;
+        }
+    }
+    for (std::size_t i = 0; i < animations.size(); ++i) {
+        if (std::to_string(i) == asked) {
+            return i;
+        }
+    }
+    std::string names;
+    for (std::size_t i = 0; i < std::min<std::size_t>(animations.size(), 10); ++i) {
+        names += fmt::format("{} {} '{}'", i == 0 ? ":" : ",", i, animations[i].name);
+    }
+    throw base::InputError(fmt::format("{}: animation '{}' does not exist, the file has {}{}", path.string(),
+                                       asked.substr(0, 60), animations.size(), names));
+}
+
+std::string animationsNote(const std::vector<Animation>& animations) {
+    return animations.size() == 1
+               ? fmt::format("its animation of {:.4g} s, which --time shows", animations.front().seconds)
+               : fmt::format("its {} animations, which --animation 0 to {} plays", animations.size(),
+                             animations.size() - 1);
+}
+
+/// A camera where its node is at each frame. Where a frame flattens it, it stays as it is at rest.
+CameraPath carriedPath(const GltfImport& import, const GltfCamera& camera, std::size_t chosen,
+                       const GltfChoice& choice) {
+    const FrameClock clock = clockOf(choice);
+    const double seconds = import.animation->animations[chosen].seconds;
+    const double frames = std::clamp(1.0 + std::floor(seconds * clock.framesPerSecond), 1.0, 1e6);
+    const std::size_t node = *import.rigNodeOf[static_cast<std::size_t>(camera.node)];
+    return {
+        .frames = static_cast<std::uint32_t>(frames),
+        .at = [animation = import.animation, lens = camera.camera, chosen, node, clock](std::uint32_t frame) {
+            const Pose pose = poseAt(animation->rig, &animation->animations[chosen], clock.secondsAt(frame));
+            return carriedBy(pose.toWorld[node], lens).value_or(lens);
+        }};
+}
 
 } // namespace
 
@@ -111,17 +190,45 @@ bool isGltfPath(const std::filesystem::path& path) {
     return extension == ".gltf" || extension == ".glb";
 }
 
+std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame) {
+    return isPlayed(choice) ? std::optional(clockOf(choice).secondsAt(frame)) : std::nullopt;
+}
+
 OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice) {
+    requireUsable(choice);
     GltfImport import = loadGltf(path, {}, choice.scene);
-    const std::optional<Camera> camera = chosenCamera(path, import, choice.camera);
+    const std::optional<GltfCamera> camera = chosenCamera(path, import, choice.camera);
     if (!camera && !import.cameras.empty()) {
         import.ignored.push_back(import.cameras.size() == 1
                                      ? "its camera, which --camera 0 looks through"
                                      : fmt::format("its {} cameras, which --camera 0 to {} looks through",
                                                    import.cameras.size(), import.cameras.size() - 1));
     }
-    return {.setup = setUpModel(std::move(import.scene), camera, choice.light.value_or(ModelLight::lamps)),
-            .notes = std::move(import.ignored)};
+    OpenedScene opened;
+    const auto chosen = chosenAnimation(path, import, choice);
+    SceneMotion motion;
+    if (chosen) {
+        motion = motionOf(import.animation, chosen, clockOf(choice));
+        host::WorkerPool workers(1);
+        show(import.scene, motion, 0, workers);
+    } else if (import.animation != nullptr && !import.animation->animations.empty()) {
+        import.ignored.push_back(animationsNote(import.animation->animations));
+    }
+    if (import.animation != nullptr) {
+        for (const Animation& animation : import.animation->animations) {
+            opened.animations.push_back({animation.name, animation.seconds});
+        }
+    }
+    opened.setup = setUpModel(std::move(import.scene), camera ? std::optional(camera->camera) : std::nullopt,
+                              choice.light.value_or(ModelLight::lamps));
+    if (chosen && camera && import.rigNodeOf[static_cast<std::size_t>(camera->node)]) {
+        opened.setup.path = carriedPath(import, *camera, *chosen, choice);
+    }
+    if (choice.framesPerSecond) {
+        opened.setup.motion = std::move(motion);
+    }
+    opened.notes = std::move(import.ignored);
+    return opened;
 }
 
 } // namespace cdr::scene

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace cdr::scene {
@@ -31,15 +32,22 @@ struct GltfChoice {
     std::optional<std::uint32_t>
         camera;                        ///< of the scene's perspective cameras; else one that frames all of it
     std::optional<ModelLight> light{}; ///< else lamps
+    /// A name or, from 0, a number; else the first, if `seconds` or `framesPerSecond` are given. Else nothing moves.
+    std::optional<std::string> animation{};
+    std::optional<double> seconds{};         ///< of the animation at frame 0, at least 0; else 0
+    std::optional<double> framesPerSecond{}; ///< above 0; else every frame shows the same moment
 
     bool operator==(const GltfChoice&) const = default;
 };
+
+/// The moment that a frame shows, where an animation is played.
+CDR_EXPORT std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame);
 
 /// Whether a path is to be opened as glTF, by its extension.
 CDR_EXPORT bool isGltfPath(const std::filesystem::path& path);
 
 /// A glTF file lit and framed so that it fills the picture, or seen by a camera of its own. base::InputError
-/// as loadGltf(), or when it has no such camera, which names those it has.
+/// as loadGltf(), or when it has no such camera or animation, which names those it has.
 CDR_EXPORT OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice = {});
 
 } // namespace cdr::scene

@@ -18,7 +18,12 @@ Primitive readPrimitive(const json& root, const json& source, const std::string&
     primitive.mode = indexMember(source, "mode").value_or(kModeTriangles);
     primitive.indices = indexMember(source, "indices").value_or(-1);
     primitive.material = indexMember(source, "material").value_or(-1);
-    primitive.hasMorphTargets = !arrayMember(source, "targets").empty();
+    for (const json& target : arrayMember(source, "targets")) {
+        if (!target.is_object()) {
+            refuse("{}: a morph target is no object", where);
+        }
+        primitive.targets.push_back(indicesByName(target));
+    }
     if (member(source, "attributes") == nullptr) {
         refuse("{}: has no 'attributes'", where);
     }

@@ -21,9 +21,9 @@ struct Primitive {
     int mode = kModeTriangles;
     int indices = -1;
     int material = -1;
-    std::map<std::string, int> attributes; ///< accessors
-    bool hasMorphTargets = false;
-    std::string extension; ///< the first one it has, empty without
+    std::map<std::string, int> attributes;           ///< accessors
+    std::vector<std::map<std::string, int>> targets; ///< of morph targets: their accessors
+    std::string extension;                           ///< the first one it has, empty without
 };
 
 /// A mesh of a document.

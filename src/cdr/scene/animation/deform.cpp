@@ -1,0 +1,126 @@
+#include <cdr/scene/animation/deform.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cdr::scene {
+
+namespace {
+
+/// A vertex in float64 on its way.
+struct Point {
+    glm::dvec3 position;
+    glm::dvec3 normal;
+};
+
+glm::dvec3 normalizedOr(const glm::dvec3& v, const glm::dvec3& fallback) {
+    const double length = glm::length(v);
+    return length > 0.0 && std::isfinite(length) ? v / length : fallback;
+}
+
+/// What turns normals as `matrix` turns surfaces, up to a positive factor.
+glm::dmat3 normalMatrixOf(const glm::dmat3& matrix) {
+    const glm::dmat3 cofactors(glm::cross(matrix[1], matrix[2]), glm::cross(matrix[2], matrix[0]),
+                               glm::cross(matrix[0], matrix[1]));
+    return glm::determinant(matrix) < 0.0 ? -cofactors : cofactors;
+}
+
+void morph(const Deformer& deformer, std::span<const double> weights, std::size_t first,
+           std::span<Point> points) {
+    for (std::size_t target = 0; target < std::min(weights.size(), deformer.targets.size()); ++target) {
+        if (weights[target] == 0.0) {
+            continue;
+        }
+        const std::vector<MorphDelta>& deltas = deformer.targets[target];
+        auto delta =
+            std::lower_bound(deltas.begin(), deltas.end(), first,
+                             [](const MorphDelta& a, std::size_t vertex) { return a.vertex < vertex; });
+        for (; delta != deltas.end() && delta->vertex < first + points.size(); ++delta) {
+            Point& point = points[delta->vertex - first];
+            point.position += weights[target] * glm::dvec3(delta->position);
+            point.normal += weights[target] * glm::dvec3(delta->normal);
+        }
+    }
+}
+
+glm::dmat4 blended(const Deformer& deformer, std::span<const glm::dmat4> joints, std::size_t vertex) {
+    glm::dmat4 matrix(0.0);
+    for (std::size_t i = deformer.firstInfluence[vertex]; i < deformer.firstInfluence[vertex + 1]; ++i) {
+        matrix += static_cast<double>(deformer.influences[i].weight) * joints[deformer.influences[i].joint];
+    }
+    return matrix;
+}
+
+} // namespace
+
+void finish(Deformer& deformer) {
+    glm::dvec3 low(std::numeric_limits<double>::infinity());
+    glm::dvec3 high(-low);
+    for (const Vertex& vertex : deformer.vertices) {
+        low = glm::min(low, glm::dvec3(vertex.position));
+        high = glm::max(high, glm::dvec3(vertex.position));
+    }
+    deformer.centre = deformer.vertices.empty() ? glm::dvec3(0.0) : (low + high) * 0.5;
+    std::vector<double> weightOf;
+    for (const Influence& influence : deformer.influences) {
+        weightOf.resize(std::max<std::size_t>(weightOf.size(), influence.joint + std::size_t{1}));
+        weightOf[influence.joint] += static_cast<double>(influence.weight);
+    }
+    deformer.anchor =
+        static_cast<std::uint32_t>(std::max_element(weightOf.begin(), weightOf.end()) - weightOf.begin());
+}
+
+DeformedPlace placeOf(const Deformer& deformer, const glm::dmat4& toWorld) {
+    return {.position = glm::dvec3(toWorld * glm::dvec4(deformer.centre, 1.0)), .basis = glm::dmat3(toWorld)};
+}
+
+DeformedPlace placeOf(const Deformer& deformer, std::span<const glm::dmat4> joints) {
+    const glm::dmat4& anchor = joints[deformer.anchor];
+    // Joints that mirror turn front faces into back faces, unless the instance mirrors them.
+    const bool mirrors = glm::determinant(glm::dmat3(anchor)) < 0.0;
+    return {.position = glm::dvec3(anchor * glm::dvec4(deformer.centre, 1.0)),
+            .basis = mirrors ? glm::dmat3(glm::dvec3(-1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.0),
+                                          glm::dvec3(0.0, 0.0, 1.0))
+                             : glm::dmat3(1.0)};
+}
+
+void deform(const Deformer& deformer, std::span<const double> weights, std::span<const glm::dmat4> joints,
+            const DeformedPlace& place, std::size_t first, std::size_t last, std::span<Vertex> deformed) {
+    std::vector<Point> points;
+    points.reserve(last - first);
+    for (std::size_t i = first; i < last; ++i) {
+        points.push_back(
+            {glm::dvec3(deformer.vertices[i].position), glm::dvec3(deformer.vertices[i].normal)});
+    }
+    morph(deformer, weights, first, points);
+    for (std::size_t i = first; i < last; ++i) {
+        Point& point = points[i - first];
+        if (joints.empty()) {
+            point.position -= deformer.centre;
+        } else {
+            // The basis is the identity or a mirror, each its own inverse.
+            const glm::dmat4 matrix = blended(deformer, joints, i);
+            const glm::dvec3 world(matrix * glm::dvec4(point.position, 1.0));
+            point.position = place.basis * (world - place.position);
+            point.normal = place.basis * (normalMatrixOf(glm::dmat3(matrix)) * point.normal);
+        }
+        Vertex& vertex = deformed[i];
+        vertex = deformer.vertices[i];
+        vertex.position = glm::vec3(point.position);
+        vertex.normal = glm::vec3(normalizedOr(point.normal, glm::dvec3(vertex.normal)));
+    }
+}
+
+void setFlatNormals(const Deformer& deformer, std::span<Vertex> deformed) {
+    for (std::size_t i = 0; deformer.isFlat && i + 2 < deformed.size(); i += 3) {
+        const glm::dvec3 a(deformed[i].position);
+        const glm::dvec3 b(deformed[i + 1].position);
+        const glm::dvec3 c(deformed[i + 2].position);
+        const glm::vec3 normal(
+            normalizedOr(glm::cross(b - a, c - a), glm::dvec3(deformer.vertices[i].normal)));
+        deformed[i].normal = deformed[i + 1].normal = deformed[i + 2].normal = normal;
+    }
+}
+
+} // namespace cdr::scene

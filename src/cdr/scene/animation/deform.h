@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cdr/scene/mesh.h>
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cdr::scene {
+
+/// How far a morph target moves a vertex.
+struct MorphDelta {
+    std::uint32_t vertex = 0;
+    glm::vec3 position{0.0f};
+    glm::vec3 normal{0.0f};
+};
+
+/// A joint that a vertex follows.
+struct Influence {
+    std::uint32_t joint = 0; ///< into the skin's joints
+    float weight = 0.0f;     ///< those of a vertex add up to one
+};
+
+/// A mesh that morph targets and joints deform, as it is before they do.
+struct Deformer {
+    std::vector<Vertex> vertices; ///< about the mesh's origin
+    bool isFlat = false; ///< three vertices for each triangle in turn, whose normal follows from its corners
+    std::vector<std::vector<MorphDelta>> targets; ///< only vertices that they move, ascending
+    std::vector<std::size_t> firstInfluence;      ///< by vertex, and the end; empty without a skin
+    std::vector<Influence> influences;            ///< vertex by vertex
+    glm::dvec3 centre{0.0};                       ///< of its bounding box
+    std::uint32_t anchor = 0;                     ///< with a skin: the joint that most of it follows
+};
+
+/// Fills in `centre` and `anchor`.
+void finish(Deformer& deformer);
+
+/// Where a deformed mesh stands, and from what its vertices are counted.
+struct DeformedPlace {
+    glm::dvec3 position{0.0}; ///< world space, of the origin of the deformed mesh
+    glm::dmat3 basis{1.0};    ///< object to world
+};
+
+/// By morph targets alone the mesh deforms in its own space, and its node carries it.
+DeformedPlace placeOf(const Deformer& deformer, const glm::dmat4& toWorld);
+/// With a skin its node carries nothing. Vertices are worked out in world space, about a point that goes with a joint, so
+/// that float32 holds them wherever the model is.
+/// @param joints world space, by joint: where it is now, times its inverse bind matrix
+DeformedPlace placeOf(const Deformer& deformer, std::span<const glm::dmat4> joints);
+
+/// Vertices `first` to `last` of the deformed mesh about its place, all in float64 until they are rounded once.
+/// @param weights of the morph targets
+/// @param joints empty without a skin
+void deform(const Deformer& deformer, std::span<const double> weights, std::span<const glm::dmat4> joints,
+            const DeformedPlace& place, std::size_t first, std::size_t last, std::span<Vertex> deformed);
+
+/// Gives the triangles of a flat mesh their normals; after all vertices were deformed.
+void setFlatNormals(const Deformer& deformer, std::span<Vertex> deformed);
+
+} // namespace cdr::scene

@@ -1,0 +1,168 @@
+#include <cdr/scene/animation/scene_animation.h>
+#include <cdr/scene/world/check.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace cdr::scene {
+
+namespace {
+
+/// Vertices that a worker deforms at a time.
+constexpr std::size_t kVerticesPerJob = 2048;
+
+/// What a motion works with; the functions of a SceneMotion share it.
+struct Moved {
+    std::shared_ptr<const SceneAnimation> all;
+    const Animation* animation = nullptr; ///< null for rest
+    FrameClock clock;
+    std::vector<std::size_t> carried;  ///< into SceneAnimation::carried
+    std::vector<std::size_t> deformed; ///< into SceneAnimation::deformed
+
+    Pose poseAt(std::uint32_t frame) const {
+        return scene::poseAt(all->rig, animation, clock.secondsAt(frame));
+    }
+};
+
+Transform transformOf(const glm::dvec3& position, const glm::dmat3& linear) {
+    const glm::mat3 basis(linear);
+    return {.position = position,
+            .basis = std::abs(glm::determinant(glm::dmat3(basis))) > 0.0 ? basis : glm::mat3(0.0f)};
+}
+
+std::vector<std::vector<glm::dmat4>> jointsOf(const SceneAnimation& all, const Pose& pose) {
+    std::vector<std::vector<glm::dmat4>> joints(all.skins.size());
+    for (std::size_t skin = 0; skin < joints.size(); ++skin) {
+        for (std::size_t i = 0; i < all.skins[skin].joints.size(); ++i) {
+            joints[skin].push_back(pose.toWorld[all.skins[skin].joints[i]] * all.skins[skin].inverseBind[i]);
+        }
+    }
+    return joints;
+}
+
+DeformedPlace placeOf(const DeformedInstance& instance, const Pose& pose,
+                      const std::vector<std::vector<glm::dmat4>>& joints) {
+    return instance.skin ? placeOf(instance.deformer, joints[*instance.skin])
+                         : placeOf(instance.deformer, pose.toWorld[instance.node]);
+}
+
+std::vector<Transform> transformsAt(const Moved& moved, std::uint32_t frame) {
+    const Pose pose = moved.poseAt(frame);
+    const auto joints = jointsOf(*moved.all, pose);
+    std::vector<Transform> transforms;
+    transforms.reserve(moved.carried.size() + moved.deformed.size());
+    for (const std::size_t i : moved.carried) {
+        const CarriedInstance& instance = moved.all->carried[i];
+        const glm::dmat4& toWorld = pose.toWorld[instance.node];
+        transforms.push_back(
+            transformOf(glm::dvec3(toWorld * glm::dvec4(instance.origin, 1.0)), glm::dmat3(toWorld)));
+    }
+    for (const std::size_t i : moved.deformed) {
+        const DeformedPlace place = placeOf(moved.all->deformed[i], pose, joints);
+        transforms.push_back(transformOf(place.position, place.basis));
+    }
+    return transforms;
+}
+
+std::vector<std::vector<Vertex>> verticesAt(const Moved& moved, std::uint32_t frame,
+                                            host::WorkerPool& workers) {
+    const Pose pose = moved.poseAt(frame);
+    const auto joints = jointsOf(*moved.all, pose);
+    struct Job {
+        std::size_t mesh; ///< into the result
+        std::size_t first;
+    };
+    std::vector<Job> jobs;
+    std::vector<std::vector<Vertex>> meshes(moved.deformed.size());
+    for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
+        meshes[mesh].resize(moved.all->deformed[moved.deformed[mesh]].deformer.vertices.size());
+        for (std::size_t first = 0; first < meshes[mesh].size(); first += kVerticesPerJob) {
+            jobs.push_back({mesh, first});
+        }
+    }
+    workers.run(jobs.size(), [&](std::size_t job, std::size_t) {
+        const auto [mesh, first] = jobs[job];
+        const DeformedInstance& instance = moved.all->deformed[moved.deformed[mesh]];
+        const RigNode& node = moved.all->rig.nodes[instance.node];
+        deform(instance.deformer, std::span(pose.weights).subspan(node.firstWeight, node.weightCount),
+               instance.skin ? std::span<const glm::dmat4>(joints[*instance.skin])
+                             : std::span<const glm::dmat4>(),
+               placeOf(instance, pose, joints), first, std::min(first + kVerticesPerJob, meshes[mesh].size()),
+               meshes[mesh]);
+    });
+    workers.run(meshes.size(), [&](std::size_t mesh, std::size_t) {
+        setFlatNormals(moved.all->deformed[moved.deformed[mesh]].deformer, meshes[mesh]);
+    });
+    return meshes;
+}
+
+/// What the chosen animation reaches; without one all that deforms.
+void select(Moved& moved) {
+    const SceneAnimation& all = *moved.all;
+    std::vector<bool> nodes(all.rig.nodes.size(), moved.animation == nullptr);
+    if (moved.animation != nullptr) {
+        nodes = movedBy(all.rig, *moved.animation);
+    }
+    for (std::size_t i = 0; moved.animation != nullptr && i < all.carried.size(); ++i) {
+        if (nodes[all.carried[i].node]) {
+            moved.carried.push_back(i);
+        }
+    }
+    for (std::size_t i = 0; i < all.deformed.size(); ++i) {
+        const DeformedInstance& instance = all.deformed[i];
+        const auto isMoved = [&](std::size_t joint) { return nodes[joint]; };
+        const bool byJoints = instance.skin && std::any_of(all.skins[*instance.skin].joints.begin(),
+                                                           all.skins[*instance.skin].joints.end(), isMoved);
+        if (nodes[instance.node] || byJoints) {
+            moved.deformed.push_back(i);
+        }
+    }
+}
+
+} // namespace
+
+SceneMotion motionOf(const std::shared_ptr<const SceneAnimation>& animation,
+                     std::optional<std::size_t> chosen, const FrameClock& clock) {
+    const auto moved = std::make_shared<Moved>();
+    moved->all = animation;
+    moved->animation = chosen ? &animation->animations[*chosen] : nullptr;
+    moved->clock = clock;
+    select(*moved);
+    SceneMotion motion;
+    for (const std::size_t i : moved->carried) {
+        motion.instances.push_back(animation->carried[i].instance);
+    }
+    for (const std::size_t i : moved->deformed) {
+        motion.instances.push_back(animation->deformed[i].instance);
+        motion.meshes.push_back(animation->deformed[i].mesh);
+    }
+    motion.transforms = [moved](std::uint32_t frame) { return transformsAt(*moved, frame); };
+    motion.vertices = [moved](std::uint32_t frame, host::WorkerPool& workers) {
+        return verticesAt(*moved, frame, workers);
+    };
+    return motion;
+}
+
+void show(Scene& scene, const SceneMotion& motion, std::uint32_t frame, host::WorkerPool& workers) {
+    if (!motion) {
+        return;
+    }
+    if (!motion.meshes.empty()) {
+        std::vector<std::vector<Vertex>> vertices = motion.vertices(frame, workers);
+        for (std::size_t i = 0; i < motion.meshes.size(); ++i) {
+            Mesh& mesh = scene.meshes[motion.meshes[i]];
+            mesh.vertices = std::move(vertices[i]);
+            mesh.boundingRadius = boundingRadiusOf(mesh.vertices);
+            requireUsable(mesh.vertices, mesh.boundingRadius, mesh.name);
+        }
+    }
+    const std::vector<Transform> transforms = motion.transforms(frame);
+    for (std::size_t i = 0; i < motion.instances.size(); ++i) {
+        requireUsable(transforms[i], "instance " + std::to_string(motion.instances[i]));
+        placeInstance(scene, motion.instances[i], transforms[i].position, transforms[i].basis);
+    }
+}
+
+} // namespace cdr::scene

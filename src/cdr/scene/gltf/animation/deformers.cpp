@@ -1,0 +1,156 @@
+#include "deformers.h"
+
+#include "../checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace cdr::scene::gltf {
+
+namespace {
+
+constexpr std::size_t kJointsPerSet = 4;
+
+/// Sets of four joints: JOINTS_0, JOINTS_1 and so on, as long as they follow each other.
+std::size_t jointSets(const Primitive& primitive) {
+    std::size_t sets = 0;
+    while (primitive.attributes.contains(fmt::format("JOINTS_{}", sets)) &&
+           primitive.attributes.contains(fmt::format("WEIGHTS_{}", sets))) {
+        ++sets;
+    }
+    return sets;
+}
+
+/// An accessor of an attribute, one element for each vertex of the file.
+const Accessor& attributeOf(const std::map<std::string, int>& attributes, const std::string& name,
+                            int components, std::size_t count, Accessors& accessors,
+                            const std::string& where) {
+    const Accessor& accessor = accessors.at(attributes.at(name));
+    if (accessor.components() != components || accessor.count() != count) {
+        refuse("{}: {} has {} elements of {} components where {} of {} are needed", where, name,
+               accessor.count(), accessor.components(), count, components);
+    }
+    return accessor;
+}
+
+struct JointSet {
+    const Accessor* joints;
+    const Accessor* weights;
+};
+
+/// The joints of a vertex, their weights made to add up to one.
+std::vector<Influence> influencesOf(const std::vector<JointSet>& sets, std::uint32_t vertex,
+                                    std::size_t joints, Notes& notes, const std::string& where) {
+    std::vector<Influence> influences;
+    double sum = 0.0;
+    for (const JointSet& set : sets) {
+        const glm::vec4 joint = set.joints->vector(vertex);
+        const glm::vec4 weight = set.weights->vector(vertex);
+        for (int c = 0; c < 4; ++c) {
+            if (!(weight[c] >= 0.0f) || !std::isfinite(weight[c])) {
+                refuse("{}: a weight of vertex {} is negative or not finite", where, vertex);
+            }
+            if (weight[c] > 0.0f) {
+                if (!(joint[c] >= 0.0f && static_cast<double>(joint[c]) < static_cast<double>(joints))) {
+                    refuse("{}: vertex {} follows joint {}, and the skin has {}", where, vertex, joint[c],
+                           joints);
+                }
+                influences.push_back({static_cast<std::uint32_t>(joint[c]), weight[c]});
+                sum += static_cast<double>(weight[c]);
+            }
+        }
+    }
+    if (influences.empty()) {
+        notes.add("a vertex follows no joint, its skin's first one taken", where);
+        return {{0, 1.0f}};
+    }
+    for (Influence& influence : influences) {
+        influence.weight = static_cast<float>(static_cast<double>(influence.weight) / sum);
+    }
+    return influences;
+}
+
+std::vector<MorphDelta> deltasOf(const std::map<std::string, int>& target, const SourcePrimitive& source,
+                                 Accessors& accessors, const std::string& where) {
+    const auto find = [&](const char* name) -> const Accessor* {
+        return target.contains(name) ? &attributeOf(target, name, 3, source.fileVertexCount, accessors, where)
+                                     : nullptr;
+    };
+    const Accessor* position = find("POSITION");
+    const Accessor* normal = find("NORMAL");
+    std::vector<MorphDelta> deltas;
+    for (std::uint32_t i = 0; i < source.fileVertices.size(); ++i) {
+        const auto of = [&](const Accessor* accessor) {
+            return accessor == nullptr ? glm::vec3(0.0f)
+                                       : glm::vec3(accessor->vector(source.fileVertices[i]));
+        };
+        const MorphDelta delta{i, of(position), of(normal)};
+        const float sum = glm::dot(delta.position, delta.position) + glm::dot(delta.normal, delta.normal);
+        if (!std::isfinite(sum)) {
+            refuse("{}: a morph target moves vertex {} by what is no float32", where, i);
+        }
+        if (delta.position != glm::vec3(0.0f) || delta.normal != glm::vec3(0.0f)) {
+            deltas.push_back(delta);
+        }
+    }
+    return deltas;
+}
+
+void addInfluences(const Primitive& primitive, const SourcePrimitive& source, Accessors& accessors,
+                   std::size_t joints, Notes& notes, const std::string& where, Deformer& deformer) {
+    std::vector<JointSet> sets;
+    for (std::size_t set = 0; set < jointSets(primitive); ++set) {
+        const auto attribute = [&](const char* name) {
+            return &attributeOf(primitive.attributes, fmt::format("{}_{}", name, set), 4,
+                                source.fileVertexCount, accessors, where);
+        };
+        sets.push_back({attribute("JOINTS"), attribute("WEIGHTS")});
+    }
+    deformer.firstInfluence.reserve(source.fileVertices.size() + 1);
+    for (const std::uint32_t vertex : source.fileVertices) {
+        deformer.firstInfluence.push_back(deformer.influences.size());
+        const std::vector<Influence> added = influencesOf(sets, vertex, joints, notes, where);
+        deformer.influences.insert(deformer.influences.end(), added.begin(), added.end());
+    }
+    deformer.firstInfluence.push_back(deformer.influences.size());
+}
+
+} // namespace
+
+bool hasJoints(const Primitive& primitive) {
+    return jointSets(primitive) > 0;
+}
+
+PrimitiveBytes predictDeformer(const Primitive& primitive, Accessors& accessors) {
+    const PrimitiveBytes mesh = predictBytes(primitive, accessors, true);
+    // Its vertices at rest and at a moment; all that its file says of each.
+    const std::uint64_t vertices = mesh.kept / sizeof(Vertex) + 1;
+    return {.kept = 2 * mesh.kept + vertices * (sizeof(std::size_t) +
+                                                jointSets(primitive) * kJointsPerSet * sizeof(Influence) +
+                                                primitive.targets.size() * sizeof(MorphDelta)),
+            .passing = mesh.passing};
+}
+
+Deformer makeDeformer(const Primitive& primitive, const SourcePrimitive& source, Accessors& accessors,
+                      std::size_t joints, Notes& notes, const std::string& where) {
+    Deformer deformer;
+    deformer.vertices = source.mesh.vertices;
+    deformer.isFlat = !primitive.attributes.contains("NORMAL");
+    for (const auto& target : primitive.targets) {
+        for (const auto& [name, accessor] : target) {
+            if (name != "POSITION" && name != "NORMAL" && name != "TANGENT") {
+                notes.add("morph targets change positions and normals alone", where);
+            }
+        }
+        deformer.targets.push_back(deltasOf(target, source, accessors, where));
+    }
+    if (joints > 0) {
+        addInfluences(primitive, source, accessors, joints, notes, where, deformer);
+    }
+    finish(deformer);
+    return deformer;
+}
+
+} // namespace cdr::scene::gltf

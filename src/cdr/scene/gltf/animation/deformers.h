@@ -1,0 +1,27 @@
+#pragma once
+
+#include "../accessor.h"
+#include "../memory.h"
+#include "../mesh.h"
+#include "../primitive.h"
+
+#include <cdr/scene/animation/deform.h>
+
+#include <cstddef>
+#include <string>
+
+namespace cdr::scene::gltf {
+
+/// Whether a primitive says which joints its vertices follow.
+bool hasJoints(const Primitive& primitive);
+
+/// What a deformer takes, foretold from the counts of accessors.
+PrimitiveBytes predictDeformer(const Primitive& primitive, Accessors& accessors);
+
+/// What deforms a primitive. Refuses joints beyond the skin's, weights that are negative or not finite, and morph targets
+/// that do not fit the primitive.
+/// @param joints of the skin; 0 without one
+Deformer makeDeformer(const Primitive& primitive, const SourcePrimitive& source, Accessors& accessors,
+                      std::size_t joints, Notes& notes, const std::string& where);
+
+} // namespace cdr::scene::gltf

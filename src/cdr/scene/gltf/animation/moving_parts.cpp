@@ -1,0 +1,116 @@
+#include "moving_parts.h"
+
+#include "../json.h"
+#include "animations.h"
+#include "skins.h"
+
+#include <cdr/host/worker_pool.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace cdr::scene::gltf {
+
+namespace {
+
+using nlohmann::json;
+
+/// Nodes that a rig needs: those that move, and those whose skins or weights deform what they draw.
+std::vector<bool> wantedNodes(const json& root, const PlacedNodes& nodes, std::vector<bool> wanted) {
+    for (const MeshNode& node : nodes.meshes) {
+        const auto i = static_cast<std::size_t>(node.node);
+        wanted[i] = wanted[i] || node.skin.has_value() || targetCount(root, node.mesh) > 0;
+        if (node.skin) {
+            for (const int joint : jointNodes(root, *node.skin)) {
+                wanted[static_cast<std::size_t>(joint)] = true;
+            }
+        }
+    }
+    return wanted;
+}
+
+} // namespace
+
+MovingParts::MovingParts(const json& root, const PlacedNodes& nodes, Accessors& accessors,
+                         MemoryPrediction& memory, Notes& notes)
+    : m_root(root),
+      m_accessors(accessors),
+      m_notes(notes),
+      m_animated(animatedNodes(root)),
+      m_morphed(morphedNodes(root)),
+      m_rig(makeRig(root, nodes, wantedNodes(root, nodes, m_animated), memory)) {
+    m_made->rig = m_rig.rig;
+    m_made->animations = readAnimations(root, accessors, m_rig, memory, notes);
+    for (const MeshNode& node : nodes.meshes) {
+        if (node.skin && m_skins.try_emplace(*node.skin, m_made->skins.size()).second) {
+            m_made->skins.push_back(readSkin(root, *node.skin, accessors, m_rig));
+        }
+    }
+    for (const std::size_t i : nodes.order) {
+        const auto parent = nodes.all[i].parent;
+        m_animated[i] = m_animated[i] || (parent && m_animated[*parent]);
+    }
+}
+
+bool MovingParts::moves(const MeshNode& node) const {
+    return m_animated[static_cast<std::size_t>(node.node)];
+}
+
+std::optional<std::size_t> MovingParts::skinOf(const MeshNode& node, const Primitive& primitive) const {
+    return node.skin && hasJoints(primitive) ? std::optional(m_skins.at(*node.skin)) : std::nullopt;
+}
+
+bool MovingParts::deforms(const MeshNode& node, const Primitive& primitive) const {
+    if (skinOf(node, primitive)) {
+        return true;
+    }
+    const std::vector<double> weights = restWeights(m_root, itemAt(m_root, "nodes", node.node, "node"));
+    const bool isMorphed = m_morphed[static_cast<std::size_t>(node.node)] ||
+                           std::any_of(weights.begin(), weights.end(), [](double w) { return w != 0.0; });
+    return isMorphed && !primitive.targets.empty();
+}
+
+void MovingParts::carry(const MeshNode& node, std::uint32_t instance, const glm::dvec3& origin) {
+    if (moves(node)) {
+        const std::size_t rigNode = m_rig.nodeOf[static_cast<std::size_t>(node.node)].value();
+        m_made->carried.push_back({.instance = instance, .node = rigNode, .origin = origin});
+    }
+}
+
+void MovingParts::addDeformed(Scene& scene, const MeshNode& node, const Primitive& primitive,
+                              SourcePrimitive source, std::uint32_t material, std::uint32_t object,
+                              const std::string& where) {
+    const auto skin = skinOf(node, primitive);
+    const std::size_t joints = skin ? m_made->skins[*skin].joints.size() : 0;
+    Deformer deformer = makeDeformer(primitive, source, m_accessors, joints, m_notes, where);
+    const std::size_t rigNode = m_rig.nodeOf[static_cast<std::size_t>(node.node)].value();
+    if (skin && !m_made->deformed.empty() && m_made->deformed.back().node == rigNode) {
+        // Parts of one object go with one point, so that its motion is one.
+        deformer.centre = m_made->deformed.back().deformer.centre;
+        deformer.anchor = m_made->deformed.back().deformer.anchor;
+    }
+    m_made->deformed.push_back({.instance = static_cast<std::uint32_t>(scene.instances.size()),
+                                .mesh = static_cast<std::uint32_t>(scene.meshes.size()),
+                                .node = rigNode,
+                                .skin = skin,
+                                .deformer = std::move(deformer)});
+    Mesh& mesh = scene.meshes.emplace_back();
+    mesh.name = std::move(source.mesh.name);
+    mesh.vertices = std::move(source.mesh.vertices);
+    mesh.details = std::move(source.mesh.details);
+    mesh.indices = std::move(source.mesh.indices);
+    addInstance(scene, m_made->deformed.back().mesh, material, object, glm::dvec3(0.0), glm::mat3(1.0f));
+}
+
+std::shared_ptr<const SceneAnimation> MovingParts::finish(Scene& scene) {
+    if (m_made->animations.empty() && m_made->deformed.empty()) {
+        return nullptr;
+    }
+    host::WorkerPool workers(1);
+    show(scene, motionOf(m_made, std::nullopt, {}), 0, workers);
+    return m_made;
+}
+
+} // namespace cdr::scene::gltf

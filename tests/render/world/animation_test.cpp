@@ -1,0 +1,129 @@
+#include "../fixture.h"
+
+#include <cdr/measure/certify/certifier.h>
+#include <cdr/measure/truth/truth_motion.h>
+#include <scenes/moving_scene.h>
+#include <scenes/open_scene.h>
+
+#include <cmath>
+
+namespace cdr::render_test {
+
+namespace {
+
+constexpr const char* kMachine = CDR_SOURCE_DIR "/tests/assets/machine.glb";
+constexpr double kFramesPerSecond = 4.0;
+
+/// The objects of machine.glb that its animation "work" turns and moves as they are, plus one.
+constexpr std::uint32_t kRigidIds[] = {2, 3, 4};
+
+class AnimationTest : public RenderTest {
+  protected:
+    static scene::OpenedScene open(double seconds, std::optional<double> framesPerSecond) {
+        scene::GltfChoice choice;
+        choice.seconds = seconds;
+        choice.framesPerSecond = framesPerSecond;
+        choice.camera = 0;
+        return scenes::openScene(kMachine, scenes::kDefaultSeed, choice);
+    }
+    static render::RenderOptions options(const char* technique, std::size_t threads = 2) {
+        render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
+        options.width = 240;
+        options.height = 180;
+        options.threads = threads;
+        return options;
+    }
+};
+
+/// Skins, morph targets, nodes: what a world was brought to is what is there when the file is opened at that moment, for
+/// any number of threads that deform and record.
+TEST_F(AnimationTest, FramesAreThoseOfAFileOpenedAtTheirMoment) {
+    const scene::OpenedScene opened = open(0.0, kFramesPerSecond);
+    for (const std::size_t threads : {std::size_t{1}, std::size_t{3}, std::size_t{16}}) {
+        host::WorkerPool workers(threads);
+        for (const char* technique : {"reversed", "anchored", "cdr"}) {
+            scenes::MovingScene moving(opened.setup.scene, opened.setup.motion);
+            render::GpuScene onDevice(device(), moving.world());
+            render::Renderer renderer(device(), onDevice, options(technique, threads));
+            for (const std::uint32_t frame : {1u, 2u, 5u, 3u, 8u, 40u}) {
+                EXPECT_TRUE(moving.show(frame, workers));
+                renderer.forgetFrames();
+                const scene::SceneSetup still = open(frame / kFramesPerSecond, {}).setup;
+                EXPECT_FALSE(still.motion);
+                ASSERT_EQ(hashOf(renderer.render(opened.setup.path.at(frame))),
+                          hashOf(draw(still.scene, still.path.at(0), options(technique, 1))))
+                    << technique << ", frame " << frame << ", " << threads << " threads";
+            }
+        }
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// The truth and the certificate follow what deforms. A caster that was told of nothing sees another picture.
+TEST_F(AnimationTest, TruthSeesTheSameTriangles) {
+    const scene::OpenedScene opened = open(0.0, kFramesPerSecond);
+    host::WorkerPool workers(2);
+    scenes::MovingScene moving(opened.setup.scene, opened.setup.motion);
+    measure::TruthCaster caster(moving.world().scene(), workers);
+    const measure::TruthCaster untold(moving.world().scene(), workers);
+    render::GpuScene onDevice(device(), moving.world());
+    render::Renderer renderer(device(), onDevice, options("anchored"));
+    for (const std::uint32_t frame : {1u, 3u, 4u, 6u, 8u}) {
+        moving.show(frame, workers);
+        caster.follow(moving.deformedMeshes(), workers);
+        const scene::Camera camera = opened.setup.path.at(frame);
+        const render::Frame drawn = renderer.render(camera);
+        const measure::WrongPixels wrong =
+            measure::countWrong(drawn.ids(), caster.cast(camera, drawn.width(), drawn.height(), workers));
+        EXPECT_EQ(wrong.wrong, 0u) << "frame " << frame;
+        EXPECT_GT(
+            measure::countWrong(drawn.ids(), untold.cast(camera, drawn.width(), drawn.height(), workers))
+                .wrong,
+            0u);
+    }
+}
+
+/// Motion is exact where nodes move as they are; what deforms moves by the point that it goes with.
+TEST_F(AnimationTest, MotionFollowsNodes) {
+    const scene::OpenedScene opened = open(0.1, 24.0);
+    host::WorkerPool workers(2);
+    scenes::MovingScene moving(opened.setup.scene, opened.setup.motion);
+    render::GpuScene onDevice(device(), moving.world());
+    render::RenderOptions chosen = options("anchored");
+    chosen.motion = true;
+    render::Renderer renderer(device(), onDevice, chosen);
+    renderer.render(opened.setup.path.at(0));
+    for (std::uint32_t number = 1; number < 5; ++number) {
+        const scene::Scene sceneBefore = moving.world().scene();
+        const scene::Camera before = opened.setup.path.at(number - 1);
+        const scene::Camera now = opened.setup.path.at(number);
+        moving.show(number, workers);
+        const render::Frame frame = renderer.render(now);
+        measure::TruthImage held(frame.width(), frame.height());
+        for (std::uint32_t y = 0; y < frame.height(); ++y) {
+            for (std::uint32_t x = 0; x < frame.width(); ++x) {
+                held.at(x, y) = {.id = frame.id(x, y), .distanceView = frame.distanceView(x, y)};
+            }
+        }
+        const auto exact = measure::truthMotion(held, {moving.world().scene(), now}, {sceneBefore, before});
+        for (const std::uint32_t id : kRigidIds) {
+            std::size_t pixels = 0;
+            double most = 0.0;
+            double longest = 0.0;
+            for (std::size_t i = 0; i < held.pixels.size(); ++i) {
+                if (held.pixels[i].id == id) {
+                    ++pixels;
+                    most = std::max(most, glm::length(glm::dvec2(frame.motion.pixels[i]) - exact.pixels[i]));
+                    longest = std::max(longest, glm::length(exact.pixels[i]));
+                }
+            }
+            EXPECT_GT(pixels, 10u) << id;
+            EXPECT_GT(longest, 0.5) << id;
+            EXPECT_LT(most, 0.01) << id;
+        }
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test

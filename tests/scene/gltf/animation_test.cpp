@@ -1,0 +1,247 @@
+#include "fixture.h"
+
+#include <cdr/host/worker_pool.h>
+#include <cdr/scene/gltf/open_gltf.h>
+
+#include <cmath>
+
+namespace cdr::scene::test {
+namespace {
+
+using GltfAnimation = GltfFolder;
+
+/// A square that moves along x for two seconds.
+Document moving() {
+    Document document = square();
+    const int times = document.addAccessor(std::vector<float>{0, 2}, "SCALAR", kFloat);
+    const int places = document.addAccessor(std::vector<float>{0, 0, 0, 10, 0, 0}, "VEC3", kFloat);
+    document.root["animations"] = {
+        {{"name", "slide"},
+         {"samplers", {{{"input", times}, {"output", places}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+    return document;
+}
+
+json& sampler(Document& document) {
+    return document.root["animations"][0]["samplers"][0];
+}
+
+/// A square whose right half follows a second joint, one unit up.
+Document skinned() {
+    Document document = square();
+    json& attributes = document.primitive()["attributes"];
+    attributes["JOINTS_0"] = document.addAccessor(
+        std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0}, "VEC4", kUByte);
+    attributes["WEIGHTS_0"] = document.addAccessor(
+        std::vector<float>{1, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4", kFloat);
+    document.root["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"translation", {50, 0, 0}}},
+                              {{"name", "low"}},
+                              {{"name", "high"}, {"translation", {0, 1, 0}}}};
+    document.root["skins"] = {{{"joints", {1, 2}}}};
+    document.root["scenes"][0]["nodes"] = {0, 1, 2};
+    return document;
+}
+
+glm::dvec3 cornerOf(const Scene& scene, std::size_t vertex) {
+    const Mesh& mesh = scene.meshes[scene.instances.mesh[0]];
+    return scene.instances.position(0) +
+           glm::dmat3(scene.instances.basis[0]) * glm::dvec3(mesh.vertices[vertex].position);
+}
+
+TEST_F(GltfAnimation, MovesItsNodes) {
+    const std::filesystem::path path = write("a.glb", moving().glb());
+    const auto xAt = [&](double seconds) {
+        GltfChoice choice;
+        choice.seconds = seconds;
+        return openGltf(path, choice).setup.scene.instances.x[0];
+    };
+    EXPECT_EQ(xAt(0.0), 1.0);
+    EXPECT_EQ(xAt(1.0), 6.0);
+    EXPECT_EQ(xAt(9.0), 11.0);
+    const OpenedScene still = openGltf(path);
+    EXPECT_EQ(still.setup.scene.instances.x[0], 1.0);
+    EXPECT_FALSE(still.setup.motion);
+    EXPECT_TRUE(anySays(still.notes, "its animation of 2 s, which --time shows"));
+    ASSERT_EQ(still.animations.size(), 1u);
+    EXPECT_EQ(still.animations[0].name, "slide");
+    EXPECT_EQ(still.animations[0].seconds, 2.0);
+}
+
+TEST_F(GltfAnimation, FramesGoByTheirRate) {
+    GltfChoice choice;
+    choice.seconds = 0.5;
+    choice.framesPerSecond = 4.0;
+    const OpenedScene opened = openGltf(write("a.glb", moving().glb()), choice);
+    ASSERT_EQ(opened.setup.motion.instances, (std::vector<std::uint32_t>{0}));
+    EXPECT_EQ(opened.setup.scene.instances.x[0], 3.5);
+    EXPECT_EQ(opened.setup.motion.transforms(0)[0].position.x, 3.5);
+    EXPECT_EQ(opened.setup.motion.transforms(2)[0].position.x, 6.0);
+    EXPECT_EQ(secondsAt(choice, 2), 1.0);
+    EXPECT_FALSE(secondsAt({}, 2));
+}
+
+TEST_F(GltfAnimation, IsChosenByNameOrNumber) {
+    Document document = moving();
+    document.root["animations"].push_back(document.root["animations"][0]);
+    document.root["animations"][1]["name"] = "0"; // names come first
+    document.root["animations"][1]["channels"] = json::array();
+    const std::filesystem::path path = write("a.glb", document.glb());
+    const auto xOf = [&](const std::string& name) {
+        GltfChoice choice;
+        choice.animation = name;
+        choice.seconds = 1.0;
+        return openGltf(path, choice).setup.scene.instances.x[0];
+    };
+    EXPECT_EQ(xOf("slide"), 6.0);
+    EXPECT_EQ(xOf("0"), 1.0);
+    EXPECT_EQ(xOf("1"), 1.0);
+    try {
+        xOf("walk");
+        FAIL();
+    } catch (const base::InputError& error) {
+        expectSays(error.what(), "animation 'walk' does not exist, the file has 2: 0 'slide', 1 '0'");
+    }
+}
+
+TEST_F(GltfAnimation, ANodeThatIsFlatAtRestMayGrow) {
+    Document document = moving();
+    document.root["nodes"][0]["scale"] = {0, 0, 0};
+    document.root["animations"][0]["channels"][0]["target"]["path"] = "scale";
+    EXPECT_EQ(load(document).scene.instances.basis[0], glm::mat3(0.0f));
+    Document grows = document;
+    sampler(grows)["output"] = grows.addAccessor(std::vector<float>{0, 0, 0, 4, 4, 4}, "VEC3", kFloat);
+    EXPECT_EQ(
+        openGltf(write("b.glb", grows.glb()), {.scene = {}, .camera = {}, .animation = {}, .seconds = 1.0})
+            .setup.scene.instances.basis[0],
+        glm::mat3(2.0f));
+}
+
+TEST_F(GltfAnimation, UnsoundOnesAreRefused) {
+    const auto with = [&](auto change) {
+        Document document = moving();
+        change(document);
+        return refusal(document);
+    };
+    const auto output = [](int type, std::size_t count, const char* kind) {
+        return [=](Document& document) {
+            sampler(document)["output"] = document.addAccessor(std::vector<float>(count, 1.0f), kind, type);
+        };
+    };
+    const auto input = [](std::vector<float> times) {
+        return [=](Document& document) {
+            sampler(document)["input"] = document.addAccessor(times, "SCALAR", kFloat);
+        };
+    };
+    expectSays(with(input({1, 1})),
+               "animation 0 'slide' sampler 0: its time 1 is not finite, or does not come");
+    expectSays(with(input({0, NAN})), "its time 1 is not finite");
+    expectSays(with(input({-1, 1})), "its time 0 is not finite");
+    expectSays(with(input({})), "its times are no list of numbers");
+    expectSays(with(output(kFloat, 9, "VEC3")), "3 elements of 3 components where 2 of 3 are needed");
+    expectSays(with(output(kFloat, 8, "VEC4")), "2 elements of 4 components where 2 of 3 are needed");
+    expectSays(with([](Document& d) { sampler(d)["interpolation"] = "CUBICSPLINE"; }),
+               "where 6 of 3 are needed");
+    expectSays(with([](Document& d) { sampler(d)["interpolation"] = "SINE"; }),
+               "interpolation 'SINE' does not");
+    expectSays(with([](Document& d) { d.root["animations"][0]["channels"][0]["sampler"] = 7; }),
+               "sampler 7 does not exist");
+    expectSays(with([](Document& d) { d.root["animations"][0]["channels"][0]["target"]["node"] = 7; }),
+               "node 7 does not exist");
+    expectSays(with([](Document& d) {
+                   d.root["animations"][0]["channels"][0]["target"]["path"] = "rotation";
+                   sampler(d)["output"] = d.addAccessor(std::vector<float>(8, 0.0f), "VEC4", kFloat);
+               }),
+               "its rotation 0 has no direction");
+}
+
+TEST_F(GltfAnimation, ChannelsThatNothingFollowsAreSaid) {
+    Document document = moving();
+    document.root["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    EXPECT_TRUE(anySays(load(document).ignored, "a node that is given as a matrix, which stays"));
+    document = moving();
+    document.root["animations"][0]["channels"][0]["target"]["path"] = "weights";
+    EXPECT_TRUE(anySays(load(document).ignored, "a node without morph targets"));
+    document.root["animations"][0]["channels"][0]["target"]["path"] = "pointer";
+    EXPECT_TRUE(anySays(load(document).ignored, "moves what is no part of a node"));
+}
+
+/// The node of a skinned mesh does not place it, and weights are made to add up to one.
+TEST_F(GltfAnimation, SkinsAreAppliedAtRest) {
+    const GltfImport result = load(skinned());
+    EXPECT_EQ(result.ignored, std::vector<std::string>());
+    EXPECT_EQ(cornerOf(result.scene, 0), glm::dvec3(0.0, 0.0, 0.0));
+    EXPECT_EQ(cornerOf(result.scene, 1), glm::dvec3(2.0, 1.0, 0.0));
+    EXPECT_EQ(cornerOf(result.scene, 2), glm::dvec3(2.0, 5.0, 0.0));
+    EXPECT_EQ(cornerOf(result.scene, 3), glm::dvec3(0.0, 4.0, 0.0));
+}
+
+TEST_F(GltfAnimation, InverseBindMatricesComeFirst) {
+    Document document = skinned();
+    std::vector<float> matrices;
+    for (const float down : {0.0f, -1.0f}) {
+        matrices.insert(matrices.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, down, 0, 1});
+    }
+    document.root["skins"][0]["inverseBindMatrices"] = document.addAccessor(matrices, "SCALAR", kFloat);
+    document.root["accessors"].back()["type"] = "MAT4";
+    document.root["accessors"].back()["count"] = 2;
+    EXPECT_EQ(cornerOf(load(document).scene, 2), glm::dvec3(2.0, 4.0, 0.0));
+}
+
+TEST_F(GltfAnimation, UnsoundSkinsAreRefused) {
+    const auto with = [&](auto change) {
+        Document document = skinned();
+        change(document);
+        return refusal(document);
+    };
+    expectSays(with([](Document& d) { d.root["skins"][0]["joints"] = {1}; }),
+               "mesh 0 '' primitive 0: vertex 1 follows joint 1, and the skin has 1");
+    expectSays(with([](Document& d) { d.root["skins"][0]["joints"] = json::array(); }),
+               "skin 0: has no joints");
+    expectSays(with([](Document& d) { d.root["skins"][0]["joints"] = {1, 9}; }), "node 9 does not exist");
+    expectSays(with([](Document& d) { d.root["nodes"][0]["skin"] = 3; }), "skin 3 does not exist");
+    expectSays(with([](Document& d) { d.root["skins"][0]["inverseBindMatrices"] = 0; }),
+               "4 inverse bind matrices of 3 components for 2 joints");
+    expectSays(with([](Document& d) { d.primitive()["attributes"]["WEIGHTS_0"] = 0; }),
+               "WEIGHTS_0 has 4 elements of 3 components where 4 of 4 are needed");
+    expectSays(with([](Document& d) {
+                   d.primitive()["attributes"]["WEIGHTS_0"] =
+                       d.addAccessor(std::vector<float>(16, -1.0f), "VEC4", kFloat);
+               }),
+               "a weight of vertex 0 is negative or not finite");
+}
+
+TEST_F(GltfAnimation, MorphTargetsAreAppliedAtRest) {
+    Document document = square();
+    const int target =
+        document.addAccessor(std::vector<float>{0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC3", kFloat);
+    document.primitive()["targets"] = {{{"POSITION", target}}};
+    EXPECT_EQ(load(document).animation, nullptr);
+    document.root["meshes"][0]["weights"] = {0.5};
+    EXPECT_EQ(cornerOf(load(document).scene, 1), glm::dvec3(3.0, 0.0, 0.0));
+    document.root["nodes"][0]["weights"] = {2.0};
+    EXPECT_EQ(cornerOf(load(document).scene, 1), glm::dvec3(6.0, 0.0, 0.0));
+    document.root["nodes"][0]["weights"] = {2.0, 1.0};
+    expectSays(refusal(document), "2 weights for 1 morph targets");
+    document.root["nodes"][0]["weights"] = {2.0};
+    document.primitive()["targets"][0]["POSITION"] =
+        document.addAccessor(std::vector<float>(9, 0.0f), "VEC3", kFloat);
+    expectSays(refusal(document), "POSITION has 3 elements of 3 components where 4 of 3 are needed");
+}
+
+/// A few bytes may name many targets of many vertices.
+TEST_F(GltfAnimation, DeformersAreForetold) {
+    Document document = square();
+    document.root["accessors"].push_back({{"componentType", kFloat}, {"count", 4}, {"type", "VEC3"}});
+    document.primitive()["targets"] = json::array();
+    for (int i = 0; i < 1000; ++i) {
+        document.primitive()["targets"].push_back({{"POSITION", 3}});
+    }
+    document.root["nodes"][0]["weights"] = std::vector<double>(1000, 1.0);
+    GltfLimits limits;
+    limits.maxBytes = 50'000;
+    expectSays(refusal(document, limits), "over the limit of 50000");
+    EXPECT_EQ(refusal(document), "loaded");
+}
+
+} // namespace
+} // namespace cdr::scene::test
