@@ -20,6 +20,8 @@ void drawFrameGraph(const Widgets& widgets, const ViewerModel& model);
 void drawTimeline(const Widgets& widgets, const ViewerModel& model);
 void drawCascadesPanel(const Widgets& widgets, const ViewerModel& model);
 void drawMemoryPanel(const Widgets& widgets, const ViewerModel& model);
+/// Only where a file has animations.
+void drawAnimationPanel(const Widgets& widgets, ViewerModel& model);
 void drawMeasuringPanel(const Widgets& widgets, ViewerModel& model);
 
 /// All of it in a column of that width at the window's right edge, in tabs.

@@ -24,6 +24,15 @@ void toggleMotion(ViewerModel& model, Motion motion) {
     model.motion = model.motion == motion ? Motion::free : motion;
 }
 
+void toggleAnimation(ViewerModel& model) {
+    model.playback.isPlaying = !model.playback.isPlaying;
+    const bool hasAny = model.shown != nullptr && model.shown->sceneName == model.settings.scene &&
+                        !model.shown->scene->animations.empty();
+    if (hasAny && !model.settings.choice.framesPerSecond) {
+        model.settings.choice = withAnimation(model.settings.choice, 0);
+    }
+}
+
 } // namespace
 
 void aimPivot(ViewerModel& model) {
@@ -95,6 +104,9 @@ void applyShortcut(const KeyInput& key, ViewerModel& model) {
         break;
     case GLFW_KEY_SPACE:
         toggleMotion(model, Motion::scenePath);
+        break;
+    case GLFW_KEY_K:
+        toggleAnimation(model);
         break;
     case GLFW_KEY_HOME:
         model.actions.push_back(Action::sceneCamera);

@@ -56,6 +56,7 @@ void drawSidebar(const Widgets& widgets, ItemPlaces& places, float width, Viewer
             drawViewPanel(widgets, model);
         });
         drawTab(1, places, model, [&] {
+            drawAnimationPanel(widgets, model);
             drawCameraPanel(widgets, model);
             drawMeasuringPanel(widgets, model);
         });

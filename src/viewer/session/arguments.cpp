@@ -70,6 +70,7 @@ void addPlace(CLI::App& program, Arguments& arguments) {
         ->check(experiments::wholeNumber());
     experiments::addCameraOptions(program, arguments.camera);
     experiments::addSceneChoice(program, arguments.choice);
+    experiments::addAnimationChoice(program, arguments.choice);
     program.option_defaults()->group("Options");
 }
 

@@ -64,6 +64,21 @@ void Session::followPath(double seconds) {
     m_model.camera = cameraAt(recording, m_model.playedSeconds);
 }
 
+void Session::followAnimation(double seconds) {
+    const bool isOpen = m_model.shown != nullptr && m_model.shown->sceneName == m_model.settings.scene &&
+                        m_model.shown->settings.choice == m_model.settings.choice;
+    if (!isOpen || !m_model.playback.isPlaying) {
+        return;
+    }
+    const scene::OpenedScene& scene = *m_model.shown->scene;
+    m_model.playback.advance(seconds, playableSeconds(m_model.settings.choice, scene));
+    if (scene.setup.path.frames > 1 && m_model.settings.choice.framesPerSecond &&
+        m_model.motion == Motion::free) {
+        m_model.camera =
+            scene::canonical(scene.setup.path.at(m_model.playback.frame(m_model.settings.choice)));
+    }
+}
+
 void Session::followTour() {
     if (m_model.shown->sceneName != m_model.settings.scene) {
         m_model.playedSeconds = 0.0; // it is still being opened
@@ -87,7 +102,9 @@ RenderRequest Session::wanted(const PictureArea& area) const {
         request.camera = m_model.camera;
     }
     if (isOpen && m_model.shown->scene->setup.motion) {
-        request.frame = m_model.pathFrame;
+        request.frame = m_model.settings.choice.framesPerSecond
+                            ? m_model.playback.frame(m_model.settings.choice)
+                            : m_model.pathFrame;
     }
     return request;
 }
@@ -105,13 +122,14 @@ void Session::update(const PictureArea& area, const glm::dvec2& cursor, double s
         return; // the picture that was clicked on comes first
     }
     followPath(seconds);
+    followAnimation(seconds);
     if (m_model.recorder.isRecording() && !m_model.recorder.add(seconds, m_model.camera)) {
         m_model.actions.push_back(Action::record); // it is full
     }
     readCursor(area, cursor);
     RenderRequest request = wanted(area);
     const bool isChanged = !m_asked || !asksTheSame(*m_asked, request);
-    const bool isFlying = isSteered || m_model.motion != Motion::free;
+    const bool isFlying = isSteered || m_model.motion != Motion::free || m_model.playback.isPlaying;
     const bool isMoving = isFlying || m_model.rendersAlways;
     const auto now = Clock::now();
     const bool isDue = (area.contains(cursor) || isSteered) && now - m_surfacesAsked >= kSurfacesEvery;

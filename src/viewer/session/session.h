@@ -50,6 +50,7 @@ class Session {
     void startThread();
     void followPath(double seconds);
     void followTour();
+    void followAnimation(double seconds);
     RenderRequest wanted(const PictureArea& area) const;
     void ask(RenderRequest request);
     void adopt(RenderResult result);

@@ -63,6 +63,8 @@ ViewerModel initialModel(const Arguments& arguments) {
             settings.second->format = settings.technique.format;
         }
     }
+    model.playback = playbackOf(settings.choice, arguments.camera.frame);
+    model.playback.isPlaying = arguments.plays;
     model.motion = arguments.plays ? Motion::scenePath : Motion::free;
     if (!arguments.camera.path.empty()) {
         model.recorder.load(scene::readRecording(arguments.camera.path));

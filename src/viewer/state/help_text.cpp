@@ -43,6 +43,7 @@ constexpr std::array kMeasuring{
 constexpr std::array kKeeping{
     HelpLine{"T", "a tour: from a space station's window to a runway's number"},
     HelpLine{"space", "follow the scene's own camera path, or stop"},
+    HelpLine{"K", "play a file's animation, or pause; the panel Camera chooses one"},
     HelpLine{"R", "record the camera's path, or end the recording"},
     HelpLine{"P", "play what was recorded"},
     HelpLine{"F11", "record what is shown as a video, both sides beside each other, or end it"},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "animation/playback.h"
 #include "camera/orbit_controller.h"
 #include "camera/path_recorder.h"
 #include "first_steps.h"
@@ -74,6 +75,7 @@ struct ViewerModel {
     std::uint32_t pathFrame = 0;
     PathRecorder recorder;
     double playedSeconds = 0.0;            ///< of what was recorded, or of the tour
+    Playback playback;                     ///< of a file's animation
     std::unique_ptr<VideoRecording> video; ///< null while none is recorded
 
     // What is shown

@@ -6,21 +6,17 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <utility>
 
 namespace cdr::viewer {
 
 namespace {
 
-std::vector<measure::Shape> shapesOf(const scene::Scene& scene, host::WorkerPool& workers) {
-    std::vector<std::optional<measure::Shape>> made(scene.meshes.size());
-    workers.run(made.size(), [&](std::size_t mesh, std::size_t) { made[mesh].emplace(scene.meshes[mesh]); });
-    std::vector<measure::Shape> shapes;
-    shapes.reserve(made.size());
-    for (std::optional<measure::Shape>& shape : made) {
-        shapes.push_back(std::move(*shape));
-    }
+std::vector<std::shared_ptr<const measure::Shape>> shapesOf(const scene::Scene& scene,
+                                                            host::WorkerPool& workers) {
+    std::vector<std::shared_ptr<const measure::Shape>> shapes(scene.meshes.size());
+    workers.run(shapes.size(), [&](std::size_t mesh, std::size_t) {
+        shapes[mesh] = std::make_shared<const measure::Shape>(scene.meshes[mesh]);
+    });
     return shapes;
 }
 
@@ -49,12 +45,16 @@ struct Obstacles::Way {
 Obstacles::Obstacles(const scene::Scene& scene, host::WorkerPool& workers)
     : m_scene(scene),
       m_instances(std::shared_ptr<void>(), &scene.instances),
-      m_shapes(std::make_shared<const std::vector<measure::Shape>>(shapesOf(scene, workers))) {
+      m_shapes(shapesOf(scene, workers)) {
     m_cells.build(scene, workers);
 }
 
-Obstacles Obstacles::moved(const scene::Scene& shown, host::WorkerPool& workers) const {
+Obstacles Obstacles::moved(const scene::Scene& shown, std::span<const std::uint32_t> deformed,
+                           host::WorkerPool& workers) const {
     Obstacles there(*this);
+    workers.run(deformed.size(), [&](std::size_t i, std::size_t) {
+        there.m_shapes[deformed[i]] = std::make_shared<const measure::Shape>(shown.meshes[deformed[i]]);
+    });
     there.m_instances = std::make_shared<const scene::Instances>(shown.instances);
     there.m_cells.build(shown, workers);
     return there;
@@ -99,7 +99,7 @@ void Obstacles::shortenInCell(std::size_t cell, Way& way) const {
                                          inverse->worldToObject * way.along};
             const bool isDoubleSided = m_scene.materials[instances.material[i]].doubleSided;
             way.share = std::min(
-                way.share, (*m_shapes)[instances.mesh[i]].nearest(ray, isDoubleSided, {0.0, way.share}));
+                way.share, m_shapes[instances.mesh[i]]->nearest(ray, isDoubleSided, {0.0, way.share}));
         }
     }
 }

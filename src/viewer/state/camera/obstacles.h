@@ -6,7 +6,9 @@
 #include <cdr/scene/scene.h>
 #include <cdr/visibility/instance_cells.h>
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace cdr::viewer {
@@ -18,7 +20,9 @@ class Obstacles {
     Obstacles(const scene::Scene& scene, host::WorkerPool& workers);
 
     /// The same meshes where `shown` has them now, which may move on at once.
-    Obstacles moved(const scene::Scene& shown, host::WorkerPool& workers) const;
+    /// @param deformed meshes that have other vertices than at first
+    Obstacles moved(const scene::Scene& shown, std::span<const std::uint32_t> deformed,
+                    host::WorkerPool& workers) const;
 
     /// How far a straight way leads before a surface, at most its own length. From the back of a single-sided one it
     /// leads out.
@@ -32,7 +36,7 @@ class Obstacles {
     const scene::Scene& m_scene;
     std::shared_ptr<const scene::Instances> m_instances; ///< the scene's, or a copy of what moved
     visibility::InstanceCells m_cells;
-    std::shared_ptr<const std::vector<measure::Shape>> m_shapes; ///< per mesh
+    std::vector<std::shared_ptr<const measure::Shape>> m_shapes; ///< per mesh
 };
 
 /// The camera on its way from `before`, stopped two near planes short of the first surface, so that none is cut open.

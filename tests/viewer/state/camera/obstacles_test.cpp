@@ -71,7 +71,7 @@ TEST(Obstacles, MoveWithTheScene) {
     scene::Scene shown = scene;
     shown.instances = {};
     scene::addInstance(shown, 0, 0, 0, {20.0, 0.0, 0.0}, glm::mat3(1.0f));
-    const Obstacles after = before.moved(shown, workers);
+    const Obstacles after = before.moved(shown, {}, workers);
     shown = {}; // what was taken from it stays
     const glm::dvec3 from(0.0);
     const glm::dvec3 ahead(0.0, 0.0, -100.0);

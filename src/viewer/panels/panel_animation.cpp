@@ -1,0 +1,83 @@
+#include "panels.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace cdr::viewer {
+
+namespace {
+
+std::string titleOf(const scene::OpenedScene& scene, int number) {
+    if (number < 0) {
+        return "none: at rest";
+    }
+    const std::string& name = scene.animations[static_cast<std::size_t>(number)].name;
+    return name.empty() ? "animation " + std::to_string(number) : name;
+}
+
+void chooseAnimation(const Widgets& widgets, ViewerModel& model, const scene::OpenedScene& scene) {
+    const int chosen = chosenNumber(model.settings.choice, scene);
+    const std::size_t count = scene.animations.size() + 1;
+    std::string title; // that the combo's view refers to
+    const std::size_t picked =
+        widgets.combo("plays", titleOf(scene, chosen), count, [&](std::size_t i) -> std::string_view {
+            title = titleOf(scene, static_cast<int>(i) - 1);
+            return title;
+        });
+    if (picked < count && static_cast<int>(picked) - 1 != chosen) {
+        model.settings.choice = withAnimation(model.settings.choice, static_cast<int>(picked) - 1);
+        model.playback.seconds = 0.0;
+        model.playback.isPlaying = picked > 0;
+    }
+}
+
+/// A slider over the whole width. @return whether it was moved
+bool slide(const char* name, double& value, double low, double high, const char* format, bool isLogarithmic) {
+    auto shown = static_cast<float>(value);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", name);
+    ImGui::SameLine(ImGui::GetFontSize() * 4.0f);
+    ImGui::SetNextItemWidth(-1.0f);
+    const std::string id = std::string("##") + name;
+    const bool isMoved = ImGui::SliderFloat(
+        id.c_str(), &shown, static_cast<float>(low), static_cast<float>(high), format,
+        ImGuiSliderFlags_AlwaysClamp |
+            (isLogarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
+    if (isMoved) {
+        value = std::clamp(static_cast<double>(shown), low, high);
+    }
+    return isMoved;
+}
+
+} // namespace
+
+void drawAnimationPanel(const Widgets& widgets, ViewerModel& model) {
+    if (model.shown == nullptr || model.shown->scene->animations.empty() ||
+        model.shown->sceneName != model.settings.scene) {
+        return;
+    }
+    constexpr double kSlowest = 0.1;
+    constexpr double kFastest = 10.0;
+    const scene::OpenedScene& scene = *model.shown->scene;
+    widgets.heading("Animation");
+    chooseAnimation(widgets, model, scene);
+    const double length = playableSeconds(model.settings.choice, scene);
+    if (length <= 0.0) {
+        return;
+    }
+    Playback& playback = model.playback;
+    if (widgets.button(playback.isPlaying ? "pause" : "play animation", playback.isPlaying)) {
+        playback.isPlaying = !playback.isPlaying;
+    }
+    widgets.beside();
+    widgets.checkbox("loop", playback.loops);
+    if (slide("time", playback.seconds, 0.0, length, "%.3f s", false)) {
+        playback.isPlaying = false;
+    }
+    slide("speed", playback.speed, kSlowest, kFastest, "%.2f times", true);
+}
+
+} // namespace cdr::viewer

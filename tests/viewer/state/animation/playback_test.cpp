@@ -1,0 +1,71 @@
+#include <viewer/state/animation/playback.h>
+
+#include <gtest/gtest.h>
+
+namespace cdr::viewer {
+
+namespace {
+
+scene::OpenedScene twoAnimations() {
+    scene::OpenedScene scene;
+    scene.animations = {{.name = "walk", .seconds = 2.0}, {.name = "run", .seconds = 3.0}};
+    return scene;
+}
+
+TEST(Playback, PlaysOnlyWhilePlaying) {
+    Playback playback{.isPlaying = false, .loops = true, .speed = 2.0, .seconds = 0.5};
+    playback.advance(0.25, 2.0);
+    EXPECT_EQ(playback.seconds, 0.5);
+    playback.isPlaying = true;
+    playback.advance(0.25, 2.0);
+    EXPECT_EQ(playback.seconds, 1.0);
+}
+
+TEST(Playback, LoopsOrStopsAtTheEnd) {
+    Playback playback{.isPlaying = true, .loops = true, .speed = 1.0, .seconds = 1.5};
+    playback.advance(1.0, 2.0);
+    EXPECT_EQ(playback.seconds, 0.5);
+    EXPECT_TRUE(playback.isPlaying);
+    playback.loops = false;
+    playback.advance(9.0, 2.0);
+    EXPECT_EQ(playback.seconds, 2.0);
+    EXPECT_FALSE(playback.isPlaying);
+    playback = {.isPlaying = true, .loops = true, .speed = 1.0, .seconds = 0.0};
+    playback.advance(1.0, 0.0); // nothing to play
+    EXPECT_EQ(playback.seconds, 0.0);
+    EXPECT_FALSE(playback.isPlaying);
+}
+
+/// The frame number and the rate say the moment that the copied command line shows.
+TEST(Playback, FramesNameTheMoment) {
+    const scene::GltfChoice choice = withAnimation({}, 1);
+    const Playback playback{.isPlaying = false, .loops = true, .speed = 1.0, .seconds = 1.234};
+    EXPECT_EQ(playback.frame(choice), 1234u);
+    EXPECT_NEAR(*scene::secondsAt(choice, playback.frame(choice)), 1.234, 1e-12);
+    EXPECT_EQ(chosenNumber(choice, twoAnimations()), 1);
+    EXPECT_EQ(playableSeconds(choice, twoAnimations()), 3.0);
+    EXPECT_EQ(withAnimation(choice, -1), scene::GltfChoice{});
+}
+
+TEST(Playback, BeginsWhereTheCommandLineSays) {
+    scene::GltfChoice choice;
+    choice.seconds = 1.5;
+    EXPECT_EQ(playbackOf(choice, 0).seconds, 1.5);
+    EXPECT_EQ(choice, withAnimation({}, 0));
+    choice.animation = "run";
+    choice.framesPerSecond = 10.0;
+    choice.seconds = 1.0;
+    const Playback playback = playbackOf(choice, 5);
+    EXPECT_EQ(playback.seconds, 0.5);
+    EXPECT_EQ(playback.frame(choice), 5u);
+    EXPECT_EQ(chosenNumber(choice, twoAnimations()), 1);
+    EXPECT_EQ(playableSeconds(choice, twoAnimations()), 2.0);
+    scene::GltfChoice still;
+    EXPECT_EQ(playbackOf(still, 7).seconds, 0.0);
+    EXPECT_EQ(still, scene::GltfChoice{});
+    EXPECT_EQ(chosenNumber(still, twoAnimations()), -1);
+}
+
+} // namespace
+
+} // namespace cdr::viewer
