@@ -42,10 +42,10 @@ bool slide(const char* name, double& value, double low, double high, const char*
     ImGui::SameLine(ImGui::GetFontSize() * 4.0f);
     ImGui::SetNextItemWidth(-1.0f);
     const std::string id = std::string("##") + name;
-    const bool isMoved = ImGui::SliderFloat(
-        id.c_str(), &shown, static_cast<float>(low), static_cast<float>(high), format,
-        ImGuiSliderFlags_AlwaysClamp |
-            (isLogarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
+    const bool isMoved =
+        ImGui::SliderFloat(id.c_str(), &shown, static_cast<float>(low), static_cast<float>(high), format,
+                           ImGuiSliderFlags_AlwaysClamp |
+                               (isLogarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
     if (isMoved) {
         value = std::clamp(static_cast<double>(shown), low, high);
     }

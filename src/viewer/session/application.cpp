@@ -137,8 +137,8 @@ PictureArea Application::pictureArea() const {
 }
 
 bool Application::isMoving() const {
-    return m_model.motion != Motion::free || m_model.playback.isPlaying || m_model.rendersAlways || m_model.video != nullptr ||
-           m_isMissed || m_arguments.frames || !m_session.isSettled();
+    return m_model.motion != Motion::free || m_model.playback.isPlaying || m_model.rendersAlways ||
+           m_model.video != nullptr || m_isMissed || m_arguments.frames || !m_session.isSettled();
 }
 
 bool Application::isRedrawDue() const {

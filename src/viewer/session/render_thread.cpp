@@ -13,7 +13,9 @@ namespace {
 /// The stage's answer, or why there is none. What the next request cannot mend passes through.
 RenderResult answerOrExplain(SceneRenderer& stage, const RenderRequest& request,
                              const std::stop_token& stop) {
-    RenderResult result{.serial = request.serial, .sceneName = stage.sceneName()};
+    RenderResult result;
+    result.serial = request.serial;
+    result.sceneName = stage.sceneName();
     try {
         return stage.answer(request, stop);
     } catch (const base::InputError& error) {
@@ -41,7 +43,9 @@ void RenderThread::serve(const std::stop_token& stop, const gpu::Device& device)
             m_notify();
         }
     } catch (...) {
-        m_results.put({.fatal = std::current_exception()});
+        RenderResult last;
+        last.fatal = std::current_exception();
+        m_results.put(std::move(last));
         m_notify();
     }
 }

@@ -122,8 +122,8 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
     result.frame = request.frame;
     host::WorkerPool workers(request.settings.threads);
     if (m_scene->moving != nullptr && m_scene->moving->show(request.frame, workers)) {
-        m_scene->obstacles = std::make_shared<const Obstacles>(
-            m_scene->obstacles->moved(m_scene->moving->world().scene(), m_scene->moving->deformedMeshes(), workers));
+        m_scene->obstacles = std::make_shared<const Obstacles>(m_scene->obstacles->moved(
+            m_scene->moving->world().scene(), m_scene->moving->deformedMeshes(), workers));
     }
     result.obstacles = m_scene->obstacles;
     result.camera = request.camera ? *request.camera : m_scene->opened->setup.path.at(0);

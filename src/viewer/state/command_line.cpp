@@ -136,7 +136,8 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     words.addUnless(!settings.choice.light, "--light",
                     nameOf(settings.choice.light.value_or(scene::ModelLight::sky)));
     words.addUnless(!settings.choice.animation, "--animation", settings.choice.animation.value_or(""));
-    words.addUnless(!settings.choice.seconds, "--time", fmt::format("{}", settings.choice.seconds.value_or(0.0)));
+    words.addUnless(!settings.choice.seconds, "--time",
+                    fmt::format("{}", settings.choice.seconds.value_or(0.0)));
     words.addUnless(!settings.choice.framesPerSecond, "--fps",
                     fmt::format("{}", settings.choice.framesPerSecond.value_or(0.0)));
     words.addUnless(settings.seed == scenes::kDefaultSeed, "--seed", fmt::format("{}", settings.seed));

@@ -98,8 +98,8 @@ void Obstacles::shortenInCell(std::size_t cell, Way& way) const {
             const measure::ObjectRay ray{inverse->worldToObject * (way.from - instances.position(i)),
                                          inverse->worldToObject * way.along};
             const bool isDoubleSided = m_scene.materials[instances.material[i]].doubleSided;
-            way.share = std::min(
-                way.share, m_shapes[instances.mesh[i]]->nearest(ray, isDoubleSided, {0.0, way.share}));
+            way.share = std::min(way.share,
+                                 m_shapes[instances.mesh[i]]->nearest(ray, isDoubleSided, {0.0, way.share}));
         }
     }
 }
