@@ -4,6 +4,7 @@
 
 #include <cdr/base/error.h>
 
+#include <memory>
 #include <utility>
 
 namespace cdr::viewer {
@@ -13,19 +14,22 @@ namespace {
 /// The stage's answer, or why there is none. What the next request cannot mend passes through.
 RenderResult answerOrExplain(SceneRenderer& stage, const RenderRequest& request,
                              const std::stop_token& stop) {
-    RenderResult result;
-    result.serial = request.serial;
-    result.sceneName = stage.sceneName();
+    RenderFailure failure;
     try {
         return stage.answer(request, stop);
     } catch (const base::InputError& error) {
-        result.failure = RenderFailure{error.what(), std::current_exception()};
+        failure = {error.what(), std::current_exception()};
     } catch (const base::RunError& error) {
-        result.failure = RenderFailure{error.what(), std::current_exception()};
+        failure = {error.what(), std::current_exception()};
     } catch (const vk::OutOfDeviceMemoryError&) {
-        result.failure = RenderFailure{"the device has too little memory for that", std::current_exception()};
+        failure = {"the device has too little memory for that", std::current_exception()};
     }
-    return result;
+    // On the heap: GCC 12 takes part of one on the stack for uninitialised.
+    const auto result = std::make_unique<RenderResult>();
+    result->serial = request.serial;
+    result->sceneName = stage.sceneName();
+    result->failure = std::move(failure);
+    return std::move(*result);
 }
 
 } // namespace
@@ -43,9 +47,9 @@ void RenderThread::serve(const std::stop_token& stop, const gpu::Device& device)
             m_notify();
         }
     } catch (...) {
-        RenderResult last;
-        last.fatal = std::current_exception();
-        m_results.put(std::move(last));
+        const auto last = std::make_unique<RenderResult>();
+        last->fatal = std::current_exception();
+        m_results.put(std::move(*last));
         m_notify();
     }
 }
