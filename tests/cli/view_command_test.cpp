@@ -20,6 +20,11 @@
 #include <algorithm>
 #include <filesystem>
 
+// GCC 12 takes an optional string that is empty for uninitialised.
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ == 12
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
 namespace cdr::cli_test {
 
 namespace {
