@@ -60,8 +60,9 @@ scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
         return scene::openGltf(nameOrPath, choice);
     }
     if (choice != scene::GltfChoice{}) {
-        throw base::InputError("--gltf-scene, --camera, --light, --animation, --time and --fps are for .gltf and .glb files, not " +
-                               nameOrPath);
+        throw base::InputError(
+            "--gltf-scene, --camera, --light, --animation, --time and --fps are for .gltf and .glb files, not " +
+            nameOrPath);
     }
     for (const Generator& generator : kGenerators) {
         if (nameOrPath == generator.name) {
