@@ -4,6 +4,9 @@
 
 #include <cdr/base/error.h>
 
+#include <vulkan/vulkan.hpp>
+
+#include <exception>
 #include <memory>
 #include <utility>
 

@@ -77,9 +77,9 @@ class Importer {
     /// Reads a mesh and adds what its parts take; returns its triangles.
     std::uint64_t readBounded(int mesh);
     void addObject(const MeshNode& node);
-    void addRigid(const MeshNode& node, std::size_t primitive, std::uint32_t object, const std::string& name);
-    void addDeformed(const MeshNode& node, std::size_t primitive, std::uint32_t object);
-    const std::optional<PlacedPrimitive>& use(int mesh, std::size_t primitive);
+    void addRigid(const MeshNode& node, std::size_t index, std::uint32_t object, const std::string& name);
+    void addDeformed(const MeshNode& node, std::size_t index, std::uint32_t object);
+    const std::optional<PlacedPrimitive>& use(int meshIndex, std::size_t index);
     /// A material of the scene in the layer of a node, if the node has one.
     std::uint32_t materialIn(std::optional<float> layer, std::uint32_t material);
 
