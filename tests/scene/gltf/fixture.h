@@ -6,8 +6,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -35,7 +36,8 @@ struct Document {
         const std::size_t offset = bin.size();
         const std::size_t size = data.size() * sizeof(T);
         bin.resize(offset + (size + 3) / 4 * 4);
-        std::memcpy(bin.data() + offset, data.data(), size);
+        std::copy_n(reinterpret_cast<const Bytes::value_type*>(data.data()), size,
+                    bin.begin() + static_cast<std::ptrdiff_t>(offset));
         root["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", size}});
         return static_cast<int>(root["bufferViews"].size()) - 1;
     }
