@@ -1,0 +1,50 @@
+#pragma once
+
+#include "frame_output.h"
+
+#include <cdr/gpu/device.h>
+#include <cdr/host/worker_pool.h>
+#include <cdr/measure/certify/certifier.h>
+#include <cdr/measure/truth/truth.h>
+#include <cdr/render/renderer.h>
+#include <scenes/moving_scene.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace cdr::cli {
+
+/// What a command wants to know of its frames beside what is drawn.
+struct WantedOfFrames {
+    bool truth = false;
+    bool certificate = false;
+};
+
+/// Draws frame after frame of a scene, and casts its truth or certifies it where that is wanted.
+class FrameMaker {
+  public:
+    /// @param moving the scene, where it moves; else null. What is given by reference must outlive the maker.
+    FrameMaker(const gpu::Device& device, const scene::Scene& scene, scenes::MovingScene* moving,
+               const render::RenderOptions& options, const WantedOfFrames& wanted, host::WorkerPool& workers);
+
+    /// Goes past a frame that another rank makes.
+    void skip(std::uint32_t number, const scene::Camera& camera);
+    render::Frame draw(std::uint32_t number, const scene::Camera& camera);
+    /// Of the frame that was drawn last.
+    FrameOutput finish(std::uint32_t number, render::Frame frame);
+
+  private:
+    CertifiedOutput certify(render::Frame& frame); ///< and repairs it
+    void show(std::uint32_t number);
+
+    const render::RenderOptions& m_options;
+    std::uint32_t m_subPixelBits;
+    host::WorkerPool& m_workers;
+    scenes::MovingScene* m_moving;
+    render::GpuScene m_onDevice;
+    render::Renderer m_renderer;
+    std::optional<measure::TruthCaster> m_caster;
+    std::optional<measure::Certifier> m_certifier;
+};
+
+} // namespace cdr::cli

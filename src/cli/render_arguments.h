@@ -1,0 +1,62 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cdr/depth/technique.h>
+#include <cdr/render/render_options.h>
+#include <cdr/scene/gltf/open_gltf.h>
+#include <experiments/aov.h>
+#include <experiments/camera_options.h>
+#include <experiments/effect_options.h>
+#include <scenes/open_scene.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace cdr::cli {
+
+/// What `render` was given.
+struct RenderArguments {
+    std::string scene;
+    std::string technique;
+    std::string depth;
+    std::string split;
+    std::string format;
+    std::string targets = "single";
+    std::string submission = "secondaries";
+    std::string batching = "instanced";
+    std::string surface = "gbuffer";
+    bool occlusionCulling = false;
+    experiments::EffectArguments effects;
+    std::string detail = "none";
+    std::uint32_t snapBits = 0;
+    std::size_t threads = 1;
+    std::uint32_t width = 1280;
+    std::uint32_t height = 720;
+    std::string ranks = "frames";
+    std::string aov = "color";
+    std::string file;
+    bool hash = false;
+    std::filesystem::path trace;
+    std::filesystem::path certify;
+    experiments::CameraOptions camera;
+    std::string colours = "thesis";
+    std::uint64_t seed = scenes::kDefaultSeed;
+    scene::GltfChoice choice;
+};
+
+/// The technique of --technique, or of --depth and --split. base::InputError where both are given or a name is unknown.
+depth::NamedTechnique techniqueOf(const RenderArguments& arguments);
+
+/// base::InputError where a name is unknown.
+render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::Aov aov);
+
+/// "options" of the command's JSON.
+nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth::Technique& technique);
+
+void addRenderOptions(CLI::App& command, RenderArguments& arguments);
+
+} // namespace cdr::cli
