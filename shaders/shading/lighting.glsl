@@ -1,6 +1,6 @@
 // Ambient and point lights on a surface, for the deferred pass and for what is drawn after it. Define LIGHTING_SET and
 // LIGHTING_BINDING first, and
-// SKY_CONSTANT where the scene may have a sky. Knows view distances, not how they were mapped to depth. FLAT_LIGHTING: what all pixels share
+// SKY_CONSTANT where the scene may have a sky, and SHADOWED where points know which lights reach them. Knows view distances, not how they were mapped to depth. FLAT_LIGHTING: what all pixels share
 // comes as flat varyings from shading.vert (flat_lighting.glsl), not from the buffer.
 #ifndef CDR_SHADERS_LIGHTING_GLSL
 #define CDR_SHADERS_LIGHTING_GLSL
@@ -56,7 +56,17 @@ struct LitPoint {
     vec2 anchor; // view distance: that of a plane, a float and its rest,
     float ahead; // and what lies beyond
     float openness; // the share of ambient light that reaches it
+#ifdef SHADOWED
+    vec4 reached; // the shares of the first lights that reach it
+#endif
 };
+
+// The share of a light that no shadow takes.
+#ifdef SHADOWED
+float shareOf(LitPoint point, uint light) { return light < 4u ? point.reached[light] : 1.0; }
+#else
+float shareOf(LitPoint point, uint light) { return 1.0; }
+#endif
 
 // From a point to a light. Subtracting float from float and rest from rest keeps the small difference of two large
 // distances.
@@ -75,7 +85,7 @@ vec3 lightOn(LitPoint point) {
         vec3 way = wayTo(record, point);
         float distanceSquared = dot(way, way);
         float reach = sqrt(max(distanceSquared, 1e-30)) * (1.0 + distanceSquared * record.position.w);
-        light += record.color.rgb * (max(dot(point.normal, way), 0.0) / reach);
+        light += record.color.rgb * (shareOf(point, i) * max(dot(point.normal, way), 0.0) / reach);
     }
     return light;
 }
@@ -97,7 +107,7 @@ vec3 shinyLight(Shine shine, LitPoint point) {
         vec3 way = wayTo(record, point);
         float distanceSquared = dot(way, way);
         vec3 direction = way * inversesqrt(max(distanceSquared, 1e-30));
-        light += record.color.rgb * (1.0 / (1.0 + distanceSquared * record.position.w)) *
+        light += record.color.rgb * (shareOf(point, i) / (1.0 + distanceSquared * record.position.w)) *
                  pointReflectance(shine, point.normal, toCamera, facing, direction);
     }
     return min(light, kBrightest);

@@ -37,6 +37,10 @@ layout(set = 0, binding = 2) uniform usampler2D emissionBuffer;
 #endif
 #include "targets/emission.glsl"
 #endif
+// SHADOWED: by the binding of a mask that says which lights reach a surface.
+#ifdef SHADOWED
+layout(set = 0, binding = SHADOWED) uniform sampler2D shadowMask;
+#endif
 // OCCLUDED: by an image of the whole picture, or else OCCLUDED_PER_LAYER by what the layers left in the surfaces.
 #if defined(OCCLUDED)
 layout(set = 0, binding = 2) uniform sampler2D occlusionImage;
@@ -129,7 +133,16 @@ vec4 shade(ivec2 pixel, uvec4 texel) {
         uint emission = (surface.id & kIdEmits) != 0u ? texelFetch(emissionBuffer, pixel, 0).x : 0xff000000u;
         openness *= opennessOf(emission);
 #endif
-        color = litColor(color, shine, LitPoint(surface.normal, surface.ray, surface.anchor, surface.ahead, openness));
+        LitPoint point;
+        point.normal = surface.normal;
+        point.ray = surface.ray;
+        point.anchor = surface.anchor;
+        point.ahead = surface.ahead;
+        point.openness = openness;
+#ifdef SHADOWED
+        point.reached = texelFetch(shadowMask, pixel, 0);
+#endif
+        color = litColor(color, shine, point);
 #ifdef EMISSION
         color = min(color + emissionOf(emission), kBrightest);
 #endif

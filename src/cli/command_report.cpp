@@ -35,6 +35,7 @@ void addExperiments(CLI::App& program, const GlobalOptions& global) {
     addDetail(program, global);
     addCoplanar(program, global);
     addTranslucency(program, global);
+    addShadows(program, global);
     addEffects(program, global);
     addFocus(program, global);
     addOrbit(program, global);

@@ -23,6 +23,7 @@ void addOrbit(CLI::App& program, const GlobalOptions& global);
 void addTranslucency(CLI::App& program, const GlobalOptions& global);
 void addEffects(CLI::App& program, const GlobalOptions& global);
 void addFocus(CLI::App& program, const GlobalOptions& global);
+void addShadows(CLI::App& program, const GlobalOptions& global);
 void addInspect(CLI::App& program, const GlobalOptions& global);
 void addReport(CLI::App& program, const GlobalOptions& global);
 

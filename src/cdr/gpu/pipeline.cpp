@@ -46,6 +46,11 @@ vk::PipelineColorBlendAttachmentState blendState(Blend blend) {
                 .srcAlphaBlendFactor = Factor::eZero,
                 .dstAlphaBlendFactor = Factor::eOne,
                 .colorWriteMask = kAll};
+    case Blend::least:
+        return {.blendEnable = true,
+                .colorBlendOp = vk::BlendOp::eMin,
+                .alphaBlendOp = vk::BlendOp::eMin,
+                .colorWriteMask = kAll};
     case Blend::none:
         break;
     }

@@ -16,6 +16,7 @@ enum class Blend : std::uint8_t {
     none,       ///< replaces it
     accumulate, ///< colour is added; the attachment's alpha is multiplied by 1 - alpha
     over,       ///< the attachment times alpha, plus colour; alpha is transmittance
+    least,      ///< the lesser of both stays, in each channel
 };
 
 /// What a pipeline does with the stencil plane of its depth attachment.

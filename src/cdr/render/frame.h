@@ -23,6 +23,7 @@ struct FrameTimes {
         0.0;            ///< drawing occluders and testing what they hide, the wait for the device included
     double binMs = 0.0; ///< CPU, listing what each cascade draws
     double translucentMs = 0.0; ///< CPU culling, binning and writing the translucent draws
+    double shadowsMs = 0.0;     ///< CPU, finding what casts shadows
     double recordMs = 0.0;      ///< CPU writing commands
     double executeMs = 0.0;     ///< from submit until the device has finished
 };
@@ -33,6 +34,12 @@ struct OccluderStats {
     std::size_t hidden = 0; ///< instances in the frustum that were left out, since others hide them
 };
 
+/// What shadows came to.
+struct ShadowStats {
+    std::size_t maps = 0;    ///< that were drawn
+    std::size_t casters = 0; ///< draws into them
+};
+
 /// What a frame came to.
 struct FrameStats {
     std::size_t visible = 0;        ///< opaque instances in at least one cascade
@@ -41,6 +48,7 @@ struct FrameStats {
     FrameTimes times;               ///< where its time went
     TranslucencyStats translucency; ///< of the blended ones
     OccluderStats occluders;        ///< where there is occlusion culling
+    ShadowStats shadows;            ///< where lights cast them
     /// Surfaces shine, but were drawn matt: ambient occlusion per layer takes the bits that say how.
     bool lostShine = false;
     /// Surfaces emit light or have occlusion textures, and were drawn without: ambient occlusion per layer and a lens with a
@@ -68,6 +76,9 @@ struct CDR_EXPORT Frame {
     /// From each pixel to where its surface was in the last frame, in pixels, to the right and down: cdr_gbuffer.glsl.
     /// Empty without RenderOptions::motion, or where FrameCopy::color was asked for.
     image::Raster<glm::vec2> motion;
+    /// Of each of the first four lights 255 where it reaches the opaque surface, else 0. Empty without RenderOptions::shadows,
+    /// or where FrameCopy::color was asked for.
+    image::ImageRgba8 reached;
     /// Translucent fragments at or in front of the opaque surface; empty unless they were counted.
     image::ImageU32 fragmentCounts;
     FrameStats stats; ///< what the frame came to

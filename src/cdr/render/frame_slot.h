@@ -11,6 +11,7 @@
 #include <cdr/render/shading/picture.h>
 #include <cdr/render/shading/resolve_pass.h>
 #include <cdr/render/shading/shading_pass.h>
+#include <cdr/render/shadows/shadow_pass.h>
 #include <cdr/render/submit/draw_path_factory.h>
 #include <cdr/render/targets/focus_layers.h>
 #include <cdr/render/translucency/translucent_pass.h>
@@ -28,6 +29,7 @@ struct Renderer::Slot {
     ShadingInputs shading;
     PassInputs resolve;                               ///< where a visibility buffer is drawn
     std::optional<TranslucentPass::Slot> translucent; ///< where the scene has blended materials
+    std::optional<ShadowPass::Slot> shadows;          ///< where lights cast them
     FocusInputs focus;                                ///< where the lens has one
     std::optional<DepthOutput::Inputs> depthOutput;   ///< once a host asked for depth
     std::optional<MotionPass::Inputs> motion;         ///< where it is worked out
@@ -71,6 +73,7 @@ struct Renderer::Passes {
     OwnedTargets ownTargets;
     Targets& targets; ///< those
     FrameCutter cutter;
+    std::unique_ptr<ShadowPass> shadows; ///< where lights cast them
     ShadingPass shading;
     std::unique_ptr<ResolvePass> resolve;               ///< of a visibility buffer
     std::unique_ptr<TranslucentPass> translucent;       ///< where the scene has blended materials
@@ -81,6 +84,7 @@ struct Renderer::Passes {
     Readback colorCopy;
     Readback gbufferCopy;
     std::unique_ptr<Readback> motionCopy; ///< of `motion`
+    std::unique_ptr<Readback> shadowCopy; ///< of the mask of `shadows`
     std::size_t lightRoom = 0;            ///< of each slot's inputs
     std::vector<Slot> slots{};            ///< taken in turn
 };

@@ -85,6 +85,9 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
       ownTargets(makeOwnTargets(device, drawn, options, {needs.shiny, needs.emission}, picture)),
       targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),
       cutter(options, targets),
+      shadows(options.shadows
+                  ? std::make_unique<ShadowPass>(device, drawn, targets.gbuffer(), drawsFacets(options))
+                  : nullptr),
       shading(device, targets.gbuffer(), picture.lit(),
               {.effects = options.effects,
                .shiny = needs.shiny,
@@ -94,6 +97,7 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
                .emission = targets.emission(),
                .facets = drawsFacets(options),
                .marks = targets.marks(),
+               .shadows = shadows != nullptr ? &shadows->mask() : nullptr,
                .lights = static_cast<std::uint32_t>(drawn.scene.lights.size())}),
       resolve(drawsFacets(options) ? std::make_unique<ResolvePass>(device, targets.gbuffer()) : nullptr),
       translucent(needs.blended ? std::make_unique<TranslucentPass>(device, drawn, targets.gbuffer(),
@@ -103,7 +107,10 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
       colorCopy(device, extent, sizeof(image::Rgba8), "color copy"),
       gbufferCopy(device, extent, sizeof(GBufferPixel), "G-buffer copy"),
       motionCopy(options.motion ? std::make_unique<Readback>(device, extent, sizeof(glm::vec2), "motion copy")
-                                : nullptr) {}
+                                : nullptr),
+      shadowCopy(options.shadows
+                     ? std::make_unique<Readback>(device, extent, sizeof(image::Rgba8), "shadow mask copy")
+                     : nullptr) {}
 
 Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
                    const RenderOptions& options)
@@ -166,6 +173,10 @@ void Renderer::makeInputs(Slot& slot, std::size_t lightRoom) {
     slot.shading = m_passes->shading.makeInputs(lightRoom);
     if (m_passes->resolve != nullptr) {
         slot.resolve = m_passes->resolve->makeInputs(slot.shading);
+    }
+    slot.shadows.reset();
+    if (m_passes->shadows != nullptr) {
+        slot.shadows.emplace(m_passes->shadows->makeSlot(slot.shading));
     }
     slot.focus = {};
     slot.depthOutput.reset();
@@ -312,10 +323,17 @@ void Renderer::launch(Slot& slot, const Delivery& delivery) {
 void Renderer::shade(Slot& slot) {
     if (drawsFacets(m_options)) {
         slot.shading.setFacets(slot.path->facets());
+        if (slot.shadows) {
+            slot.shadows->inputs.setTexels(ShadingInputs::kFacetsBinding, slot.path->facets());
+        }
     }
     if (const auto* focus = std::get_if<std::unique_ptr<FocusLayers>>(&m_passes->ownTargets)) {
         (*focus)->light(slot.path->primary(), slot.shading, slot.focus);
     } else {
+        m_passes->shading.begin(slot.path->primary(), slot.shading);
+        if (slot.shadows) {
+            m_passes->shadows->record(slot.path->primary(), *slot.shadows);
+        }
         m_passes->shading.record(slot.path->primary(), slot.shading);
     }
 }
@@ -367,7 +385,7 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& deliv
     slot.revision = m_revision;
     Stopwatch watch(m_options.trace);
     slot.view = m_passes->cutter.look(camera);
-    if (slot.path->needsVisible() || m_passes->cutter.needsVisible()) {
+    if (slot.path->needsVisible() || m_passes->cutter.needsVisible() || slot.shadows) {
         cull(slot.view);
     }
     slot.stats = {};
@@ -382,6 +400,12 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& deliv
         m_passes->motion->update(*slot.motion, slot.view, motion);
     }
     slot.stats.times.splitMs = watch.lap("split");
+    if (slot.shadows) {
+        m_passes->shadows->prepare(*slot.shadows, slot.view, *m_visible, subPixelBits(m_device, m_options),
+                                   m_workers);
+        slot.stats.shadows = {.maps = slot.shadows->views.size(), .casters = slot.shadows->casters.draws()};
+        slot.stats.times.shadowsMs = watch.lap("shadows");
+    }
     if (m_passes->occlusion != nullptr) {
         slot.stats.occluders = m_passes->occlusion->drop(slot.view, m_workers, *m_visible);
         slot.stats.times.occludersMs = watch.lap("occluders");

@@ -7,6 +7,19 @@
 
 namespace cdr::render {
 
+namespace {
+
+/// Hands an image that fragment shaders read to copies.
+vk::ImageMemoryBarrier2 copyBarrier(const gpu::Image& image) {
+    return gpu::imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor,
+                             vk::PipelineStageFlagBits2::eFragmentShader,
+                             vk::AccessFlagBits2::eShaderSampledRead, vk::PipelineStageFlagBits2::eCopy,
+                             vk::AccessFlagBits2::eTransferRead, vk::ImageLayout::eShaderReadOnlyOptimal,
+                             vk::ImageLayout::eTransferSrcOptimal);
+}
+
+} // namespace
+
 Surfaces Renderer::surfaces() const {
     const auto imageOf = [](const gpu::Image& image, vk::ImageLayout layout) {
         return SurfaceImage{.image = image.handle(),
@@ -64,15 +77,14 @@ void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination
     m_device.beginLabel(primary, "read-back");
     m_passes->colorCopy.record(primary, m_passes->picture.encoded());
     if (destination == Destination::host) {
-        gpu::pipelineBarrier(
-            primary, {gpu::imageBarrier(
-                         gbuffer.handle(), vk::ImageAspectFlagBits::eColor,
-                         vk::PipelineStageFlagBits2::eFragmentShader, vk::AccessFlagBits2::eShaderSampledRead,
-                         vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
-                         vk::ImageLayout::eShaderReadOnlyOptimal, vk::ImageLayout::eTransferSrcOptimal)});
+        gpu::pipelineBarrier(primary, {copyBarrier(gbuffer)});
         m_passes->gbufferCopy.record(primary, gbuffer);
         if (m_passes->motion != nullptr) {
             m_passes->motionCopy->record(primary, m_passes->motion->image());
+        }
+        if (m_passes->shadows != nullptr) {
+            gpu::pipelineBarrier(primary, {copyBarrier(m_passes->shadows->mask())});
+            m_passes->shadowCopy->record(primary, m_passes->shadows->mask());
         }
     }
     if (m_passes->translucent != nullptr) {
@@ -92,6 +104,9 @@ Frame Renderer::fetch(const Slot& slot) const {
         frame.gbuffer = m_passes->gbufferCopy.fetch<GBufferPixel>();
         if (m_passes->motionCopy != nullptr) {
             frame.motion = m_passes->motionCopy->fetch<glm::vec2>();
+        }
+        if (m_passes->shadowCopy != nullptr) {
+            frame.reached = m_passes->shadowCopy->fetch<image::Rgba8>();
         }
     }
     if (m_passes->translucent != nullptr) {

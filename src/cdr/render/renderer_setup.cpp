@@ -3,8 +3,11 @@
 #include <cdr/render/occluders/occlusion_culling.h>
 #include <cdr/render/output/motion_pass.h>
 #include <cdr/render/renderer_setup.h>
+#include <cdr/render/shadows/shadow_pass.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace cdr::render {
 
@@ -37,6 +40,21 @@ std::uint64_t predictOcclusionBytes(const gpu::Device& device, vk::Extent2D exte
     }
     return options.submission == Submission::gpuDriven ? DeviceOcclusion::predictBytes(device, extent)
                                                        : OcclusionCulling::predictBytes(device, extent);
+}
+
+void requireShadows(const RenderOptions& options) {
+    if (!options.shadows) {
+        return;
+    }
+    if (options.focus.isOn()) {
+        throw base::InputError("a lens with a focus does without shadows");
+    }
+    if (options.detail.mode != visibility::DetailMode::none) { // a surface would shade what stands in for it
+        throw base::InputError("levels of detail do without shadows");
+    }
+    if (options.part != CascadePart{}) { // what another part draws casts shadows too
+        throw base::InputError("cascades that are drawn apart do without shadows");
+    }
 }
 
 } // namespace
@@ -79,7 +97,13 @@ std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions
            Picture::predictBytes(device, pictureOptions(extent, options, hasBlended, false)) +
            ShadingPass::predictBytes(extent, options.effects) +
            (options.motion ? MotionPass::predictBytes(device, extent) : 0) +
-           predictOcclusionBytes(device, extent, options);
+           predictOcclusionBytes(device, extent, options) +
+           (options.shadows ? ShadowPass::predictBytes(device, extent) : 0);
+}
+
+std::uint32_t subPixelBits(const gpu::Device& device, const RenderOptions& options) {
+    const std::uint32_t ofDevice = device.info().subPixelBits;
+    return options.snapBits > 0 ? std::min(options.snapBits, ofDevice) : ofDevice;
 }
 
 vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
@@ -96,6 +120,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         requireDivisible(options, hasBlended);
     }
     requireFocusable(options);
+    requireShadows(options);
     if (options.effects.occlusion.perLayer && !hasLayers(options.targets.kind)) {
         throw base::InputError(fmt::format("ambient occlusion per layer needs targets with layers "
                                            "(accumulate, pool or layers), not {}",

@@ -30,4 +30,7 @@ bool losesShine(const GpuScene& scene, const RenderOptions& options);
 /// FrameStats::lostEmission of every frame.
 bool losesEmission(const GpuScene& scene, const RenderOptions& options);
 
+/// To which vertices are rounded, by the device or by RenderOptions::snapBits.
+std::uint32_t subPixelBits(const gpu::Device& device, const RenderOptions& options);
+
 } // namespace cdr::render

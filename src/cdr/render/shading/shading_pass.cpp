@@ -4,10 +4,16 @@
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/shaders/shading_emission_frag.h>
 #include <cdr/shaders/shading_emission_occluded_frag.h>
+#include <cdr/shaders/shading_emission_occluded_shadowed_frag.h>
+#include <cdr/shaders/shading_emission_shadowed_frag.h>
 #include <cdr/shaders/shading_facets_frag.h>
+#include <cdr/shaders/shading_facets_shadowed_frag.h>
 #include <cdr/shaders/shading_frag.h>
 #include <cdr/shaders/shading_layers_occluded_frag.h>
+#include <cdr/shaders/shading_layers_occluded_shadowed_frag.h>
 #include <cdr/shaders/shading_occluded_frag.h>
+#include <cdr/shaders/shading_occluded_shadowed_frag.h>
+#include <cdr/shaders/shading_shadowed_frag.h>
 #include <cdr/shaders/shading_vert.h>
 
 #include <algorithm>
@@ -29,13 +35,54 @@ bool isOccludedPerLayer(const Effects& effects) {
     return isOccluded(effects) && effects.occlusion.perLayer;
 }
 
+using Spirv = std::span<const std::uint32_t>;
+
+Spirv fragmentOf(const ShadingOptions& shading) {
+    const Effects& effects = shading.effects;
+    const auto either = [&](Spirv lit, Spirv shadowed) {
+        return shading.shadows != nullptr ? shadowed : lit;
+    };
+    if (shading.facets) {
+        return either(kShadingFacetsFrag, kShadingFacetsShadowedFrag);
+    }
+    if (isOccludedPerLayer(effects)) {
+        return either(kShadingLayersOccludedFrag, kShadingLayersOccludedShadowedFrag);
+    }
+    if (isOccluded(effects)) {
+        return shading.emission != nullptr
+                   ? either(kShadingEmissionOccludedFrag, kShadingEmissionOccludedShadowedFrag)
+                   : either(kShadingOccludedFrag, kShadingOccludedShadowedFrag);
+    }
+    return shading.emission != nullptr ? either(kShadingEmissionFrag, kShadingEmissionShadowedFrag)
+                                       : either(kShadingFrag, kShadingShadowedFrag);
+}
+
+/// What the fragment shader reads beside surfaces and lights, from binding 2 on.
+enum class ImageUse : std::uint8_t { facets, occlusion, emission, shadows };
+
+std::vector<ImageUse> imagesOf(const ShadingOptions& shading) {
+    std::vector<ImageUse> uses;
+    if (shading.facets) {
+        uses.push_back(ImageUse::facets);
+    } else if (isOccluded(shading.effects) && !isOccludedPerLayer(shading.effects)) {
+        uses.push_back(ImageUse::occlusion);
+    }
+    if (shading.emission != nullptr) {
+        uses.push_back(ImageUse::emission);
+    }
+    if (shading.shadows != nullptr) {
+        uses.push_back(ImageUse::shadows);
+    }
+    return uses;
+}
+
 FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading, std::uint32_t lights) {
     const Effects& effects = shading.effects;
     const auto [finish, exposure] =
         finishConstants(shading.finishes ? effects.finish : Finish{ToneMap::none}, shading.sky);
     FullscreenPassOptions options{.name = "shading",
                                   .vertexSpirv = kShadingVert,
-                                  .fragmentSpirv = kShadingFrag,
+                                  .fragmentSpirv = {},
                                   .bindings = {kImage, kBuffer},
                                   .format = format,
                                   .constants = {effects.fog.visibility > 0.0 ? 1u : 0u,
@@ -45,21 +92,10 @@ FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shadi
     if (shading.marks != nullptr) {
         options.marks = shading.marks->options().format;
     }
-    if (shading.facets) {
-        options.fragmentSpirv = kShadingFacetsFrag;
-        options.bindings.push_back(vk::DescriptorType::eUniformTexelBuffer);
-    } else if (isOccludedPerLayer(effects)) {
-        options.fragmentSpirv = kShadingLayersOccludedFrag;
-    } else if (isOccluded(effects)) {
-        options.fragmentSpirv = shading.emission != nullptr
-                                    ? std::span<const std::uint32_t>(kShadingEmissionOccludedFrag)
-                                    : kShadingOccludedFrag;
-        options.bindings.push_back(kImage);
-    } else if (shading.emission != nullptr) {
-        options.fragmentSpirv = kShadingEmissionFrag;
-    }
-    if (shading.emission != nullptr) {
-        options.bindings.push_back(kImage);
+    options.fragmentSpirv = fragmentOf(shading);
+    for (const ImageUse use : imagesOf(shading)) {
+        options.bindings.push_back(use == ImageUse::facets ? vk::DescriptorType::eUniformTexelBuffer
+                                                           : kImage);
     }
     return options;
 }
@@ -103,12 +139,17 @@ ShadingInputs ShadingPass::makeInputs(std::size_t lights) const {
     inputs.m_inputs = m_passes.begin()->second.makeInputs();
     inputs.m_inputs.setImage(0, m_gbuffer);
     inputs.m_inputs.setBuffer(1, inputs.m_lights);
-    if (m_occlusion) {
-        inputs.m_inputs.setImage(2, m_occlusion->image());
-        inputs.m_occlusion = m_occlusion->makeInputs(inputs.m_lights);
+    std::uint32_t binding = 2;
+    for (const ImageUse use : imagesOf(m_options)) {
+        if (use != ImageUse::facets) { // setFacets(), frame by frame
+            inputs.m_inputs.setImage(binding, use == ImageUse::occlusion  ? m_occlusion->image()
+                                              : use == ImageUse::emission ? *m_options.emission
+                                                                          : *m_options.shadows);
+        }
+        ++binding;
     }
-    if (m_options.emission != nullptr) {
-        inputs.m_inputs.setImage(emissionBinding(), *m_options.emission);
+    if (m_occlusion) {
+        inputs.m_occlusion = m_occlusion->makeInputs(inputs.m_lights);
     }
     return inputs;
 }
@@ -143,7 +184,7 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     m_lights.flush();
 }
 
-void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs) {
+void ShadingPass::begin(vk::CommandBuffer primary, const ShadingInputs& inputs) const {
     std::vector<vk::ImageMemoryBarrier2> barriers{readBarrier(m_gbuffer), attachBarrier(m_into)};
     if (m_options.emission != nullptr) {
         barriers.push_back(readBarrier(*m_options.emission));
@@ -155,6 +196,9 @@ void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs)
     if (m_occlusion) {
         m_occlusion->record(primary, inputs.m_occlusion);
     }
+}
+
+void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs) {
     m_device.beginLabel(primary, "shading");
     const FullscreenPass::Draw draw{.set = inputs.m_inputs.set()};
     const glm::vec3& background = inputs.m_background;

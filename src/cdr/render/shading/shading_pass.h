@@ -52,7 +52,8 @@ struct ShadingOptions {
     bool finishes = false;                ///< whether no later step does what Effects::finish says
     const gpu::Image* emission = nullptr; ///< Targets::emission()
     bool facets = false; ///< whether surfaces come from a visibility buffer; then effects hold no occlusion
-    const gpu::Image* marks = nullptr; ///< Targets::marks()
+    const gpu::Image* marks = nullptr;   ///< Targets::marks()
+    const gpu::Image* shadows = nullptr; ///< ShadowPass::mask(); null: lights reach everything
     std::uint32_t lights = 0; ///< as many as the scene has at first; up to shaders::kFlatLights cost least
 };
 
@@ -67,8 +68,9 @@ class ShadingPass {
     /// Inputs for at most so many lights.
     ShadingInputs makeInputs(std::size_t lights) const;
 
-    /// Takes the G-buffer from colour attachment to shader read layout, and leaves the image it writes in
-    /// colour attachment layout.
+    /// Takes the G-buffer from colour attachment to shader read layout. Comes before record().
+    void begin(vk::CommandBuffer primary, const ShadingInputs& inputs) const;
+    /// Leaves the image that it writes in colour attachment layout.
     void record(vk::CommandBuffer primary, const ShadingInputs& inputs);
 
     /// Device bytes of what the effects keep between passes.
@@ -78,7 +80,6 @@ class ShadingPass {
     const gpu::Device& m_device;
     const gpu::Image& m_gbuffer;
     const gpu::Image& m_into;
-    std::uint32_t emissionBinding() const { return m_occlusion ? 3u : 2u; }
     Effects m_effects;
     std::unique_ptr<OcclusionPass> m_occlusion; ///< null unless it is for the whole picture
     ShadingOptions m_options;

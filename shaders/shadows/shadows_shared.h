@@ -1,0 +1,63 @@
+// What shadow maps are drawn and read with. A light's view has axes right and up across its direction, and ahead away from
+// it; clip w, and clip z, grow evenly ahead, so that a distant light and one near by are drawn alike. Every struct is laid
+// out the same by std430 and by C++.
+#ifndef CDR_SHADERS_SHADOWS_SHARED_H
+#define CDR_SHADERS_SHADOWS_SHARED_H
+
+#ifdef __cplusplus
+#include <cdr/shaders/shared.h>
+
+namespace cdr::shaders {
+#endif
+
+// One caster: object space to a light's view. Per instance.
+struct CasterRecord {
+    vec4 right; // row of (axis * basis) in xyz, the origin's place on the axis in w
+    vec4 up;
+    vec4 ahead;
+    float rounding; // scene units: by how much a vertex may be off
+};
+
+// How a light's view becomes clip space, and depths in it become lengths.
+struct LightLens {
+    float wOffset; // clip w: wOffset + wPerUnit * ahead
+    float wPerUnit;
+    float zOffset; // clip z, nearer the light the larger
+    float zPerUnit;
+    float texel; // of the map, in units of right / w
+};
+
+struct CasterPush {
+    vec2 scale; // of right / w and up / w to normalised device coordinates
+    vec2 shift;
+    LightLens lens;
+};
+
+struct ReceiverPush {
+    vec4
+        right; // the light's axes along the camera's right, up and ahead in xyz; in w the place on them of the point
+    vec4 up; // straight ahead of the camera at referenceView
+    vec4 ahead;
+    vec2 low;       // of the map, in units of right / w and up / w
+    float nearView; // of the surfaces that read this map
+    float farView;
+    LightLens lens;
+    float snap; // scene units per unit of view distance: by how much a surface may be shifted by its device
+    float mapSnap; // texels: the same for casters
+    uint channel;  // of the mask
+    float referenceView;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(CasterRecord) == 52);
+static_assert(sizeof(CasterPush) == 36);
+static_assert(sizeof(ReceiverPush) == 100);
+} // namespace cdr::shaders
+#else
+// Clip z per unit of w that a texel's length towards the light amounts to, at a depth.
+float depthPerTexel(LightLens lens, float z) {
+    return lens.texel * abs(lens.zPerUnit - z * lens.wPerUnit);
+}
+#endif
+
+#endif

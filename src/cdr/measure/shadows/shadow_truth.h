@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cdr/host/worker_pool.h>
+#include <cdr/image/image.h>
+#include <cdr/measure/shadows/instance_bvh.h>
+#include <cdr/measure/truth/shape.h>
+#include <cdr/scene/camera.h>
+#include <cdr/scene/scene.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cdr::measure {
+
+/// What a light does at a pixel.
+enum class Reach : std::uint8_t {
+    nothing,  ///< background
+    reached,  ///< the surface faces the light, and nothing lies between
+    shadowed, ///< it faces the light, and something does
+    away      ///< it faces away, or lies so nearly along the light that it gets less than a thousandth of it
+};
+
+/// A pixel's surface and a light.
+struct ShadowPixel {
+    std::uint32_t id = 0; ///< object index + 1; 0 is background
+    Reach reach = Reach::nothing;
+
+    bool operator==(const ShadowPixel&) const = default;
+};
+
+using ShadowImage = image::Raster<ShadowPixel>;
+
+/// Casts a float64 ray through each pixel's centre, and from the surface there one to a light: each in every object's own
+/// space. Opaque surfaces alone, whole, masked ones too; for the light both sides of every triangle count. Shares no code
+/// with the renderer's shadows.
+class ShadowTruthCaster {
+  public:
+    /// @param scene must outlive the caster, and stay as it is.
+    /// @param shapes of its meshes; must outlive the caster.
+    ShadowTruthCaster(const scene::Scene& scene, std::span<const Shape> shapes);
+
+    /// @param light index into Scene::lights.
+    /// base::InputError when the camera is not usable. The bits do not depend on the number of workers.
+    ShadowImage cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
+                     std::size_t light, host::WorkerPool& workers) const;
+
+  private:
+    /// An instance, its rays' space included.
+    struct Caster {
+        const Shape* shape = nullptr; ///< null: it cannot be hit
+        glm::dmat3 worldToObject{1.0};
+        bool doubleSided = false;
+    };
+    struct Hit {
+        double at = 0.0; ///< parameter of the ray
+        std::uint32_t instance = 0;
+        bool isHit = false;
+    };
+    /// A ray whose origin is relative to a camera.
+    struct Ray {
+        const glm::dvec3& camera;
+        glm::dvec3 from;
+        glm::dvec3 direction;
+    };
+    ObjectRay placed(const Ray& ray, std::uint32_t instance) const;
+    Hit nearest(const Ray& ray, const ViewRange& range) const;
+    bool isBlocked(const Ray& ray, const ViewRange& range) const;
+    ShadowPixel pixelAt(const scene::Camera& camera, const glm::dvec2& slope, const glm::dvec2& step,
+                        const glm::dvec3& light) const;
+
+    const scene::Scene* m_scene;
+    std::vector<Caster> m_casters; ///< by instance
+    InstanceBvh m_bvh;
+};
+
+} // namespace cdr::measure

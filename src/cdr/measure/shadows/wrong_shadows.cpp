@@ -1,0 +1,89 @@
+#include <cdr/base/error.h>
+#include <cdr/measure/shadows/wrong_shadows.h>
+
+#include <fmt/format.h>
+
+namespace cdr::measure {
+
+namespace {
+
+constexpr image::Rgba8 kMissing{255, 0, 0, 255};
+constexpr image::Rgba8 kInvented{0, 114, 255, 255};
+constexpr image::Rgba8 kWrongAtEdge{255, 165, 0, 255};
+
+enum class Verdict : std::uint8_t { uncounted, right, wrong, edgeRight, edgeWrong };
+
+bool isInner(const ShadowImage& truth, std::uint32_t x, std::uint32_t y) {
+    if (x == 0 || y == 0 || x + 1 == truth.width || y + 1 == truth.height) {
+        return false;
+    }
+    for (std::uint32_t i = 0; i < 9; ++i) {
+        if (truth.at(x - 1 + i % 3, y - 1 + i / 3) != truth.at(x, y)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+Verdict verdictAt(const image::Raster<std::uint8_t>& reached, const ShadowImage& truth, std::uint32_t x,
+                  std::uint32_t y) {
+    const Reach reach = truth.at(x, y).reach;
+    if (reach != Reach::reached && reach != Reach::shadowed) {
+        return Verdict::uncounted;
+    }
+    const bool isRight = (reached.at(x, y) != 0) == (reach == Reach::reached);
+    if (isInner(truth, x, y)) {
+        return isRight ? Verdict::right : Verdict::wrong;
+    }
+    return isRight ? Verdict::edgeRight : Verdict::edgeWrong;
+}
+
+template <typename Take>
+void forVerdicts(const image::Raster<std::uint8_t>& reached, const ShadowImage& truth, const Take& take) {
+    if (reached.width != truth.width || reached.height != truth.height) {
+        throw base::InputError(fmt::format("shadows: {}x{} differs from {}x{}", reached.width, reached.height,
+                                           truth.width, truth.height));
+    }
+    for (std::uint32_t y = 0; y < truth.height; ++y) {
+        for (std::uint32_t x = 0; x < truth.width; ++x) {
+            take(x, y, verdictAt(reached, truth, x, y));
+        }
+    }
+}
+
+} // namespace
+
+WrongShadows& WrongShadows::operator+=(const WrongShadows& other) {
+    pixels += other.pixels;
+    shadowed += other.shadowed;
+    wrong += other.wrong;
+    edgeWrong += other.edgeWrong;
+    return *this;
+}
+
+WrongShadows countWrongShadows(const image::Raster<std::uint8_t>& reached, const ShadowImage& truth) {
+    WrongShadows count;
+    forVerdicts(reached, truth, [&](std::uint32_t x, std::uint32_t y, Verdict verdict) {
+        const bool isInside = verdict == Verdict::right || verdict == Verdict::wrong;
+        count.pixels += isInside;
+        count.shadowed += isInside && truth.at(x, y).reach == Reach::shadowed;
+        count.wrong += verdict == Verdict::wrong;
+        count.edgeWrong += verdict == Verdict::edgeWrong;
+    });
+    return count;
+}
+
+image::ImageRgba8 shadowHeatMap(const image::Raster<std::uint8_t>& reached, const ShadowImage& truth,
+                                const image::ImageRgba8& picture) {
+    image::ImageRgba8 map(truth.width, truth.height);
+    forVerdicts(reached, truth, [&](std::uint32_t x, std::uint32_t y, Verdict verdict) {
+        const image::Rgba8& color = picture.at(x, y);
+        const auto grey = static_cast<std::uint8_t>((color[0] + color[1] + color[2]) / 6);
+        map.at(x, y) = verdict == Verdict::wrong       ? (reached.at(x, y) != 0 ? kMissing : kInvented)
+                       : verdict == Verdict::edgeWrong ? kWrongAtEdge
+                                                       : image::Rgba8{grey, grey, grey, 255};
+    });
+    return map;
+}
+
+} // namespace cdr::measure

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cdr/measure/shadows/shadow_truth.h>
+
+#include <cstdint>
+
+namespace cdr::measure {
+
+/// How a light's rendered shadows compare with the truth.
+///
+/// Pixels whose surface faces the light count. An inner one is alike in object and reach with its eight neighbours; edges
+/// are decided by the texels of maps.
+struct WrongShadows {
+    std::uint64_t pixels = 0;    ///< inner pixels
+    std::uint64_t shadowed = 0;  ///< inner pixels that are shadowed in truth
+    std::uint64_t wrong = 0;     ///< inner pixels where the light does what it does not in truth
+    std::uint64_t edgeWrong = 0; ///< all others
+
+    double fraction() const {
+        return pixels > 0 ? static_cast<double>(wrong) / static_cast<double>(pixels) : 0.0;
+    }
+    WrongShadows& operator+=(const WrongShadows& other);
+};
+
+/// @param reached 1 where the light reaches a surface, else 0. base::InputError when the sizes differ.
+WrongShadows countWrongShadows(const image::Raster<std::uint8_t>& reached, const ShadowImage& truth);
+
+/// Red where a shadow is missing off edges, blue where one is that should not be, orange where either is at an edge, else the
+/// picture as grey at half its brightness.
+/// base::InputError when the sizes differ.
+image::ImageRgba8 shadowHeatMap(const image::Raster<std::uint8_t>& reached, const ShadowImage& truth,
+                                const image::ImageRgba8& picture);
+
+} // namespace cdr::measure

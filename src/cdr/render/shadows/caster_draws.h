@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cdr/gpu/memory.h>
+#include <cdr/host/worker_pool.h>
+#include <cdr/render/drawn_scene.h>
+#include <cdr/render/shadows/light_view.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::render {
+
+/// What casts shadows in the views of one frame's lights: opaque instances, both sides of them, whole. Owned by one frame
+/// slot.
+class CasterDraws {
+  public:
+    /// What the scene refers to must outlive the draws.
+    CasterDraws(const gpu::Device& device, const DrawnScene& scene);
+
+    /// Finds the casters of each view, gives each LightView::nearAhead, and writes what they are drawn from. The last frame
+    /// that drew them must have finished. base::RunError, with both figures, when that needs more memory than there is.
+    void prepare(std::vector<LightView>& views, host::WorkerPool& workers);
+
+    std::size_t draws() const { return m_casters.size(); }
+    /// Draws those of a view. `commands` is inside a rendering scope, with pipeline and push constants set.
+    void record(vk::CommandBuffer commands, std::size_t view) const;
+
+    /// Binding of the records.
+    static constexpr std::uint32_t kRecordBinding = 1;
+
+  private:
+    struct Range {
+        std::size_t begin = 0;
+        std::size_t end = 0;
+    };
+    void growRecords();
+    void writeRecords(const LightView& view, const Range& range) const;
+
+    const gpu::Device& m_device;
+    DrawnScene m_scene;
+    std::vector<std::uint32_t> m_casters; ///< view by view; of a view, kind by kind
+    std::vector<Range> m_ranges;          ///< by view, of m_casters
+    gpu::Buffer m_records;                ///< of each caster
+};
+
+} // namespace cdr::render

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cdr/render/shadows/receiver_slices.h>
+#include <cdr/scene/scene.h>
+#include <cdr/shaders/shadows_shared.h>
+
+#include <glm/glm.hpp>
+#include <vulkan/vulkan.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::render {
+
+/// What a light sees of the surfaces of a slice, and of all that lies between. Positions are taken relative to `origin`,
+/// subtracted in float64, so that what is near it keeps its place however far from the light and the world's origin it is.
+struct LightView {
+    double nearView = 0.0; ///< ReceiverSlice
+    double farView = 0.0;
+    glm::dvec3 origin{0.0};          ///< world space
+    glm::dvec3 right{1.0, 0.0, 0.0}; ///< world axes, unit, as all three
+    glm::dvec3 up{0.0, 1.0, 0.0};
+    glm::dvec3 ahead{0.0, 0.0, 1.0}; ///< away from the light
+    double wOffset = 1.0;            ///< w: wOffset + wPerUnit * ahead
+    double wPerUnit = 0.0;
+    glm::dvec2 low{0.0};    ///< of right / w and up / w, at the map's first texel's corner
+    double texel = 1.0;     ///< in those units; a power of two
+    vk::Extent2D size;      ///< texels
+    double nearAhead = 0.0; ///< of what is drawn, the nearest to the light
+    double farAhead = 0.0;  ///< of the receivers, the farthest from it
+
+    bool isDistant() const { return wOffset != 0.0; }
+    /// A place relative to the origin, along the three axes.
+    glm::dvec3 toLight(const glm::dvec3& relative) const {
+        return {glm::dot(right, relative), glm::dot(up, relative), glm::dot(ahead, relative)};
+    }
+    double w(double distanceAhead) const { return wOffset + wPerUnit * distanceAhead; }
+    /// @param nearAhead of the nearest caster; behind it nothing is drawn.
+    shaders::LightLens lens() const;
+};
+
+/// Most texels of a map's side.
+inline constexpr std::uint32_t kMostMapTexels = 2048;
+
+/// The views of a light that show a slice's surfaces: one from a distance, else one for each side of the light that faces
+/// some. None where the slice's surfaces fill no space.
+/// @param camera position that the slice is relative to.
+/// @param footprintSlope scene::Frustum: no texel is much smaller than a pixel.
+std::vector<LightView> lightViews(const glm::dvec3& light, const glm::dvec3& camera,
+                                  const ReceiverSlice& slice, double footprintSlope);
+
+} // namespace cdr::render

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cdr/scene/frustum.h>
+#include <cdr/visibility/cull_cells.h>
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <vector>
+
+namespace cdr::render {
+
+/// Surfaces of about the same distance, which a light's map is made for. Corners are world axes, relative to the camera.
+struct ReceiverSlice {
+    double nearView = 0.0;           ///< view distance, included
+    double farView = 0.0;            ///< view distance, left out
+    std::array<glm::dvec3, 8> view;  ///< the part of the camera's frustum between them
+    std::array<glm::dvec3, 8> boxes; ///< a box around the spheres that reach into that part
+    glm::dvec3 middle{0.0};          ///< of both, about
+    double reach = 0.0;              ///< from there, about
+};
+
+/// By how much a slice's far end is farther than its near one: then a texel that suits one suits the other.
+inline constexpr double kSliceRatio = 2.0;
+
+/// The slices in which something is seen, nearest first. Their ends are powers of kSliceRatio, whatever is seen: a surface
+/// that keeps its distance keeps its slice.
+std::vector<ReceiverSlice> receiverSlices(const scene::Camera& camera, const scene::Frustum& frustum,
+                                          const visibility::VisibleCells& visible);
+
+} // namespace cdr::render

@@ -1,0 +1,135 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/materials/packed_vertex.h>
+#include <cdr/render/shadows/shadow_map.h>
+#include <cdr/shaders/caster_frag.h>
+#include <cdr/shaders/caster_vert.h>
+
+#include <cstddef>
+
+namespace cdr::render {
+
+namespace {
+
+using Stage = vk::PipelineStageFlagBits2;
+using Access = vk::AccessFlagBits2;
+
+constexpr auto kDepthFormat = vk::Format::eD32Sfloat;
+constexpr auto kSlopeFormat = vk::Format::eR16G16B16A16Sfloat;
+constexpr auto kPushStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+constexpr auto kDepthStages = Stage::eEarlyFragmentTests | Stage::eLateFragmentTests;
+
+gpu::ImageOptions depthOptions() {
+    return {.extent = {kMostMapTexels, kMostMapTexels},
+            .format = kDepthFormat,
+            .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eSampled,
+            .aspect = vk::ImageAspectFlagBits::eDepth};
+}
+
+gpu::ImageOptions slopeOptions() {
+    return {.extent = {kMostMapTexels, kMostMapTexels},
+            .format = kSlopeFormat,
+            .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled};
+}
+
+std::vector<vk::VertexInputAttributeDescription> casterAttributes() {
+    using shaders::CasterRecord;
+    constexpr auto kRow = vk::Format::eR32G32B32A32Sfloat;
+    constexpr std::uint32_t kRecord = CasterDraws::kRecordBinding;
+    return {vertexAttributes().front(),
+            {1, kRecord, kRow, offsetof(CasterRecord, right)},
+            {2, kRecord, kRow, offsetof(CasterRecord, up)},
+            {3, kRecord, kRow, offsetof(CasterRecord, ahead)},
+            {4, kRecord, vk::Format::eR32Sfloat, offsetof(CasterRecord, rounding)}};
+}
+
+shaders::CasterPush pushOf(const LightView& view) {
+    const glm::dvec2 size(view.size.width, view.size.height);
+    const glm::dvec2 scale = 2.0 / (view.texel * size);
+    return {.scale = scale, .shift = -view.low * scale - 1.0, .lens = view.lens()};
+}
+
+/// From shaders that read both images to attachments, or back.
+void handOver(vk::CommandBuffer primary, const gpu::Image& depth, const gpu::Image& slope, bool toShaders) {
+    constexpr auto kDepthWrites = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
+    constexpr auto kColorWrites = Access::eColorAttachmentWrite;
+    using Layout = vk::ImageLayout;
+    if (toShaders) {
+        gpu::pipelineBarrier(
+            primary,
+            {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kDepthStages,
+                               Access::eDepthStencilAttachmentWrite, Stage::eFragmentShader,
+                               Access::eShaderSampledRead, Layout::eDepthAttachmentOptimal,
+                               Layout::eShaderReadOnlyOptimal),
+             gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
+                               kColorWrites, Stage::eFragmentShader, Access::eShaderSampledRead,
+                               Layout::eColorAttachmentOptimal, Layout::eShaderReadOnlyOptimal)});
+        return;
+    }
+    gpu::pipelineBarrier(
+        primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, Stage::eFragmentShader,
+                                    Access::eNone, kDepthStages, kDepthWrites, Layout::eUndefined,
+                                    Layout::eDepthAttachmentOptimal),
+                  gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor, Stage::eFragmentShader,
+                                    Access::eNone, Stage::eColorAttachmentOutput, kColorWrites,
+                                    Layout::eUndefined, Layout::eColorAttachmentOptimal)});
+}
+
+} // namespace
+
+ShadowMap::ShadowMap(const gpu::Device& device)
+    : m_depth(device, depthOptions(), "shadow map depth"),
+      m_slope(device, slopeOptions(), "shadow map slope"),
+      m_layout(gpu::makePipelineLayout(device, {},
+                                       {{.stageFlags = kPushStages, .size = sizeof(shaders::CasterPush)}},
+                                       "shadow caster layout")),
+      m_pipeline(
+          gpu::makeGraphicsPipeline(device, {.name = "shadow casters",
+                                             .vertexSpirv = kCasterVert,
+                                             .fragmentSpirv = kCasterFrag,
+                                             .constants = {},
+                                             .layout = *m_layout,
+                                             .bindings = {vertexBinding(),
+                                                          {.binding = CasterDraws::kRecordBinding,
+                                                           .stride = sizeof(shaders::CasterRecord),
+                                                           .inputRate = vk::VertexInputRate::eInstance}},
+                                             .attributes = casterAttributes(),
+                                             .colorFormats = {kSlopeFormat},
+                                             .depthFormat = kDepthFormat,
+                                             .depthCompare = vk::CompareOp::eGreaterOrEqual})) {}
+
+void ShadowMap::record(vk::CommandBuffer primary, const LightView& view, const CasterDraws& draws,
+                       std::size_t index) const {
+    handOver(primary, m_depth, m_slope, false);
+    const vk::RenderingAttachmentInfo slope{.imageView = m_slope.view(),
+                                            .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
+                                            .loadOp = vk::AttachmentLoadOp::eClear,
+                                            .storeOp = vk::AttachmentStoreOp::eStore};
+    const vk::RenderingAttachmentInfo depth{.imageView = m_depth.view(),
+                                            .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
+                                            .loadOp = vk::AttachmentLoadOp::eClear,
+                                            .storeOp = vk::AttachmentStoreOp::eStore,
+                                            .clearValue = vk::ClearDepthStencilValue{.depth = 0.0f}};
+    const vk::Rect2D area{{0, 0}, view.size};
+    primary.beginRendering({.renderArea = area,
+                            .layerCount = 1,
+                            .colorAttachmentCount = 1,
+                            .pColorAttachments = &slope,
+                            .pDepthAttachment = &depth});
+    primary.bindPipeline(vk::PipelineBindPoint::eGraphics, *m_pipeline);
+    primary.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(view.size.width),
+                                        static_cast<float>(view.size.height), 0.0f, 1.0f});
+    primary.setScissor(0, area);
+    primary.setCullMode(vk::CullModeFlagBits::eNone);
+    primary.setFrontFace(vk::FrontFace::eCounterClockwise);
+    primary.pushConstants<shaders::CasterPush>(*m_layout, kPushStages, 0, pushOf(view));
+    draws.record(primary, index);
+    primary.endRendering();
+    handOver(primary, m_depth, m_slope, true);
+}
+
+std::uint64_t ShadowMap::predictBytes(const gpu::Device& device) {
+    return gpu::predictBytes(device, depthOptions()) + gpu::predictBytes(device, slopeOptions());
+}
+
+} // namespace cdr::render

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cdr/gpu/memory.h>
+#include <cdr/render/shadows/caster_draws.h>
+
+#include <vulkan/vulkan.hpp>
+
+namespace cdr::render {
+
+/// What a light sees of one view: the depth of the nearest surfaces, and how they slope. One map serves all views in turn.
+class ShadowMap {
+  public:
+    explicit ShadowMap(const gpu::Device& device);
+
+    /// Draws a view, waiting for whoever read the map before. Leaves both images in the shader read layout.
+    /// @param index of the view in `draws`.
+    void record(vk::CommandBuffer primary, const LightView& view, const CasterDraws& draws,
+                std::size_t index) const;
+
+    const gpu::Image& depth() const { return m_depth; }
+    const gpu::Image& slope() const { return m_slope; }
+
+    static std::uint64_t predictBytes(const gpu::Device& device);
+
+  private:
+    gpu::Image m_depth;
+    gpu::Image m_slope;
+    vk::UniquePipelineLayout m_layout;
+    vk::UniquePipeline m_pipeline;
+};
+
+} // namespace cdr::render

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cdr/render/frame_view.h>
+#include <cdr/render/shading/fullscreen_pass.h>
+#include <cdr/render/shading/shading_pass.h>
+#include <cdr/render/shadows/caster_draws.h>
+#include <cdr/render/shadows/shadow_map.h>
+#include <cdr/visibility/cull_cells.h>
+
+#include <vulkan/vulkan.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::render {
+
+/// Finds which surfaces lights reach. The distances at which something is seen are cut into slices, and each light sees each
+/// slice through a map of its own, one map at a time: what lies beyond 10^6 units is shaded as what lies at arm's length, and
+/// memory does not grow.
+class ShadowPass {
+  public:
+    /// @param gbuffer or the visibility buffer.
+    /// @param facets whether it is that.
+    ShadowPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer, bool facets);
+
+    /// One frame slot's.
+    struct Slot {
+        PassInputs inputs;
+        CasterDraws casters;
+        std::vector<LightView> views;
+        std::vector<shaders::ReceiverPush> pushes; ///< of each view
+    };
+    Slot makeSlot(const ShadingInputs& shading) const;
+
+    /// @param visible what the camera sees.
+    void prepare(Slot& slot, const FrameView& view, const visibility::VisibleCells& visible,
+                 std::uint32_t subPixelBits, host::WorkerPool& workers) const;
+    /// Reads the G-buffer in the shader read layout, and leaves mask() in it.
+    void record(vk::CommandBuffer primary, const Slot& slot) const;
+
+    /// A channel for each of the first kMostLights lights: 1 where it reaches a surface, else 0.
+    const gpu::Image& mask() const { return m_mask; }
+
+    /// How many lights cast shadows, the first of a scene.
+    static constexpr std::size_t kMostLights = 4;
+
+    static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent);
+
+  private:
+    const gpu::Device& m_device;
+    DrawnScene m_scene;
+    const gpu::Image& m_gbuffer;
+    bool m_facets;
+    ShadowMap m_map;
+    gpu::Image m_mask;
+    FullscreenPass m_receivers;
+};
+
+} // namespace cdr::render

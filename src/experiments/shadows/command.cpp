@@ -1,0 +1,108 @@
+#include <cli/command.h>
+#include <cli/commands.h>
+#include <cli/picture_folder.h>
+#include <experiments/columns.h>
+#include <experiments/shadows/shadows.h>
+#include <scenes/open_scene.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace cdr::cli {
+
+namespace {
+
+struct ShadowArguments {
+    experiments::ShadowExperiment experiment;
+    std::string scene = "alley";
+    std::uint64_t seed = scenes::kDefaultSeed;
+    std::string surface = "gbuffer";
+    experiments::CameraOptions camera;
+    std::filesystem::path folder;
+};
+
+experiments::Columns<experiments::ShadowResult> shadowColumns() {
+    using Result = experiments::ShadowResult;
+    using Wrong = measure::WrongShadows;
+    const experiments::Columns<Wrong> wrong{
+        {.key = "pixels", .value = &Wrong::pixels, .heading = "pixels"},
+        {.key = "shadowed", .value = &Wrong::shadowed, .heading = "shadowed"},
+        {.key = "wrong", .value = &Wrong::wrong, .heading = "wrong"},
+        {.key = "wrong_fraction",
+         .value = &Wrong::fraction,
+         .heading = "wrong",
+         .format = {.pattern = "{} %", .scale = 100.0}},
+        {.key = "edge_wrong", .value = &Wrong::edgeWrong, .heading = "wrong at edges"}};
+    return experiments::joined<Result>(
+        {{{.key = "technique", .value = &Result::technique, .heading = "technique"},
+          {.key = "frame", .value = &Result::frame, .heading = "frame"},
+          {.key = "light", .value = &Result::light, .heading = "light"}},
+         experiments::columnsOf(&Result::wrong, wrong),
+         {{.key = "maps", .value = &Result::maps, .heading = "maps"},
+          {.key = "casters", .value = &Result::casters, .heading = "casters"},
+          {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"}}});
+}
+
+void run(Command& command, ShadowArguments& arguments) {
+    experiments::ShadowExperiment& experiment = arguments.experiment;
+    experiment.options.surface = render::parseSurfacePath(arguments.surface);
+    if (!arguments.camera.path.empty()) {
+        command.files().reads(arguments.camera.path);
+    }
+    const experiments::FrameCameras cameras(arguments.camera);
+    const PictureFolder folder(arguments.folder, command.files());
+    const scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed);
+    const auto columns = shadowColumns();
+    experiments::Table table = experiments::tableOf(columns, std::vector<experiments::ShadowResult>());
+    auto document = command.makeDocument({{"scene", arguments.scene},
+                                          {"seed", arguments.seed},
+                                          {"width", experiment.options.width},
+                                          {"height", experiment.options.height},
+                                          {"surface", arguments.surface},
+                                          {"snap_bits", experiment.options.snapBits},
+                                          {"threads", experiment.options.threads}});
+    experiments::runShadows(command.device(), setup, cameras, experiment, command.progressOf(arguments.scene),
+                            [&](const experiments::ShadowResult& result) {
+                                nlohmann::ordered_json row = experiments::jsonOf(columns, result);
+                                const std::string stem =
+                                    fmt::format("{}_{}_{}", result.technique, result.frame, result.light);
+                                folder.write("picture", stem + ".png", result.picture, row);
+                                folder.write("wrong_picture", stem + "_wrong.png", result.heatMap, row);
+                                document["results"].push_back(std::move(row));
+                                table.rows.push_back(experiments::cellsOf(columns, result));
+                            });
+    command.endProgress();
+    command.console().table(table);
+    command.console().line(fmt::format("\n{}; {}, {}x{}, off edges of objects and shadows",
+                                       command.opened().text(), arguments.scene, experiment.options.width,
+                                       experiment.options.height));
+    command.writeDocument(std::move(document));
+}
+
+void addOptions(CLI::App& command, ShadowArguments& arguments) {
+    experiments::ShadowExperiment& experiment = arguments.experiment;
+    command.add_option("scene", arguments.scene, "Scene with lights, or a .gltf or .glb file")
+        ->capture_default_str();
+    command.add_option("--techniques", experiment.techniques, "Presets, a comma between them")
+        ->delimiter(',')
+        ->capture_default_str();
+    command.add_option("--surface", arguments.surface, "gbuffer or visibility")->capture_default_str();
+    experiments::addFrameOptions(command, arguments.camera);
+    experiments::addCameraOptions(command, arguments.camera);
+    addSize(command, experiment.options.width, experiment.options.height);
+    addSnapBits(command, experiment.options.snapBits);
+    addThreads(command, experiment.options.threads, "Threads that cull, bin, record and cast the truth");
+    addSeed(command, arguments.seed, "Seed of a random scene");
+    command.add_option("--out", arguments.folder, "Folder for pictures, and for where they are wrong");
+}
+
+} // namespace
+
+void addShadows(CLI::App& program, const GlobalOptions& global) {
+    addCommand<ShadowArguments>(program, global, "shadows", "Shadows of lights against float64 rays",
+                                addOptions, run);
+}
+
+} // namespace cdr::cli

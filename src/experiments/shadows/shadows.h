@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cdr/gpu/device.h>
+#include <cdr/image/image.h>
+#include <cdr/measure/shadows/wrong_shadows.h>
+#include <cdr/render/render_options.h>
+#include <cdr/scene/scene_setup.h>
+#include <experiments/camera_options.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// Rendered shadows against float64 rays to the lights.
+struct ShadowExperiment {
+    std::vector<std::string> techniques{"anchored"};
+    render::RenderOptions options; ///< the technique and shadows are set
+};
+
+/// A light in a frame of a technique.
+struct ShadowResult {
+    std::string technique;
+    std::uint32_t frame = 0;
+    std::size_t light = 0;       ///< index
+    measure::WrongShadows wrong; ///< of the frame
+    std::size_t maps = 0;        ///< that the frame drew, of all lights
+    std::size_t casters = 0;     ///< draws into those
+    double executeMs = 0.0;      ///< of the frame
+    image::ImageRgba8 picture;   ///< as rendered
+    image::ImageRgba8 heatMap;   ///< measure::shadowHeatMap()
+};
+
+/// Called before each step with how many of all are done.
+using ShadowProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Results go out as they come, by technique, frame and light. base::InputError for a scene without lights.
+void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const FrameCameras& cameras,
+                const ShadowExperiment& experiment, const ShadowProgress& progress,
+                const std::function<void(const ShadowResult&)>& take);
+
+} // namespace cdr::experiments
