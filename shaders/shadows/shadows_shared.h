@@ -34,24 +34,26 @@ struct CasterPush {
 };
 
 struct ReceiverPush {
-    vec4
-        right; // the light's axes along the camera's right, up and ahead in xyz; in w the place on them of the point
-    vec4 up; // straight ahead of the camera at referenceView
+    // The light's axes along the camera's right, up and ahead in xyz; in w where on them the point lies that is straight ahead
+    // of the camera at referenceView.
+    vec4 right;
+    vec4 up;
     vec4 ahead;
-    vec2 low;       // of the map, in units of right / w and up / w
-    float nearView; // of the surfaces that read this map
-    float farView;
+    vec2 low;            // of the map, in units of right / w and up / w
+    float nearView;      // of the surfaces that read this map
+    float farView;       // the first that does not
+    float referenceView; // view distance
     LightLens lens;
-    float snap; // scene units per unit of view distance: by how much a surface may be shifted by its device
-    float mapSnap; // texels: the same for casters
+    float snap;    // by how much the device may shift a surface, scene units per unit of view distance
+    float mapSnap; // the same of casters, texels
     uint channel;  // of the mask
-    float referenceView;
+    uint isPlain;  // whether surfaces are compared as today's practice is
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(CasterRecord) == 52);
 static_assert(sizeof(CasterPush) == 36);
-static_assert(sizeof(ReceiverPush) == 100);
+static_assert(sizeof(ReceiverPush) == 104);
 } // namespace cdr::shaders
 #else
 // Clip z per unit of w that a texel's length towards the light amounts to, at a depth.

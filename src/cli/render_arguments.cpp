@@ -44,7 +44,7 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::A
                                   .translucency = experiments::translucencyOf(arguments.effects)};
     options.snapBits = arguments.snapBits;
     options.occlusionCulling = arguments.occlusionCulling;
-    options.shadows = arguments.shadows;
+    options.shadows = experiments::shadowsOf(arguments.effects);
     options.translucency.countsFragments = aov == experiments::Aov::coverage;
     return options;
 }
@@ -96,7 +96,6 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
         ->capture_default_str();
     command.add_flag("--occlusion-culling", arguments.occlusionCulling,
                      "Leave out what opaque surfaces hide; the picture is the same");
-    command.add_flag("--shadows", arguments.shadows, "Let the first four lights cast shadows");
     command
         .add_option("--detail", arguments.detail,
                     "Level of detail by projected error: none, object[:PIXELS] or cascade[:PIXELS]")

@@ -30,7 +30,6 @@ struct RenderArguments {
     std::string batching = "instanced";
     std::string surface = "gbuffer";
     bool occlusionCulling = false;
-    bool shadows = false;
     experiments::EffectArguments effects;
     std::string detail = "none";
     std::uint32_t snapBits = 0;

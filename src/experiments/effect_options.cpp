@@ -71,6 +71,13 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments) {
         "out of focus are drawn in fewer pixels, for --targets layers; with :blend they fade "
         "into each other");
     command
+        .add_option("--shadows", arguments.shadows,
+                    "How the first four lights cast shadows: none, anchored or plain")
+        ->capture_default_str();
+    command.add_option("--shadow-texels", arguments.shadowTexels, "Most texels of a side of a shadow map")
+        ->check(CLI::Range(render::kLeastShadowTexels, render::kMostShadowTexels))
+        ->capture_default_str();
+    command
         .add_option("--translucency", arguments.translucency,
                     "How blended surfaces are laid over each other: weighted, or sorted, which is exact")
         ->capture_default_str();
@@ -113,6 +120,10 @@ render::Focus focusOf(const EffectArguments& arguments) {
 
 std::optional<scene::ModelLight> lightOf(const EffectArguments& arguments) {
     return arguments.light.empty() ? std::nullopt : std::optional(scene::parseModelLight(arguments.light));
+}
+
+render::Shadows shadowsOf(const EffectArguments& arguments) {
+    return {.method = render::parseShadowMethod(arguments.shadows), .mostTexels = arguments.shadowTexels};
 }
 
 render::TranslucencyOptions translucencyOf(const EffectArguments& arguments) {

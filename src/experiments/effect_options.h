@@ -2,6 +2,7 @@
 
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
+#include <cdr/render/shadows/shadows.h>
 #include <cdr/render/translucency/translucency.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
@@ -29,6 +30,8 @@ struct EffectArguments {
     std::string light;     ///< of a model; empty: as shownChoice() has it
     std::string focus;     ///< DISTANCE:APERTURE or DISTANCE:APERTURE:blend
     std::string translucency = "weighted";
+    std::string shadows = "none";
+    std::uint32_t shadowTexels = render::Shadows{}.mostTexels;
     std::uint64_t translucencyMiB = render::TranslucencyOptions{}.mostBytes >> 20u;
 };
 
@@ -42,6 +45,8 @@ render::Focus focusOf(const EffectArguments& arguments);
 std::optional<scene::ModelLight> lightOf(const EffectArguments& arguments);
 
 /// base::InputError with a suggestion for an unknown method.
+render::Shadows shadowsOf(const EffectArguments& arguments);
+/// The same.
 render::TranslucencyOptions translucencyOf(const EffectArguments& arguments);
 
 } // namespace cdr::experiments

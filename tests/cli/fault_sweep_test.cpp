@@ -127,6 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
         Swept{"render cubes --size 16x16 --surface visibility -o a.png", "Visibility"},
         Swept{"render sheets --size 16x16 --translucency sorted -o a.png", "Sorted"},
         Swept{"render cubes --size 16x16 --targets layers --split count:3 --focus 12000:1 -o a.png", "Focus"},
+        Swept{"render cubes --size 16x16 --shadows anchored -o a.png", "Shadows"},
         Swept{"render cubes --size 16x16 --antialias edges --occlusion 1 --fog 1e5 -o a.exr", "Effects"},
         Swept{"pictures --scenes cubes --techniques log --size 16x16 --frames 1 --out p --json p.json",
               "Pictures"},

@@ -3,6 +3,7 @@
 #include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/image/image.h>
+#include <cdr/render/shadows/shadows.h>
 #include <cdr/render/targets/gbuffer_pixel.h>
 #include <cdr/render/translucency/translucency.h>
 #include <cdr/scene/camera.h>
@@ -32,12 +33,6 @@ struct FrameTimes {
 struct OccluderStats {
     std::size_t draws = 0;  ///< of occluders, before the frame's own
     std::size_t hidden = 0; ///< instances in the frustum that were left out, since others hide them
-};
-
-/// What shadows came to.
-struct ShadowStats {
-    std::size_t maps = 0;    ///< that were drawn
-    std::size_t casters = 0; ///< draws into them
 };
 
 /// What a frame came to.
@@ -76,8 +71,8 @@ struct CDR_EXPORT Frame {
     /// From each pixel to where its surface was in the last frame, in pixels, to the right and down: cdr_gbuffer.glsl.
     /// Empty without RenderOptions::motion, or where FrameCopy::color was asked for.
     image::Raster<glm::vec2> motion;
-    /// Of each of the first four lights 255 where it reaches the opaque surface, else 0. Empty without RenderOptions::shadows,
-    /// or where FrameCopy::color was asked for.
+    /// Of each of the first kMostShadowLights lights 255 where it reaches the opaque surface, else 0. Empty without
+    /// RenderOptions::shadows, or where FrameCopy::color was asked for.
     image::ImageRgba8 reached;
     /// Translucent fragments at or in front of the opaque surface; empty unless they were counted.
     image::ImageU32 fragmentCounts;

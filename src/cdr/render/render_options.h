@@ -8,6 +8,7 @@
 #include <cdr/render/focus.h>
 #include <cdr/render/geometry/batching.h>
 #include <cdr/render/layer_options.h>
+#include <cdr/render/shadows/shadows.h>
 #include <cdr/render/submit/submission.h>
 #include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets_choice.h>
@@ -43,9 +44,7 @@ struct RenderOptions {
     /// same. Unless gpu-driven, it waits for the device within each frame, and cannot be recorded into a host's commands.
     /// Not with a focus. Scenes with layers are drawn whole.
     bool occlusionCulling = false;
-    /// Lights cast shadows, the first four of the scene: of opaque surfaces, in full detail, on opaque surfaces. Not with a
-    /// focus or levels of detail.
-    bool shadows = false;
+    Shadows shadows{}; ///< none unless told; not with a focus, levels of detail or a part of the cascades
     std::size_t framesInFlight = 1; ///< that submit() lets the device lag behind, 1 to kMaxFramesInFlight
     /// Works out motion: how far each pixel's surface is from where it was in the last frame (Surfaces::motion,
     /// HostFrame::motion, Frame::motion). Each object must move as one. Not with a focus.

@@ -85,9 +85,9 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
       ownTargets(makeOwnTargets(device, drawn, options, {needs.shiny, needs.emission}, picture)),
       targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),
       cutter(options, targets),
-      shadows(options.shadows
-                  ? std::make_unique<ShadowPass>(device, drawn, targets.gbuffer(), drawsFacets(options))
-                  : nullptr),
+      shadows(options.shadows.isOn() ? std::make_unique<ShadowPass>(device, drawn, targets.gbuffer(),
+                                                                    drawsFacets(options), options.shadows)
+                                     : nullptr),
       shading(device, targets.gbuffer(), picture.lit(),
               {.effects = options.effects,
                .shiny = needs.shiny,
@@ -108,7 +108,7 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
       gbufferCopy(device, extent, sizeof(GBufferPixel), "G-buffer copy"),
       motionCopy(options.motion ? std::make_unique<Readback>(device, extent, sizeof(glm::vec2), "motion copy")
                                 : nullptr),
-      shadowCopy(options.shadows
+      shadowCopy(options.shadows.isOn()
                      ? std::make_unique<Readback>(device, extent, sizeof(image::Rgba8), "shadow mask copy")
                      : nullptr) {}
 

@@ -43,8 +43,13 @@ std::uint64_t predictOcclusionBytes(const gpu::Device& device, vk::Extent2D exte
 }
 
 void requireShadows(const RenderOptions& options) {
-    if (!options.shadows) {
+    if (!options.shadows.isOn()) {
         return;
+    }
+    const std::uint32_t texels = options.shadows.mostTexels;
+    if (texels < kLeastShadowTexels || texels > kMostShadowTexels) {
+        throw base::InputError(fmt::format("shadow maps have sides of {} to {} texels, not {}",
+                                           kLeastShadowTexels, kMostShadowTexels, texels));
     }
     if (options.focus.isOn()) {
         throw base::InputError("a lens with a focus does without shadows");
@@ -98,7 +103,7 @@ std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions
            ShadingPass::predictBytes(extent, options.effects) +
            (options.motion ? MotionPass::predictBytes(device, extent) : 0) +
            predictOcclusionBytes(device, extent, options) +
-           (options.shadows ? ShadowPass::predictBytes(device, extent) : 0);
+           (options.shadows.isOn() ? ShadowPass::predictBytes(device, extent, options.shadows) : 0);
 }
 
 std::uint32_t subPixelBits(const gpu::Device& device, const RenderOptions& options) {

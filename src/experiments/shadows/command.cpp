@@ -37,6 +37,7 @@ experiments::Columns<experiments::ShadowResult> shadowColumns() {
         {.key = "edge_wrong", .value = &Wrong::edgeWrong, .heading = "wrong at edges"}};
     return experiments::joined<Result>(
         {{{.key = "technique", .value = &Result::technique, .heading = "technique"},
+          {.key = "method", .value = &Result::method, .heading = "method"},
           {.key = "frame", .value = &Result::frame, .heading = "frame"},
           {.key = "light", .value = &Result::light, .heading = "light"}},
          experiments::columnsOf(&Result::wrong, wrong),
@@ -67,7 +68,8 @@ void run(Command& command, ShadowArguments& arguments) {
                             [&](const experiments::ShadowResult& result) {
                                 nlohmann::ordered_json row = experiments::jsonOf(columns, result);
                                 const std::string stem =
-                                    fmt::format("{}_{}_{}", result.technique, result.frame, result.light);
+                                    fmt::format("{}_{}_{}_{}", result.technique, result.method, result.frame,
+                                                result.light);
                                 folder.write("picture", stem + ".png", result.picture, row);
                                 folder.write("wrong_picture", stem + "_wrong.png", result.heatMap, row);
                                 document["results"].push_back(std::move(row));
@@ -87,6 +89,16 @@ void addOptions(CLI::App& command, ShadowArguments& arguments) {
         ->capture_default_str();
     command.add_option("--techniques", experiment.techniques, "Presets, a comma between them")
         ->delimiter(',')
+        ->capture_default_str();
+    command
+        .add_option("--methods", experiment.methods,
+                    "How shadows are cast: anchored or plain, a comma between them")
+        ->delimiter(',')
+        ->capture_default_str();
+    command
+        .add_option("--shadow-texels", experiment.options.shadows.mostTexels,
+                    "Most texels of a side of a map")
+        ->check(CLI::Range(render::kLeastShadowTexels, render::kMostShadowTexels))
         ->capture_default_str();
     command.add_option("--surface", arguments.surface, "gbuffer or visibility")->capture_default_str();
     experiments::addFrameOptions(command, arguments.camera);

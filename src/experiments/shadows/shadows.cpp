@@ -12,14 +12,32 @@ namespace cdr::experiments {
 
 namespace {
 
-/// How many lights the renderer has cast shadows.
-constexpr std::size_t kMostLights = 4;
-
 image::Raster<std::uint8_t> channelOf(const image::ImageRgba8& reached, std::size_t light) {
     image::Raster<std::uint8_t> channel(reached.width, reached.height);
     std::transform(reached.pixels.begin(), reached.pixels.end(), channel.pixels.begin(),
                    [&](const image::Rgba8& pixel) { return pixel[light]; });
     return channel;
+}
+
+struct Drawn {
+    std::string technique;
+    std::string method;
+    std::uint32_t frame = 0;
+    std::size_t light = 0;
+};
+
+ShadowResult compare(const render::Frame& frame, const measure::ShadowImage& truth, const Drawn& drawn) {
+    const image::Raster<std::uint8_t> reached = channelOf(frame.reached, drawn.light);
+    return {.technique = drawn.technique,
+            .method = drawn.method,
+            .frame = drawn.frame,
+            .light = drawn.light,
+            .wrong = measure::countWrongShadows(reached, truth),
+            .maps = frame.stats.shadows.maps,
+            .casters = frame.stats.shadows.casters,
+            .executeMs = frame.stats.times.executeMs,
+            .picture = frame.color,
+            .heatMap = measure::shadowHeatMap(reached, truth, frame.color)};
 }
 
 } // namespace
@@ -35,9 +53,10 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const
     const measure::TruthCaster shapes(scene, workers);
     const measure::ShadowTruthCaster caster(scene, shapes.shapes());
     const render::GpuScene gpuScene(device, scene);
-    const std::size_t lights = std::min(scene.lights.size(), kMostLights);
+    const std::size_t lights = std::min(scene.lights.size(), render::kMostShadowLights);
     std::vector<measure::ShadowImage> truths; // by frame and light
-    const std::size_t steps = cameras.frames * (lights + experiment.techniques.size());
+    const std::size_t steps =
+        cameras.frames * (lights + experiment.techniques.size() * experiment.methods.size());
     std::size_t done = 0;
     for (std::uint32_t i = 0; i < cameras.frames; ++i) {
         const scene::Camera camera = cameras.at(setup.path, cameras.first + i);
@@ -48,25 +67,21 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const
         }
     }
     for (const std::string& technique : experiment.techniques) {
-        render::RenderOptions options = experiment.options;
-        options.technique = depth::namedTechnique(technique).technique;
-        options.shadows = true;
-        render::Renderer renderer(device, scene, gpuScene, options);
-        for (std::uint32_t i = 0; i < cameras.frames; ++i) {
-            progress(done++, steps);
-            const render::Frame frame = renderer.render(cameras.at(setup.path, cameras.first + i));
-            for (std::size_t light = 0; light < lights; ++light) {
-                const measure::ShadowImage& truth = truths[i * lights + light];
-                const image::Raster<std::uint8_t> reached = channelOf(frame.reached, light);
-                take({.technique = technique,
-                      .frame = cameras.first + i,
-                      .light = light,
-                      .wrong = measure::countWrongShadows(reached, truth),
-                      .maps = frame.stats.shadows.maps,
-                      .casters = frame.stats.shadows.casters,
-                      .executeMs = frame.stats.times.executeMs,
-                      .picture = frame.color,
-                      .heatMap = measure::shadowHeatMap(reached, truth, frame.color)});
+        for (const std::string& method : experiment.methods) {
+            render::RenderOptions options = experiment.options;
+            options.technique = depth::namedTechnique(technique).technique;
+            options.shadows.method = render::parseShadowMethod(method);
+            render::Renderer renderer(device, scene, gpuScene, options);
+            for (std::uint32_t i = 0; i < cameras.frames; ++i) {
+                progress(done++, steps);
+                const render::Frame frame = renderer.render(cameras.at(setup.path, cameras.first + i));
+                for (std::size_t light = 0; light < lights; ++light) {
+                    take(compare(frame, truths[i * lights + light],
+                                 {.technique = technique,
+                                  .method = method,
+                                  .frame = cameras.first + i,
+                                  .light = light}));
+                }
             }
         }
     }

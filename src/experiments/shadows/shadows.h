@@ -19,12 +19,14 @@ namespace cdr::experiments {
 /// Rendered shadows against float64 rays to the lights.
 struct ShadowExperiment {
     std::vector<std::string> techniques{"anchored"};
-    render::RenderOptions options; ///< the technique and shadows are set
+    std::vector<std::string> methods{"anchored"}; ///< of shadows
+    render::RenderOptions options;                ///< the technique and the method are set
 };
 
 /// A light in a frame of a technique.
 struct ShadowResult {
     std::string technique;
+    std::string method;
     std::uint32_t frame = 0;
     std::size_t light = 0;       ///< index
     measure::WrongShadows wrong; ///< of the frame

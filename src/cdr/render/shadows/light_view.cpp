@@ -13,6 +13,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A light is distant if it is so many times farther from a slice's middle than the slice reaches.
 constexpr double kDistantRatio = 2.0;
+/// What a texel need not be smaller than, of a pixel: surfaces that lie along the light need many for a pixel.
+constexpr double kPixelsPerTexel = 0.125;
 /// Texels around what is read: of the two by two that a receiver reads, and of roundings.
 constexpr double kBorder = 2.0;
 
@@ -75,26 +77,31 @@ double powerOfTwoFrom(double value) {
     return std::exp2(std::ceil(std::log2(value)));
 }
 
+struct TexelLimits {
+    double finest = 0.0;    ///< scene units that no texel need be smaller than
+    std::uint32_t most = 0; ///< of a side of a map
+};
+
 /// Lays texels over what is to be seen. They keep their places in the world, so shadows do not crawl as a camera moves.
-void layTexels(LightView& view, const Cover& cover, double finest) {
+void layTexels(LightView& view, const Cover& cover, const TexelLimits& limits) {
     const glm::dvec2 extent = cover.high - cover.low;
     const double widest = std::max(extent.x, extent.y);
     view.texel =
-        std::max(powerOfTwoFrom(widest / (kMostMapTexels - 2.0 * kBorder - 1.0)), powerOfTwoFrom(finest));
+        std::max(powerOfTwoFrom(widest / (limits.most - 2.0 * kBorder - 1.0)), powerOfTwoFrom(limits.finest));
     const glm::dvec2 world =
         view.isDistant() ? glm::dvec2(glm::dot(view.right, view.origin), glm::dot(view.up, view.origin))
                          : glm::dvec2(0.0);
     view.low = (glm::floor((cover.low + world) / view.texel) - kBorder) * view.texel - world;
     const glm::dvec2 texels = glm::ceil((cover.high - view.low) / view.texel) + kBorder;
-    const auto side = [](double count) {
-        return static_cast<std::uint32_t>(std::clamp(count, 1.0, static_cast<double>(kMostMapTexels)));
+    const auto side = [&](double count) {
+        return static_cast<std::uint32_t>(std::clamp(count, 1.0, static_cast<double>(limits.most)));
     };
     view.size = vk::Extent2D{side(texels.x), side(texels.y)};
 }
 
 /// The view with its map, unless it would show nothing.
 std::optional<LightView> withMap(LightView view, const ReceiverSlice& slice, const glm::dvec3& shift,
-                                 double finest) {
+                                 TexelLimits limits) {
     Cover cover = coverOf(view, slice.view, shift);
     cover.cut(coverOf(view, slice.boxes, shift));
     if (!view.isDistant()) {
@@ -104,7 +111,8 @@ std::optional<LightView> withMap(LightView view, const ReceiverSlice& slice, con
         return std::nullopt;
     }
     view.farAhead = cover.farAhead;
-    layTexels(view, cover, view.isDistant() ? finest : finest / cover.farAhead);
+    limits.finest /= view.isDistant() ? 1.0 : cover.farAhead;
+    layTexels(view, cover, limits);
     return view;
 }
 
@@ -127,16 +135,17 @@ shaders::LightLens LightView::lens() const {
 }
 
 std::vector<LightView> lightViews(const glm::dvec3& light, const glm::dvec3& camera,
-                                  const ReceiverSlice& slice, double footprintSlope) {
+                                  const ReceiverSlice& slice, double footprintSlope,
+                                  std::uint32_t mostTexels) {
     LightView view;
     view.nearView = slice.nearView;
     view.farView = slice.farView;
-    const double finest = 0.125 * footprintSlope * slice.nearView;
+    const TexelLimits limits{.finest = kPixelsPerTexel * footprintSlope * slice.nearView, .most = mostTexels};
     std::vector<LightView> views;
     const glm::dvec3 way = (camera - light) + slice.middle;
     const double distance = glm::length(way);
     const auto add = [&](const glm::dvec3& shift) {
-        if (std::optional<LightView> made = withMap(view, slice, shift, finest)) {
+        if (std::optional<LightView> made = withMap(view, slice, shift, limits)) {
             views.push_back(*made);
         }
     };

@@ -4,8 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <map>
-
+#include <optional>
 namespace cdr::render {
 
 namespace {
@@ -27,14 +26,6 @@ struct Box {
         return all;
     }
 };
-
-int sliceAt(double distanceView) {
-    return static_cast<int>(std::floor(std::log2(distanceView) / std::log2(kSliceRatio)));
-}
-
-double endOf(int slice) {
-    return std::pow(kSliceRatio, slice);
-}
 
 std::array<glm::dvec3, 8> cornersOf(const scene::Camera& camera, const scene::Frustum& frustum,
                                     double nearView, double farView) {
@@ -68,39 +59,91 @@ void placeReceivers(const scene::Camera& camera, ReceiverSlice& slice) {
     slice.reach = 0.5 * glm::distance(low, high);
 }
 
-} // namespace
+struct SeenSphere {
+    glm::dvec3 centre; ///< world axes, relative to the camera
+    double radius = 0.0;
+    double distanceView = 0.0; ///< of the centre
+};
 
-std::vector<ReceiverSlice> receiverSlices(const scene::Camera& camera, const scene::Frustum& frustum,
-                                          const visibility::VisibleCells& visible) {
-    const int first = sliceAt(camera.nearView);
-    const int last = sliceAt(camera.farView);
-    std::map<int, Box> boxes; // by slice
+template <typename Take>
+void forSpheres(const scene::Camera& camera, const visibility::VisibleCells& visible, const Take& take) {
     for (const visibility::VisibleCells::Part& part : visible.parts) {
         const visibility::Spheres spheres = visible.cells->spheres(part.cell);
         for (std::uint64_t slots = part.slots; slots != 0; slots &= slots - 1) {
             const auto slot = static_cast<std::size_t>(std::countr_zero(slots));
             const glm::dvec3 centre =
                 glm::dvec3(spheres.x[slot], spheres.y[slot], spheres.z[slot]) - camera.position;
-            const auto radius = static_cast<double>(spheres.radius[slot]);
-            const double distanceView = -glm::dot(camera.back, centre);
-            const int begin =
-                distanceView - radius > camera.nearView ? sliceAt(distanceView - radius) : first;
-            const int end = distanceView + radius > camera.nearView ? sliceAt(distanceView + radius) : first;
-            for (int slice = std::max(begin, first); slice <= std::min(end, last); ++slice) {
-                boxes[slice].add(centre, radius);
-            }
+            take(SeenSphere{centre, static_cast<double>(spheres.radius[slot]),
+                            -glm::dot(camera.back, centre)});
         }
     }
+}
+
+/// The slices between neighbouring ends in which something is seen.
+std::vector<ReceiverSlice> cutAt(const std::vector<double>& ends, const scene::Camera& camera,
+                                 const scene::Frustum& frustum, const visibility::VisibleCells& visible) {
+    std::vector<std::optional<Box>> boxes(ends.size() - 1);
+    forSpheres(camera, visible, [&](const SeenSphere& sphere) {
+        // From the slice that holds the sphere's near end to the one that holds its far end.
+        const auto begin =
+            std::upper_bound(ends.begin() + 1, ends.end(), sphere.distanceView - sphere.radius);
+        for (auto end = begin; end != ends.end(); ++end) {
+            std::optional<Box>& box = boxes[static_cast<std::size_t>(end - ends.begin()) - 1];
+            (box ? *box : box.emplace()).add(sphere.centre, sphere.radius);
+            if (*end > sphere.distanceView + sphere.radius) {
+                break;
+            }
+        }
+    });
     std::vector<ReceiverSlice> slices;
-    for (const auto& [slice, box] : boxes) {
-        const double nearView = endOf(slice);
-        const double farView = endOf(slice + 1);
-        slices.push_back({.nearView = nearView,
-                          .farView = farView,
-                          .view = cornersOf(camera, frustum, std::max(nearView, camera.nearView),
-                                            std::min(farView, camera.farView)),
-                          .boxes = box.corners()});
-        placeReceivers(camera, slices.back());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i]) {
+            ReceiverSlice& slice = slices.emplace_back();
+            slice.nearView = ends[i];
+            slice.farView = ends[i + 1];
+            slice.view = cornersOf(camera, frustum, std::max(ends[i], camera.nearView),
+                                   std::min(ends[i + 1], camera.farView));
+            slice.boxes = boxes[i]->corners();
+            placeReceivers(camera, slice);
+        }
+    }
+    return slices;
+}
+
+} // namespace
+
+std::vector<ReceiverSlice> receiverSlices(const scene::Camera& camera, const scene::Frustum& frustum,
+                                          const visibility::VisibleCells& visible) {
+    std::vector<double> ends{std::exp2(std::floor(std::log2(camera.nearView)))};
+    while (ends.back() < camera.farView) {
+        ends.push_back(ends.back() * kSliceRatio);
+    }
+    return cutAt(ends, camera, frustum, visible);
+}
+
+std::vector<ReceiverSlice> practicalSlices(const scene::Camera& camera, const scene::Frustum& frustum,
+                                           const visibility::VisibleCells& visible) {
+    double nearView = camera.farView;
+    double farView = camera.nearView;
+    forSpheres(camera, visible, [&](const SeenSphere& sphere) {
+        nearView = std::min(nearView, std::max(sphere.distanceView - sphere.radius, camera.nearView));
+        farView = std::max(farView, std::min(sphere.distanceView + sphere.radius, camera.farView));
+    });
+    if (!(nearView < farView)) {
+        return {};
+    }
+    constexpr double kShareOfLogarithm = 0.5;
+    std::vector<double> ends;
+    for (int i = 0; i <= kPracticalSlices; ++i) {
+        const double share = static_cast<double>(i) / kPracticalSlices;
+        ends.push_back(glm::mix(glm::mix(nearView, farView, share),
+                                nearView * std::pow(farView / nearView, share), kShareOfLogarithm));
+    }
+    ends.back() = std::nextafter(static_cast<float>(farView), std::numeric_limits<float>::infinity());
+    std::vector<ReceiverSlice> slices = cutAt(ends, camera, frustum, visible);
+    for (ReceiverSlice& slice : slices) {
+        slice.boxes = slice.view;
+        placeReceivers(camera, slice);
     }
     return slices;
 }

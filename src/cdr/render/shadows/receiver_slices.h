@@ -28,4 +28,9 @@ inline constexpr double kSliceRatio = 2.0;
 std::vector<ReceiverSlice> receiverSlices(const scene::Camera& camera, const scene::Frustum& frustum,
                                           const visibility::VisibleCells& visible);
 
+/// Four slices from the nearest to the farthest that is seen, halfway between even and even in ratio (Zhang and others 2006),
+/// of the whole frustum: today's practice, for comparison.
+std::vector<ReceiverSlice> practicalSlices(const scene::Camera& camera, const scene::Frustum& frustum,
+                                           const visibility::VisibleCells& visible);
+inline constexpr int kPracticalSlices = 4;
 } // namespace cdr::render

@@ -19,15 +19,15 @@ constexpr auto kSlopeFormat = vk::Format::eR16G16B16A16Sfloat;
 constexpr auto kPushStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 constexpr auto kDepthStages = Stage::eEarlyFragmentTests | Stage::eLateFragmentTests;
 
-gpu::ImageOptions depthOptions() {
-    return {.extent = {kMostMapTexels, kMostMapTexels},
+gpu::ImageOptions depthOptions(std::uint32_t side) {
+    return {.extent = {side, side},
             .format = kDepthFormat,
             .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eSampled,
             .aspect = vk::ImageAspectFlagBits::eDepth};
 }
 
-gpu::ImageOptions slopeOptions() {
-    return {.extent = {kMostMapTexels, kMostMapTexels},
+gpu::ImageOptions slopeOptions(std::uint32_t side) {
+    return {.extent = {side, side},
             .format = kSlopeFormat,
             .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled};
 }
@@ -77,9 +77,9 @@ void handOver(vk::CommandBuffer primary, const gpu::Image& depth, const gpu::Ima
 
 } // namespace
 
-ShadowMap::ShadowMap(const gpu::Device& device)
-    : m_depth(device, depthOptions(), "shadow map depth"),
-      m_slope(device, slopeOptions(), "shadow map slope"),
+ShadowMap::ShadowMap(const gpu::Device& device, std::uint32_t side)
+    : m_depth(device, depthOptions(side), "shadow map depth"),
+      m_slope(device, slopeOptions(side), "shadow map slope"),
       m_layout(gpu::makePipelineLayout(device, {},
                                        {{.stageFlags = kPushStages, .size = sizeof(shaders::CasterPush)}},
                                        "shadow caster layout")),
@@ -128,8 +128,8 @@ void ShadowMap::record(vk::CommandBuffer primary, const LightView& view, const C
     handOver(primary, m_depth, m_slope, true);
 }
 
-std::uint64_t ShadowMap::predictBytes(const gpu::Device& device) {
-    return gpu::predictBytes(device, depthOptions()) + gpu::predictBytes(device, slopeOptions());
+std::uint64_t ShadowMap::predictBytes(const gpu::Device& device, std::uint32_t side) {
+    return gpu::predictBytes(device, depthOptions(side)) + gpu::predictBytes(device, slopeOptions(side));
 }
 
 } // namespace cdr::render

@@ -10,7 +10,8 @@ namespace cdr::render {
 /// What a light sees of one view: the depth of the nearest surfaces, and how they slope. One map serves all views in turn.
 class ShadowMap {
   public:
-    explicit ShadowMap(const gpu::Device& device);
+    /// @param side most texels of a view's sides.
+    ShadowMap(const gpu::Device& device, std::uint32_t side);
 
     /// Draws a view, waiting for whoever read the map before. Leaves both images in the shader read layout.
     /// @param index of the view in `draws`.
@@ -20,7 +21,7 @@ class ShadowMap {
     const gpu::Image& depth() const { return m_depth; }
     const gpu::Image& slope() const { return m_slope; }
 
-    static std::uint64_t predictBytes(const gpu::Device& device);
+    static std::uint64_t predictBytes(const gpu::Device& device, std::uint32_t side);
 
   private:
     gpu::Image m_depth;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace cdr::render {
 
@@ -35,40 +36,46 @@ FullscreenPassOptions receiverOptions(bool facets) {
             .blend = gpu::Blend::least};
 }
 
+/// Of a distance, which may be beyond the range of floats.
+float toFloat(double distance) {
+    return static_cast<float>(std::min(distance, static_cast<double>(std::numeric_limits<float>::max())));
+}
+
 /// Of a view of the light that has this channel of the mask.
-shaders::ReceiverPush pushOf(const LightView& view, const FrameView& frame, std::uint32_t subPixelBits,
-                             std::size_t light) {
+/// @param isPlain whether places are taken from the camera.
+shaders::ReceiverPush pushOf(const LightView& view, const FrameView& frame, bool isPlain, std::size_t light) {
     const scene::Camera& camera = frame.camera;
-    const auto referenceView = static_cast<float>(camera.viewDistance(view.origin));
+    const float referenceView = isPlain ? 0.0f : toFloat(camera.viewDistance(view.origin));
     const glm::dvec3 place =
         view.toLight((camera.position - view.origin) - camera.back * static_cast<double>(referenceView));
     const auto row = [&](const glm::dvec3& axis, double offset) {
         return glm::vec4(glm::dot(axis, camera.right), glm::dot(axis, camera.up),
                          -glm::dot(axis, camera.back), offset);
     };
-    const double halfStep = std::exp2(-1.0 - subPixelBits); // pixels
     return {.right = row(view.right, place.x),
             .up = row(view.up, place.y),
             .ahead = row(view.ahead, place.z),
             .low = view.low,
-            .nearView = static_cast<float>(view.nearView),
-            .farView = static_cast<float>(view.farView),
+            .nearView = toFloat(view.nearView),
+            .farView = toFloat(view.farView),
+            .referenceView = referenceView,
             .lens = view.lens(),
-            .snap = static_cast<float>(frame.frustum.footprintSlope * halfStep),
-            .mapSnap = static_cast<float>(halfStep),
+            .snap = 0.0f,
+            .mapSnap = 0.0f,
             .channel = static_cast<std::uint32_t>(light),
-            .referenceView = referenceView};
+            .isPlain = isPlain ? 1u : 0u};
 }
 
 } // namespace
 
 ShadowPass::ShadowPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer,
-                       bool facets)
+                       bool facets, const Shadows& options)
     : m_device(device),
       m_scene(scene),
       m_gbuffer(gbuffer),
       m_facets(facets),
-      m_map(device),
+      m_options(options),
+      m_map(device, options.mostTexels),
       m_mask(device, maskOptions(gbuffer.options().extent), "shadow mask"),
       m_receivers(device, receiverOptions(facets)) {}
 
@@ -89,20 +96,27 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
                          std::uint32_t subPixelBits, host::WorkerPool& workers) const {
     slot.views.clear();
     slot.pushes.clear();
-    const std::vector<ReceiverSlice> slices = receiverSlices(view.camera, view.frustum, visible);
+    const bool isPlain = m_options.method == ShadowMethod::plain;
+    const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, visible)
+                                                      : receiverSlices(view.camera, view.frustum, visible);
     const std::vector<scene::PointLight>& lights = m_scene.scene.lights;
     std::vector<std::size_t> lightOf;
-    for (std::size_t light = 0; light < std::min(lights.size(), kMostLights); ++light) {
+    for (std::size_t light = 0; light < std::min(lights.size(), kMostShadowLights); ++light) {
         for (const ReceiverSlice& slice : slices) {
             const std::vector<LightView> views =
-                lightViews(lights[light].position, view.camera.position, slice, view.frustum.footprintSlope);
+                lightViews(lights[light].position, view.camera.position, slice, view.frustum.footprintSlope,
+                           m_options.mostTexels);
             slot.views.insert(slot.views.end(), views.begin(), views.end());
             lightOf.resize(slot.views.size(), light);
         }
     }
     slot.casters.prepare(slot.views, workers);
     for (std::size_t i = 0; i < slot.views.size(); ++i) {
-        slot.pushes.push_back(pushOf(slot.views[i], view, subPixelBits, lightOf[i]));
+        shaders::ReceiverPush& push =
+            slot.pushes.emplace_back(pushOf(slot.views[i], view, isPlain, lightOf[i]));
+        const double halfStep = std::exp2(-1.0 - subPixelBits); // pixels, and texels
+        push.snap = static_cast<float>(view.frustum.footprintSlope * halfStep);
+        push.mapSnap = static_cast<float>(halfStep);
     }
 }
 
@@ -127,8 +141,10 @@ void ShadowPass::record(vk::CommandBuffer primary, const Slot& slot) const {
     m_device.endLabel(primary);
 }
 
-std::uint64_t ShadowPass::predictBytes(const gpu::Device& device, vk::Extent2D extent) {
-    return ShadowMap::predictBytes(device) + gpu::predictBytes(device, maskOptions(extent));
+std::uint64_t ShadowPass::predictBytes(const gpu::Device& device, vk::Extent2D extent,
+                                       const Shadows& options) {
+    return ShadowMap::predictBytes(device, options.mostTexels) +
+           gpu::predictBytes(device, maskOptions(extent));
 }
 
 } // namespace cdr::render

@@ -5,6 +5,7 @@
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/shadows/caster_draws.h>
 #include <cdr/render/shadows/shadow_map.h>
+#include <cdr/render/shadows/shadows.h>
 #include <cdr/visibility/cull_cells.h>
 
 #include <vulkan/vulkan.hpp>
@@ -19,10 +20,9 @@ namespace cdr::render {
 /// memory does not grow.
 class ShadowPass {
   public:
-    /// @param gbuffer or the visibility buffer.
-    /// @param facets whether it is that.
-    ShadowPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer, bool facets);
-
+    /// @param gbuffer or the visibility buffer.    /// @param facets whether it is that.
+    ShadowPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer, bool facets,
+               const Shadows& options);
     /// One frame slot's.
     struct Slot {
         PassInputs inputs;
@@ -38,19 +38,16 @@ class ShadowPass {
     /// Reads the G-buffer in the shader read layout, and leaves mask() in it.
     void record(vk::CommandBuffer primary, const Slot& slot) const;
 
-    /// A channel for each of the first kMostLights lights: 1 where it reaches a surface, else 0.
+    /// A channel for each of the first kMostShadowLights lights: 1 where it reaches a surface, else 0.
     const gpu::Image& mask() const { return m_mask; }
-
-    /// How many lights cast shadows, the first of a scene.
-    static constexpr std::size_t kMostLights = 4;
-
-    static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent);
+    static std::uint64_t predictBytes(const gpu::Device& device, vk::Extent2D extent, const Shadows& options);
 
   private:
     const gpu::Device& m_device;
     DrawnScene m_scene;
     const gpu::Image& m_gbuffer;
     bool m_facets;
+    Shadows m_options;
     ShadowMap m_map;
     gpu::Image m_mask;
     FullscreenPass m_receivers;

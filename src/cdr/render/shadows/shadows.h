@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cdr/base/export.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace cdr::render {
+
+/// How lights cast shadows.
+enum class ShadowMethod : std::uint8_t {
+    none,
+    /// A map for each slice of distances, laid around what is seen; places are subtracted in float64, and a surface is
+    /// compared with the planes of what the map holds.
+    anchored,
+    /// Today's practice, for comparison: four maps by the practical split (Zhang and others 2006), reversed depth, places
+    /// relative to the camera in float32, and a bias by slope.
+    plain,
+};
+
+/// All of them.
+inline constexpr std::array kShadowMethods{ShadowMethod::none, ShadowMethod::anchored, ShadowMethod::plain};
+
+/// "none", "anchored" or "plain".
+CDR_EXPORT std::string_view nameOf(ShadowMethod method);
+/// base::InputError with a suggestion for an unknown name.
+CDR_EXPORT ShadowMethod parseShadowMethod(std::string_view name);
+
+/// Shadows of opaque surfaces, in full detail, on opaque surfaces.
+struct Shadows {
+    ShadowMethod method = ShadowMethod::none; ///< how they are cast
+    std::uint32_t mostTexels = 2048;          ///< of a side of a map, kLeastShadowTexels to kMostShadowTexels
+
+    bool isOn() const { return method != ShadowMethod::none; }
+    bool operator==(const Shadows&) const = default;
+};
+
+/// Least and most texels of a side of a map. Each device has images of the most.
+inline constexpr std::uint32_t kLeastShadowTexels = 64;
+inline constexpr std::uint32_t kMostShadowTexels = 4096; ///< as above
+
+/// How many lights cast shadows, the first of a scene.
+inline constexpr std::size_t kMostShadowLights = 4;
+
+/// What a frame's shadows came to.
+struct ShadowStats {
+    std::size_t maps = 0;    ///< that were drawn
+    std::size_t casters = 0; ///< draws into them
+};
+
+} // namespace cdr::render

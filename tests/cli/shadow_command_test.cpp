@@ -1,0 +1,50 @@
+#include "program.h"
+
+#include <cdr/host/file.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace cdr::cli_test {
+
+namespace {
+
+using nlohmann::json;
+
+TEST(ShadowCommand, ComparesBothMethodsWithTheTruth) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("--validate shadows alley --size 320x180 --methods plain,anchored --out p --json s.json",
+                   folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = json::parse(readText(folder.path() / "s.json"));
+    ASSERT_EQ(document["results"].size(), 2u);
+    for (const json& row : document["results"]) {
+        EXPECT_GT(row["pixels"], 10000);
+        EXPECT_GT(row["shadowed"], 100);
+        EXPECT_GT(row["maps"], 2);
+        EXPECT_GT(row["casters"], row["maps"]);
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / row["picture"].get<std::string>()));
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "p" / row["wrong_picture"].get<std::string>()));
+    }
+    EXPECT_EQ(document["results"][0]["method"], "plain");
+    EXPECT_EQ(document["results"][1]["method"], "anchored");
+    EXPECT_LE(document["results"][1]["wrong_fraction"], document["results"][0]["wrong_fraction"]);
+}
+
+TEST(ShadowCommand, RenderCastsThem) {
+    const TemporaryFolder folder;
+    const auto hashWith = [&](const std::string& options) {
+        const ProgramResult result = runProgram(
+            "--validate render alley --size 160x90 --hash --json r.json " + options, folder.path());
+        EXPECT_EQ(result.status, 0) << result.err;
+        return json::parse(readText(folder.path() / "r.json"))["results"][0]["hash"].get<std::string>();
+    };
+    const std::string lit = hashWith("");
+    EXPECT_EQ(hashWith("--shadows none"), lit);
+    EXPECT_NE(hashWith("--shadows anchored"), lit);
+}
+
+} // namespace
+
+} // namespace cdr::cli_test

@@ -1,0 +1,135 @@
+#include "../test_scenes.h"
+
+#include <cdr/base/error.h>
+#include <cdr/measure/shadows/wrong_shadows.h>
+#include <cdr/measure/truth/truth.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace cdr::test {
+
+namespace {
+
+using measure::Reach;
+using measure::ShadowImage;
+
+ShadowImage castShadows(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
+                        std::uint32_t height, std::size_t threads = 1) {
+    host::WorkerPool workers(threads);
+    const measure::TruthCaster shapes(scene, workers);
+    return measure::ShadowTruthCaster(scene, shapes.shapes()).cast(camera, width, height, 0, workers);
+}
+
+/// A floor 2 below the camera, and a light straight above a cube over it, so that the cube's shadow is its own outline,
+/// larger by what the light's height makes it.
+scene::Scene floorAndCube(double lightUp) {
+    scene::Scene scene = makeEmptyScene();
+    addObject(scene, kTriangleCube, {0.0, -2.5, -20.0}, glm::mat3(100, 0, 0, 0, 1, 0, 0, 0, 100));
+    addObject(scene, kTriangleCube, {0.0, 0.0, -20.0});
+    scene.lights.push_back({.position = {0.0, lightUp, -20.0}});
+    return scene;
+}
+
+TEST(ShadowTruth, ACubesShadowIsWhereGeometryPutsIt) {
+    for (const double lightUp : {5.0, 1e6}) {
+        const scene::Scene scene = floorAndCube(lightUp);
+        const scene::Camera camera = makePlainCamera();
+        const ShadowImage truth = castShadows(scene, camera, 200, 100);
+        const double half = 0.5 * (lightUp + 2.0) / (lightUp - 0.5); // of the shadow on the floor
+        const double slope = 2.0 * std::tan(0.5 * camera.fovY) / 100.0;
+        std::size_t shadowed = 0;
+        for (std::uint32_t y = 0; y < 100; ++y) {
+            for (std::uint32_t x = 0; x < 200; ++x) {
+                const auto& pixel = truth.at(x, y);
+                const double up = (49.5 - y) * slope;
+                const double w = -2.0 / up;
+                const double right = (x - 99.5) * slope * w;
+                if (pixel.id != 1 || up >= 0.0 || std::abs(right) > 49.0) { // the floor has sides too
+                    continue;
+                }
+                const bool isInside = std::abs(right) < half && std::abs(w - 20.0) < half;
+                EXPECT_EQ(pixel.reach, isInside ? Reach::shadowed : Reach::reached) << x << " " << y;
+                shadowed += isInside;
+            }
+        }
+        EXPECT_GT(shadowed, 3u);
+    }
+}
+
+TEST(ShadowTruth, BackgroundAndWhatFacesAwayAreSaid) {
+    const ShadowImage truth = castShadows(floorAndCube(5.0), makePlainCamera(), 201, 101);
+    EXPECT_EQ(truth.at(100, 0).reach, Reach::nothing);
+    EXPECT_EQ(truth.at(100, 0).id, 0u);
+    EXPECT_EQ(truth.at(100, 50).reach, Reach::away); // the cube's front, which lies along the light
+    EXPECT_EQ(truth.at(100, 50).id, 2u);
+}
+
+TEST(ShadowTruth, FarFromTheOriginItIsTheSame) {
+    const scene::Scene near = floorAndCube(5.0);
+    const glm::dvec3 shift(0x1p30, -0x1p29, 0x1p31);
+    scene::Scene far = near;
+    for (std::size_t i = 0; i < far.instances.size(); ++i) {
+        far.instances.x[i] += shift.x;
+        far.instances.y[i] += shift.y;
+        far.instances.z[i] += shift.z;
+    }
+    far.lights.front().position += shift;
+    scene::Camera camera = makePlainCamera();
+    const ShadowImage wanted = castShadows(near, camera, 160, 90);
+    camera.position += shift;
+    EXPECT_EQ(castShadows(far, camera, 160, 90).pixels, wanted.pixels);
+}
+
+TEST(ShadowTruth, IdsAreThoseOfTheTruthAndThreadsChangeNothing) {
+    const glm::dvec3 middle(10.0, 20.0, 30.0);
+    scene::Scene scene = makeRandomScene(5, 200, 10.0, middle);
+    scene.lights.push_back({.position = middle + glm::dvec3(3.0, 8.0, 1.0)});
+    std::mt19937_64 random(3);
+    const scene::Camera camera = makeCameraAround(random, middle, 20.0, 12.0);
+    const ShadowImage truth = castShadows(scene, camera, 160, 90);
+    const measure::TruthImage ids = cast(scene, camera, 160, 90);
+    std::size_t shadowed = 0;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        EXPECT_EQ(truth.pixels[i].id, ids.pixels[i].id);
+        shadowed += truth.pixels[i].reach == Reach::shadowed;
+    }
+    EXPECT_GT(shadowed, 100u);
+    EXPECT_EQ(castShadows(scene, camera, 160, 90, 4).pixels, truth.pixels);
+}
+
+TEST(ShadowTruth, ALightThatIsNotThereIsRefused) {
+    const scene::Scene scene = makeEmptyScene();
+    EXPECT_THROW(castShadows(scene, makePlainCamera(), 8, 8), base::InputError);
+}
+
+TEST(WrongShadows, InnerPixelsAndEdgesAreCountedApart) {
+    ShadowImage truth(7, 5);
+    for (auto& pixel : truth.pixels) {
+        pixel = {.id = 1, .reach = Reach::reached};
+    }
+    truth.at(5, 2).reach = Reach::shadowed;
+    truth.at(0, 0).reach = Reach::away;
+    image::Raster<std::uint8_t> reached(7, 5);
+    for (std::uint8_t& value : reached.pixels) {
+        value = 255;
+    }
+    reached.at(2, 2) = 0; // inner
+    reached.at(0, 0) = 0; // faces away: does not count
+    const measure::WrongShadows wrong = measure::countWrongShadows(reached, truth);
+    EXPECT_EQ(wrong.pixels,
+              8u); // of 15 that have eight neighbours, less 6 around the shadow and 1 beside what faces away
+    EXPECT_EQ(wrong.wrong, 1u);
+    EXPECT_EQ(wrong.edgeWrong, 1u);
+    EXPECT_EQ(wrong.shadowed, 0u);
+    const image::ImageRgba8 map = measure::shadowHeatMap(reached, truth, image::ImageRgba8(7, 5));
+    EXPECT_EQ(map.at(2, 2), (image::Rgba8{0, 114, 255, 255}));
+    EXPECT_EQ(map.at(5, 2), (image::Rgba8{255, 165, 0, 255}));
+    EXPECT_THROW(measure::countWrongShadows(image::Raster<std::uint8_t>(3, 3), truth), base::InputError);
+}
+
+} // namespace
+
+} // namespace cdr::test

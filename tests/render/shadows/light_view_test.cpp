@@ -1,0 +1,190 @@
+#include <cdr/render/shadows/cull_casters.h>
+#include <cdr/render/shadows/light_view.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace cdr::render_test {
+
+namespace {
+
+using render::LightView;
+using render::ReceiverSlice;
+
+constexpr std::uint32_t kTexels = 1024;
+
+/// A crowd of small spheres in front of a camera that stands far from the world's origin.
+class LightViewTest : public testing::Test {
+  protected:
+    LightViewTest() {
+        m_camera.position = glm::dvec3(3e6, -2e6, 1e6);
+        m_camera.nearView = 0.1;
+        m_camera.farView = 1e5;
+        m_scene.materials.push_back({.name = "white"});
+        m_scene.meshes.push_back(scene::makeBox(glm::vec3(0.5f)));
+    }
+
+    void add(const glm::dvec3& fromCamera, float side) {
+        scene::addInstance(m_scene, 0, 0, static_cast<std::uint32_t>(m_scene.instances.size()),
+                           m_camera.position + fromCamera, glm::mat3(side));
+    }
+    void addCrowd(std::size_t count) {
+        std::uniform_real_distribution<double> across(-20.0, 20.0);
+        std::uniform_real_distribution<double> ahead(5.0, 60.0);
+        for (std::size_t i = 0; i < count; ++i) {
+            add({across(m_random), across(m_random), -ahead(m_random)}, 0.25f);
+        }
+    }
+    scene::Frustum frustum() const { return scene::frustumOf(m_camera, 1280, 720); }
+    std::vector<ReceiverSlice> slices() {
+        m_cells.build(m_scene, m_workers);
+        visibility::cullCells(m_cells, m_camera, frustum(), m_workers, m_visible);
+        return render::receiverSlices(m_camera, frustum(), m_visible);
+    }
+    std::vector<LightView> viewsOf(const glm::dvec3& lightFromCamera, const ReceiverSlice& slice) const {
+        return render::lightViews(m_camera.position + lightFromCamera, m_camera.position, slice,
+                                  frustum().footprintSlope, kTexels);
+    }
+    /// Texels of the map and normalised depth, as the device works them out but in float64.
+    glm::dvec3 inMap(const LightView& view, const glm::dvec3& fromCamera) const {
+        const glm::dvec3 place = view.toLight((m_camera.position - view.origin) + fromCamera);
+        const shaders::LightLens lens = view.lens();
+        const double w = view.w(place.z);
+        const double z =
+            (static_cast<double>(lens.zOffset) + static_cast<double>(lens.zPerUnit) * place.z) / w;
+        return {(glm::dvec2(place) / w - view.low) / view.texel, z};
+    }
+    bool shows(const LightView& view, const glm::dvec3& fromCamera) const {
+        const glm::dvec3 place = view.toLight((m_camera.position - view.origin) + fromCamera);
+        const glm::dvec3 map = inMap(view, fromCamera);
+        return view.w(place.z) > 0.0 && map.x >= 0.0 && map.y >= 0.0 && map.x <= view.size.width &&
+               map.y <= view.size.height;
+    }
+
+    scene::Camera m_camera;
+    scene::Scene m_scene;
+    host::WorkerPool m_workers{2};
+    visibility::InstanceCells m_cells;
+    visibility::VisibleCells m_visible;
+    std::mt19937_64 m_random{7};
+};
+
+TEST_F(LightViewTest, SlicesEndAtPowersOfTwoAndHoldWhatIsSeen) {
+    add({0.0, 0.0, -10.0}, 1.0f);
+    add({0.0, 0.0, -1000.0}, 1.0f);
+    add({0.0, 1e4, -10.0}, 1.0f); // not seen
+    const std::vector<ReceiverSlice> made = slices();
+    ASSERT_EQ(made.size(), 2u); // and none in between
+    EXPECT_EQ(made[0].nearView, 8.0);
+    EXPECT_EQ(made[0].farView, 16.0);
+    EXPECT_EQ(made[1].nearView, 512.0);
+    EXPECT_EQ(made[1].farView, 1024.0);
+    EXPECT_NEAR(made[0].middle.z, -10.0, 1.0);
+    EXPECT_LT(made[0].reach, 3.0);
+}
+
+TEST_F(LightViewTest, EachReceiverIsInAMapWhereverTheLightIs) {
+    addCrowd(300);
+    const std::vector<ReceiverSlice> made = slices();
+    std::size_t receivers = 0;
+    std::size_t sides = 0;
+    for (const glm::dvec3& light : {glm::dvec3(1e9, 2e9, -1e9), glm::dvec3(100.0, 80.0, -30.0),
+                                    glm::dvec3(2.0, 1.0, -20.0), glm::dvec3(0.0, 0.0, 0.0)}) {
+        for (const ReceiverSlice& slice : made) {
+            std::vector<LightView> views = viewsOf(light, slice);
+            for (LightView& view : views) {
+                std::vector<std::uint32_t> casters;
+                view.nearAhead = render::cullCasters(m_cells, view, casters);
+                EXPECT_LE(view.size.width, kTexels);
+                EXPECT_LE(view.size.height, kTexels);
+                EXPECT_LT(view.nearAhead, view.farAhead);
+                sides += !view.isDistant();
+            }
+            for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
+                const glm::dvec3 centre = m_scene.instances.position(i) - m_camera.position;
+                const bool isSeen = std::abs(centre.x) < frustum().tanX * -centre.z &&
+                                    std::abs(centre.y) < frustum().tanY * -centre.z;
+                if (!isSeen || -centre.z < slice.nearView || -centre.z >= slice.farView) {
+                    continue;
+                }
+                const auto view = std::find_if(views.begin(), views.end(),
+                                               [&](const LightView& some) { return shows(some, centre); });
+                ASSERT_NE(view, views.end()) << i;
+                const double z = inMap(*view, centre).z;
+                EXPECT_GE(z, 0.0);
+                EXPECT_LE(z, 1.0);
+                ++receivers;
+            }
+        }
+    }
+    EXPECT_GT(receivers, 400u);
+    EXPECT_GT(sides, 6u);
+}
+
+TEST_F(LightViewTest, TexelsKeepTheirPlacesAsTheCameraMoves) {
+    add({0.0, 0.0, -11.0}, 2.0f);
+    const glm::dvec3 light(4e8, 7e8, 2e8);
+    const LightView before = viewsOf(light, slices().front()).front();
+    const glm::dvec3 step(0.0123, 0.0077, 0.0);
+    m_camera.position += step;
+    const LightView after = viewsOf(light - step, slices().front()).front();
+    ASSERT_EQ(before.texel, after.texel);
+    const auto texels = [](const LightView& view) {
+        return (view.low + glm::dvec2(glm::dot(view.right, view.origin), glm::dot(view.up, view.origin))) /
+               view.texel;
+    };
+    for (const LightView* view : {&before, &after}) {
+        const glm::dvec2 place = texels(*view);
+        EXPECT_NEAR(place.x, std::round(place.x), 1e-3);
+        EXPECT_NEAR(place.y, std::round(place.y), 1e-3);
+    }
+    EXPECT_EQ(std::exp2(std::round(std::log2(before.texel))), before.texel);
+}
+
+TEST_F(LightViewTest, CastersAreAllThatMayStandBetween) {
+    addCrowd(100);
+    const std::vector<ReceiverSlice> made = slices();
+    for (const glm::dvec3& light :
+         {glm::dvec3(1e5, 2e5, -1e5), glm::dvec3(60.0, 80.0, -30.0), glm::dvec3(2.0, 1.0, -20.0)}) {
+        for (const ReceiverSlice& slice : made) {
+            for (const LightView& view : viewsOf(light, slice)) {
+                std::uniform_real_distribution<double> share(0.0, 1.0);
+                const glm::dvec2 extent = view.texel * glm::dvec2(view.size.width, view.size.height);
+                const double nearest = view.isDistant() ? -0.99 / view.wPerUnit : 0.01 * view.farAhead;
+                for (int i = 0; i < 50; ++i) {
+                    const glm::dvec2 place = view.low + extent * glm::dvec2(share(m_random), share(m_random));
+                    const double ahead = glm::mix(nearest, view.farAhead, share(m_random));
+                    const glm::dvec3 between = view.right * (place.x * view.w(ahead)) +
+                                               view.up * (place.y * view.w(ahead)) + view.ahead * ahead;
+                    const double sideways = 10.0 * extent.x * view.w(ahead) + 1.0;
+                    scene::Scene scene = m_scene;
+                    const auto first = static_cast<std::uint32_t>(scene.instances.size());
+                    scene::addInstance(scene, 0, 0, first, view.origin + between, glm::mat3(0.01f));
+                    scene::addInstance(scene, 0, 0, first + 1, view.origin + between + sideways * view.right,
+                                       glm::mat3(0.01f));
+                    scene::addInstance(scene, 0, 0, first + 2,
+                                       view.origin + between + (view.farAhead + 1.0 - ahead) * view.ahead,
+                                       glm::mat3(0.01f));
+                    visibility::InstanceCells cells;
+                    cells.build(scene, m_workers);
+                    std::vector<std::uint32_t> casters;
+                    render::cullCasters(cells, view, casters);
+                    const auto count = [&](std::uint32_t instance) {
+                        return std::count(casters.begin(), casters.end(), instance);
+                    };
+                    ASSERT_EQ(count(first), 1);
+                    ASSERT_EQ(count(first + 1), 0);
+                    ASSERT_EQ(count(first + 2), 0);
+                }
+            }
+        }
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test

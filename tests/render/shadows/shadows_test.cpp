@@ -1,0 +1,184 @@
+#include "../fixture.h"
+
+#include <cdr/base/error.h>
+#include <cdr/measure/shadows/wrong_shadows.h>
+#include <cdr/scene/world/world.h>
+#include <scenes/open_scene.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace cdr::render_test {
+
+namespace {
+
+using render::RenderOptions;
+using render::ShadowMethod;
+
+RenderOptions shadowOptions(const std::string& technique) {
+    RenderOptions options = smallOptions(depth::namedTechnique(technique).technique);
+    options.shadows.method = ShadowMethod::anchored;
+    return options;
+}
+
+image::Raster<std::uint8_t> channelOf(const image::ImageRgba8& reached, std::size_t light) {
+    image::Raster<std::uint8_t> channel(reached.width, reached.height);
+    std::transform(reached.pixels.begin(), reached.pixels.end(), channel.pixels.begin(),
+                   [&](const image::Rgba8& pixel) { return pixel[light]; });
+    return channel;
+}
+
+class ShadowsTest : public RenderTest {
+  protected:
+    /// Of all lights together.
+    measure::WrongShadows wrongShadows(const scene::SceneSetup& setup, const RenderOptions& options,
+                                       std::uint32_t frame = 0) {
+        host::WorkerPool workers(2);
+        const scene::Camera camera = setup.path.at(frame);
+        const render::Frame drawn = draw(setup.scene, camera, options);
+        const measure::TruthCaster shapes(setup.scene, workers);
+        const measure::ShadowTruthCaster caster(setup.scene, shapes.shapes());
+        measure::WrongShadows wrong;
+        for (std::size_t light = 0; light < setup.scene.lights.size(); ++light) {
+            wrong += measure::countWrongShadows(
+                channelOf(drawn.reached, light),
+                caster.cast(camera, options.width, options.height, light, workers));
+        }
+        return wrong;
+    }
+
+    std::string refusalOf(RenderOptions options) {
+        const scene::Scene scene = boxScene();
+        const render::GpuScene gpuScene(device(), scene);
+        try {
+            const render::Renderer renderer(device(), scene, gpuScene, options);
+        } catch (const base::InputError& error) {
+            return error.what();
+        }
+        return "none";
+    }
+};
+
+TEST_F(ShadowsTest, OffEdgesNextToNonePixelIsWrong) {
+    struct Case {
+        const char* scene;
+        std::uint32_t frame;
+    };
+    for (const auto& [name, frame] : {Case{"alley", 0}, Case{"mixed", 0}, Case{"afc", 0}, Case{"afc", 7},
+                                      Case{"orbit", 0}, Case{"orbit", 120}}) {
+        const scene::SceneSetup setup = scenes::openScene(name, scenes::kDefaultSeed).setup;
+        for (const render::SurfacePath surface :
+             {render::SurfacePath::gbuffer, render::SurfacePath::visibility}) {
+            RenderOptions options = shadowOptions("anchored");
+            options.surface = surface;
+            if (surface == render::SurfacePath::visibility && std::string(name) == "orbit") {
+                continue; // it has textures
+            }
+            const measure::WrongShadows wrong = wrongShadows(setup, options, frame);
+            EXPECT_GT(wrong.pixels, 4000u) << name;
+            EXPECT_LE(wrong.wrong, 1 + wrong.pixels / 10'000)
+                << name << " frame " << frame << " of " << wrong.pixels;
+        }
+    }
+}
+
+TEST_F(ShadowsTest, TheCountSeesShadowsThatAreMissing) {
+    const scene::SceneSetup setup = scenes::openScene("alley", scenes::kDefaultSeed).setup;
+    host::WorkerPool workers(2);
+    const measure::TruthCaster shapes(setup.scene, workers);
+    const measure::ShadowTruthCaster caster(setup.scene, shapes.shapes());
+    const measure::ShadowImage truth = caster.cast(setup.path.at(0), 480, 270, 0, workers);
+    image::Raster<std::uint8_t> everywhere(480, 270);
+    std::fill(everywhere.pixels.begin(), everywhere.pixels.end(), std::uint8_t{255});
+    const measure::WrongShadows wrong = measure::countWrongShadows(everywhere, truth);
+    EXPECT_GT(wrong.shadowed, 1000u);
+    EXPECT_EQ(wrong.wrong, wrong.shadowed);
+}
+
+TEST_F(ShadowsTest, PlainMapsAreWorseWhereDistancesDiffer) {
+    const scene::SceneSetup setup = scenes::openScene("orbit", scenes::kDefaultSeed).setup;
+    RenderOptions plain = shadowOptions("anchored");
+    plain.shadows.method = ShadowMethod::plain;
+    EXPECT_GT(wrongShadows(setup, plain).fraction(),
+              20.0 * wrongShadows(setup, shadowOptions("anchored")).fraction() + 1e-3);
+}
+
+TEST_F(ShadowsTest, PicturesAreTheSameForThreadsTargetsAndSubmissions) {
+    const scene::SceneSetup setup = scenes::openScene("alley", scenes::kDefaultSeed).setup;
+    for (const char* technique : {"cdr", "anchored"}) {
+        const RenderOptions first = shadowOptions(technique);
+        const render::Frame wanted = draw(setup.scene, setup.path.at(0), first);
+        EXPECT_NE(hashOf(wanted), hashOf(draw(setup.scene, setup.path.at(0), smallOptions(first.technique))));
+        const auto expectSame = [&](const RenderOptions& options) {
+            const render::Frame made = draw(setup.scene, setup.path.at(0), options);
+            EXPECT_EQ(hashOf(made), hashOf(wanted));
+            EXPECT_EQ(made.reached.pixels, wanted.reached.pixels);
+        };
+        for (const std::size_t threads : {2u, 4u}) {
+            RenderOptions options = first;
+            options.threads = threads;
+            expectSame(options);
+        }
+        for (const render::TargetsKind targets :
+             {render::TargetsKind::accumulate, render::TargetsKind::pool, render::TargetsKind::layers}) {
+            RenderOptions options = first;
+            options.targets = targets;
+            expectSame(options);
+        }
+        for (const render::Submission submission : submissions()) {
+            RenderOptions options = first;
+            options.submission = submission;
+            expectSame(options);
+        }
+    }
+}
+
+TEST_F(ShadowsTest, AMovedCasterMovesItsShadow) {
+    scene::Scene scene = boxScene();
+    scene.lights.front() = {.position = glm::dvec3(0.0, 50.0, 0.0), .halfDistance = 100.0};
+    addBox(scene, {0.0, -2.0, -10.0}, glm::mat3(20, 0, 0, 0, 0.1f, 0, 0, 0, 20));
+    addBox(scene, {-3.0, 0.5, -10.0});
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 1e3};
+    const RenderOptions options = shadowOptions("anchored");
+    scene::World world(scene);
+    render::GpuScene live(device(), world);
+    render::Renderer renderer(device(), live, options);
+    const render::Frame before = renderer.render(camera);
+    world.setTransform(world.instance(1), {.position = {3.0, 0.5, -10.0}});
+    const render::Frame after = renderer.render(camera);
+    EXPECT_NE(hashOf(before), hashOf(after));
+    scene::placeInstance(scene, 1, {3.0, 0.5, -10.0}, glm::mat3(1.0f));
+    EXPECT_EQ(hashOf(after), hashOf(draw(scene, camera, options)));
+}
+
+TEST_F(ShadowsTest, WithoutSurfacesOrCastersAllIsReached) {
+    scene::Scene scene = boxScene();
+    const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 1e3};
+    const auto isReached = [](const render::Frame& frame) {
+        return std::all_of(frame.reached.pixels.begin(), frame.reached.pixels.end(),
+                           [](const image::Rgba8& pixel) { return pixel[0] == 255; });
+    };
+    EXPECT_TRUE(isReached(draw(scene, camera, shadowOptions("anchored"))));
+    addBox(scene, {0.0, 0.0, -5.0});
+    scene.lights.front().position = glm::dvec3(0.0, 0.0, 50.0);
+    EXPECT_TRUE(isReached(draw(scene, camera, shadowOptions("anchored"))));
+}
+
+TEST_F(ShadowsTest, WhatCannotBeIsRefused) {
+    RenderOptions options = shadowOptions("anchored");
+    options.targets = render::TargetsKind::layers;
+    options.focus = {.distance = 10.0, .aperture = 0.1};
+    EXPECT_NE(refusalOf(options).find("focus"), std::string::npos) << refusalOf(options);
+    options = shadowOptions("anchored");
+    options.detail.mode = visibility::DetailMode::perObject;
+    EXPECT_NE(refusalOf(options).find("detail"), std::string::npos) << refusalOf(options);
+    options = shadowOptions("anchored");
+    options.shadows.mostTexels = 63;
+    EXPECT_NE(refusalOf(options).find("64 to 4096 texels, not 63"), std::string::npos) << refusalOf(options);
+    EXPECT_EQ(refusalOf(shadowOptions("anchored")), "none");
+}
+
+} // namespace
+
+} // namespace cdr::render_test
