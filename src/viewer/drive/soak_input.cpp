@@ -49,7 +49,7 @@ void SoakInput::changeFinish() {
     constexpr double kOff = 0.5;
     const auto lengthOrOff = [&](double longest) { return chance(kOff) ? 0.0 : uniform(0.1, longest); };
     Finish& finish = m_settings.finish;
-    switch (pick(5)) {
+    switch (pick(6)) {
     case 0:
         finish.effects.antialias = render::kAntialiases.at(pick(render::kAntialiases.size()));
         break;
@@ -61,6 +61,9 @@ void SoakInput::changeFinish() {
         break;
     case 3:
         finish.focus = {.distance = lengthOrOff(1e3), .aperture = uniform(0.1, 10.0), .blend = chance(0.5)};
+        break;
+    case 4:
+        finish.shadows = render::kShadowMethods.at(pick(render::kShadowMethods.size()));
         break;
     default:
         finish.translucency = finish.translucency == render::Translucency::weighted

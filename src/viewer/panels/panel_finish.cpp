@@ -50,6 +50,13 @@ void drawFinishPanel(const Widgets& widgets, ViewerModel& model) {
         finish.translucency = render::kTranslucencies[method];
     }
     widgets.sentence(explain(finish.translucency));
+    const std::size_t shadows =
+        widgets.combo("shadows", nameOf(finish.shadows), render::kShadowMethods.size(),
+                      [](std::size_t i) { return nameOf(render::kShadowMethods[i]); });
+    if (shadows < render::kShadowMethods.size()) {
+        finish.shadows = render::kShadowMethods[shadows];
+    }
+    widgets.sentence(explain(finish.shadows));
     const std::size_t antialias =
         widgets.combo("edges", nameOf(finish.effects.antialias), render::kAntialiases.size(),
                       [](std::size_t i) { return nameOf(render::kAntialiases[i]); });

@@ -44,6 +44,7 @@ ViewSettings settingsOf(const Arguments& arguments) {
     settings.view = viewOfAov(arguments.aov);
     settings.finish = {.detail = visibility::parseDetail(arguments.detail).mode,
                        .translucency = experiments::translucencyOf(arguments.effects).method,
+                       .shadows = experiments::shadowsOf(arguments.effects).method,
                        .effects = experiments::effectsOf(arguments.effects),
                        .focus = experiments::focusOf(arguments.effects)};
     chooseTechniques(arguments, settings);

@@ -64,6 +64,7 @@ void addFinish(Words& words, const ViewSettings& settings) {
                     visibility::nameOf(options.detail));
     words.addUnless(options.translucency.method == defaults.translucency.method, "--translucency",
                     render::nameOf(options.translucency.method));
+    words.addUnless(!options.shadows.isOn(), "--shadows", render::nameOf(options.shadows.method));
     const render::Effects& effects = options.effects;
     words.addUnless(effects.antialias == defaults.effects.antialias, "--antialias",
                     render::nameOf(effects.antialias));

@@ -13,6 +13,9 @@ void apply(const Finish& finish, render::RenderOptions& options) {
     if (options.targets.kind == render::TargetsKind::layers) {
         options.focus = finish.focus;
     }
+    if (!options.focus.isOn() && finish.detail == visibility::DetailMode::none) {
+        options.shadows.method = finish.shadows;
+    }
 }
 
 std::string_view explain(visibility::DetailMode detail) {
@@ -31,6 +34,15 @@ std::string_view explain(render::Translucency translucency) {
                  "and approximate where surfaces overlap."
                : "Every blended fragment is kept, sorted by its distance and laid over the next: exact, at "
                  "the price of memory.";
+}
+
+std::string_view explain(render::ShadowMethod shadows) {
+    constexpr std::array<std::string_view, 3> kTexts{
+        "Light goes through everything.",
+        "The first four lights cast shadows, each by a map for every range of distances that is seen. Not with "
+        "a focus or levels of detail.",
+        "Today's practice: four maps for each light, whatever the distances."};
+    return kTexts[static_cast<std::size_t>(shadows)];
 }
 
 std::string_view explain(render::Antialias antialias) {

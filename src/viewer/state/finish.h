@@ -10,6 +10,7 @@ namespace cdr::viewer {
 struct Finish {
     visibility::DetailMode detail = visibility::DetailMode::none;
     render::Translucency translucency = render::Translucency::weighted;
+    render::ShadowMethod shadows = render::ShadowMethod::none;
     render::Effects effects{};
     render::Focus focus{};
 
@@ -18,11 +19,12 @@ struct Finish {
 
 /// Puts it into the options of a renderer. Occlusion per layer is for targets that have layers, so with
 /// others it is worked out over the whole picture; a focus is for `layers` alone, so with others there is
-/// none.
+/// none. There are no shadows with a focus or levels of detail.
 void apply(const Finish& finish, render::RenderOptions& options);
 
 std::string_view explain(visibility::DetailMode detail);
 std::string_view explain(render::Translucency translucency);
+std::string_view explain(render::ShadowMethod shadows);
 std::string_view explain(render::Antialias antialias);
 std::string_view explain(render::ToneMap toneMap);
 std::string_view explain(const render::Occlusion& occlusion);
