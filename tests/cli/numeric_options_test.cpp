@@ -127,6 +127,9 @@ const std::vector<Numbers> kNumbersOfCommands{
     {"render " CDR_SOURCE_DIR "/tests/assets/machine.glb --size 16x16 -o a%d.png",
      {"--time @", "--fps @", "--animation @", "--time @ --fps 24 --frames 2", "--time 1 --fps @ --frame 3"},
      "Machine"},
+    {"render alley --size 16x16 -o a.png --shadows anchored",
+     {"--shadow-texels @", "--near @", "--far @", "--fov @"},
+     "RenderedShadows"},
     {"render sheets --size 16x16 -o a.png --translucency sorted",
      {"--translucency-memory @", "--near @", "--far @", "--fog @", "--occlusion @", "--exposure @"},
      "Sheets"},
@@ -156,7 +159,7 @@ const std::vector<Numbers> kNumbersOfCommands{
     {"effects --frames 1 --size 16x16", {"--occlusion @", "--fog @"}, "Effects"},
     {"detail --frames 1 --size 16x16", {"--pixels @"}, "Detail"},
     {"shadows cubes --size 16x16",
-     {"--shadow-texels @", "--near @", "--far @", "--fov @", "--seed @"},
+     {"--shadow-texels @", "--near @", "--far @", "--fov @", "--seed @", "--snap-bits @", "--threads @"},
      "Shadows"},
     {"coplanar --frames 1 --search-views 1 --size 16x16 --techniques standard",
      {"--seed @", "--threads @", "--snap-bits @"},
@@ -266,6 +269,7 @@ TEST(NumericOptionsList, HoldsEveryOption) {
         "scaling --cascades",   "scaling --repeats", "translucency --repeats", "translucency --threads",
         "orbit --threads",      "focus --threads",   "effects --threads",      "effects --seed",
         "detail --threads",     "detail --seed",     "coplanar --frames",      "coplanar --search-views",
+        "shadows --frame",      "shadows --frames", // render's
         "inspect --frames",                         // the same check, and slow
         "inspect --gltf-scene", "inspect --camera", // render's
         "timing --rounds"};                         // starts another program

@@ -43,6 +43,11 @@ TEST(ShadowCommand, RenderCastsThem) {
     const std::string lit = hashWith("");
     EXPECT_EQ(hashWith("--shadows none"), lit);
     EXPECT_NE(hashWith("--shadows anchored"), lit);
+    const json row = json::parse(readText(folder.path() / "r.json"))["results"][0];
+    EXPECT_EQ(row["shadows"], "anchored");
+    EXPECT_GT(row["shadow_maps"], 2);
+    EXPECT_GT(row["shadow_casters"], row["shadow_maps"]);
+    EXPECT_GT(row["shadows_ms"], 0.0);
 }
 
 } // namespace

@@ -19,6 +19,28 @@ image::Raster<std::uint8_t> channelOf(const image::ImageRgba8& reached, std::siz
     return channel;
 }
 
+/// What is drawn with.
+struct Variant {
+    std::string technique;
+    render::RenderOptions options;
+};
+
+/// base::InputError for an unknown name, and for a method that casts no shadows.
+std::vector<Variant> variantsOf(const ShadowExperiment& experiment) {
+    std::vector<Variant> variants;
+    for (const std::string& technique : experiment.techniques) {
+        for (const std::string& method : experiment.methods) {
+            Variant& variant = variants.emplace_back(Variant{technique, experiment.options});
+            variant.options.technique = depth::namedTechnique(technique).technique;
+            variant.options.shadows.method = render::parseShadowMethod(method);
+            if (!variant.options.shadows.isOn()) {
+                throw base::InputError("shadows: with none there is nothing to compare");
+            }
+        }
+    }
+    return variants;
+}
+
 struct Drawn {
     std::string technique;
     std::string method;
@@ -45,6 +67,7 @@ ShadowResult compare(const render::Frame& frame, const measure::ShadowImage& tru
 void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const FrameCameras& cameras,
                 const ShadowExperiment& experiment, const ShadowProgress& progress,
                 const std::function<void(const ShadowResult&)>& take) {
+    const std::vector<Variant> variants = variantsOf(experiment);
     const scene::Scene& scene = setup.scene;
     if (scene.lights.empty()) {
         throw base::InputError(fmt::format("{}: it has no light that could cast a shadow", scene.name));
@@ -55,8 +78,7 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const
     const render::GpuScene gpuScene(device, scene);
     const std::size_t lights = std::min(scene.lights.size(), render::kMostShadowLights);
     std::vector<measure::ShadowImage> truths; // by frame and light
-    const std::size_t steps =
-        cameras.frames * (lights + experiment.techniques.size() * experiment.methods.size());
+    const std::size_t steps = cameras.frames * (lights + variants.size());
     std::size_t done = 0;
     for (std::uint32_t i = 0; i < cameras.frames; ++i) {
         const scene::Camera camera = cameras.at(setup.path, cameras.first + i);
@@ -66,22 +88,17 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const
                 caster.cast(camera, experiment.options.width, experiment.options.height, light, workers));
         }
     }
-    for (const std::string& technique : experiment.techniques) {
-        for (const std::string& method : experiment.methods) {
-            render::RenderOptions options = experiment.options;
-            options.technique = depth::namedTechnique(technique).technique;
-            options.shadows.method = render::parseShadowMethod(method);
-            render::Renderer renderer(device, scene, gpuScene, options);
-            for (std::uint32_t i = 0; i < cameras.frames; ++i) {
-                progress(done++, steps);
-                const render::Frame frame = renderer.render(cameras.at(setup.path, cameras.first + i));
-                for (std::size_t light = 0; light < lights; ++light) {
-                    take(compare(frame, truths[i * lights + light],
-                                 {.technique = technique,
-                                  .method = method,
-                                  .frame = cameras.first + i,
-                                  .light = light}));
-                }
+    for (const Variant& variant : variants) {
+        render::Renderer renderer(device, scene, gpuScene, variant.options);
+        for (std::uint32_t i = 0; i < cameras.frames; ++i) {
+            progress(done++, steps);
+            const render::Frame frame = renderer.render(cameras.at(setup.path, cameras.first + i));
+            for (std::size_t light = 0; light < lights; ++light) {
+                take(compare(frame, truths[i * lights + light],
+                             {.technique = variant.technique,
+                              .method = std::string(nameOf(variant.options.shadows.method)),
+                              .frame = cameras.first + i,
+                              .light = light}));
             }
         }
     }

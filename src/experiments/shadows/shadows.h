@@ -40,7 +40,8 @@ struct ShadowResult {
 /// Called before each step with how many of all are done.
 using ShadowProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Results go out as they come, by technique, frame and light. base::InputError for a scene without lights.
+/// Results go out as they come, by technique, frame and light. base::InputError for a scene
+/// without lights, an unknown name, and a method that casts none.
 void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const FrameCameras& cameras,
                 const ShadowExperiment& experiment, const ShadowProgress& progress,
                 const std::function<void(const ShadowResult&)>& take);
