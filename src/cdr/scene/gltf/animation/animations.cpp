@@ -85,7 +85,7 @@ class AnimationReader {
 
   private:
     void addChannel(const json& channel);
-    std::size_t keyframesOf(int sampler, AnimatedPath path, std::size_t width);
+    std::size_t keyframesOf(int index, AnimatedPath path, std::size_t width);
     std::vector<float> timesOf(const json& sampler, const std::string& where);
     std::vector<float> valuesOf(const json& sampler, const Keyframes& keyframes, bool isScalar,
                                 const std::string& where);
