@@ -25,11 +25,11 @@ layout(set = 0, binding = 3) uniform sampler2D mapSlope;
 layout(location = 0) out vec4 outReached;
 
 const float kRounding = 1.0 / 2097152.0; // of what a place and a depth are made from
+const float kHalf = 1.0 / 1024.0;        // of a number kept as a half
+const float kMostSlope = 1000.0;
 // Of today's practice: texels of bias, and times the larger slope of the caster.
 const float kPlainConstant = 0.5;
 const float kPlainSlope = 1.75;
-const float kMostSlope = 1000.0;
-const float kHalf = 1.0 / 1024.0; // of a number kept as a half
 
 vec2 rayHere() {
     return (gl_FragCoord.xy / header.pictureSize * 2.0 - 1.0) * vec2(1.0, -1.0) * header.rayScale;
@@ -121,13 +121,14 @@ bool isReached(Receiver receiver, vec2 ray) {
     float numbers = sumOf(point.xy) + abs(beyond) + abs(receiver.ahead) + sumOf(offset.xy) + abs(offset.z);
     float shift = (push.snap * distanceView + kRounding * numbers) / texelLength;
     float allowed = shift * (1.0 + steepest) + steepest * (push.mapSnap + kHalf) + rounding + kRounding * z / perTexel +
-                    sumOf(highest - lowest);    float gap = gaps[nearest.x + 2 * nearest.y];
+                    sumOf(highest - lowest);
+    float gap = gaps[nearest.x + 2 * nearest.y];
     if (push.isPlain != 0u) {
         vec3 caster = slopes[nearest.x + 2 * nearest.y];
         float atTexel = (texelFetch(mapDepth, corner + nearest, 0).r - z) / perTexel;
         return atTexel <= kPlainConstant + kPlainSlope * max(abs(caster.x), abs(caster.y));
     }
-if (gap <= allowed) {
+    if (!(gap > allowed)) { // what is not a number casts no shadow
         return true;
     }
     // Near an edge of facets smaller than a texel another one may be the point's own.

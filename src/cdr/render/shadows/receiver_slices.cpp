@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+
 namespace cdr::render {
 
 namespace {
