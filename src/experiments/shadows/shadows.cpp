@@ -7,17 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace cdr::experiments {
 
 namespace {
-
-image::Raster<std::uint8_t> channelOf(const image::ImageRgba8& reached, std::size_t light) {
-    image::Raster<std::uint8_t> channel(reached.width, reached.height);
-    std::transform(reached.pixels.begin(), reached.pixels.end(), channel.pixels.begin(),
-                   [&](const image::Rgba8& pixel) { return pixel[light]; });
-    return channel;
-}
 
 /// What is drawn with.
 struct Variant {
@@ -41,25 +35,17 @@ std::vector<Variant> variantsOf(const ShadowExperiment& experiment) {
     return variants;
 }
 
-struct Drawn {
-    std::string technique;
-    std::string method;
-    std::uint32_t frame = 0;
-    std::size_t light = 0;
-};
-
-ShadowResult compare(const render::Frame& frame, const measure::ShadowImage& truth, const Drawn& drawn) {
-    const image::Raster<std::uint8_t> reached = channelOf(frame.reached, drawn.light);
-    return {.technique = drawn.technique,
-            .method = drawn.method,
-            .frame = drawn.frame,
-            .light = drawn.light,
-            .wrong = measure::countWrongShadows(reached, truth),
-            .maps = frame.stats.shadows.maps,
-            .casters = frame.stats.shadows.casters,
-            .executeMs = frame.stats.times.executeMs,
-            .picture = frame.color,
-            .heatMap = measure::shadowHeatMap(reached, truth, frame.color)};
+/// Fills in what a frame came to.
+/// @param result names the technique, the method, the frame and the light.
+ShadowResult compared(const render::Frame& frame, const measure::ShadowImage& truth, ShadowResult result) {
+    const measure::RenderedLight light{frame.reached, result.light};
+    result.wrong = measure::countWrongShadows(light, truth);
+    result.maps = frame.stats.shadows.maps;
+    result.casters = frame.stats.shadows.casters;
+    result.executeMs = frame.stats.times.executeMs;
+    result.picture = frame.color;
+    result.heatMap = measure::shadowHeatMap(light, truth, frame.color);
+    return result;
 }
 
 } // namespace
@@ -94,11 +80,12 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const
             progress(done++, steps);
             const render::Frame frame = renderer.render(cameras.at(setup.path, cameras.first + i));
             for (std::size_t light = 0; light < lights; ++light) {
-                take(compare(frame, truths[i * lights + light],
-                             {.technique = variant.technique,
-                              .method = std::string(nameOf(variant.options.shadows.method)),
-                              .frame = cameras.first + i,
-                              .light = light}));
+                ShadowResult result;
+                result.technique = variant.technique;
+                result.method = nameOf(variant.options.shadows.method);
+                result.frame = cameras.first + i;
+                result.light = light;
+                take(compared(frame, truths[i * lights + light], std::move(result)));
             }
         }
     }

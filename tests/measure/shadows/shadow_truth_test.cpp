@@ -34,7 +34,7 @@ scene::Scene floorAndCube(double lightUp) {
 }
 
 TEST(ShadowTruth, ACubesShadowIsWhereGeometryPutsIt) {
-    for (const double lightUp : {5.0, 1e6}) {
+    for (const double lightUp : {1.0, 5.0, 1e6}) {
         const scene::Scene scene = floorAndCube(lightUp);
         const scene::Camera camera = makePlainCamera();
         const ShadowImage truth = castShadows(scene, camera, 200, 100);
@@ -112,22 +112,22 @@ TEST(WrongShadows, InnerPixelsAndEdgesAreCountedApart) {
     }
     truth.at(5, 2).reach = Reach::shadowed;
     truth.at(0, 0).reach = Reach::away;
-    image::Raster<std::uint8_t> reached(7, 5);
-    for (std::uint8_t& value : reached.pixels) {
-        value = 255;
+    image::ImageRgba8 reached(7, 5);
+    for (image::Rgba8& pixel : reached.pixels) {
+        pixel = {0, 0, 255, 0};
     }
-    reached.at(2, 2) = 0; // inner
-    reached.at(0, 0) = 0; // faces away: does not count
-    const measure::WrongShadows wrong = measure::countWrongShadows(reached, truth);
+    reached.at(2, 2)[2] = 0; // inner
+    reached.at(0, 0)[2] = 0; // faces away: does not count
+    const measure::WrongShadows wrong = measure::countWrongShadows({reached, 2}, truth);
     EXPECT_EQ(wrong.pixels,
               8u); // of 15 that have eight neighbours, less 6 around the shadow and 1 beside what faces away
     EXPECT_EQ(wrong.wrong, 1u);
     EXPECT_EQ(wrong.edgeWrong, 1u);
     EXPECT_EQ(wrong.shadowed, 0u);
-    const image::ImageRgba8 map = measure::shadowHeatMap(reached, truth, image::ImageRgba8(7, 5));
+    const image::ImageRgba8 map = measure::shadowHeatMap({reached, 2}, truth, image::ImageRgba8(7, 5));
     EXPECT_EQ(map.at(2, 2), (image::Rgba8{0, 114, 255, 255}));
     EXPECT_EQ(map.at(5, 2), (image::Rgba8{255, 165, 0, 255}));
-    EXPECT_THROW(measure::countWrongShadows(image::Raster<std::uint8_t>(3, 3), truth), base::InputError);
+    EXPECT_THROW(measure::countWrongShadows({image::ImageRgba8(3, 3), 0}, truth), base::InputError);
 }
 
 } // namespace

@@ -22,13 +22,6 @@ RenderOptions shadowOptions(const std::string& technique) {
     return options;
 }
 
-image::Raster<std::uint8_t> channelOf(const image::ImageRgba8& reached, std::size_t light) {
-    image::Raster<std::uint8_t> channel(reached.width, reached.height);
-    std::transform(reached.pixels.begin(), reached.pixels.end(), channel.pixels.begin(),
-                   [&](const image::Rgba8& pixel) { return pixel[light]; });
-    return channel;
-}
-
 class ShadowsTest : public RenderTest {
   protected:
     /// Of all lights together.
@@ -42,8 +35,7 @@ class ShadowsTest : public RenderTest {
         measure::WrongShadows wrong;
         for (std::size_t light = 0; light < setup.scene.lights.size(); ++light) {
             wrong += measure::countWrongShadows(
-                channelOf(drawn.reached, light),
-                caster.cast(camera, options.width, options.height, light, workers));
+                {drawn.reached, light}, caster.cast(camera, options.width, options.height, light, workers));
         }
         return wrong;
     }
@@ -89,9 +81,9 @@ TEST_F(ShadowsTest, TheCountSeesShadowsThatAreMissing) {
     const measure::TruthCaster shapes(setup.scene, workers);
     const measure::ShadowTruthCaster caster(setup.scene, shapes.shapes());
     const measure::ShadowImage truth = caster.cast(setup.path.at(0), 480, 270, 0, workers);
-    image::Raster<std::uint8_t> everywhere(480, 270);
-    std::fill(everywhere.pixels.begin(), everywhere.pixels.end(), std::uint8_t{255});
-    const measure::WrongShadows wrong = measure::countWrongShadows(everywhere, truth);
+    image::ImageRgba8 everywhere(480, 270);
+    std::fill(everywhere.pixels.begin(), everywhere.pixels.end(), image::Rgba8{255, 255, 255, 255});
+    const measure::WrongShadows wrong = measure::countWrongShadows({everywhere, 0}, truth);
     EXPECT_GT(wrong.shadowed, 1000u);
     EXPECT_EQ(wrong.wrong, wrong.shadowed);
 }

@@ -25,13 +25,12 @@ bool isInner(const ShadowImage& truth, std::uint32_t x, std::uint32_t y) {
     return true;
 }
 
-Verdict verdictAt(const image::Raster<std::uint8_t>& reached, const ShadowImage& truth, std::uint32_t x,
-                  std::uint32_t y) {
+Verdict verdictAt(const RenderedLight& light, const ShadowImage& truth, std::uint32_t x, std::uint32_t y) {
     const Reach reach = truth.at(x, y).reach;
     if (reach != Reach::reached && reach != Reach::shadowed) {
         return Verdict::uncounted;
     }
-    const bool isRight = (reached.at(x, y) != 0) == (reach == Reach::reached);
+    const bool isRight = light.reaches(x, y) == (reach == Reach::reached);
     if (isInner(truth, x, y)) {
         return isRight ? Verdict::right : Verdict::wrong;
     }
@@ -39,14 +38,14 @@ Verdict verdictAt(const image::Raster<std::uint8_t>& reached, const ShadowImage&
 }
 
 template <typename Take>
-void forVerdicts(const image::Raster<std::uint8_t>& reached, const ShadowImage& truth, const Take& take) {
-    if (reached.width != truth.width || reached.height != truth.height) {
-        throw base::InputError(fmt::format("shadows: {}x{} differs from {}x{}", reached.width, reached.height,
-                                           truth.width, truth.height));
+void forVerdicts(const RenderedLight& light, const ShadowImage& truth, const Take& take) {
+    if (light.reached.width != truth.width || light.reached.height != truth.height) {
+        throw base::InputError(fmt::format("shadows: {}x{} differs from {}x{}", light.reached.width,
+                                           light.reached.height, truth.width, truth.height));
     }
     for (std::uint32_t y = 0; y < truth.height; ++y) {
         for (std::uint32_t x = 0; x < truth.width; ++x) {
-            take(x, y, verdictAt(reached, truth, x, y));
+            take(x, y, verdictAt(light, truth, x, y));
         }
     }
 }
@@ -61,9 +60,9 @@ WrongShadows& WrongShadows::operator+=(const WrongShadows& other) {
     return *this;
 }
 
-WrongShadows countWrongShadows(const image::Raster<std::uint8_t>& reached, const ShadowImage& truth) {
+WrongShadows countWrongShadows(const RenderedLight& light, const ShadowImage& truth) {
     WrongShadows count;
-    forVerdicts(reached, truth, [&](std::uint32_t x, std::uint32_t y, Verdict verdict) {
+    forVerdicts(light, truth, [&](std::uint32_t x, std::uint32_t y, Verdict verdict) {
         const bool isInside = verdict == Verdict::right || verdict == Verdict::wrong;
         count.pixels += isInside;
         count.shadowed += isInside && truth.at(x, y).reach == Reach::shadowed;
@@ -73,13 +72,13 @@ WrongShadows countWrongShadows(const image::Raster<std::uint8_t>& reached, const
     return count;
 }
 
-image::ImageRgba8 shadowHeatMap(const image::Raster<std::uint8_t>& reached, const ShadowImage& truth,
+image::ImageRgba8 shadowHeatMap(const RenderedLight& light, const ShadowImage& truth,
                                 const image::ImageRgba8& picture) {
     image::ImageRgba8 map(truth.width, truth.height);
-    forVerdicts(reached, truth, [&](std::uint32_t x, std::uint32_t y, Verdict verdict) {
+    forVerdicts(light, truth, [&](std::uint32_t x, std::uint32_t y, Verdict verdict) {
         const image::Rgba8& color = picture.at(x, y);
         const auto grey = static_cast<std::uint8_t>((color[0] + color[1] + color[2]) / 6);
-        map.at(x, y) = verdict == Verdict::wrong       ? (reached.at(x, y) != 0 ? kMissing : kInvented)
+        map.at(x, y) = verdict == Verdict::wrong       ? (light.reaches(x, y) ? kMissing : kInvented)
                        : verdict == Verdict::edgeWrong ? kWrongAtEdge
                                                        : image::Rgba8{grey, grey, grey, 255};
     });

@@ -2,6 +2,7 @@
 
 #include <cdr/measure/shadows/shadow_truth.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace cdr::measure {
@@ -22,13 +23,21 @@ struct WrongShadows {
     WrongShadows& operator+=(const WrongShadows& other);
 };
 
-/// @param reached 1 where the light reaches a surface, else 0. base::InputError when the sizes differ.
-WrongShadows countWrongShadows(const image::Raster<std::uint8_t>& reached, const ShadowImage& truth);
+/// Where a light arrives in a rendered picture.
+struct RenderedLight {
+    const image::ImageRgba8& reached; ///< a channel for each light: not 0 where it reaches the surface
+    std::size_t channel = 0;          ///< of the light, 0 to 3
+
+    bool reaches(std::uint32_t x, std::uint32_t y) const { return reached.at(x, y)[channel] != 0; }
+};
+
+/// base::InputError when the sizes differ.
+WrongShadows countWrongShadows(const RenderedLight& light, const ShadowImage& truth);
 
 /// Red where a shadow is missing off edges, blue where one is that should not be, orange where either is at an edge, else the
 /// picture as grey at half its brightness.
 /// base::InputError when the sizes differ.
-image::ImageRgba8 shadowHeatMap(const image::Raster<std::uint8_t>& reached, const ShadowImage& truth,
+image::ImageRgba8 shadowHeatMap(const RenderedLight& light, const ShadowImage& truth,
                                 const image::ImageRgba8& picture);
 
 } // namespace cdr::measure
