@@ -38,7 +38,10 @@ std::map<std::string, std::string> filesIn(const fs::path& folder) {
             const std::string text = readText(entry.path());
             files[entry.path().lexically_relative(folder).string()] =
                 entry.path().extension() == ".json"
-                    ? std::regex_replace(text, std::regex("(\"[a-z_]+_ms\": )[^,\n]+"), "$1")
+                    ? std::regex_replace(text,
+                                         std::regex("(\"(?:[a-z_]+_ms|execute_speedup|ci95)\": )"
+                                                    "(?:\\[[^\\]]*\\]|[^,\n]+)"),
+                                         "$1")
                     : text;
         }
     }
@@ -198,6 +201,25 @@ TEST_F(RanksCommand, OrbitFindsWhatOneProcessDoes) {
     }
     expectSameFiles("orbit --frames 3 --size 96x54 --techniques reversed,anchored --out out --json all.json",
                     7, {2});
+}
+
+/// A fitted split keeps to the frames before, whoever compares them, those that were timed among them.
+TEST_F(RanksCommand, DetailComparesWhatOneProcessDoes) {
+    expectSameFiles(
+        "detail afc --depth anchored --frames 7 --split fitted:0.1,max=3 --size 96x54 --out out --json all.json",
+        1 + 2 * 4);
+    expectSameFiles("detail boulders --frames 2 --size 96x54 --out out --json all.json", 1 + 2 * 4, {2});
+}
+
+TEST_F(RanksCommand, TranslucencyComparesWhatOneProcessDoes) {
+    expectSameFiles("translucency --size 96x54 --cascades 1,2,5 --repeats 1 --out out --json all.json",
+                    2 + 2 * 6);
+    const std::string refused =
+        "translucency --size 320x180 --cascades 3 --repeats 0 --translucency-memory 1 --json all.json";
+    expectSameFiles(refused, 1, {3});
+    const TemporaryFolder folder;
+    EXPECT_NE(runAsRanks(2, refused, folder.path()).out.find("\n3 cascades drawn weighted: "),
+              std::string::npos);
 }
 
 TEST_F(RanksCommand, OnlyTheFirstPrints) {

@@ -52,9 +52,13 @@ void run(Command& command, DetailArguments& arguments) {
         visibility::Detail{.mode = visibility::DetailMode::perObject, .pixels = options.pixels});
     const PictureFolder folder(arguments.folder, command.files());
     scene::SceneSetup setup = command.openScene(options.scene, options.seed);
-    const experiments::DetailReport report = experiments::runDetail(
-        command.device(), std::move(setup), options, command.progressOf("frames of every level of detail"));
+    const experiments::DetailReport report =
+        experiments::runDetail(command.device(), std::move(setup), options,
+                               command.progressOf("frames of every level of detail"), command.ranks());
     command.endProgress();
+    if (!command.ranks().isFirst()) {
+        return;
+    }
 
     const auto columns = detailColumns();
     command.console().table(experiments::tableOf(columns, report.results));
@@ -95,7 +99,7 @@ void addDetail(CLI::App& program, const GlobalOptions& global) {
     addCommand<DetailArguments>(
         program, global, "detail",
         "What levels of detail save and change, chosen by object and by cascade (thesis chapter 3)",
-        addOptions, run);
+        addOptions, run, RankUse::all);
 }
 
 } // namespace cdr::cli

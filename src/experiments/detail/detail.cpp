@@ -7,6 +7,7 @@
 #include <cdr/scene/lod/levels.h>
 #include <cdr/visibility/bin_cells.h>
 #include <experiments/interleaved_frames.h>
+#include <experiments/units.h>
 
 #include <algorithm>
 #include <array>
@@ -43,6 +44,15 @@ measure::SeenImage seenIn(const render::Frame& frame) {
     return seen;
 }
 
+/// Pixels that show another object.
+std::uint64_t otherIds(const measure::SeenImage& seen, const measure::SeenImage& whole) {
+    std::uint64_t others = 0;
+    for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
+        others += seen.pixels[i].id != whole.pixels[i].id ? 1 : 0;
+    }
+    return others;
+}
+
 image::ImageRgba8 markCracks(image::ImageRgba8 picture, const std::vector<measure::Crack>& cracks) {
     constexpr std::uint32_t kAround = 3;
     for (const measure::Crack& crack : cracks) {
@@ -56,6 +66,15 @@ image::ImageRgba8 markCracks(image::ImageRgba8 picture, const std::vector<measur
     }
     return picture;
 }
+
+/// What one mode showed of one frame, beside what none showed.
+struct Shown {
+    double flip = 0.0;
+    std::uint64_t pixels = 0;
+    std::uint64_t otherIds = 0;
+    std::uint64_t cracks = 0;
+    std::uint64_t triangles = 0;
+};
 
 /// A renderer per mode over one scene with levels, and what each showed and took so far.
 class Comparison {
@@ -79,34 +98,71 @@ class Comparison {
         }
     }
 
-    void time(const std::function<void()>& step) {
-        m_frames.run(m_options.frames, step, [&](std::size_t mode, std::uint32_t frame) {
-            return m_renderers[mode]->draw(cameraOf(frame));
-        });
+    /// Each mode draws all frames: on the first rank, while the others wait and disturb nothing.
+    void time(ranks::Ranks& ranks, const std::function<void()>& step) {
+        if (!ranks.isFirst()) { // a fitted split keeps to the frames before
+            m_frames.run(
+                m_options.frames, [] {},
+                [&](std::size_t mode, std::uint32_t frame) {
+                    m_renderers[mode]->skip(cameraOf(frame));
+                    return render::FrameStats();
+                });
+        }
+        ranks.share({});
+        if (ranks.isFirst()) {
+            m_frames.run(m_options.frames, step, [&](std::size_t mode, std::uint32_t frame) {
+                return m_renderers[mode]->draw(cameraOf(frame));
+            });
+        }
     }
 
-    void compare(std::uint32_t frame) {
+    /// What all modes show of a frame; of the first one pictures too. Frames come in ascending order.
+    Json compare(std::uint32_t frame) {
+        for (; m_next < frame; ++m_next) {
+            for (const auto& renderer : m_renderers) {
+                renderer->skip(cameraOf(m_next));
+            }
+        }
+        ++m_next;
         const scene::Camera camera = cameraOf(frame);
         const render::Frame whole = m_renderers.front()->render(camera);
         const measure::SeenImage wholeSeen = seenIn(whole);
+        std::vector<Shown> all;
+        Json made{{"pictures", Json::array()}};
         for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
             const render::Frame shown = mode == 0 ? whole : m_renderers[mode]->render(camera);
             const measure::SeenImage seen = seenIn(shown);
-            DetailResult& result = m_results[mode];
-            const double flip = m_flip.mean(whole.color, shown.color, m_workers);
             const std::vector<measure::Crack> cracks = measure::findCracks(seen, wholeSeen);
-            result.flip += flip / m_options.frames;
-            result.largestFlip = std::max(result.largestFlip, flip);
-            result.pixels += seen.pixels.size();
-            for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
-                result.otherIds += seen.pixels[i].id != wholeSeen.pixels[i].id ? 1 : 0;
-            }
-            result.cracks += cracks.size();
-            result.triangles += static_cast<double>(trianglesOf(shown, kModes[mode].mode)) / m_options.frames;
+            all.push_back({.flip = m_flip.mean(whole.color, shown.color, m_workers),
+                           .pixels = seen.pixels.size(),
+                           .otherIds = otherIds(seen, wholeSeen),
+                           .cracks = cracks.size(),
+                           .triangles = trianglesOf(shown, kModes[mode].mode)});
             if (frame == 0) {
-                result.picture = shown.color;
-                result.cracked = markCracks(shown.color, cracks);
+                made["pictures"].push_back(
+                    {packedPicture(shown.color), packedPicture(markCracks(shown.color, cracks))});
             }
+        }
+        made["shown"] = packed(all);
+        return made;
+    }
+
+    /// Adds what compare() made.
+    void add(const Json& made) {
+        const std::vector<Shown> all = unpacked<Shown>(made.at("shown"));
+        for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+            DetailResult& result = m_results[mode];
+            const Shown& shown = all.at(mode);
+            result.flip += shown.flip / m_options.frames;
+            result.largestFlip = std::max(result.largestFlip, shown.flip);
+            result.pixels += shown.pixels;
+            result.otherIds += shown.otherIds;
+            result.cracks += shown.cracks;
+            result.triangles += static_cast<double>(shown.triangles) / m_options.frames;
+        }
+        for (std::size_t mode = 0; mode < made.at("pictures").size(); ++mode) {
+            m_results[mode].picture = unpackedPicture(made["pictures"][mode][0]);
+            m_results[mode].cracked = unpackedPicture(made["pictures"][mode][1]);
         }
     }
 
@@ -172,6 +228,7 @@ class Comparison {
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
     InterleavedFrames m_frames;
     std::vector<DetailResult> m_results;
+    std::uint32_t m_next = 0; ///< frame that comes after those compared or skipped
     measure::FlipDifference m_flip;
     visibility::VisibleCells m_visible;
     visibility::CellBinner m_binner;
@@ -181,19 +238,23 @@ class Comparison {
 } // namespace
 
 DetailReport runDetail(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options,
-                       const DetailProgress& progress) {
+                       const DetailProgress& progress, ranks::Ranks& ranks) {
     if (options.frames < 1) {
         throw base::InputError("detail needs a frame");
     }
-    const std::size_t all = std::size_t{InterleavedFrames::kWarmUp} + 2 * std::size_t{options.frames};
+    const std::size_t timed = std::size_t{InterleavedFrames::kWarmUp} + options.frames;
+    const std::size_t all = timed + options.frames;
     std::size_t done = 0;
     Comparison comparison(device, std::move(setup), options);
-    comparison.time([&] { progress(done++, all); });
-    for (std::uint32_t i = 0; i < options.frames; ++i) {
-        progress(done++, all);
-        comparison.compare(i);
-    }
-    return comparison.report();
+    comparison.time(ranks, [&] { progress(done++, all); });
+    forEachUnit(
+        ranks, options.frames,
+        [&](std::size_t unit) {
+            progress(timed + unit, all);
+            return comparison.compare(static_cast<std::uint32_t>(unit));
+        },
+        [&](std::size_t, const Json& made) { comparison.add(made); });
+    return ranks.isFirst() ? comparison.report() : DetailReport();
 }
 
 } // namespace cdr::experiments

@@ -7,6 +7,8 @@
 #include <cdr/visibility/level_choice.h>
 #include <scenes/open_scene.h>
 
+#include <ranks/ranks.h>
+
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -59,7 +61,8 @@ using DetailProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// Every mode draws a camera, in an order shuffled anew, before the next camera; then each renders it once
 /// more to be compared. base::InputError for no frames or an unusable detail.
 /// @param setup what options.scene names.
+/// @param ranks that share the comparisons. The first one times, while the others wait; it alone has results.
 DetailReport runDetail(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options,
-                       const DetailProgress& progress);
+                       const DetailProgress& progress, ranks::Ranks& ranks);
 
 } // namespace cdr::experiments

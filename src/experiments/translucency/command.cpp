@@ -79,8 +79,11 @@ void run(Command& command, TranslucencyArguments& arguments) {
     experiment.keepsPictures = folder.isWanted();
     const scene::SceneSetup setup = command.openScene(experiment.scene, experiment.seed);
     const experiments::TranslucencyResults all = experiments::runTranslucency(
-        command.device(), setup, experiment, command.progressOf(experiment.scene));
+        command.device(), setup, experiment, command.progressOf(experiment.scene), command.ranks());
     command.endProgress();
+    if (!command.ranks().isFirst()) {
+        return;
+    }
 
     const auto columns = translucencyColumns();
     command.console().table(experiments::tableOf(columns, all.results));
@@ -95,7 +98,9 @@ void run(Command& command, TranslucencyArguments& arguments) {
                     "steps of the worst channel, off silhouettes",
                     command.opened().text(), experiment.scene, experiment.width, experiment.height,
                     arguments.mapping, experiment.repeats));
-    writePictures(folder, all);
+    if (folder.isWanted()) { // else there is nothing to write
+        writePictures(folder, all);
+    }
     auto document = command.makeDocument({{"scene", experiment.scene},
                                           {"width", experiment.width},
                                           {"height", experiment.height},
@@ -138,7 +143,7 @@ void addOptions(CLI::App& command, TranslucencyArguments& arguments) {
 void addTranslucency(CLI::App& program, const GlobalOptions& global) {
     addCommand<TranslucencyArguments>(program, global, "translucency",
                                       "Translucent surfaces across cascades against a float64 sorted truth",
-                                      addOptions, run);
+                                      addOptions, run, RankUse::all);
 }
 
 } // namespace cdr::cli

@@ -6,14 +6,18 @@
 #include <cdr/render/renderer.h>
 #include <cdr/visibility/blended.h>
 #include <experiments/frame_notes.h>
+#include <experiments/units.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace cdr::experiments {
 
@@ -33,6 +37,13 @@ render::RenderOptions optionsFor(const TranslucencyExperiment& experiment, unsig
             .translucency = {.method = method, .mostBytes = experiment.mostBytes}};
 }
 
+/// The numbers of a result.
+struct Compared {
+    unsigned cascades = 1;
+    render::TranslucencyStats stats;
+    measure::LayerDifference difference;
+};
+
 /// One frame of one method, compared with the truth.
 TranslucencyResult compare(const gpu::Device& device, const scene::SceneSetup& setup,
                            const render::GpuScene& gpuScene, render::RenderOptions options,
@@ -41,7 +52,6 @@ TranslucencyResult compare(const gpu::Device& device, const scene::SceneSetup& s
     render::Renderer renderer(device, setup.scene, gpuScene, options);
     render::Frame frame = renderer.render(setup.path.at(0));
     TranslucencyResult result;
-    result.technique = partsOf(options.technique);
     result.cascades = static_cast<unsigned>(frame.cascades.size());
     result.stats = frame.stats.translucency;
     if (result.stats.refusal) {
@@ -64,51 +74,102 @@ void requireRoom(const gpu::Device& device, const TranslucencyExperiment& experi
                     experiment.height, timed));
 }
 
+/// Every number of cascades by every method.
+std::vector<render::RenderOptions> pairsOf(const TranslucencyExperiment& experiment) {
+    std::vector<render::RenderOptions> pairs;
+    for (const unsigned cascades : experiment.cascades) {
+        for (const render::Translucency method : render::kTranslucencies) {
+            pairs.push_back(optionsFor(experiment, cascades, method));
+        }
+    }
+    return pairs;
+}
+
+/// For the first rank. The technique is known there.
+Json packedResult(const TranslucencyResult& result, bool keepsPicture) {
+    const std::vector<Compared> compared{
+        {.cascades = result.cascades, .stats = result.stats, .difference = result.difference}};
+    Json made{{"compared", packed(compared)}, {"note", result.note}};
+    if (keepsPicture) {
+        made["picture"] = packedPicture(result.picture);
+    }
+    return made;
+}
+
+TranslucencyResult unpackedResult(const Json& made) {
+    const Compared compared = unpacked<Compared>(made.at("compared")).at(0);
+    TranslucencyResult result;
+    result.cascades = compared.cascades;
+    result.stats = compared.stats;
+    result.note = made.at("note").get<std::string>();
+    result.difference = compared.difference;
+    if (made.contains("picture")) {
+        result.picture = unpackedPicture(made["picture"]);
+    }
+    return result;
+}
+
+/// The median time of each, in milliseconds; all are alive, so that they take turns.
+std::vector<double> timeInTurns(const gpu::Device& device, const scene::SceneSetup& setup,
+                                const render::GpuScene& gpuScene,
+                                const std::vector<render::RenderOptions>& pairs, std::size_t repeats,
+                                const std::function<void(std::size_t done)>& step) {
+    const scene::Camera camera = setup.path.at(0);
+    std::vector<std::unique_ptr<render::Renderer>> renderers;
+    for (const render::RenderOptions& options : pairs) {
+        renderers.push_back(std::make_unique<render::Renderer>(device, setup.scene, gpuScene, options));
+        renderers.back()->draw(camera); // lists grow, pipelines warm up
+    }
+    std::vector<std::vector<double>> executeMs(pairs.size());
+    for (std::size_t repeat = 0; repeat < repeats; ++repeat) {
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            step(repeat * pairs.size() + i);
+            executeMs[i].push_back(renderers[i]->draw(camera).times.executeMs);
+        }
+    }
+    std::vector<double> medians;
+    std::transform(executeMs.begin(), executeMs.end(), std::back_inserter(medians), measure::median);
+    return medians;
+}
+
 } // namespace
 
 TranslucencyResults runTranslucency(const gpu::Device& device, const scene::SceneSetup& setup,
-                                    const TranslucencyExperiment& experiment,
-                                    const TranslucencyProgress& progress) {
+                                    const TranslucencyExperiment& given, const TranslucencyProgress& progress,
+                                    ranks::Ranks& ranks) {
     if (!visibility::hasBlended(setup.scene)) {
         throw base::InputError(setup.scene.name + ": the scene has no translucent surfaces");
     }
-    const scene::Camera camera = setup.path.at(0);
-    for (const unsigned cascades : experiment.cascades) {
-        splitOf(cascades); // refused before the truth is cast
+    TranslucencyExperiment experiment = given;
+    if (!ranks.isFirst()) {
+        experiment.repeats = 0; // the first one times, while the others wait for its end
     }
+    const std::vector<render::RenderOptions> pairs = pairsOf(experiment); // refused before the truth is cast
     requireRoom(device, experiment);
     const render::GpuScene gpuScene(device, setup.scene);
     host::WorkerPool workers(experiment.threads);
     const measure::LayeredTruth truth =
-        measure::castLayers(setup.scene, camera, experiment.width, experiment.height, workers);
+        measure::castLayers(setup.scene, setup.path.at(0), experiment.width, experiment.height, workers);
     TranslucencyResults all{.truth = measure::pictureOf(truth), .results = {}};
-    std::vector<std::unique_ptr<render::Renderer>> renderers; // all alive, so that timing takes turns
-    const std::size_t pairs = experiment.cascades.size() * render::kTranslucencies.size();
-    const std::size_t steps = pairs * (1 + experiment.repeats);
-    for (const unsigned cascades : experiment.cascades) {
-        for (const render::Translucency method : render::kTranslucencies) {
-            progress(all.results.size(), steps);
-            const render::RenderOptions options = optionsFor(experiment, cascades, method);
-            all.results.push_back(compare(device, setup, gpuScene, options, truth));
-            if (!experiment.keepsPictures) {
-                all.results.back().picture = {};
-            }
-            if (experiment.repeats > 0) {
-                renderers.push_back(
-                    std::make_unique<render::Renderer>(device, setup.scene, gpuScene, options));
-                renderers.back()->draw(camera); // lists grow, pipelines warm up
-            }
+    const std::size_t steps = pairs.size() * (1 + experiment.repeats);
+    forEachUnit(
+        ranks, pairs.size(),
+        [&](std::size_t unit) {
+            progress(unit, steps);
+            return packedResult(compare(device, setup, gpuScene, pairs[unit], truth),
+                                experiment.keepsPictures);
+        },
+        [&](std::size_t unit, const Json& made) {
+            all.results.push_back(unpackedResult(made));
+            all.results.back().technique = partsOf(pairs[unit].technique);
+        });
+    if (experiment.repeats > 0) {
+        const std::vector<double> medians =
+            timeInTurns(device, setup, gpuScene, pairs, experiment.repeats,
+                        [&](std::size_t done) { progress(pairs.size() + done, steps); });
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            all.results[i].executeMs = medians[i];
         }
-    }
-    std::vector<std::vector<double>> executeMs(renderers.size());
-    for (std::size_t repeat = 0; repeat < experiment.repeats; ++repeat) {
-        for (std::size_t i = 0; i < renderers.size(); ++i) {
-            progress(pairs + repeat * pairs + i, steps);
-            executeMs[i].push_back(renderers[i]->draw(camera).times.executeMs);
-        }
-    }
-    for (std::size_t i = 0; i < executeMs.size(); ++i) {
-        all.results[i].executeMs = measure::median(executeMs[i]);
     }
     return all;
 }

@@ -7,6 +7,8 @@
 #include <cdr/render/translucency/translucency.h>
 #include <cdr/scene/scene_setup.h>
 
+#include <ranks/ranks.h>
+
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -48,10 +50,11 @@ using TranslucencyProgress = std::function<void(std::size_t done, std::size_t al
 
 /// base::InputError for a scene without translucent surfaces, or an unusable number of cascades. base::RunError
 /// where the device lacks the memory for all renderers at once, which timing takes.
-/// @param setup what experiment.scene names.
+/// @param setup what given.scene names.
+/// @param ranks that share the comparisons. The first one times, while the others wait; it alone has results.
 TranslucencyResults runTranslucency(const gpu::Device& device, const scene::SceneSetup& setup,
-                                    const TranslucencyExperiment& experiment,
-                                    const TranslucencyProgress& progress);
+                                    const TranslucencyExperiment& given, const TranslucencyProgress& progress,
+                                    ranks::Ranks& ranks);
 
 /// How far a picture is from the truth, eight times as bright.
 image::ImageRgba8 errorPicture(const image::ImageRgba8& picture, const image::ImageRgba8& truth);
