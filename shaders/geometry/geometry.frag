@@ -58,6 +58,22 @@ void main() {
 #else
     vec2 inside = clipDistances(ahead, cascade);
 #endif
+    // Textures are read before anything is discarded: which level is read follows from the pixels beside this one.
+#ifndef FACETED
+    vec4 baseColor = inColor;
+    if (kTextured != 0u) {
+        baseColor *= texture(baseColorTexture, inUv.xy);
+    }
+#ifdef DETAILED
+    vec3 front = detailNormal(inNormalAhead.xyz, inTangent, inUv);
+    uint shine = has(kDetailShine) ? shineCode(detailShine(inUv)) : inCutoffAndShine;
+    bool emits = has(kDetailOcclusion | kDetailEmits);
+    outEmission = emits ? encodeEmission(detailEmission(inUv), detailOpenness(inUv)) : 0u;
+#else
+    vec3 front = inNormalAhead.xyz;
+    uint shine = inCutoffAndShine;
+#endif
+#endif
     // Clipping would round to the size of the triangle; the interpolated distance rounds to itself, and is the same in
     // every cascade, so cutting by it leaves no seam.
     if (kWide != 0u && cdrIsOutside(inside)) {
@@ -66,30 +82,16 @@ void main() {
 #ifdef FACETED
     outTexel = uvec4(inFacet.xy, floatBitsToUint(ahead), inFacet.z);
 #else
-    vec4 baseColor = inColor;
-    if (kTextured != 0u) {
-        baseColor *= texture(baseColorTexture, inUv.xy);
-    }
     if (kMasked != 0u && baseColor.a < uintBitsToFloat(inCutoffAndShine & ~kShineMask)) {
         discard;
     }
     // Of a double-sided surface the side that faces the camera is lit.
-#ifdef DETAILED
-    vec3 front = detailNormal(inNormalAhead.xyz, inTangent, inUv);
-    vec3 normal = gl_FrontFacing ? front : -front;
-    uint shine = has(kDetailShine) ? shineCode(detailShine(inUv)) : inCutoffAndShine;
-#else
-    vec3 normal = gl_FrontFacing ? inNormalAhead.xyz : -inNormalAhead.xyz;
-    uint shine = inCutoffAndShine;
-#endif
-    outTexel = encodeTexel(baseColor.rgb, normal, ahead, inId);
+    outTexel = encodeTexel(baseColor.rgb, gl_FrontFacing ? front : -front, ahead, inId);
     if (kShiny != 0u) {
         outTexel.x = withShine(outTexel.x, shine);
     }
 #ifdef DETAILED
-    outEmission = 0u;
-    if (has(kDetailOcclusion | kDetailEmits)) {
-        outEmission = encodeEmission(detailEmission(inUv), detailOpenness(inUv));
+    if (emits) {
         outTexel.w |= kIdEmits;
     }
 #endif

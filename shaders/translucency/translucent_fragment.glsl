@@ -45,28 +45,42 @@ bool isOccluded(vec2 distanceView) {
     return texel.w != 0u && cdrPairLess(cdrPairSum(anchor, aheadOf(texel)), distanceView);
 }
 
-vec4 seenColor(vec4 baseColor, float ahead) {
+// What textures say of a fragment.
+struct Surface {
+    vec4 baseColor; // linear, straight alpha
+    vec3 front;     // normal of the front, of any length
+    uint shine;
+    float openness;
+    vec3 emission;
+};
+
+Surface surfaceHere() {
+    Surface surface = Surface(inColor, inNormalAhead.xyz, inShine, 1.0, vec3(0.0));
+    if (kTextured != 0u) {
+        surface.baseColor *= texture(baseColorTexture, inUv.xy);
+    }
+#ifdef DETAILED
+    surface.front = detailNormal(inNormalAhead.xyz, inTangent, inUv);
+    surface.shine = has(kDetailShine) ? shineCode(detailShine(inUv)) : inShine;
+    surface.openness = detailOpenness(inUv);
+    surface.emission = detailEmission(inUv);
+#endif
+    return surface;
+}
+
+vec4 seenColor(Surface surface, float ahead) {
     float distanceView = inCentreRange.x + ahead;
     vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(gbuffer, 0)));
-    vec3 color = baseColor.rgb;
+    vec3 color = surface.baseColor.rgb;
     if ((inId & kIdUnlit) == 0u) {
+        uint shine = kShiny != 0u ? surface.shine : 0u;
+        vec3 normal = normalize(gl_FrontFacing ? surface.front : -surface.front);
+        color = litColor(color, shine, LitPoint(normal, ray, inCentreRange.xy, ahead, surface.openness));
 #ifdef DETAILED
-        vec3 front = detailNormal(inNormalAhead.xyz, inTangent, inUv);
-        uint shine = has(kDetailShine) ? shineCode(detailShine(inUv)) : inShine;
-        float openness = detailOpenness(inUv);
-#else
-        vec3 front = inNormalAhead.xyz;
-        uint shine = inShine;
-        float openness = 1.0;
-#endif
-        shine = kShiny != 0u ? shine : 0u;
-        vec3 normal = normalize(gl_FrontFacing ? front : -front);
-        color = litColor(color, shine, LitPoint(normal, ray, inCentreRange.xy, ahead, openness));
-#ifdef DETAILED
-        color = min(color + detailEmission(inUv), kBrightest);
+        color = min(color + surface.emission, kBrightest);
 #endif
     }
-    return vec4(throughFog(color, ray, distanceView), baseColor.a);
+    return vec4(throughFog(color, ray, distanceView), clamp(surface.baseColor.a, 0.0, 1.0));
 }
 
 // By how much the fragment's layer moves it towards the camera.
@@ -78,7 +92,8 @@ float layerShift(float ahead) {
 // Discards what belongs to another cascade or is occluded.
 TranslucentFragment translucentFragment() {
     float ahead = inNormalAhead.w;
-    float shift = layerShift(ahead); // before anything is discarded, since it needs derivatives
+    float shift = layerShift(ahead); // this and textures before anything is discarded, since they need derivatives
+    Surface surface = surfaceHere();
     // Half-open: of two cascades that meet, exactly one keeps a fragment, since both compare the same bits.
     if (!(ahead >= inCentreRange.z && ahead < inCentreRange.w)) {
         discard;
@@ -87,12 +102,7 @@ TranslucentFragment translucentFragment() {
     if (isOccluded(distanceView)) {
         discard;
     }
-    vec4 baseColor = inColor;
-    if (kTextured != 0u) {
-        baseColor *= textureLod(baseColorTexture, inUv.xy, 0.0); // textures have one level; no derivatives needed
-    }
-    baseColor.a = clamp(baseColor.a, 0.0, 1.0);
-    return TranslucentFragment(seenColor(baseColor, ahead), distanceView);
+    return TranslucentFragment(seenColor(surface, ahead), distanceView);
 }
 
 #endif

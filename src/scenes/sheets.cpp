@@ -38,9 +38,11 @@ glm::dmat3 anyTurn(Random& random) {
             {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)}};
 }
 
-/// Smooth in colour and alpha, so that how finely a device places samples between texels does not show.
+/// Smooth in colour and alpha, so that how finely a device places samples between texels does not show. Without levels,
+/// since devices choose between those by rules of their own.
 scene::Texture softTexture() {
-    scene::Texture texture{.name = "soft", .pixels = image::ImageRgba8(64, 64)};
+    scene::Texture texture{
+        .name = "soft", .pixels = image::ImageRgba8(64, 64), .levels = scene::TextureLevels::none};
     for (std::uint32_t y = 0; y < 64; ++y) {
         for (std::uint32_t x = 0; x < 64; ++x) {
             const auto wave = [](std::uint32_t i) {

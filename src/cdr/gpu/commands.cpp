@@ -87,7 +87,7 @@ vk::ImageMemoryBarrier2 imageBarrier(vk::Image image, vk::ImageAspectFlags aspec
             .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
             .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
             .image = image,
-            .subresourceRange = {aspect, 0, 1, 0, 1}};
+            .subresourceRange = {aspect, 0, VK_REMAINING_MIP_LEVELS, 0, 1}};
 }
 
 void pipelineBarrier(vk::CommandBuffer commands, const std::vector<vk::ImageMemoryBarrier2>& images,

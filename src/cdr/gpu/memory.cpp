@@ -50,16 +50,26 @@ vk::ImageCreateInfo createInfo(const ImageOptions& options) {
     return {.imageType = vk::ImageType::e2D,
             .format = options.format,
             .extent = {options.extent.width, options.extent.height, 1},
-            .mipLevels = 1,
+            .mipLevels = options.levels,
             .arrayLayers = 1,
             .usage = options.usage};
 }
 
 std::uint64_t bytesOfPixels(const ImageOptions& options) {
-    return std::uint64_t{options.extent.width} * options.extent.height * vk::blockSize(options.format);
+    vk::Extent2D extent = options.extent;
+    std::uint64_t pixels = 0;
+    for (std::uint32_t level = 0; level < options.levels; ++level) {
+        pixels += std::uint64_t{extent.width} * extent.height;
+        extent = smallerLevel(extent);
+    }
+    return pixels * vk::blockSize(options.format);
 }
 
 } // namespace
+
+vk::Extent2D smallerLevel(vk::Extent2D extent) {
+    return vk::Extent2D{.width = std::max(extent.width / 2, 1u), .height = std::max(extent.height / 2, 1u)};
+}
 
 void AllocationDeleter::operator()(VkBuffer buffer) const {
     vmaDestroyBuffer(allocator, buffer, allocation);

@@ -5,6 +5,7 @@
 #include <vulkan/vulkan.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -60,9 +61,13 @@ struct ImageOptions {
     vk::Format format = vk::Format::eUndefined;
     vk::ImageUsageFlags usage;
     vk::ImageAspectFlags aspect = vk::ImageAspectFlagBits::eColor;
+    std::uint32_t levels = 1; ///< each the smallerLevel() of the one before
 };
 
-/// A 2D image with one level, its memory and its view, freed together. Empty when default-made.
+/// Half as wide and high, rounded down, but at least 1.
+vk::Extent2D smallerLevel(vk::Extent2D extent);
+
+/// A 2D image, its memory and its view, freed together. Empty when default-made.
 class Image {
   public:
     Image() = default;
@@ -71,7 +76,7 @@ class Image {
     vk::Image handle() const { return m_image.get(); }
     vk::ImageView view() const { return *m_view; }
     const ImageOptions& options() const { return m_options; }
-    vk::ImageSubresourceRange range() const { return {m_options.aspect, 0, 1, 0, 1}; }
+    vk::ImageSubresourceRange range() const { return {m_options.aspect, 0, m_options.levels, 0, 1}; }
 
   private:
     ImageOptions m_options;

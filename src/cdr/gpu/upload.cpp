@@ -8,12 +8,38 @@ namespace cdr::gpu {
 
 namespace {
 
-Buffer stage(const Device& device, std::span<const std::byte> bytes) {
-    Buffer staging(device, bytes.size(), vk::BufferUsageFlagBits::eTransferSrc, MemoryUse::hostWrites,
-                   "staging");
-    std::copy(bytes.begin(), bytes.end(), static_cast<std::byte*>(staging.mapped()));
+/// @param parts go one after the other.
+Buffer stage(const Device& device, std::span<const std::span<const std::byte>> parts) {
+    std::size_t bytes = 0;
+    for (const std::span<const std::byte> part : parts) {
+        bytes += part.size();
+    }
+    Buffer staging(device, bytes, vk::BufferUsageFlagBits::eTransferSrc, MemoryUse::hostWrites, "staging");
+    auto* end = static_cast<std::byte*>(staging.mapped());
+    for (const std::span<const std::byte> part : parts) {
+        end = std::copy(part.begin(), part.end(), end);
+    }
     staging.flush();
     return staging;
+}
+
+Buffer stage(const Device& device, std::span<const std::byte> bytes) {
+    return stage(device, std::span(&bytes, 1));
+}
+
+/// Where each level lies in a buffer that has all of them, one after the other.
+std::vector<vk::BufferImageCopy> copiesOf(vk::Extent2D extent,
+                                          std::span<const std::span<const std::byte>> levels) {
+    std::vector<vk::BufferImageCopy> copies;
+    vk::DeviceSize offset = 0;
+    for (std::uint32_t level = 0; level < levels.size(); ++level) {
+        copies.push_back({.bufferOffset = offset,
+                          .imageSubresource = {vk::ImageAspectFlagBits::eColor, level, 0, 1},
+                          .imageExtent = {extent.width, extent.height, 1}});
+        offset += levels[level].size();
+        extent = smallerLevel(extent);
+    }
+    return copies;
 }
 
 } // namespace
@@ -52,13 +78,15 @@ void writeBuffer(const Device& device, const Buffer& buffer, std::span<const Buf
 }
 
 Image uploadImage(const Device& device, vk::Extent2D extent, vk::Format format,
-                  std::span<const std::byte> pixels, const std::string& name) {
+                  std::span<const std::span<const std::byte>> levels, const std::string& name) {
     Image image(device,
                 {.extent = extent,
                  .format = format,
-                 .usage = vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eSampled},
+                 .usage = vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eSampled,
+                 .levels = static_cast<std::uint32_t>(levels.size())},
                 name);
-    const Buffer staging = stage(device, pixels);
+    const Buffer staging = stage(device, levels);
+    const std::vector<vk::BufferImageCopy> copies = copiesOf(extent, levels);
     using Stage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
     runOnce(device, [&](vk::CommandBuffer commands) {
@@ -66,10 +94,8 @@ Image uploadImage(const Device& device, vk::Extent2D extent, vk::Format format,
                         {imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eNone,
                                       Access::eNone, Stage::eCopy, Access::eTransferWrite,
                                       vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal)});
-        commands.copyBufferToImage(
-            staging.handle(), image.handle(), vk::ImageLayout::eTransferDstOptimal,
-            vk::BufferImageCopy{.imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
-                                .imageExtent = {extent.width, extent.height, 1}});
+        commands.copyBufferToImage(staging.handle(), image.handle(), vk::ImageLayout::eTransferDstOptimal,
+                                   copies);
         pipelineBarrier(
             commands,
             {imageBarrier(image.handle(), vk::ImageAspectFlagBits::eColor, Stage::eCopy,

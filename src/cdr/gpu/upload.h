@@ -23,8 +23,10 @@ struct BufferPart {
 /// Writes parts of what uploadBuffer() made, and waits. Nothing that was submitted may still read them.
 void writeBuffer(const Device& device, const Buffer& buffer, std::span<const BufferPart> parts);
 
-/// A sampled image that holds tightly packed 4-byte pixels, ready for fragment shaders.
+/// A sampled image of 4-byte pixels, ready for fragment shaders.
+/// @param levels its levels' pixels, tightly packed, largest first; each the smallerLevel() of the one before. There must
+/// be one.
 Image uploadImage(const Device& device, vk::Extent2D extent, vk::Format format,
-                  std::span<const std::byte> pixels, const std::string& name);
+                  std::span<const std::span<const std::byte>> levels, const std::string& name);
 
 } // namespace cdr::gpu

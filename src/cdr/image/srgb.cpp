@@ -24,6 +24,22 @@ const std::array<double, 255>& thresholds() {
     return kTable;
 }
 
+/// How many thresholds lie at or below i / kBins: where the search for a value between begins.
+constexpr std::size_t kBins = 4096;
+const std::array<std::uint8_t, kBins>& firstGuesses() {
+    static const std::array<std::uint8_t, kBins> kTable = [] {
+        const auto& starts = thresholds();
+        std::array<std::uint8_t, kBins> table{};
+        for (std::size_t i = 0; i < kBins; ++i) {
+            const double linear = static_cast<double>(i) / static_cast<double>(kBins);
+            table[i] = static_cast<std::uint8_t>(std::upper_bound(starts.begin(), starts.end(), linear) -
+                                                 starts.begin());
+        }
+        return table;
+    }();
+    return kTable;
+}
+
 } // namespace
 
 const std::array<double, 256>& linearOfSrgb() {
@@ -38,8 +54,18 @@ const std::array<double, 256>& linearOfSrgb() {
 }
 
 std::uint8_t srgbOfLinear(double linear) {
+    if (!(linear < 1.0)) {
+        return 255;
+    }
+    if (linear <= 0.0) {
+        return 0;
+    }
     const auto& starts = thresholds();
-    return static_cast<std::uint8_t>(std::upper_bound(starts.begin(), starts.end(), linear) - starts.begin());
+    std::size_t value = firstGuesses()[static_cast<std::size_t>(linear * static_cast<double>(kBins))];
+    while (value < starts.size() && starts[value] <= linear) {
+        ++value;
+    }
+    return static_cast<std::uint8_t>(value);
 }
 
 } // namespace cdr::image

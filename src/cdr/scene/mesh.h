@@ -65,15 +65,21 @@ enum class TextureContent : std::uint8_t {
     data,  ///< linear
 };
 
-/// An image that a material reads.
+/// Which of a texture's smaller levels are read where its texels are smaller than pixels: none of them, so that they
+/// alias; the one whose texels come closest to pixels; or a blend of the two around that.
+enum class TextureLevels : std::uint8_t { none, nearest, blended };
+
+/// An image that a material reads. What draws it makes its smaller levels, each half the size of the one before.
 struct Texture {
-    std::string name{};                             ///< for messages and captures
-    image::ImageRgba8 pixels{};                     ///< of `content`
-    bool repeatU = true;                            ///< beyond its edges; else the edge goes on
-    bool repeatV = true;                            ///< beyond its edges; else the edge goes on
-    bool mirrorU = false;                           ///< where it repeats, every other copy is mirrored
-    bool mirrorV = false;                           ///< where it repeats, every other copy is mirrored
-    bool nearest = false;                           ///< shows single texels; else blends between them
+    std::string name{};         ///< for messages and captures
+    image::ImageRgba8 pixels{}; ///< of `content`
+    bool repeatU = true;        ///< beyond its edges; else the edge goes on
+    bool repeatV = true;        ///< beyond its edges; else the edge goes on
+    bool mirrorU = false;       ///< where it repeats, every other copy is mirrored
+    bool mirrorV = false;       ///< where it repeats, every other copy is mirrored
+    bool nearest = false;       ///< shows single texels, where larger than pixels; else blends
+    bool nearestSmall = false;  ///< the same where texels, of a level, are smaller than pixels
+    TextureLevels levels = TextureLevels::blended;  ///< read where texels are smaller than pixels
     TextureContent content = TextureContent::color; ///< what its channels are
 };
 

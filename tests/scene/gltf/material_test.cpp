@@ -3,6 +3,7 @@
 #include <cdr/image/codec.h>
 
 #include <numbers>
+#include <tuple>
 
 namespace cdr::scene::test {
 namespace {
@@ -134,34 +135,41 @@ TEST_F(Gltf, WrappingOfSamplers) {
     expectSays(refusal(document), "sampler 1 does not exist");
 }
 
-TEST_F(Gltf, NearestFilteringIsKept) {
+TEST_F(Gltf, FiltersOfSamplersAreKept) {
+    using Filters = std::tuple<bool, bool, TextureLevels>;
     Document document = textured();
     document.root["textures"][0]["sampler"] = 0;
-    const auto showsTexels = [&](const json& sampler) {
+    const auto filters = [&](const json& sampler) -> Filters {
         document.root["samplers"] = {sampler};
-        return load(document).scene.textures.at(0).nearest;
+        const GltfImport result = load(document);
+        EXPECT_TRUE(result.ignored.empty());
+        const Texture& texture = result.scene.textures.at(0);
+        return {texture.nearest, texture.nearestSmall, texture.levels};
     };
-    EXPECT_TRUE(showsTexels({{"magFilter", 9728}}));
-    EXPECT_TRUE(showsTexels({{"magFilter", 9728}, {"minFilter", 9729}}));
-    EXPECT_FALSE(showsTexels({{"magFilter", 9729}, {"minFilter", 9728}}));
-    EXPECT_FALSE(showsTexels(json::object()));
+    EXPECT_EQ(filters(json::object()), Filters(false, false, TextureLevels::blended));
+    EXPECT_EQ(filters({{"magFilter", 9729}}), Filters(false, false, TextureLevels::blended));
+    EXPECT_EQ(filters({{"magFilter", 9728}}), Filters(true, false, TextureLevels::blended));
+    EXPECT_EQ(filters({{"minFilter", 9728}}), Filters(false, true, TextureLevels::none));
+    EXPECT_EQ(filters({{"minFilter", 9729}}), Filters(false, false, TextureLevels::none));
+    EXPECT_EQ(filters({{"minFilter", 9984}}), Filters(false, true, TextureLevels::nearest));
+    EXPECT_EQ(filters({{"minFilter", 9985}}), Filters(false, false, TextureLevels::nearest));
+    EXPECT_EQ(filters({{"minFilter", 9986}}), Filters(false, true, TextureLevels::blended));
+    EXPECT_EQ(filters({{"minFilter", 9987}}), Filters(false, false, TextureLevels::blended));
+    EXPECT_EQ(filters({{"minFilter", 5}}), Filters(false, false, TextureLevels::blended));
 }
 
-TEST_F(Gltf, NearestFilteringOfSmallTexelsIsSaid) {
+TEST_F(Gltf, OnePictureFilteredInTwoWaysIsTwoTextures) {
     Document document = textured();
-    document.root["textures"][0]["sampler"] = 0;
-    const auto saysSo = [&](const json& sampler) {
-        document.root["samplers"] = {sampler};
-        return anySays(load(document).ignored,
-                       "texture 0: nearest filtering of small texels is drawn as linear");
-    };
-    EXPECT_FALSE(saysSo({{"magFilter", 9728}}));
-    EXPECT_TRUE(saysSo({{"magFilter", 9729}, {"minFilter", 9728}}));
-    EXPECT_TRUE(saysSo({{"minFilter", 9984}}));
-    EXPECT_TRUE(saysSo({{"minFilter", 9986}}));
-    EXPECT_FALSE(saysSo({{"magFilter", 9729}, {"minFilter", 9987}}));
-    EXPECT_FALSE(saysSo({{"minFilter", 9985}}));
-    EXPECT_FALSE(saysSo(json::object()));
+    document.root["samplers"] = {{{"minFilter", 9729}}};
+    document.root["textures"].push_back({{"source", 0}, {"sampler", 0}});
+    document.root["materials"].push_back(document.root["materials"][0]);
+    document.root["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 1;
+    json second = document.primitive();
+    second["material"] = 1;
+    document.root["meshes"][0]["primitives"].push_back(second);
+    const Scene scene = load(document).scene;
+    ASSERT_EQ(scene.textures.size(), 2u);
+    EXPECT_NE(scene.textures[0].levels, scene.textures[1].levels);
 }
 
 TEST_F(Gltf, TextureTransformIsBakedIntoTheUvs) {

@@ -50,6 +50,7 @@ void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, cons
     const ByObject byObject = instancesOf(
         repairs, visibleInstances(scene, shapes, camera, frame.ids.width, frame.ids.height, workers));
     const PixelSlopes slopes = pixelSlopes(camera, frame.ids.width, frame.ids.height);
+    const TruthTextures textures(scene);
     workers.run(repairs.size(), [&](std::size_t i, std::size_t) {
         PixelRepair& repair = repairs[i];
         repair.color = encode(glm::dvec3(scene.background));
@@ -60,7 +61,7 @@ void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, cons
             const PixelRect& pixels = instance.pixels;
             if (repair.x >= pixels.left && repair.x < pixels.right && repair.y >= pixels.top &&
                 repair.y < pixels.bottom) {
-                appendHits(scene, instance, instance.camera.ray(x, y), {camera.nearView, camera.farView},
+                appendHits(scene, textures, instance, {x, y, slopes.step}, {camera.nearView, camera.farView},
                            hits);
             }
         }

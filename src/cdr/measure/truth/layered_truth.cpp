@@ -32,6 +32,7 @@ struct View {
     const scene::Camera& camera;
     std::vector<VisibleInstance> instances;
     PixelSlopes slopes;
+    const TruthTextures& textures;
 };
 
 /// All that a pixel's ray meets up to the first opaque surface, nearest first.
@@ -40,7 +41,8 @@ std::vector<SurfaceHit> hitsAt(const View& view, std::uint32_t x, std::uint32_t 
     for (const VisibleInstance& instance : view.instances) {
         const PixelRect& pixels = instance.pixels;
         if (x >= pixels.left && x < pixels.right && y >= pixels.top && y < pixels.bottom) {
-            appendHits(view.scene, instance, instance.camera.ray(view.slopes.x[x], view.slopes.y[y]),
+            appendHits(view.scene, view.textures, instance,
+                       {view.slopes.x[x], view.slopes.y[y], view.slopes.step},
                        {view.camera.nearView, view.camera.farView}, hits);
         }
     }
@@ -138,10 +140,12 @@ LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, 
         throw base::InputError("truth: a picture needs at least one pixel");
     }
     std::vector<Shape> shapes(scene.meshes.begin(), scene.meshes.end());
+    const TruthTextures textures(scene);
     const View view{.scene = scene,
                     .camera = camera,
                     .instances = visibleInstances(scene, shapes, camera, width, height, workers),
-                    .slopes = pixelSlopes(camera, width, height)};
+                    .slopes = pixelSlopes(camera, width, height),
+                    .textures = textures};
     LayeredTruth truth(width, height);
     const std::size_t bands = (std::size_t{height} + kBandRows - 1) / kBandRows;
     workers.run(bands, [&](std::size_t band, std::size_t) {

@@ -8,6 +8,7 @@ PixelSlopes pixelSlopes(const scene::Camera& camera, std::uint32_t width, std::u
     const double halfHeight = std::tan(0.5 * camera.fovY);
     const double perPixel = halfHeight / height;
     PixelSlopes slopes;
+    slopes.step = 2.0 * perPixel;
     slopes.x.reserve(width);
     slopes.y.reserve(height);
     // 2i + 1 - n is exact, so the picture's two halves mirror each other to the bit.

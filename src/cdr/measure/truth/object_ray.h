@@ -35,6 +35,7 @@ struct ViewRange {
 struct PixelSlopes {
     std::vector<double> x;
     std::vector<double> y;
+    double step = 0.0; ///< between neighbours, either way
 };
 
 PixelSlopes pixelSlopes(const scene::Camera& camera, std::uint32_t width, std::uint32_t height);

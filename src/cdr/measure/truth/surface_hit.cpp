@@ -1,8 +1,8 @@
-#include <cdr/image/srgb.h>
 #include <cdr/measure/truth/surface_hit.h>
 #include <cdr/measure/truth/triangle_hit.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -10,69 +10,57 @@ namespace cdr::measure {
 
 namespace {
 
-/// Where a texel beyond an edge is found.
-std::uint32_t wrapped(std::int64_t i, std::int64_t size, bool repeats, bool mirrors) {
-    if (!repeats) {
-        return static_cast<std::uint32_t>(std::clamp<std::int64_t>(i, 0, size - 1));
-    }
-    const std::int64_t period = mirrors ? 2 * size : size;
-    const std::int64_t inPeriod = ((i % period) + period) % period;
-    return static_cast<std::uint32_t>(inPeriod < size ? inPeriod : period - 1 - inPeriod);
-}
+/// The weights of a triangle's corners, where a pixel's ray meets it and half a pixel to each side. What the triangle lies
+/// in goes on beyond its edges.
+struct CornerWeights {
+    glm::dvec3 here;
+    glm::dvec3 right;
+    glm::dvec3 left;
+    glm::dvec3 down;
+    glm::dvec3 up;
+};
 
-glm::dvec4 texelAt(const scene::Texture& texture, std::int64_t x, std::int64_t y) {
-    const image::Rgba8& texel =
-        texture.pixels.at(wrapped(x, texture.pixels.width, texture.repeatU, texture.mirrorU),
-                          wrapped(y, texture.pixels.height, texture.repeatV, texture.mirrorV));
-    if (texture.content == scene::TextureContent::data) {
-        return glm::dvec4(texel[0], texel[1], texel[2], texel[3]) / 255.0;
-    }
-    const auto& linear = image::linearOfSrgb();
-    return {linear[texel[0]], linear[texel[1]], linear[texel[2]], texel[3] / 255.0};
-}
-
-/// A value of the mesh's vertices at a hit.
-template <typename Value>
-auto interpolate(const scene::Mesh& mesh, std::size_t triangle, const glm::dvec3& weights, Value valueOf) {
-    const std::uint32_t* corner = &mesh.indices[triangle];
-    return weights.x * valueOf(mesh.vertices[corner[0]]) + weights.y * valueOf(mesh.vertices[corner[1]]) +
-           weights.z * valueOf(mesh.vertices[corner[2]]);
-}
-
-glm::dvec4 baseColorAt(const scene::Scene& scene, const scene::Material& material, const scene::Mesh& mesh,
-                       std::size_t triangle, const glm::dvec3& weights) {
-    glm::dvec4 color(material.baseColorFactor);
-    color *= interpolate(mesh, triangle, weights,
-                         [](const scene::Vertex& vertex) { return glm::dvec4(vertex.color) / 255.0; });
-    if (material.baseColorTexture) {
-        color *= sampleTexture(scene.textures.at(*material.baseColorTexture),
-                               interpolate(mesh, triangle, weights, [](const scene::Vertex& vertex) {
-                                   return glm::dvec2(vertex.uv);
-                               }));
-    }
-    return color;
-}
-
-/// A point of a triangle whose material may have detail.
-struct DetailedPoint {
+/// A point of a triangle, which its material's textures are read at.
+struct SurfacePoint {
     const scene::Scene& scene;
+    const TruthTextures& textures;
     const scene::Material& material;
     const scene::Mesh& mesh;
     std::size_t triangle;
-    glm::dvec3 weights;
+    CornerWeights weights;
+
+    const scene::Vertex& corner(int c) const { return mesh.vertices[index(c)]; }
+    std::uint32_t index(int c) const { return mesh.indices[triangle + static_cast<std::size_t>(c)]; }
+
+    /// A value of the vertices.
+    template <typename Value>
+    auto interpolate(Value valueOf) const {
+        return weights.here.x * valueOf(corner(0)) + weights.here.y * valueOf(corner(1)) +
+               weights.here.z * valueOf(corner(2));
+    }
 
     /// What a texture of the material holds there.
     glm::dvec4 sample(const scene::TextureUse& use) const {
-        glm::dvec2 uv(0.0);
+        std::array<glm::dvec2, 3> places{};
         for (int c = 0; c < 3; ++c) {
-            const std::uint32_t corner = mesh.indices[triangle + static_cast<std::size_t>(c)];
             if (!use.second) {
-                uv += weights[c] * glm::dvec2(mesh.vertices[corner].uv);
+                places[static_cast<std::size_t>(c)] = glm::dvec2(corner(c).uv);
             } else if (!mesh.details.empty()) {
-                uv += weights[c] * glm::dvec2(mesh.details[corner].uv);
+                places[static_cast<std::size_t>(c)] = glm::dvec2(mesh.details[index(c)].uv);
             }
         }
-        return sampleTexture(scene.textures.at(use.texture), uv);
+        const auto placeAt = [&](const glm::dvec3& shares) {
+            return shares.x * places[0] + shares.y * places[1] + shares.z * places[2];
+        };
+        return textures.sample(
+            use.texture, placeAt(weights.here),
+            {.right = placeAt(weights.right - weights.left), .down = placeAt(weights.down - weights.up)});
+    }
+
+    glm::dvec4 baseColor() const {
+        glm::dvec4 color(material.baseColorFactor);
+        color *= interpolate([](const scene::Vertex& vertex) { return glm::dvec4(vertex.color) / 255.0; });
+        return material.baseColorTexture ? color * sample({.texture = *material.baseColorTexture}) : color;
     }
 
     /// World axes, unit, of the triangle's front.
@@ -80,9 +68,8 @@ struct DetailedPoint {
     glm::dvec3 bumped(const glm::dvec3& normal, const glm::dmat3& basis) const {
         glm::dvec4 tangent(0.0);
         for (int c = 0; c < 3; ++c) {
-            const std::uint32_t corner = mesh.indices[triangle + static_cast<std::size_t>(c)];
-            tangent += weights[c] * glm::dvec4(mesh.details.empty() ? scene::VertexDetail{}.tangent
-                                                                    : mesh.details[corner].tangent);
+            tangent += weights.here[c] * glm::dvec4(mesh.details.empty() ? scene::VertexDetail{}.tangent
+                                                                         : mesh.details[index(c)].tangent);
         }
         const glm::dvec3 along = glm::normalize(basis * glm::dvec3(tangent));
         const double sense = std::copysign(1.0, tangent.w * glm::determinant(basis));
@@ -95,7 +82,7 @@ struct DetailedPoint {
 
 /// Adds to a hit what the material's detail says of it.
 /// @param side 1 for the front, -1 for the back.
-void addDetail(const DetailedPoint& point, const glm::dmat3& basis, double side, SurfaceHit& hit) {
+void addDetail(const SurfacePoint& point, const glm::dmat3& basis, double side, SurfaceHit& hit) {
     const scene::MaterialDetail& detail = point.material.detail;
     if (detail.normal) {
         hit.normal = side * point.bumped(side * hit.normal, basis);
@@ -122,34 +109,29 @@ bool isMetAgain(const SurfaceHit& hit, std::span<const SurfaceHit> before) {
            });
 }
 
-} // namespace
-
-glm::dvec4 sampleTexture(const scene::Texture& texture, const glm::dvec2& uv) {
-    const glm::dvec2 size(texture.pixels.width, texture.pixels.height);
-    if (texture.nearest) {
-        const glm::dvec2 texel = glm::floor(uv * size);
-        return texelAt(texture, static_cast<std::int64_t>(texel.x), static_cast<std::int64_t>(texel.y));
-    }
-    const glm::dvec2 place = uv * size - 0.5;
-    const glm::dvec2 corner = glm::floor(place);
-    const glm::dvec2 share = place - corner;
-    const auto x = static_cast<std::int64_t>(corner.x);
-    const auto y = static_cast<std::int64_t>(corner.y);
-    return glm::mix(glm::mix(texelAt(texture, x, y), texelAt(texture, x + 1, y), share.x),
-                    glm::mix(texelAt(texture, x, y + 1), texelAt(texture, x + 1, y + 1), share.x), share.y);
+/// @param shift along all of the rays, of where they start.
+CornerWeights weightsOf(const Triangle& triangle, const PlacedCamera& camera, const PixelRay& pixel,
+                        double shift) {
+    const auto weights = [&](double right, double up) {
+        const ObjectRay ray = camera.ray(pixel.slopeX + right * pixel.step, pixel.slopeY + up * pixel.step);
+        return ShearedRay({ray.origin + shift * ray.direction, ray.direction}).weights(triangle);
+    };
+    return {weights(0.0, 0.0), weights(0.5, 0.0), weights(-0.5, 0.0), weights(0.0, -0.5), weights(0.0, 0.5)};
 }
 
-void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const ObjectRay& ray,
-                const ViewRange& range, std::vector<SurfaceHit>& hits) {
+} // namespace
+
+void appendHits(const scene::Scene& scene, const TruthTextures& textures, const VisibleInstance& visible,
+                const PixelRay& pixel, const ViewRange& range, std::vector<SurfaceHit>& hits) {
     const scene::Instances& instances = scene.instances;
     const scene::Mesh& mesh = scene.meshes[instances.mesh[visible.instance]];
     const scene::Material& material = scene.materials[instances.material[visible.instance]];
     const glm::dmat3 toWorldNormal =
         glm::transpose(invertBasis(instances.basis[visible.instance])->worldToObject);
     // Start where the ray passes the mesh, as TriangleBvh::nearest() does.
+    const ObjectRay ray = visible.camera.ray(pixel.slopeX, pixel.slopeY);
     const double shift = -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
-    const ObjectRay local{ray.origin + shift * ray.direction, ray.direction};
-    const ShearedRay sheared(local);
+    const ShearedRay sheared({ray.origin + shift * ray.direction, ray.direction});
     const std::size_t first = hits.size();
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const Triangle triangle{mesh.vertices[mesh.indices[i]].position,
@@ -159,8 +141,10 @@ void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const
         if (!(hit < kNoHit) || !range.holds(hit)) {
             continue;
         }
-        const glm::dvec3 weights = sheared.weights(triangle);
-        const glm::dvec4 baseColor = baseColorAt(scene, material, mesh, i, weights);
+        const SurfacePoint point{scene, textures, material,
+                                 mesh,  i,        weightsOf(triangle, visible.camera, pixel, shift)};
+        const glm::dvec3& weights = point.weights.here;
+        const glm::dvec4 baseColor = point.baseColor();
         if (material.alphaMode == scene::AlphaMode::mask &&
             baseColor.a < static_cast<double>(material.alphaCutoff)) {
             continue;
@@ -168,8 +152,8 @@ void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const
         const double side = sheared.meetsFront(triangle) ? 1.0 : -1.0;
         const glm::dvec3 facet = glm::cross(glm::dvec3(triangle[1]) - glm::dvec3(triangle[0]),
                                             glm::dvec3(triangle[2]) - glm::dvec3(triangle[0]));
-        const glm::dvec3 normal = interpolate(
-            mesh, i, weights, [](const scene::Vertex& vertex) { return glm::dvec3(vertex.normal); });
+        const glm::dvec3 normal =
+            point.interpolate([](const scene::Vertex& vertex) { return glm::dvec3(vertex.normal); });
         SurfaceHit found{.distanceView = hit,
                          .layer = visible.layer,
                          .id = visible.id,
@@ -181,8 +165,7 @@ void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const
                          .baseColor = baseColor,
                          .shine = material.shine};
         if (scene::hasDetail(material)) {
-            addDetail({scene, material, mesh, i, weights}, glm::dmat3(instances.basis[visible.instance]),
-                      side, found);
+            addDetail(point, glm::dmat3(instances.basis[visible.instance]), side, found);
         }
         if (!isMetAgain(found, std::span(hits).subspan(first))) {
             hits.push_back(found);

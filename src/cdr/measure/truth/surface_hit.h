@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/measure/truth/object_ray.h>
+#include <cdr/measure/truth/truth_texture.h>
 #include <cdr/measure/truth/visible_instances.h>
 #include <cdr/scene/scene.h>
 
@@ -28,16 +29,18 @@ struct SurfaceHit {
     glm::dvec3 emission{0.0};          ///< linear
 };
 
-/// Appends every visible hit of a ray on one instance within `range`, in no order: backs of single-sided
+/// A pixel's ray, and those of its neighbours.
+struct PixelRay {
+    double slopeX = 0.0; ///< as PixelSlopes has them
+    double slopeY = 0.0;
+    double step = 0.0; ///< from a pixel to the next, either way
+};
+
+/// Appends every visible hit of a pixel's ray on one instance within `range`, in no order: backs of single-sided
 /// materials and what a mask cuts away are not visible, and an edge that triangles share is met once. Tries
 /// each triangle, so meant for small meshes.
-/// @param visible of `scene`.
-/// @param ray in the instance's object space.
-void appendHits(const scene::Scene& scene, const VisibleInstance& visible, const ObjectRay& ray,
-                const ViewRange& range, std::vector<SurfaceHit>& hits);
-
-/// A texture's value, linear, bilinear between texel centres unless it shows single texels; each texel of a colour is
-/// linearised first.
-glm::dvec4 sampleTexture(const scene::Texture& texture, const glm::dvec2& uv);
+/// @param visible of `scene`. @param textures of `scene`.
+void appendHits(const scene::Scene& scene, const TruthTextures& textures, const VisibleInstance& visible,
+                const PixelRay& pixel, const ViewRange& range, std::vector<SurfaceHit>& hits);
 
 } // namespace cdr::measure

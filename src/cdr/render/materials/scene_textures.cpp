@@ -1,5 +1,6 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/upload.h>
+#include <cdr/image/levels.h>
 #include <cdr/render/materials/scene_textures.h>
 #include <cdr/shaders/shared.h>
 
@@ -29,6 +30,14 @@ constexpr std::array kDetailParts{
     DetailPart{&scene::MaterialDetail::emissive, shaders::kDetailEmissive},
 };
 
+vk::Filter filterOf(bool showsTexels) {
+    return showsTexels ? vk::Filter::eNearest : vk::Filter::eLinear;
+}
+
+/// Without levels, what is smaller must still count as such, for its own filter: so no level beyond a quarter, as the
+/// Vulkan specification advises for VkSamplerCreateInfo.
+constexpr float kFirstLevelAlone = 0.25f;
+
 vk::UniqueSampler makeSampler(const gpu::Device& device, const scene::Texture& texture) {
     const auto mode = [](bool repeat, bool mirror) {
         if (!repeat) {
@@ -36,11 +45,21 @@ vk::UniqueSampler makeSampler(const gpu::Device& device, const scene::Texture& t
         }
         return mirror ? vk::SamplerAddressMode::eMirroredRepeat : vk::SamplerAddressMode::eRepeat;
     };
-    const vk::Filter filter = texture.nearest ? vk::Filter::eNearest : vk::Filter::eLinear;
-    return device.handle().createSamplerUnique({.magFilter = filter,
-                                                .minFilter = filter,
-                                                .addressModeU = mode(texture.repeatU, texture.mirrorU),
-                                                .addressModeV = mode(texture.repeatV, texture.mirrorV)});
+    return device.handle().createSamplerUnique(
+        {.magFilter = filterOf(texture.nearest),
+         .minFilter = filterOf(texture.nearestSmall),
+         .mipmapMode = texture.levels == scene::TextureLevels::blended ? vk::SamplerMipmapMode::eLinear
+                                                                       : vk::SamplerMipmapMode::eNearest,
+         .addressModeU = mode(texture.repeatU, texture.mirrorU),
+         .addressModeV = mode(texture.repeatV, texture.mirrorV),
+         .maxLod = texture.levels == scene::TextureLevels::none ? kFirstLevelAlone : VK_LOD_CLAMP_NONE});
+}
+
+/// Levels that a device has of a texture.
+std::uint32_t levelsOf(const scene::Texture& texture) {
+    return texture.levels == scene::TextureLevels::none
+               ? 1
+               : image::levelCount(texture.pixels.width, texture.pixels.height);
 }
 
 shaders::DetailRecord recordOf(const scene::Material& material) {
@@ -85,8 +104,15 @@ SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture) con
     const image::ImageRgba8& pixels = texture.pixels;
     const vk::Format format = texture.content == scene::TextureContent::color ? vk::Format::eR8G8B8A8Srgb
                                                                               : vk::Format::eR8G8B8A8Unorm;
-    Uploaded uploaded{.image = gpu::uploadImage(m_device, {pixels.width, pixels.height}, format,
-                                                std::as_bytes(std::span(pixels.pixels)),
+    const auto encoding =
+        texture.content == scene::TextureContent::color ? image::Encoding::srgb : image::Encoding::linear;
+    const std::vector<image::ImageRgba8> smaller =
+        image::smallerLevels(pixels, encoding, levelsOf(texture) - 1);
+    std::vector<std::span<const std::byte>> levels{std::as_bytes(std::span(pixels.pixels))};
+    for (const image::ImageRgba8& level : smaller) {
+        levels.push_back(std::as_bytes(std::span(level.pixels)));
+    }
+    Uploaded uploaded{.image = gpu::uploadImage(m_device, {pixels.width, pixels.height}, format, levels,
                                                 "texture " + texture.name),
                       .sampler = makeSampler(m_device, texture),
                       .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kTextureType}),
@@ -143,7 +169,8 @@ vk::DescriptorSet SceneTextures::baseColorSet(const scene::Material& material) c
 std::uint64_t SceneTextures::predictBytes(const scene::Scene& scene) {
     std::uint64_t bytes = 0;
     for (const scene::Texture& texture : scene.textures) {
-        bytes += texture.pixels.pixels.size() * sizeof(image::Rgba8);
+        bytes += image::levelPixels(texture.pixels.width, texture.pixels.height, levelsOf(texture)) *
+                 sizeof(image::Rgba8);
     }
     return bytes;
 }

@@ -33,6 +33,7 @@ class SceneTextures {
     /// Null for a material without detail.
     vk::DescriptorSet detailSet(std::size_t material) const { return m_details[material].set; }
 
+    /// Of all textures with their levels.
     static std::uint64_t predictBytes(const scene::Scene& scene);
 
   private:

@@ -37,8 +37,9 @@ class TextureImporter {
     std::optional<int> imageOf(int index);
     image::ImageRgba8 import(int imageIndex, std::string& name);
 
-    /// Image, how it goes on along u and v, whether single texels show, what its channels are.
-    using Key = std::tuple<int, int, int, bool, TextureContent>;
+    /// Image, how it goes on along u and v, whether single texels show where large and where small, levels, what its
+    /// channels are.
+    using Key = std::tuple<int, int, int, bool, bool, TextureLevels, TextureContent>;
 
     Sources m_sources;
     Scene& m_scene;

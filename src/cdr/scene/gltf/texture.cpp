@@ -27,19 +27,38 @@ int wrapOf(const json& sampler, const char* key, int texture) {
     return wrap;
 }
 
-/// glTF's numbers for the filters that show single texels, of the picture or of its mip levels.
-enum Filter { kNearest = 9728, kNearestMipmapNearest = 9984, kNearestMipmapLinear = 9986 };
+/// glTF's numbers for filters.
+enum Filter {
+    kNearest = 9728,
+    kLinear = 9729,
+    kNearestMipmapNearest = 9984,
+    kLinearMipmapNearest = 9985,
+    kNearestMipmapLinear = 9986,
+    kLinearMipmapLinear = 9987
+};
 
-/// Whether a sampler shows single texels; notes one that does so only where texels are smaller than pixels.
-bool showsTexels(const json& sampler, Notes& notes, int texture) {
-    if (indexMember(sampler, "magFilter").value_or(0) == kNearest) {
-        return true;
+/// How a sampler reads texels that are smaller than pixels. What it leaves open, and numbers that glTF does not have,
+/// blend between texels and levels.
+struct SmallFilter {
+    bool showsTexels = false;
+    TextureLevels levels = TextureLevels::blended;
+};
+
+SmallFilter smallFilterOf(const json& sampler) {
+    switch (indexMember(sampler, "minFilter").value_or(kLinearMipmapLinear)) {
+    case kNearest:
+        return {.showsTexels = true, .levels = TextureLevels::none};
+    case kLinear:
+        return {.showsTexels = false, .levels = TextureLevels::none};
+    case kNearestMipmapNearest:
+        return {.showsTexels = true, .levels = TextureLevels::nearest};
+    case kLinearMipmapNearest:
+        return {.showsTexels = false, .levels = TextureLevels::nearest};
+    case kNearestMipmapLinear:
+        return {.showsTexels = true, .levels = TextureLevels::blended};
+    default:
+        return {};
     }
-    const int small = indexMember(sampler, "minFilter").value_or(0);
-    if (small == kNearest || small == kNearestMipmapNearest || small == kNearestMipmapLinear) {
-        notes.add("nearest filtering of small texels is drawn as linear", fmt::format("texture {}", texture));
-    }
-    return false;
 }
 
 } // namespace
@@ -68,15 +87,19 @@ std::optional<std::uint32_t> TextureImporter::use(int index, TextureContent cont
     const json& sampler = samplerIndex ? itemAt(root, "samplers", *samplerIndex, "sampler") : defaults;
     const int wrapU = wrapOf(sampler, "wrapS", index);
     const int wrapV = wrapOf(sampler, "wrapT", index);
-    const bool nearest = showsTexels(sampler, m_sources.notes, index);
-    const auto [found, isNew] = m_imported.try_emplace({*image, wrapU, wrapV, nearest, content},
-                                                       static_cast<std::uint32_t>(m_scene.textures.size()));
+    const bool nearest = indexMember(sampler, "magFilter").value_or(kLinear) == kNearest;
+    const SmallFilter small = smallFilterOf(sampler);
+    const auto [found, isNew] =
+        m_imported.try_emplace({*image, wrapU, wrapV, nearest, small.showsTexels, small.levels, content},
+                               static_cast<std::uint32_t>(m_scene.textures.size()));
     if (isNew) {
         Texture texture{.repeatU = wrapU != kClampToEdge,
                         .repeatV = wrapV != kClampToEdge,
                         .mirrorU = wrapU == kMirroredRepeat,
                         .mirrorV = wrapV == kMirroredRepeat,
                         .nearest = nearest,
+                        .nearestSmall = small.showsTexels,
+                        .levels = small.levels,
                         .content = content};
         texture.pixels = import(*image, texture.name);
         m_scene.textures.push_back(std::move(texture));

@@ -1,0 +1,147 @@
+#include <cdr/image/srgb.h>
+#include <cdr/measure/truth/truth_texture.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cdr::measure {
+
+namespace {
+
+/// Where a texel beyond an edge is found.
+std::uint32_t wrapped(std::int64_t i, std::int64_t size, bool repeats, bool mirrors) {
+    if (!repeats) {
+        return static_cast<std::uint32_t>(std::clamp<std::int64_t>(i, 0, size - 1));
+    }
+    const std::int64_t period = mirrors ? 2 * size : size;
+    const std::int64_t inPeriod = ((i % period) + period) % period;
+    return static_cast<std::uint32_t>(inPeriod < size ? inPeriod : period - 1 - inPeriod);
+}
+
+glm::dvec4 linearOf(const image::Rgba8& texel, scene::TextureContent content) {
+    if (content == scene::TextureContent::data) {
+        return glm::dvec4(texel[0], texel[1], texel[2], texel[3]) / 255.0;
+    }
+    const auto& linear = image::linearOfSrgb();
+    return {linear[texel[0]], linear[texel[1]], linear[texel[2]], texel[3] / 255.0};
+}
+
+/// A picture of a texture, the first or a smaller one, at a place.
+/// @param texelAt (x, y) inside of the picture.
+template <typename TexelAt>
+glm::dvec4 readAt(const scene::Texture& texture, const glm::dvec2& size, bool showsTexels,
+                  const glm::dvec2& uv, TexelAt texelAt) {
+    const auto at = [&](double x, double y) -> glm::dvec4 {
+        return texelAt(wrapped(static_cast<std::int64_t>(x), static_cast<std::int64_t>(size.x),
+                               texture.repeatU, texture.mirrorU),
+                       wrapped(static_cast<std::int64_t>(y), static_cast<std::int64_t>(size.y),
+                               texture.repeatV, texture.mirrorV));
+    };
+    if (showsTexels) {
+        const glm::dvec2 texel = glm::floor(uv * size);
+        return at(texel.x, texel.y);
+    }
+    const glm::dvec2 place = uv * size - 0.5;
+    const glm::dvec2 corner = glm::floor(place);
+    const glm::dvec2 share = place - corner;
+    return glm::mix(glm::mix(at(corner.x, corner.y), at(corner.x + 1.0, corner.y), share.x),
+                    glm::mix(at(corner.x, corner.y + 1.0), at(corner.x + 1.0, corner.y + 1.0), share.x),
+                    share.y);
+}
+
+glm::dvec4 readFirst(const scene::Texture& texture, bool showsTexels, const glm::dvec2& uv) {
+    return readAt(
+        texture, {texture.pixels.width, texture.pixels.height}, showsTexels, uv,
+        [&](std::uint32_t x, std::uint32_t y) { return linearOf(texture.pixels.at(x, y), texture.content); });
+}
+
+/// How much of the span [begin, end) of a side the texel i covers.
+double coverage(double begin, double end, std::uint32_t i) {
+    return std::max(0.0, std::min(end, i + 1.0) - std::max<double>(begin, i));
+}
+
+/// The average of a rectangle of a texture's picture; bounds in texels.
+glm::vec4 average(const scene::Texture& texture, const glm::dvec2& begin, const glm::dvec2& end) {
+    glm::dvec4 sum(0.0);
+    const auto lastX = static_cast<std::uint32_t>(std::ceil(end.x));
+    const auto lastY = static_cast<std::uint32_t>(std::ceil(end.y));
+    for (auto y = static_cast<std::uint32_t>(begin.y); y < std::min(lastY, texture.pixels.height); ++y) {
+        const double share = coverage(begin.y, end.y, y);
+        for (auto x = static_cast<std::uint32_t>(begin.x); x < std::min(lastX, texture.pixels.width); ++x) {
+            sum += share * coverage(begin.x, end.x, x) * linearOf(texture.pixels.at(x, y), texture.content);
+        }
+    }
+    return {sum / ((end.x - begin.x) * (end.y - begin.y))};
+}
+
+/// Every level below the first, each averaged from the picture itself.
+std::vector<image::Raster<glm::vec4>> filteredLevels(const scene::Texture& texture) {
+    std::vector<image::Raster<glm::vec4>> levels;
+    const glm::uvec2 whole(texture.pixels.width, texture.pixels.height);
+    for (glm::uvec2 size = whole; size != glm::uvec2(1);) {
+        size = glm::max(size / 2u, glm::uvec2(1));
+        image::Raster<glm::vec4> level(size.x, size.y);
+        const glm::dvec2 texel = glm::dvec2(whole) / glm::dvec2(size);
+        for (std::uint32_t y = 0; y < size.y; ++y) {
+            for (std::uint32_t x = 0; x < size.x; ++x) {
+                level.at(x, y) =
+                    average(texture, texel * glm::dvec2(x, y), texel * glm::dvec2(x + 1.0, y + 1.0));
+            }
+        }
+        levels.push_back(std::move(level));
+    }
+    return levels;
+}
+
+/// The level at which texels are as large as pixels; 0 and less where they are larger at the first.
+double levelOf(const scene::Texture& texture, const UvSteps& steps) {
+    const glm::dvec2 size(texture.pixels.width, texture.pixels.height);
+    return std::log2(std::max(glm::length(steps.right * size), glm::length(steps.down * size)));
+}
+
+} // namespace
+
+glm::dvec4 sampleTexture(const scene::Texture& texture, const glm::dvec2& uv) {
+    return readFirst(texture, texture.nearest, uv);
+}
+
+TruthTextures::TruthTextures(const scene::Scene& scene) {
+    for (const scene::Texture& texture : scene.textures) {
+        m_textures.emplace_back().texture = &texture;
+    }
+}
+
+glm::dvec4 TruthTextures::sampleLevel(const Filtered& filtered, std::size_t level,
+                                      const glm::dvec2& uv) const {
+    const scene::Texture& texture = *filtered.texture;
+    if (level == 0) {
+        return readFirst(texture, texture.nearestSmall, uv);
+    }
+    const Level& picture = filtered.levels[level - 1];
+    return readAt(texture, {picture.width, picture.height}, texture.nearestSmall, uv,
+                  [&](std::uint32_t x, std::uint32_t y) { return glm::dvec4(picture.at(x, y)); });
+}
+
+glm::dvec4 TruthTextures::sample(std::uint32_t texture, const glm::dvec2& uv, const UvSteps& steps) const {
+    Filtered& filtered = m_textures.at(texture);
+    const double level = levelOf(*filtered.texture, steps);
+    if (!(level > 0.0)) {
+        return sampleTexture(*filtered.texture, uv);
+    }
+    if (filtered.texture->levels == scene::TextureLevels::none) {
+        return sampleLevel(filtered, 0, uv);
+    }
+    std::call_once(filtered.once, [&] { filtered.levels = filteredLevels(*filtered.texture); });
+    const auto last = static_cast<double>(filtered.levels.size());
+    const double within = std::min(level, last);
+    if (filtered.texture->levels == scene::TextureLevels::nearest) {
+        return sampleLevel(filtered, static_cast<std::size_t>(std::max(std::ceil(within + 0.5) - 1.0, 0.0)),
+                           uv);
+    }
+    const double larger = std::floor(within);
+    return glm::mix(sampleLevel(filtered, static_cast<std::size_t>(larger), uv),
+                    sampleLevel(filtered, static_cast<std::size_t>(std::min(larger + 1.0, last)), uv),
+                    within - larger);
+}
+
+} // namespace cdr::measure
