@@ -46,11 +46,11 @@ std::vector<Cover> coversOf(std::uint32_t side) {
 }
 
 /// The linear values of bytes, by channel.
-struct Decoder {
+struct LinearTable {
     std::array<float, 256> color{};
     std::array<float, 256> share{};
 
-    explicit Decoder(Encoding encoding) {
+    explicit LinearTable(Encoding encoding) {
         for (std::size_t i = 0; i < color.size(); ++i) {
             share[i] = static_cast<float>(i) / 255.0f;
             color[i] = encoding == Encoding::srgb ? static_cast<float>(linearOfSrgb()[i]) : share[i];
@@ -63,7 +63,7 @@ struct Decoder {
 };
 
 template <typename Pixel>
-LinearImage halved(const Raster<Pixel>& picture, const Decoder& decode) {
+LinearImage halved(const Raster<Pixel>& picture, const LinearTable& decode) {
     const std::vector<Cover> columns = coversOf(picture.width);
     const std::vector<Cover> rows = coversOf(picture.height);
     LinearImage smaller(halvedSide(picture.width), halvedSide(picture.height));
@@ -133,7 +133,7 @@ std::vector<ImageRgba8> smallerLevels(const ImageRgba8& picture, Encoding encodi
     if (most == 0 || count < 2) {
         return levels;
     }
-    const Decoder decode(encoding);
+    const LinearTable decode(encoding);
     LinearImage linear = halved(picture, decode);
     levels.push_back(encoded(linear, encoding));
     while (levels.size() < std::min(most, count - 1)) {
