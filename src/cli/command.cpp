@@ -3,6 +3,9 @@
 #include "rank_machine.h"
 
 #include <cdr/base/error.h>
+#include <cdr/host/file.h>
+#include <cdr/host/sha256.h>
+#include <cdr/scene/gltf/gltf.h>
 #include <scenes/open_scene.h>
 
 #include <fmt/format.h>
@@ -21,7 +24,13 @@ bool takesPart(const GlobalOptions& global, const std::string& name, RankUse use
     if (use == RankUse::none) {
         requireAlone(*global.ranks, name);
     }
-    return use == RankUse::all || global.ranks->isFirst();
+    const ranks::Place& place = global.ranks->place();
+    if (use == RankUse::timed && place.countOnNode > 1 && !global.shareMachine) {
+        throw base::InputError(fmt::format(
+            "{} measures time, and {} ranks share this machine: start one on each, or add --share-machine",
+            name, place.countOnNode));
+    }
+    return use == RankUse::all || use == RankUse::timed || global.ranks->isFirst();
 }
 
 Command::Command(std::string name, const GlobalOptions& global, OutputOptions output)
@@ -45,10 +54,19 @@ void Command::sayRanks() const {
     }
 }
 
+void Command::reads(const std::filesystem::path& path) {
+    m_files.reads(path);
+    if (!ranks().isAlone()) {
+        // A rank that would draw another scene leaves wrong pictures, or waits for a frame that nobody draws.
+        const std::string digest = host::sha256(host::readFile(path, scene::GltfLimits{}.maxFileBytes));
+        ranks().requireSame(digest, fmt::format("{}: is another file than the first rank's", path.string()));
+    }
+}
+
 scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_t seed,
                                      const scene::GltfChoice& choice) {
     if (scene::isGltfPath(nameOrPath)) {
-        m_files.reads(nameOrPath);
+        reads(nameOrPath);
     }
     scene::OpenedScene opened = scenes::openScene(nameOrPath, seed, choice);
     note(opened.notes);

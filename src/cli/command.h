@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -35,6 +36,10 @@ class Command {
     ranks::Ranks& ranks() const { return *m_global.ranks; }
     /// Where several ranks work on the command, says how many and how they share the machine.
     void sayRanks() const;
+
+    /// Notes a file that the command reads, which all ranks have to find alike. base::InputError where they do not, where it
+    /// cannot be read, and where the command writes it.
+    void reads(const std::filesystem::path& path);
 
     /// Opens a scene as scenes::openScene(), or of a glTF file what is chosen, and notes what of the file is
     /// not drawn. base::InputError when something is chosen of a scene that is no file.
@@ -73,8 +78,9 @@ class Command {
 
 /// Which ranks of a run a command runs on.
 enum class RankUse : std::uint8_t {
-    none,  ///< in one process alone, as what measures time
+    none,  ///< in one process alone
     first, ///< takes next to no time, so the first rank does it while the others wait
+    timed, ///< each takes its units, which are timed: on machines of their own, unless told to share one
     all    ///< each takes its units
 };
 
@@ -97,7 +103,7 @@ void addCommand(CLI::App& program, const GlobalOptions& global, const std::strin
     app->callback([&global, name, arguments, run, use] {
         if (takesPart(global, name, use)) {
             Command command(name, global, arguments->second);
-            if (use == RankUse::all) {
+            if (use == RankUse::all || use == RankUse::timed) {
                 command.sayRanks();
             }
             run(command, arguments->first);

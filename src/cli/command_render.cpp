@@ -66,7 +66,7 @@ RenderPlan planOf(Command& command, const RenderArguments& arguments) {
     const SequenceName name(arguments.file);
     render::RenderOptions options = optionsOf(arguments, aov);
     if (!arguments.camera.path.empty()) {
-        command.files().reads(arguments.camera.path);
+        command.reads(arguments.camera.path);
     }
     RenderPlan plan{.aov = aov,
                     .colours = colours,

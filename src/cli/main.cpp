@@ -62,7 +62,7 @@ void requireSameProgram(cdr::ranks::Ranks& ranks, int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         text += fmt::format(" {}", argv[i]);
     }
-    ranks.requireSame(text);
+    ranks.requireSame(text, "was started otherwise than the first rank: " + text);
 }
 
 int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
@@ -86,6 +86,8 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
             "Unit of printed lengths where scenes are in metres: none, auto, um, mm, m or km; JSON has none")
         ->default_str("none");
     program.add_flag("--quiet", global.quiet, "Print nothing but errors and what of a file is not drawn");
+    program.add_flag("--share-machine", global.shareMachine,
+                     "Under mpirun: measure time though several ranks share a machine");
     const cdr::host::BuildInfo build = cdr::host::buildInfo();
     program.set_version_flag("--version", fmt::format("cdr {} ({})", build.version, build.commit));
     addCommands(program, global);

@@ -22,6 +22,7 @@ struct GlobalOptions {
     std::string device; ///< index or part of a name; empty for the best
     bool validate = false;
     bool quiet = false;
+    bool shareMachine = false; ///< time though other ranks of the run keep the same machine busy
     base::LengthUnit unit = base::LengthUnit::none; ///< of lengths in tables and sentences
     ranks::Ranks* ranks = nullptr;                  ///< of the run; main() fills it in
     std::string section; ///< of a report that the command runs for: only its progress shows, under this name

@@ -1,9 +1,11 @@
 #include "interleaved_frames.h"
 
 #include <cdr/measure/statistics/statistics.h>
+#include <experiments/units.h>
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace cdr::experiments {
 
@@ -22,22 +24,46 @@ InterleavedFrames::InterleavedFrames(std::size_t modes, std::uint64_t seed)
     : m_order(modes, seed),
       m_samples(modes) {}
 
-void InterleavedFrames::draw(const std::function<FrameSample(std::size_t)>& draw) {
+std::vector<FrameSample> InterleavedFrames::row(const std::function<FrameSample(std::size_t)>& draw) {
+    std::vector<FrameSample> row(m_samples.size());
     for (const std::size_t mode : m_order.next()) {
-        m_samples[mode].push_back(draw(mode));
+        row[mode] = draw(mode);
+    }
+    return row;
+}
+
+void InterleavedFrames::add(const std::vector<FrameSample>& row) {
+    for (std::size_t mode = 0; mode < m_samples.size(); ++mode) {
+        m_samples[mode].push_back(row.at(mode));
     }
 }
 
-void InterleavedFrames::run(std::uint32_t frames, const std::function<void()>& step,
+void InterleavedFrames::draw(const std::function<FrameSample(std::size_t)>& draw) {
+    add(row(draw));
+}
+
+void InterleavedFrames::divide(TimedRanks& ranks, std::size_t units,
+                               const std::function<FrameSample(std::size_t, std::size_t)>& draw) {
+    ranks.forEachUnit(
+        units,
+        [&](std::size_t unit) { return packed(row([&](std::size_t mode) { return draw(mode, unit); })); },
+        [&](std::size_t, const Json& timed) { add(unpacked<FrameSample>(timed)); });
+}
+
+void InterleavedFrames::run(TimedRanks& ranks, std::uint32_t frames, const std::function<void()>& step,
                             const std::function<render::FrameStats(std::size_t, std::uint32_t)>& draw) {
-    for (std::uint32_t i = 0; i < kWarmUp + frames; ++i) {
-        if (i == kWarmUp) {
-            forget();
-        }
-        const std::uint32_t frame = i < kWarmUp ? i % frames : i - kWarmUp;
+    for (std::uint32_t i = 0; i < kWarmUp; ++i) {
         step();
-        this->draw([&](std::size_t mode) { return timed([&] { return draw(mode, frame); }); });
+        this->draw([&](std::size_t mode) { return timed([&] { return draw(mode, i % frames); }); });
     }
+    forget();
+    std::size_t stepped = frames; // the last unit that was
+    divide(ranks, frames, [&](std::size_t mode, std::size_t unit) {
+        if (std::exchange(stepped, unit) != unit) {
+            step();
+        }
+        return timed([&] { return draw(mode, static_cast<std::uint32_t>(unit)); });
+    });
 }
 
 void InterleavedFrames::forget() {

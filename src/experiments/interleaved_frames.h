@@ -2,6 +2,7 @@
 
 #include <cdr/render/frame.h>
 #include <experiments/shuffled_order.h>
+#include <experiments/timed_ranks.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -31,10 +32,15 @@ class InterleavedFrames {
     /// Draws one frame of every mode.
     void draw(const std::function<FrameSample(std::size_t mode)>& draw);
 
-    /// Draws kWarmUp frames that are dropped, then `frames` that count.
+    /// Draws `units` frames of every mode, each on some rank. The first rank has them all.
+    /// @param draw draws one mode; a rank is given units in ascending order.
+    void divide(TimedRanks& ranks, std::size_t units,
+                const std::function<FrameSample(std::size_t mode, std::size_t unit)>& draw);
+
+    /// Draws kWarmUp frames that are dropped, on every rank, then `frames` that count, each on some rank.
     /// @param step called before each of them.
     /// @param draw draws a frame of a mode, with Renderer::draw().
-    void run(std::uint32_t frames, const std::function<void()>& step,
+    void run(TimedRanks& ranks, std::uint32_t frames, const std::function<void()>& step,
              const std::function<render::FrameStats(std::size_t mode, std::uint32_t frame)>& draw);
 
     /// Drops what was drawn so far.
@@ -51,6 +57,9 @@ class InterleavedFrames {
     static constexpr std::uint32_t kWarmUp = 2;
 
   private:
+    std::vector<FrameSample> row(const std::function<FrameSample(std::size_t mode)>& draw);
+    void add(const std::vector<FrameSample>& row);
+
     ShuffledOrder m_order;
     std::vector<std::vector<FrameSample>> m_samples; ///< by mode, then frame
 };

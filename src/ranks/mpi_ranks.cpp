@@ -60,7 +60,11 @@ Place makePlace() {
     const auto [index, count] = sizesOf(MPI_COMM_WORLD);
     const auto [indexOnNode, countOnNode] = sizesOf(node);
     MPI_Comm_free(&node);
-    return {.index = index, .count = count, .indexOnNode = indexOnNode, .countOnNode = countOnNode};
+    return {.index = index,
+            .count = count,
+            .indexOnNode = indexOnNode,
+            .countOnNode = countOnNode,
+            .node = hostName()};
 }
 
 /// MPI as long as it lives. MPI calls of one thread at a time.
@@ -115,10 +119,10 @@ class MpiRanks final : public Ranks {
           m_session(std::move(session)),
           m_explain(std::move(explain)) {}
 
-    void requireSame(const std::string& text) override {
+    void requireSame(const std::string& text, const std::string& otherwise) override {
         const host::Bytes own(text.begin(), text.end());
-        const host::Bytes first = broadcast(own);
-        meet({.status = first == own ? 0 : 2, .line = "was started otherwise than the first rank: " + text});
+        const host::Bytes first = share(own);
+        meet(first == own ? Ending{} : Ending{.status = 2, .line = otherwise});
     }
 
     void forEachUnit(std::size_t count, const Make& make, const Take& take) override {
@@ -244,7 +248,8 @@ class MpiRanks final : public Ranks {
         return isFirst() || ending.line.empty()
                    ? ending
                    : Ending{.status = ending.status,
-                            .line = fmt::format("rank {} on {}: {}", place().index, hostName(), ending.line)};
+                            .line =
+                                fmt::format("rank {} on {}: {}", place().index, place().node, ending.line)};
     }
 
     static host::Bytes broadcast(host::Bytes bytes) {

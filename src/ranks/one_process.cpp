@@ -2,7 +2,7 @@
 
 namespace cdr::ranks {
 
-void OneProcess::requireSame(const std::string&) {}
+void OneProcess::requireSame(const std::string&, const std::string&) {}
 
 void OneProcess::forEachUnit(std::size_t count, const Make& make, const Take& take) {
     for (std::size_t unit = 0; unit < count; ++unit) {

@@ -30,6 +30,7 @@ struct Place {
     std::size_t count = 1;
     std::size_t indexOnNode = 0;
     std::size_t countOnNode = 1;
+    std::string node{}; ///< name of its machine; empty for a process that was started alone
 };
 
 /// The processes that one command was started as, its ranks; a process that was started alone is the first and only one.
@@ -53,7 +54,8 @@ class Ranks {
     bool isAlone() const { return m_place.count == 1; }
 
     /// base::InputError on the first rank unless all give the same text.
-    virtual void requireSame(const std::string& text) = 0;
+    /// @param otherwise what is said of a rank that gives another one than the first.
+    virtual void requireSame(const std::string& text, const std::string& otherwise) = 0;
 
     /// Makes each of `count` independent units on some rank; a rank is given units in ascending order. The first rank
     /// makes units too, and takes all results, in the order of the units.

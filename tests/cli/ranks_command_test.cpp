@@ -1,5 +1,8 @@
+#include "../support/fault.h"
 #include "../support/launched.h"
 #include "program.h"
+
+#include <cdr/host/file.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -248,15 +251,121 @@ TEST_F(RanksCommand, BadInputIsOneLine) {
     EXPECT_TRUE(folder.isEmpty());
 }
 
-TEST_F(RanksCommand, WhatMeasuresTimeIsRefused) {
+TEST_F(RanksCommand, WhatMeasuresTimeSharesNoMachineUnlessTold) {
     const TemporaryFolder folder;
-    for (const std::string name : {"timing", "report"}) {
-        const ProgramResult result = runAsRanks(2, name, folder.path());
+    for (const std::string name : {"timing", "effects", "focus"}) {
+        const ProgramResult result = runAsRanks(2, name + " --json all.json", folder.path());
         EXPECT_EQ(result.status, 2) << name;
-        EXPECT_EQ(result.err,
-                  "cdr: " + name + " runs in one process, and not as 2 ranks: start it without mpirun\n");
+        EXPECT_EQ(result.err, "cdr: " + name +
+                                  " measures time, and 2 ranks share this machine: start one on each, or add "
+                                  "--share-machine\n");
+    }
+    for (const std::string name : {"report", "inspect cubes", "timing --memory", "timing --against x"}) {
+        const ProgramResult result = runAsRanks(2, "--share-machine " + name, folder.path());
+        EXPECT_EQ(result.status, 2) << name;
+        EXPECT_NE(result.err.find(" runs in one process, and not as 2 ranks: start it without mpirun\n"),
+                  std::string::npos)
+            << result.err;
     }
     EXPECT_TRUE(folder.isEmpty());
+}
+
+/// Of every unit one rank. The first rank's draws are counted in it too, and are those of one process.
+void expectTimedByAll(const std::string& arguments, const std::string& units, std::size_t count) {
+    const TemporaryFolder folder;
+    const std::string command = arguments + " --size 64x36 --json all.json";
+    const ProgramResult one = runProgram(command, folder.path());
+    ASSERT_EQ(one.status, 0) << one.err;
+    const auto alone = nlohmann::json::parse(readText(folder.path() / "all.json"));
+    EXPECT_FALSE(alone.contains("measured_by"));
+    const ProgramResult three = runAsRanks(3, "--share-machine " + command, folder.path());
+    ASSERT_EQ(three.status, 0) << three.err;
+    const auto document = nlohmann::json::parse(readText(folder.path() / "all.json"));
+    std::map<std::size_t, std::size_t> rankOf;
+    for (const auto& row : document.at("measured_by")) {
+        EXPECT_EQ(row.at("ranks_on_node"), 3);
+        EXPECT_NE(row.at("node"), "");
+        EXPECT_LT(row.at("rank"), 3);
+        for (const auto& unit : row.at(units)) {
+            EXPECT_TRUE(rankOf.emplace(unit, row.at("rank")).second) << unit;
+        }
+    }
+    ASSERT_EQ(rankOf.size(), count) << document.at("measured_by");
+    EXPECT_EQ(rankOf.rbegin()->first, count - 1);
+    ASSERT_EQ(document.at("results").size(), alone.at("results").size());
+    for (std::size_t i = 0; i < alone.at("results").size(); ++i) {
+        for (const char* same : {"mode", "name", "cascades", "draws", "differing", "flip", "rmse"}) {
+            EXPECT_EQ(document["results"][i].value(same, nlohmann::json()),
+                      alone["results"][i].value(same, nlohmann::json()))
+                << same;
+        }
+    }
+}
+
+TEST_F(RanksCommand, WhatIsTimedTogetherSaysWhoTimedWhat) {
+    expectTimedByAll("timing --frames 7 --modes anchored,cdr-2", "frames", 7);
+    expectTimedByAll("timing --frames 20 --modes anchored --in-flight 2", "runs", 3);
+    expectTimedByAll("timing --frames 4 --modes anchored --scene traffic", "frames", 4);
+    expectTimedByAll("timing --frames 5 --stages", "frames", 5);
+    expectTimedByAll("effects --frames 5", "frames", 5);
+    expectTimedByAll("focus --frames 5 --cameras 2", "frames", 5);
+}
+
+/// For a shell: each rank works in a folder of its own, 0, 1 and so on, as on nodes that see other files.
+std::string apart(int ranks) {
+    return test::launched(CDR_MPIEXEC, ranks) +
+           " sh -c 'cd $OMPI_COMM_WORLD_RANK$PMI_RANK && exec \"$@\"' sh";
+}
+
+TEST_F(RanksCommand, FilesThatDifferAmongRanksAreRefusedInOneLine) {
+    const TemporaryFolder folder;
+    const std::string model = readText(CDR_SOURCE_DIR "/tests/golden/shapes.gltf");
+    for (const char* rank : {"0", "1", "2"}) {
+        fs::create_directory(folder.path() / rank);
+        host::writeText(folder.path() / rank / "a.gltf", model);
+    }
+    const std::string render = "timeout 100 env " + apart(3);
+    const std::string arguments = "render a.gltf --size 32x18 --frames 2 --json all.json";
+    EXPECT_EQ(runProgram(arguments, folder.path(), render).status, 0);
+    fs::remove(folder.path() / "0/all.json");
+    host::writeText(folder.path() / "2/a.gltf", model + " ");
+    const ProgramResult differs = runProgram(arguments, folder.path(), render);
+    EXPECT_EQ(differs.status, 2);
+    EXPECT_TRUE(std::regex_match(
+        differs.err, std::regex("cdr: rank 2 on .+: a.gltf: is another file than the first rank's\n")))
+        << differs.err;
+    fs::remove(folder.path() / "1/a.gltf");
+    const ProgramResult missing = runProgram(arguments, folder.path(), render);
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_TRUE(std::regex_match(missing.err, std::regex("cdr: rank 1 on .+: a.gltf: .+\n"))) << missing.err;
+    fs::remove(folder.path() / "0/a.gltf");
+    const ProgramResult none = runProgram(arguments, folder.path(), render);
+    EXPECT_EQ(none.status, 2);
+    EXPECT_TRUE(std::regex_match(none.err, std::regex("cdr: a.gltf: .+\n"))) << none.err;
+    EXPECT_FALSE(fs::exists(folder.path() / "0/all.json"));
+}
+
+/// Whichever draw of whichever frame fails, before or after a merge.
+TEST_F(RanksCommand, ADeviceLostAmongCascadesEndsAllInOneLine) {
+    const TemporaryFolder folder;
+    const std::string script = folder.path().string() + ".sh";
+    for (const int rank : {0, 1, 3}) {
+        for (const long after : {0, 1, 3}) {
+            const test::Fault fault{.call = "vkQueueSubmit2", .after = after};
+            host::writeText(script, "[ \"$OMPI_COMM_WORLD_RANK$PMI_RANK\" != " + std::to_string(rank) +
+                                        " ] || export " + fault.environment() + "\nexec \"$@\"\n");
+            const ProgramResult result = runProgram(
+                "render afc-near --depth standard --split count:4 --ranks cascades --frames 4 --size 64x36 "
+                "-o f%d.png --json a.json",
+                folder.path(), "timeout 100 env " + test::launched(CDR_MPIEXEC, 4) + " sh '" + script + "'");
+            EXPECT_EQ(result.status, 1) << rank << " " << after;
+            const std::string by = rank == 0 ? "" : "rank " + std::to_string(rank) + " on .+: ";
+            EXPECT_TRUE(std::regex_match(result.err, std::regex("cdr: " + by + "the Vulkan device was lost.*\n")))
+                << rank << " " << after << ": " << result.err;
+            EXPECT_FALSE(fs::exists(folder.path() / "a.json"));
+        }
+    }
+    fs::remove(script);
 }
 
 /// With a machine of one device they all take that.

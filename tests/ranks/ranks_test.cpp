@@ -31,9 +31,10 @@ Outcome runAs(int ranks, const std::string& arguments) {
     const test::TemporaryFolder folder;
     const std::string out = (folder.path() / "out").string();
     const std::string err = (folder.path() / "err").string();
-    const int status = std::system((test::launched(CDR_MPIEXEC, ranks) + " '" RANK_PROGRAM "' " + arguments +
-                                    " >'" + out + "' 2>'" + err + "' </dev/null")
-                                       .c_str());
+    const int status =
+        std::system(("timeout 100 env " + test::launched(CDR_MPIEXEC, ranks) + " '" RANK_PROGRAM "' " +
+                     arguments + " >'" + out + "' 2>'" + err + "' </dev/null")
+                        .c_str());
     return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .out = textIn(out), .err = textIn(err)};
 }
 
@@ -92,8 +93,9 @@ TEST_P(LaunchedRanks, EndAsTheOneThatFailed) {
         const char* line;
     };
     const int last = GetParam() - 1;
-    for (const Case& each : {Case{"input", 2, "no such thing"}, Case{"run", 1, "it broke"},
-                             Case{"before", 2, "cannot begin"}, Case{"after", 1, "cannot end"}}) {
+    for (const Case& each :
+         {Case{"input", 2, "no such thing"}, Case{"run", 1, "it broke"}, Case{"start", 2, "cannot start"},
+          Case{"before", 2, "cannot begin"}, Case{"after", 1, "cannot end"}}) {
         const Outcome outcome =
             runAs(GetParam(), "60 " + std::string(each.kind) + " " + std::to_string(last) + " 5");
         EXPECT_EQ(outcome.status, each.status) << each.kind;
@@ -116,9 +118,14 @@ TEST_P(LaunchedRanks, RefuseOneThatWasStartedOtherwise) {
     const int last = GetParam() - 1;
     const Outcome outcome = runAs(GetParam(), "3 differ " + std::to_string(last) + " 0");
     EXPECT_EQ(outcome.status, last == 0 ? 0 : 2);
-    EXPECT_TRUE(last == 0 || outcome.err.find("was started otherwise than the first rank: otherwise\n") !=
-                                 std::string::npos)
-        << outcome.err;
+    EXPECT_TRUE(last == 0 || outcome.err.find(": is not alike\n") != std::string::npos) << outcome.err;
+}
+
+/// The others wait for what it was to be alike with.
+TEST_P(LaunchedRanks, EndWhereTheFirstCannotStart) {
+    const Outcome outcome = runAs(GetParam(), "3 start 0 0");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.err, "cannot start\n");
 }
 
 /// The launcher itself says who died.

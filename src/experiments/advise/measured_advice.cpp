@@ -58,8 +58,11 @@ std::vector<TimingResult> time(const gpu::Device& device,
     for (const auto& [name, technique] : techniques) {
         timing.modes.push_back({.name = name, .preset = name, .technique = technique, .thesisPercent = {}});
     }
-    return runTiming(device, timing,
-                     [&](std::size_t done, std::size_t all) { progress(done, all, "what they cost"); });
+    ranks::OneProcess alone;
+    TimedRanks here(alone);
+    return runTiming(
+        device, timing, [&](std::size_t done, std::size_t all) { progress(done, all, "what they cost"); },
+        here);
 }
 
 } // namespace

@@ -9,6 +9,8 @@
 #include <experiments/interleaved_frames.h>
 #include <experiments/units.h>
 
+#include <ranks/one_process.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -100,9 +102,11 @@ class Comparison {
 
     /// Each mode draws all frames: on the first rank, while the others wait and disturb nothing.
     void time(ranks::Ranks& ranks, const std::function<void()>& step) {
+        ranks::OneProcess alone;
+        TimedRanks timed(alone);
         if (!ranks.isFirst()) { // a fitted split keeps to the frames before
             m_frames.run(
-                m_options.frames, [] {},
+                timed, m_options.frames, [] {},
                 [&](std::size_t mode, std::uint32_t frame) {
                     m_renderers[mode]->skip(cameraOf(frame));
                     return render::FrameStats();
@@ -110,7 +114,7 @@ class Comparison {
         }
         ranks.share({});
         if (ranks.isFirst()) {
-            m_frames.run(m_options.frames, step, [&](std::size_t mode, std::uint32_t frame) {
+            m_frames.run(timed, m_options.frames, step, [&](std::size_t mode, std::uint32_t frame) {
                 return m_renderers[mode]->draw(cameraOf(frame));
             });
         }

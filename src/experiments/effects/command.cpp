@@ -39,9 +39,13 @@ void run(Command& command, EffectsArguments& arguments) {
                                   .fog = {.visibility = options.visibility}});
     const PictureFolder folder(arguments.folder, command.files());
     const scene::SceneSetup setup = command.openScene(options.scene, options.seed);
-    const experiments::EffectsReport report =
-        experiments::runEffects(command.device(), setup, options, command.progressOf("frames with effects"));
+    experiments::TimedRanks ranks(command.ranks());
+    const experiments::EffectsReport report = experiments::runEffects(
+        command.device(), setup, options, command.progressOf("frames with effects"), ranks);
     command.endProgress();
+    if (!ranks.isFirst()) {
+        return;
+    }
 
     const auto columns = effectsColumns();
     command.console().table(experiments::tableOf(columns, report.results));
@@ -60,6 +64,7 @@ void run(Command& command, EffectsArguments& arguments) {
         folder.write("picture", result.mode + ".png", result.picture, row);
     }
     document["lost_per_layer"] = report.lostPerLayer;
+    experiments::addMeasuredBy(document, command.ranks(), ranks.measuredBy("frames"));
     command.writeDocument(document);
 }
 
@@ -76,7 +81,8 @@ void addOptions(CLI::App& command, EffectsArguments& arguments) {
 void addEffects(CLI::App& program, const GlobalOptions& global) {
     addCommand<EffectsArguments>(
         program, global, "effects",
-        "What screen-space effects cost, and whether they look alike under every technique", addOptions, run);
+        "What screen-space effects cost, and whether they look alike under every technique", addOptions, run,
+        RankUse::timed);
 }
 
 } // namespace cdr::cli

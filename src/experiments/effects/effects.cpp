@@ -69,8 +69,8 @@ class Comparison {
         }
     }
 
-    void time(const std::function<void()>& step) {
-        m_frames.run(m_options.frames, step,
+    void time(TimedRanks& ranks, const std::function<void()>& step) {
+        m_frames.run(ranks, m_options.frames, step,
                      [&](std::size_t mode, std::uint32_t) { return m_renderers[mode]->draw(m_camera); });
     }
 
@@ -118,14 +118,17 @@ class Comparison {
 } // namespace
 
 EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& setup,
-                         const EffectsOptions& options, const EffectsProgress& progress) {
+                         const EffectsOptions& options, const EffectsProgress& progress, TimedRanks& ranks) {
     if (options.frames < 1) {
         throw base::InputError("effects needs a frame");
     }
     const std::size_t all = std::size_t{InterleavedFrames::kWarmUp} + options.frames + kModes.size();
     std::size_t done = 0;
     Comparison comparison(device, setup, options);
-    comparison.time([&] { progress(done++, all); });
+    comparison.time(ranks, [&] { progress(done++, all); });
+    if (!ranks.isFirst()) {
+        return {};
+    }
     EffectsReport report;
     for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
         progress(done++, all);

@@ -3,6 +3,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/statistics/statistics.h>
+#include <experiments/timed_ranks.h>
 #include <scenes/open_scene.h>
 
 #include <cstdint>
@@ -51,7 +52,8 @@ using EffectsProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// Every mode draws a frame, in an order shuffled anew, before the next; then each is drawn by every preset.
 /// base::InputError for no frames.
 /// @param setup what options.scene names.
+/// @param ranks that share the timed frames; the first one does the rest, and alone has results.
 EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& setup,
-                         const EffectsOptions& options, const EffectsProgress& progress);
+                         const EffectsOptions& options, const EffectsProgress& progress, TimedRanks& ranks);
 
 } // namespace cdr::experiments

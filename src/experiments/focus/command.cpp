@@ -55,9 +55,13 @@ void run(Command& command, FocusArguments& arguments) {
     requireUsable(options.lens);
     const PictureFolder folder(arguments.folder, command.files());
     const scene::SceneSetup setup = command.openScene(options.scene, options.seed);
+    experiments::TimedRanks ranks(command.ranks());
     const experiments::FocusReport report = experiments::runFocus(
-        command.device(), setup, options, command.progressOf("frames through the lens"));
+        command.device(), setup, options, command.progressOf("frames through the lens"), ranks);
     command.endProgress();
+    if (!ranks.isFirst()) {
+        return;
+    }
 
     const auto columns = focusColumns();
     command.console().table(experiments::tableOf(columns, report.results));
@@ -84,6 +88,7 @@ void run(Command& command, FocusArguments& arguments) {
         folder.write("picture", result.mode + ".png", result.picture, row);
     }
     document["cascades"] = experiments::jsonOf(cascadeColumns(), report.cascades);
+    experiments::addMeasuredBy(document, command.ranks(), ranks.measuredBy("frames"));
     command.writeDocument(document);
 }
 
@@ -107,7 +112,8 @@ void addOptions(CLI::App& command, FocusArguments& arguments) {
 void addFocus(CLI::App& program, const GlobalOptions& global) {
     addCommand<FocusArguments>(
         program, global, "focus",
-        "What depth of field by per-cascade resolution saves and shows (thesis chapter 3)", addOptions, run);
+        "What depth of field by per-cascade resolution saves and shows (thesis chapter 3)", addOptions, run,
+        RankUse::timed);
 }
 
 } // namespace cdr::cli

@@ -70,8 +70,8 @@ class Comparison {
         }
     }
 
-    void time(const std::function<void()>& step) {
-        m_frames.run(m_options.frames, step,
+    void time(TimedRanks& ranks, const std::function<void()>& step) {
+        m_frames.run(ranks, m_options.frames, step,
                      [&](std::size_t mode, std::uint32_t) { return m_renderers[mode]->draw(m_camera); });
     }
 
@@ -177,7 +177,7 @@ class Comparison {
 } // namespace
 
 FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options,
-                     const FocusProgress& progress) {
+                     const FocusProgress& progress, TimedRanks& ranks) {
     if (options.frames < 1 || options.cameras < 1) {
         throw base::InputError("focus needs a frame and a camera");
     }
@@ -189,7 +189,10 @@ FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, 
         std::size_t{InterleavedFrames::kWarmUp} + options.frames + std::size_t{options.cameras};
     std::size_t done = 0;
     Comparison comparison(device, setup, options);
-    comparison.time([&] { progress(done++, all); });
+    comparison.time(ranks, [&] { progress(done++, all); });
+    if (!ranks.isFirst()) {
+        return {};
+    }
     for (std::uint32_t i = 0; i < options.cameras; ++i) {
         progress(done++, all);
         comparison.addToReference(i);

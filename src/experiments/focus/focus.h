@@ -5,6 +5,7 @@
 #include <cdr/image/image.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/render/focus.h>
+#include <experiments/timed_ranks.h>
 #include <scenes/open_scene.h>
 
 #include <cstdint>
@@ -64,7 +65,8 @@ using FocusProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// mean, in linear light, of cameras spread over the lens, each turned to the point in focus.
 /// base::InputError for no frames or cameras, or an unusable or no focus.
 /// @param setup what options.scene names.
+/// @param ranks that share the timed frames; the first one does the rest, and alone has results.
 FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options,
-                     const FocusProgress& progress);
+                     const FocusProgress& progress, TimedRanks& ranks);
 
 } // namespace cdr::experiments

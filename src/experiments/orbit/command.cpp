@@ -95,7 +95,7 @@ void run(Command& command, OrbitArguments& arguments) {
         command.files().writes("--plot", arguments.plot);
     }
     if (!arguments.files.model.empty()) {
-        command.files().reads(arguments.files.model);
+        command.reads(arguments.files.model);
     }
     const scene::OpenedScene opened = scenes::openOrbit(arguments.files);
     const scene::SceneSetup& setup = opened.setup;

@@ -50,7 +50,7 @@ void run(Command& command, ShadowArguments& arguments) {
     experiments::ShadowExperiment& experiment = arguments.experiment;
     experiment.options.surface = render::parseSurfacePath(arguments.surface);
     if (!arguments.camera.path.empty()) {
-        command.files().reads(arguments.camera.path);
+        command.reads(arguments.camera.path);
     }
     const experiments::FrameCameras cameras(arguments.camera);
     const PictureFolder folder(arguments.folder, command.files());

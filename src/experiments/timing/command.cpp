@@ -108,7 +108,10 @@ void writeCsv(const std::filesystem::path& path, const experiments::Json& rows) 
 }
 
 /// What can be wrong with the arguments, before anything is made.
-void checkArguments(TimingArguments& arguments, CommandFiles& files) {
+void checkArguments(TimingArguments& arguments, CommandFiles& files, const ranks::Ranks& ranks) {
+    if (!arguments.against.empty() || arguments.memory) {
+        requireAlone(ranks, arguments.memory ? "timing --memory" : "timing --against");
+    }
     const bool isPlain = arguments.against.empty() && !arguments.stages && !arguments.memory;
     if (!isPlain && (!arguments.csv.empty() || !arguments.trace.empty())) {
         throw base::InputError("--csv and --trace go with none of --against, --stages and --memory");
@@ -215,18 +218,30 @@ void runStages(Command& command, const TimingArguments& arguments) {
         modes.insert(modes.end(), options.modes.begin() + 2, options.modes.end());
     }
     auto rows = experiments::Json::array();
+    auto measuredBy = experiments::Json::array();
+    experiments::TimedRanks ranks(command.ranks());
     std::vector<experiments::ModeStages> plotted;
     for (const experiments::TimingMode& mode : modes) {
         options.modes = {mode};
-        const std::vector<experiments::StageCost> stages =
-            experiments::runStages(command.device(), options, command.progressOf("frames of " + mode.name));
+        const std::vector<experiments::StageCost> stages = experiments::runStages(
+            command.device(), options, command.progressOf("frames of " + mode.name), ranks);
         command.endProgress();
+        if (!ranks.isFirst()) {
+            continue;
+        }
+        for (experiments::Json row : ranks.measuredBy("frames")) {
+            row["mode"] = mode.name;
+            measuredBy.push_back(std::move(row));
+        }
         const auto columns = experiments::stageColumns(mode.name);
         command.console().table(experiments::tableOf(columns, stages));
         for (const experiments::Json& row : experiments::jsonOf(columns, stages)) {
             rows.push_back(row);
         }
         plotted.push_back({mode.name, stages});
+    }
+    if (!ranks.isFirst()) {
+        return;
     }
     if (!arguments.plot.empty()) {
         experiments::writePlot(arguments.plot, experiments::stagesPlot(plotted, command.opened().text()));
@@ -240,6 +255,7 @@ void runStages(Command& command, const TimingArguments& arguments) {
                                           {"seed", options.seed}});
     document["machine"] = experiments::machineJson();
     document["results"] = rows;
+    experiments::addMeasuredBy(document, command.ranks(), measuredBy);
     command.writeDocument(document);
 }
 
@@ -265,12 +281,16 @@ void timeModes(Command& command, TimingArguments& arguments) {
     experiments::TimingOptions& options = arguments.options;
     options.frames = arguments.frames.value_or(options.frames);
     std::optional<host::Trace> trace;
-    if (!arguments.trace.empty()) {
+    experiments::TimedRanks ranks(command.ranks());
+    if (!arguments.trace.empty() && ranks.isFirst()) {
         options.trace = &trace.emplace(options.threads);
     }
     const Results results =
-        experiments::runTiming(command.device(), options, command.progressOf("frames of every mode"));
+        experiments::runTiming(command.device(), options, command.progressOf("frames of every mode"), ranks);
     command.endProgress();
+    if (!ranks.isFirst()) {
+        return;
+    }
 
     const Console& console = command.console();
     const std::string device = command.opened().text();
@@ -292,11 +312,14 @@ void timeModes(Command& command, TimingArguments& arguments) {
     if (trace) {
         trace->write(arguments.trace);
     }
-    command.writeDocument(makeDocument(command, arguments, results));
+    auto document = makeDocument(command, arguments, results);
+    experiments::addMeasuredBy(document, command.ranks(),
+                               ranks.measuredBy(options.framesInFlight > 1 ? "runs" : "frames"));
+    command.writeDocument(document);
 }
 
 void run(Command& command, TimingArguments& arguments) {
-    checkArguments(arguments, command.files());
+    checkArguments(arguments, command.files(), command.ranks());
     if (!arguments.against.empty()) {
         runAgainst(command, arguments);
     } else if (arguments.stages) {
@@ -361,7 +384,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
 void addTiming(CLI::App& program, const GlobalOptions& global) {
     addCommand<TimingArguments>(program, global, "timing",
                                 "What each technique costs over standard, frame by frame (Figure 6.4)",
-                                addOptions, run);
+                                addOptions, run, RankUse::timed);
 }
 
 } // namespace cdr::cli

@@ -54,11 +54,11 @@ class StageRace {
         m_path = scene::turnPath(first, first.position, options.frames);
     }
 
-    void run(const TimingProgress& progress) {
+    void run(const TimingProgress& progress, TimedRanks& ranks) {
         std::size_t done = 0;
         const std::size_t all = std::size_t{InterleavedFrames::kWarmUp} + m_options.frames;
         m_frames.run(
-            m_options.frames, [&] { progress(done++, all); },
+            ranks, m_options.frames, [&] { progress(done++, all); },
             [&](std::size_t variant, std::uint32_t frame) {
                 return m_renderers[variant]->draw(m_path.at(frame));
             });
@@ -145,13 +145,13 @@ class StageRace {
 } // namespace
 
 std::vector<StageCost> runStages(const gpu::Device& device, const TimingOptions& options,
-                                 const TimingProgress& progress) {
+                                 const TimingProgress& progress, TimedRanks& ranks) {
     if (options.frames < 1 || options.modes.empty()) {
         throw base::InputError("stages need a frame and a mode");
     }
     StageRace race(device, options);
-    race.run(progress);
-    return race.costs();
+    race.run(progress, ranks);
+    return ranks.isFirst() ? race.costs() : std::vector<StageCost>();
 }
 
 } // namespace cdr::experiments

@@ -25,8 +25,9 @@ struct StageCost {
 /// A driver that passes over triangles which cover no pixel spares part of their set-up where there are few pixels; that
 /// part counts as pixels here.
 /// @param options mode 0 is drawn; one frame in flight. base::InputError for no frames.
+/// @param ranks that share the frames; the first one alone has results.
 std::vector<StageCost> runStages(const gpu::Device& device, const TimingOptions& options,
-                                 const TimingProgress& progress);
+                                 const TimingProgress& progress, TimedRanks& ranks);
 
 /// The stages of one mode.
 struct ModeStages {

@@ -89,30 +89,27 @@ class Race {
         }
     }
 
-    void drawFrame(std::uint32_t number) {
-        const scene::Camera camera = m_path.at(number);
-        if (m_moving != nullptr) {
-            m_moving->show(number, m_workers);
-            m_gpuScene.update(); // else the first mode to draw would pay for all
-        }
-        m_frames.draw([&](std::size_t mode) {
-            if (m_options.trace != nullptr) {
-                m_options.trace->beginFrame(m_options.modes[mode].name);
+    void warmUp(std::uint32_t number) {
+        show(number);
+        m_frames.draw([&](std::size_t mode) { return draw(mode, number); });
+    }
+
+    /// Drops what was drawn so far, and draws what counts: runs of so many frames, each of every mode, on some rank. The
+    /// frames of a run are in flight at once.
+    void run(TimedRanks& ranks, std::uint32_t length, const std::function<void(std::uint32_t frame)>& step) {
+        m_frames.forget();
+        const std::uint32_t runs = (m_options.frames + length - 1) / length;
+        m_frames.divide(ranks, runs, [&](std::size_t mode, std::size_t unit) {
+            const std::uint32_t first = static_cast<std::uint32_t>(unit) * length;
+            const std::uint32_t count = std::min(length, m_options.frames - first);
+            if (first >= m_next) {
+                step(first);
+                catchUp(first);
+                m_next = first + count;
             }
-            return timed([&] { return m_renderers[mode]->draw(camera); });
+            return length > 1 ? timedRun(*m_renderers[mode], cameras(first, count)) : draw(mode, first);
         });
     }
-
-    /// Every mode draws `count` frames from `first` on, several in flight.
-    void drawRun(std::uint32_t first, std::uint32_t count) {
-        std::vector<scene::Camera> cameras;
-        for (std::uint32_t frame = first; frame < first + count; ++frame) {
-            cameras.push_back(m_path.at(frame));
-        }
-        m_frames.draw([&](std::size_t mode) { return timedRun(*m_renderers[mode], cameras); });
-    }
-
-    void forgetSamples() { m_frames.forget(); }
 
     std::vector<TimingResult> results() {
         std::vector<TimingResult> results;
@@ -124,6 +121,39 @@ class Race {
     }
 
   private:
+    void show(std::uint32_t number) {
+        if (m_moving != nullptr) {
+            m_moving->show(number, m_workers);
+            m_gpuScene.update(); // else the first mode to draw would pay for all
+        }
+    }
+
+    /// Passes over the frames that other ranks draw, which fitted splits keep to.
+    void catchUp(std::uint32_t number) {
+        for (; m_next < number; ++m_next) {
+            show(m_next);
+            for (const auto& renderer : m_renderers) {
+                renderer->skip(m_path.at(m_next));
+            }
+        }
+        show(number);
+    }
+
+    FrameSample draw(std::size_t mode, std::uint32_t number) {
+        if (m_options.trace != nullptr) {
+            m_options.trace->beginFrame(m_options.modes[mode].name);
+        }
+        return timed([&] { return m_renderers[mode]->draw(m_path.at(number)); });
+    }
+
+    std::vector<scene::Camera> cameras(std::uint32_t first, std::uint32_t count) const {
+        std::vector<scene::Camera> cameras;
+        for (std::uint32_t frame = first; frame < first + count; ++frame) {
+            cameras.push_back(m_path.at(frame));
+        }
+        return cameras;
+    }
+
     std::unique_ptr<render::Renderer> makeRenderer(const gpu::Device& device, const TimingMode& mode) {
         const render::RenderOptions options{.width = m_options.width,
                                             .height = m_options.height,
@@ -182,12 +212,13 @@ class Race {
     std::unique_ptr<NaiveScene> m_naive;                        ///< once a mode draws it
     std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
     InterleavedFrames m_frames;
+    std::uint32_t m_next = 0; ///< frame that comes after those drawn or passed over
 };
 
 } // namespace
 
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
-                                    const TimingProgress& progress) {
+                                    const TimingProgress& progress, TimedRanks& ranks) {
     if (options.frames < 1 || options.modes.size() < 2) {
         throw base::InputError("timing needs a frame, and a mode beside the baseline");
     }
@@ -195,22 +226,14 @@ std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptio
     Race race(device, options);
     for (std::uint32_t i = 0; i < kWarmUpFrames; ++i) {
         progress(i, all);
-        race.drawFrame(i);
+        race.warmUp(i);
     }
-    race.forgetSamples();
     if (options.trace != nullptr) {
         options.trace->stop();
     }
-    const std::uint32_t step = options.framesInFlight > 1 ? kThroughputRun : 1;
-    for (std::uint32_t i = 0; i < options.frames; i += step) {
-        progress(std::size_t{kWarmUpFrames} + i, all);
-        if (options.framesInFlight > 1) {
-            race.drawRun(i, std::min(step, options.frames - i));
-        } else {
-            race.drawFrame(i);
-        }
-    }
-    return race.results();
+    race.run(ranks, options.framesInFlight > 1 ? kThroughputRun : 1,
+             [&](std::uint32_t frame) { progress(std::size_t{kWarmUpFrames} + frame, all); });
+    return ranks.isFirst() ? race.results() : std::vector<TimingResult>();
 }
 
 } // namespace cdr::experiments

@@ -7,6 +7,7 @@
 #include <cdr/render/submit/draw_path.h>
 #include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets.h>
+#include <experiments/timed_ranks.h>
 
 #include <array>
 #include <cstdint>
@@ -101,8 +102,9 @@ using TimingProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Results in the order of the modes. base::InputError for no frames or fewer than two modes, for an unknown scene, and
 /// where frames in flight, unshared meshes or a visibility buffer meet a scene that moves.
+/// @param ranks that share the frames, or the runs of frames in flight; the first one alone has results, and traces.
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
-                                    const TimingProgress& progress);
+                                    const TimingProgress& progress, TimedRanks& ranks);
 
 /// Figure 6.4 as a gnuplot script: overheads with their intervals, the thesis' beside them.
 /// @param measuredOn goes under the title.

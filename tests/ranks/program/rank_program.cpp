@@ -56,7 +56,10 @@ void makeTrouble(const Ranks& ranks, const Trouble& trouble, std::size_t unit) {
 
 void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
     const bool isTheOne = ranks.place().index == trouble.rank;
-    ranks.requireSame(trouble.kind == "differ" && isTheOne ? "otherwise" : "alike");
+    if (trouble.kind == "start" && isTheOne) {
+        throw cdr::base::InputError("cannot start");
+    }
+    ranks.requireSame(trouble.kind == "differ" && isTheOne ? "otherwise" : "alike", "is not alike");
     if (trouble.kind == "before" && isTheOne) {
         throw cdr::base::InputError("cannot begin");
     }

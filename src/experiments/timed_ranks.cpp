@@ -1,0 +1,47 @@
+#include "timed_ranks.h"
+
+#include <experiments/units.h>
+
+#include <utility>
+
+namespace cdr::experiments {
+
+void TimedRanks::forEachUnit(std::size_t count, const std::function<Json(std::size_t unit)>& time,
+                             const std::function<void(std::size_t unit, const Json& timed)>& take) {
+    m_timers.clear();
+    const ranks::Place& place = m_ranks.place();
+    experiments::forEachUnit(
+        m_ranks, count,
+        [&](std::size_t unit) {
+            return Json{{"rank", place.index},
+                        {"node", place.node},
+                        {"ranks_on_node", place.countOnNode},
+                        {"timed", time(unit)}};
+        },
+        [&](std::size_t unit, const Json& made) {
+            Timer& timer = m_timers[made.at("rank").get<std::size_t>()];
+            timer.node = made.at("node").get<std::string>();
+            timer.ranksOnNode = made.at("ranks_on_node").get<std::size_t>();
+            timer.units.push_back(unit);
+            take(unit, made.at("timed"));
+        });
+}
+
+Json TimedRanks::measuredBy(const std::string& units) const {
+    Json rows = Json::array();
+    for (const auto& [rank, timer] : m_timers) {
+        rows.push_back({{"rank", rank},
+                        {"node", timer.node},
+                        {"ranks_on_node", timer.ranksOnNode},
+                        {units, timer.units}});
+    }
+    return rows;
+}
+
+void addMeasuredBy(Json& document, const ranks::Ranks& ranks, const Json& measuredBy) {
+    if (!ranks.isAlone()) {
+        document["measured_by"] = measuredBy;
+    }
+}
+
+} // namespace cdr::experiments
