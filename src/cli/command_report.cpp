@@ -1,6 +1,7 @@
 #include "command.h"
 #include "commands.h"
 #include "forecast.h"
+#include "rank_machine.h"
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
@@ -9,6 +10,7 @@
 #include <cdr/host/standard_streams.h>
 #include <cdr/host/worker_pool.h>
 #include <experiments/readable.h>
+#include <experiments/units.h>
 #include <report/folder.h>
 #include <report/page.h>
 #include <report/plan.h>
@@ -16,11 +18,17 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <ranks/one_process.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <ctime>
 #include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace cdr::cli {
 
@@ -118,35 +126,108 @@ void sayNow(const Console& console, const std::string& line) {
     host::flushStandardOutput();
 }
 
-/// Runs the plan into a folder; the results and the page's data go there too.
-nlohmann::ordered_json fillFolder(Command& command, const ReportArguments& arguments,
-                                  report::PendingFolder& folder) {
-    const GlobalOptions& global = command.global();
-    const Console& console = command.console();
-    const fs::path& root = folder.temporary();
-    const std::vector<report::Section> plan = report::makePlan(arguments.plan);
-    nlohmann::ordered_json manifest = makeManifest(command, arguments.plan);
-    nlohmann::ordered_json documents = nlohmann::ordered_json::object();
-    fs::create_directory(root / "data");
-    Forecast forecast(plan, measuredPace(command.device(), arguments.plan.threads));
-    if (!arguments.plan.videos) {
-        console.line("No videos: ffmpeg is not installed (Debian, Ubuntu: ffmpeg)");
+/// Runs sections of a plan into a folder, on this rank, as one process does.
+class SectionRunner {
+  public:
+    SectionRunner(const Command& command, const std::vector<report::Section>& plan, fs::path root,
+                  double pace)
+        : m_command(command),
+          m_plan(plan),
+          m_root(std::move(root)),
+          m_forecast(plan, pace),
+          m_outcomes(plan.size()) {}
+
+    void sayPlan() const {
+        sayNow(m_command.console(),
+               fmt::format("{} sections, about {}", m_plan.size(), timeText(m_forecast.secondsLeft())));
     }
-    sayNow(console, fmt::format("{} sections, about {}", plan.size(), timeText(forecast.secondsLeft())));
-    for (std::size_t i = 0; i < plan.size(); ++i) {
-        const report::Section& section = plan[i];
-        GlobalOptions inside = global;
-        inside.section = fmt::format("{}/{} {}, {} to go", i + 1, plan.size(), section.name,
-                                     timeText(forecast.secondsLeft()));
-        const SectionOutcome outcome = runSection(inside, section, root);
-        folder.keep();
+
+    SectionOutcome run(std::size_t section) {
+        GlobalOptions inside = m_command.global();
+        inside.ranks = &m_alone;
+        inside.section = fmt::format("{}/{} {}, {} to go", m_done + 1, m_plan.size(), m_plan[section].name,
+                                     timeText(m_forecast.secondsLeft()));
+        if (inside.device == "each") {
+            inside.device = dealtDevice(m_command.ranks().place());
+        }
+        return runSection(inside, m_plan[section], m_root);
+    }
+
+    /// On the first rank, in any order.
+    void add(std::size_t section, SectionOutcome outcome) {
+        const Console& console = m_command.console();
         console.endProgress();
-        forecast.done(section, outcome.seconds);
-        sayNow(console, fmt::format("{}/{} {}: {} s{}", i + 1, plan.size(), section.name,
+        m_forecast.done(m_plan[section], outcome.seconds);
+        sayNow(console, fmt::format("{}/{} {}: {} s{}", ++m_done, m_plan.size(), m_plan[section].name,
                                     experiments::Readable{outcome.seconds},
                                     outcome.failure.empty() ? "" : ", failed: " + outcome.failure));
-        manifest["results"].push_back(describe(section, outcome, global));
-        documents[section.name] = outcome.document;
+        m_outcomes[section] = std::move(outcome);
+    }
+
+    /// By section.
+    const std::vector<SectionOutcome>& outcomes() const { return m_outcomes; }
+
+  private:
+    const Command& m_command;
+    const std::vector<report::Section>& m_plan;
+    fs::path m_root;
+    ranks::OneProcess m_alone;
+    Forecast m_forecast;
+    std::size_t m_done = 0;
+    std::vector<SectionOutcome> m_outcomes;
+};
+
+experiments::Json packedOutcome(SectionOutcome outcome) {
+    return {{"seconds", outcome.seconds},
+            {"failure", std::move(outcome.failure)},
+            {"document", std::move(outcome.document)}};
+}
+
+SectionOutcome unpackedOutcome(experiments::Json made) {
+    return {.seconds = made.at("seconds").get<double>(),
+            .failure = made.at("failure").get<std::string>(),
+            .document = std::move(made.at("document"))};
+}
+
+/// Which sections measure time, or do not, in the order of the plan.
+std::vector<std::size_t> sectionsThat(const std::vector<report::Section>& plan, bool areTimed) {
+    std::vector<std::size_t> sections;
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+        if (plan[i].isTimed == areTimed) {
+            sections.push_back(i);
+        }
+    }
+    return sections;
+}
+
+/// Ranks share the sections. Those that measure time are the first rank's, which runs them last, while the others wait.
+/// @param keep called on the first rank after each.
+void runSections(ranks::Ranks& ranks, const std::vector<report::Section>& plan, SectionRunner& runner,
+                 const std::function<void()>& keep) {
+    const std::vector<std::size_t> shared = sectionsThat(plan, false);
+    experiments::forEachUnit(
+        ranks, shared.size(), [&](std::size_t unit) { return packedOutcome(runner.run(shared[unit])); },
+        [&](std::size_t unit, experiments::Json made) {
+            runner.add(shared[unit], unpackedOutcome(std::move(made)));
+            keep();
+        });
+    if (ranks.isFirst()) {
+        for (const std::size_t section : sectionsThat(plan, true)) {
+            runner.add(section, runner.run(section));
+            keep();
+        }
+    }
+}
+
+/// The page, its data and the manifest, which it returns.
+nlohmann::ordered_json writeReport(const Command& command, const report::PlanOptions& options,
+                                   const std::vector<report::Section>& plan,
+                                   const std::vector<SectionOutcome>& outcomes, const fs::path& root) {
+    nlohmann::ordered_json manifest = makeManifest(command, options);
+    nlohmann::ordered_json documents = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+        manifest["results"].push_back(describe(plan[i], outcomes[i], command.global()));
+        documents[plan[i].name] = outcomes[i].document;
     }
     report::writePage(root);
     report::writeData(root, {{"report", manifest}, {"sections", documents}});
@@ -156,6 +237,29 @@ nlohmann::ordered_json fillFolder(Command& command, const ReportArguments& argum
     }
     host::writeDocument(root / report::kManifest, manifest);
     return manifest;
+}
+
+/// Runs the plan into the first rank's folder, and writes the report there. The manifest; null on other ranks.
+/// @param folder of the first rank; null on others, which see it.
+nlohmann::ordered_json fillFolder(Command& command, const report::PlanOptions& options,
+                                  report::PendingFolder* folder) {
+    std::string root;
+    if (folder != nullptr) {
+        root = fs::absolute(folder->temporary()).string();
+        fs::create_directory(fs::path(root) / "data");
+        if (!options.videos) {
+            command.console().line("No videos: ffmpeg is not installed (Debian, Ubuntu: ffmpeg)");
+        }
+    }
+    const host::Bytes shared = command.ranks().share({root.begin(), root.end()});
+    root.assign(shared.begin(), shared.end());
+    const std::vector<report::Section> plan = report::makePlan(options);
+    const double pace = folder != nullptr ? measuredPace(command.device(), options.threads) : 1.0;
+    SectionRunner runner(command, plan, root, pace);
+    runner.sayPlan();
+    runSections(command.ranks(), plan, runner, [&] { folder->keep(); });
+    return folder != nullptr ? writeReport(command, options, plan, runner.outcomes(), root)
+                             : nlohmann::ordered_json();
 }
 
 /// base::InputError when --json names a file in the report, which holds nothing but its own files.
@@ -171,22 +275,35 @@ void requireOutside(const fs::path& folder, const OutputOptions& output) {
     }
 }
 
-void runReport(Command& command, ReportArguments& arguments) {
-    report::requirePage();
-    arguments.plan.videos = host::isInstalled("ffmpeg");
-    requireOutside(arguments.folder, command.output());
+/// Writes the report; the manifest, which is null on other ranks than the first.
+nlohmann::ordered_json makeReport(Command& command, const ReportArguments& arguments) {
+    if (!command.ranks().isFirst()) {
+        return fillFolder(command, arguments.plan, nullptr);
+    }
     report::PendingFolder folder(arguments.folder);
     command.opened(); // without a device there is no report
-    nlohmann::ordered_json manifest;
     try {
-        manifest = fillFolder(command, arguments, folder);
+        nlohmann::ordered_json manifest = fillFolder(command, arguments.plan, &folder);
         folder.commit();
+        return manifest;
     } catch (const std::exception& error) {
         if (!folder.isKept()) {
             throw;
         }
         throw base::RunError(
             fmt::format("{}; what was measured is in {}", error.what(), folder.temporary().string()));
+    }
+}
+
+void runReport(Command& command, ReportArguments& arguments) {
+    report::requirePage();
+    const host::Bytes hasVideos =
+        command.ranks().share({host::isInstalled("ffmpeg") ? std::uint8_t{1} : std::uint8_t{0}});
+    arguments.plan.videos = hasVideos.front() != 0;
+    requireOutside(arguments.folder, command.output());
+    const nlohmann::ordered_json manifest = makeReport(command, arguments);
+    if (!command.ranks().isFirst()) {
+        return;
     }
     command.console().line(fmt::format("Open {}", (arguments.folder / "index.html").string()));
     command.writeDocument(manifest);
@@ -222,7 +339,7 @@ void addReport(CLI::App& program, const GlobalOptions& global) {
     addCommand<ReportArguments>(
         program, global, "report",
         "Every experiment in one folder with a page that opens offline, the thesis beside it",
-        addReportOptions, runReport);
+        addReportOptions, runReport, RankUse::all);
 }
 
 } // namespace cdr::cli

@@ -32,6 +32,7 @@ Section sectionOf(const PlanRow& row, const PlanOptions& plan) {
                     .arguments = {row.command},
                     .folderOption = row.folderOption,
                     .folder = row.folder,
+                    .isTimed = row.isTimed,
                     .expectedSeconds = secondsOf(row, plan.effort)};
     for (const PlanOption& option : row.options) {
         const std::optional<std::string> value = valueOf(option, plan);

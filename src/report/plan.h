@@ -22,6 +22,7 @@ struct Section {
     std::vector<std::string> arguments; ///< as typed, without where its results go
     std::string folderOption{};         ///< such as "--out"; empty when it makes no pictures or videos
     std::string folder{};               ///< of those
+    bool isTimed = false;               ///< measures time, so that nothing else may run meanwhile
     double expectedSeconds = 0.0;       ///< where cli::measuredPace() gives 1
 
     /// The whole command, the program's name left out, with its results under `root`.

@@ -22,6 +22,7 @@ struct PlanRow {
     std::vector<PlanOption> options{};
     std::string folderOption{};
     std::string folder{};
+    bool isTimed = false;      ///< whether what it is about is time
     double quickSeconds = 0.0; ///< the smallest effort takes a fiftieth
     double fullSeconds = 0.0;
 };

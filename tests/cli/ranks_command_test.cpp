@@ -225,6 +225,37 @@ TEST_F(RanksCommand, TranslucencyComparesWhatOneProcessDoes) {
               std::string::npos);
 }
 
+/// What measures time is left out, and so are the manifest and the page, which say how long sections took.
+TEST_F(RanksCommand, ReportHoldsWhatOneProcessFinds) {
+    const TemporaryFolder alone;
+    const TemporaryFolder folder;
+    const ProgramResult one = runProgram("report --smallest -o r", alone.path());
+    if (one.status == 2) {
+        GTEST_SKIP() << "built without the report's page: tools/setup.sh fetches its npm packages";
+    }
+    const ProgramResult three = runAsRanks(3, "report --smallest -o r", folder.path());
+    EXPECT_EQ(three.status, one.status) << three.err;
+    EXPECT_EQ(three.err, one.err);
+    const auto expected = filesIn(alone.path());
+    const auto files = filesIn(folder.path());
+    ASSERT_GT(expected.size(), 30u);
+    ASSERT_EQ(files.size(), expected.size());
+    const std::regex isTimed(
+        "r/(report.json|data.js|data/(timing|scaling|detail|translucency|effects|focus).json)");
+    for (const auto& [name, text] : expected) {
+        ASSERT_TRUE(files.contains(name)) << name;
+        EXPECT_TRUE(std::regex_match(name, isTimed) || files.at(name) == text) << name;
+    }
+    const auto manifest = [](const TemporaryFolder& in) {
+        auto rows = nlohmann::json::parse(readText(in.path() / "r/report.json")).at("results");
+        for (auto& row : rows) {
+            row.erase("seconds");
+        }
+        return rows;
+    };
+    EXPECT_EQ(manifest(folder), manifest(alone));
+}
+
 TEST_F(RanksCommand, OnlyTheFirstPrints) {
     const TemporaryFolder folder;
     const ProgramResult one = runProgram("precision", folder.path());
@@ -260,7 +291,7 @@ TEST_F(RanksCommand, WhatMeasuresTimeSharesNoMachineUnlessTold) {
                                   " measures time, and 2 ranks share this machine: start one on each, or add "
                                   "--share-machine\n");
     }
-    for (const std::string name : {"report", "inspect cubes", "timing --memory", "timing --against x"}) {
+    for (const std::string name : {"inspect cubes", "timing --memory", "timing --against x"}) {
         const ProgramResult result = runAsRanks(2, "--share-machine " + name, folder.path());
         EXPECT_EQ(result.status, 2) << name;
         EXPECT_NE(result.err.find(" runs in one process, and not as 2 ranks: start it without mpirun\n"),
@@ -360,7 +391,8 @@ TEST_F(RanksCommand, ADeviceLostAmongCascadesEndsAllInOneLine) {
                 folder.path(), "timeout 100 env " + test::launched(CDR_MPIEXEC, 4) + " sh '" + script + "'");
             EXPECT_EQ(result.status, 1) << rank << " " << after;
             const std::string by = rank == 0 ? "" : "rank " + std::to_string(rank) + " on .+: ";
-            EXPECT_TRUE(std::regex_match(result.err, std::regex("cdr: " + by + "the Vulkan device was lost.*\n")))
+            EXPECT_TRUE(
+                std::regex_match(result.err, std::regex("cdr: " + by + "the Vulkan device was lost.*\n")))
                 << rank << " " << after << ": " << result.err;
             EXPECT_FALSE(fs::exists(folder.path() / "a.json"));
         }
