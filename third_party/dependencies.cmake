@@ -24,7 +24,7 @@ find_path(VMA_INCLUDE_DIR vk_mem_alloc.h
     PATHS "${PROJECT_SOURCE_DIR}/.cache/vma/usr/include" PATH_SUFFIXES vma REQUIRED)
 add_library(cdr_vma INTERFACE)
 target_include_directories(cdr_vma SYSTEM INTERFACE "${VMA_INCLUDE_DIR}")
-target_link_libraries(cdr_vma INTERFACE Vulkan::Vulkan)
+target_link_libraries(cdr_vma INTERFACE Vulkan::Headers)
 
 # stb_easy_font: captions in contact sheets.
 find_path(STB_INCLUDE_DIR stb_easy_font.h PATH_SUFFIXES stb REQUIRED)

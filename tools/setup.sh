@@ -27,7 +27,7 @@ packages=(
     # several machines: optional, without them cdr is built for one, and the tests of ranks skip and say so
     libopenmpi-dev openmpi-bin
     # tests, benchmarks and checks
-    libbenchmark-dev libgtest-dev clang-format clang-tidy
+    libbenchmark-dev libgtest-dev clang-format clang-tidy libvulkan-volk-dev
 )
 
 fail() {

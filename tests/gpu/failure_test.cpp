@@ -1,8 +1,8 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/failure.h>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <gtest/gtest.h>
-#include <vulkan/vulkan.hpp>
 
 #include <new>
 #include <stdexcept>

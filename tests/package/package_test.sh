@@ -108,11 +108,28 @@ if [[ $included != *cdr/render/renderer.h* ]] || grep -E '/vulkan[.]hpp|/vk_mem_
     exit 1
 fi
 build_example moving_world "$work/without_prototypes" "$work/render" -DVK_NO_PROTOTYPES
+calls=$(nm --undefined-only "$(find "$work/render" -name libcdr_gpu.a)" "$(find "$work/render" -name libcdr_render.a)")
+if grep -E ' vk[A-Z]' <<<"$calls" || [[ $(ldd "$work/moving_world/moving_world") == *libvulkan* ]]; then
+    echo "the static libraries call Vulkan's functions by name, or their users link the system's loader" >&2
+    exit 1
+fi
 build_example borrowed_device "$work/borrowed_device"
 "$work/borrowed_device/borrowed_device" >"$work/borrowed" || exit 1
 if [[ $(<"$work/borrowed") != "id 42 at 4.000000"*"was made without depthClamp" ]]; then
     echo "unexpected output of borrowed_device: $(<"$work/borrowed")" >&2
     exit 1
+fi
+# A program whose functions of Vulkan are variables, which would be called by mistake if cdr called any by name.
+cat >"$work/volk.txt" <<'EOF'
+id 42 at 4.000000
+asked the program's loader: yes
+the process already calls Vulkan by another loader; hand the host's in before the first use of cdr::gpu
+EOF
+if [[ -e /usr/include/volk.h ]]; then
+    build_example ../../tests/package/volk "$work/volk"
+    expect_lines "$work/volk/volk_host" "$work/volk.txt"
+else
+    echo "volk: not built, there is no volk.h (libvulkan-volk-dev)"
 fi
 # What is nearer than the other by 0.00001 units, whether it is the engine's or cdr's; and the depth of the engine's camera.
 cat >"$work/host_compositing.txt" <<'EOF'

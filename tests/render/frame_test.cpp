@@ -180,9 +180,9 @@ TEST_F(FrameTest, ABorrowedDeviceIsRefusedByTheNameOfWhatItLacks) {
     VkPhysicalDeviceFeatures2 features{};
     features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
     features.pNext = &v12;
-    EXPECT_THROW(gpu::enableFeatures(device().physical(), features), base::InputError);
+    EXPECT_THROW(gpu::enableFeatures(instance().handle(), device().physical(), features), base::InputError);
     v12.pNext = &v13;
-    gpu::enableFeatures(device().physical(), features);
+    gpu::enableFeatures(instance().handle(), device().physical(), features);
     EXPECT_TRUE(gpu::missingFeatures(features).empty());
     const gpu::BorrowedDevice handles{.instance = instance().handle(),
                                       .physical = device().physical(),
@@ -238,7 +238,7 @@ TEST_F(FrameTest, ASubmittedFrameIsReachableOnTheDevice) {
                             .hasDebugNames = instance().hasDebugNames(),
                             .submit = [&](const VkSubmitInfo2& submission, VkFence done) {
                                 ++submissions;
-                                return vkQueueSubmit2(queue, 1, &submission, done);
+                                return gpu::functions().vkQueueSubmit2(queue, 1, &submission, done);
                             }});
     const render::GpuScene gpuScene(borrowed, setup.scene);
     render::Renderer renderer(borrowed, setup.scene, gpuScene, options);

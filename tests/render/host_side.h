@@ -3,9 +3,8 @@
 #include "read_image.h"
 
 #include <cdr/gpu/pipeline.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/renderer.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <array>
 #include <cstdint>

@@ -2,10 +2,9 @@
 
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/image/image.h>
 #include <cdr/render/readback.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstring>
 

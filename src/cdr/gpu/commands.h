@@ -1,8 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/device.h>
-
-#include <vulkan/vulkan.hpp>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -3,11 +3,11 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/features.h>
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <vk_mem_alloc.h>
-#include <vulkan/vulkan.hpp>
 
 #include <algorithm>
 #include <array>
@@ -147,8 +147,9 @@ std::uint32_t Device::queueFamily() const {
 }
 
 void Device::submit(const VkSubmitInfo2& submission, VkFence done) const {
-    const VkResult result = m_handles->submit ? m_handles->submit(submission, done)
-                                              : vkQueueSubmit2(m_handles->queue, 1, &submission, done);
+    const VkResult result = m_handles->submit
+                                ? m_handles->submit(submission, done)
+                                : functions().vkQueueSubmit2(m_handles->queue, 1, &submission, done);
     vk::resultCheck(static_cast<vk::Result>(result), "vkQueueSubmit2");
 }
 
@@ -176,6 +177,7 @@ Device::Device(const Instance& instance, const std::string& choice) : m_handles(
 }
 
 Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Handles>()) {
+    loadFunctions(borrowed.loader, borrowed.instance);
     m_handles->physical = borrowed.physical;
     m_handles->device = borrowed.device;
     m_handles->queueFamily = borrowed.queueFamily;
@@ -214,6 +216,9 @@ void Device::finish(VkInstance instance, bool hasDebugNames) {
     if (m_handles->allocator != nullptr) {
         return;
     }
+    VmaVulkanFunctions lookUp{};
+    lookUp.vkGetInstanceProcAddr = functions().vkGetInstanceProcAddr;
+    lookUp.vkGetDeviceProcAddr = functions().vkGetDeviceProcAddr;
     const VmaAllocatorCreateInfo info{.flags = 0,
                                       .physicalDevice = m_handles->physical,
                                       .device = m_handles->device,
@@ -221,7 +226,7 @@ void Device::finish(VkInstance instance, bool hasDebugNames) {
                                       .pAllocationCallbacks = nullptr,
                                       .pDeviceMemoryCallbacks = nullptr,
                                       .pHeapSizeLimit = nullptr,
-                                      .pVulkanFunctions = nullptr,
+                                      .pVulkanFunctions = &lookUp,
                                       .instance = instance,
                                       .vulkanApiVersion = VK_API_VERSION_1_3,
                                       .pTypeExternalMemoryHandleTypes = nullptr};

@@ -58,7 +58,10 @@ struct BorrowedDevice {
     VkDevice device = VK_NULL_HANDLE;           ///< to draw on
     VkQueue queue = VK_NULL_HANDLE;             ///< that frames are submitted to
     std::uint32_t queueFamily = 0;              ///< of `queue`
-    bool hasDebugNames = false;                 ///< the instance has VK_EXT_debug_utils
+    /// The owner's vkGetInstanceProcAddr, by which cdr finds every function that it calls. Null: the system's loader, or the
+    /// one that an earlier device brought. A process has one for all its devices.
+    PFN_vkGetInstanceProcAddr loader = nullptr;
+    bool hasDebugNames = false; ///< the instance has VK_EXT_debug_utils
     /// What the device was created with; read while the gpu::Device is made. A feature that cdr needs and this leaves off
     /// is refused. Null: not checked, and the two below say what else is on.
     const VkPhysicalDeviceFeatures2* features = nullptr;
@@ -79,7 +82,8 @@ class CDR_EXPORT Device {
     ///        integrated, virtual, then CPU.
     /// base::InputError, with each device and why it was refused, when none fits.
     Device(const Instance& instance, const std::string& choice);
-    /// base::InputError that names the features which BorrowedDevice::features leaves off.
+    /// base::InputError that names the features which BorrowedDevice::features leaves off; for a loader that is not the one
+    /// in use, or knows not all of Vulkan 1.3. base::RunError when there is no loader.
     explicit Device(const BorrowedDevice& borrowed);
     ~Device();
     Device(const Device&) = delete;

@@ -1,7 +1,8 @@
 #include "device_query.h"
 
+#include <cdr/gpu/vulkan_hpp.h>
+
 #include <fmt/format.h>
-#include <vulkan/vulkan.hpp>
 
 #include <algorithm>
 #include <array>

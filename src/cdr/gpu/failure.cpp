@@ -1,8 +1,8 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/failure.h>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <fmt/format.h>
-#include <vulkan/vulkan.hpp>
 
 #include <algorithm>
 #include <new>

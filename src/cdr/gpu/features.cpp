@@ -2,10 +2,10 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/features.h>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <vulkan/vulkan.hpp>
 
 namespace cdr::gpu {
 
@@ -84,7 +84,9 @@ std::vector<std::string> missingGpuDrivenFeatures(const VkPhysicalDeviceFeatures
                      {v12 != nullptr && v12->drawIndirectCount != 0, "drawIndirectCount"}});
 }
 
-void enableFeatures(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2& features) {
+void enableFeatures(VkInstance instance, VkPhysicalDevice physical, VkPhysicalDeviceFeatures2& features,
+                    PFN_vkGetInstanceProcAddr loader) {
+    loadFunctions(loader, instance);
     const DeviceInfo info = describe(physical, 0);
     if (!info.missing.empty()) {
         throw base::InputError(fmt::format("{} lacks {}", info.name, fmt::join(info.missing, ", ")));

@@ -11,9 +11,14 @@ namespace cdr::gpu {
 
 /// Turns on, in the structs that a device is about to be created with, the features that cdr needs, and those that it can
 /// use and the device has. What is on stays on.
+/// @param instance of the device.
 /// @param features whose pNext chain holds VkPhysicalDeviceVulkan12Features and VkPhysicalDeviceVulkan13Features.
-/// base::InputError that names a feature which the device lacks, or a struct that the chain lacks.
-CDR_EXPORT void enableFeatures(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2& features);
+/// base::InputError that names a feature which the device lacks, or a struct that the chain lacks; and as
+/// Device(const BorrowedDevice&) for the loader.
+/// @param loader as BorrowedDevice::loader.
+CDR_EXPORT void enableFeatures(VkInstance instance, VkPhysicalDevice physical,
+                               VkPhysicalDeviceFeatures2& features,
+                               PFN_vkGetInstanceProcAddr loader = nullptr);
 
 /// The features that cdr needs and `features` leaves off, by their names in Vulkan. Empty when it can draw.
 CDR_EXPORT std::vector<std::string> missingFeatures(const VkPhysicalDeviceFeatures2& features);

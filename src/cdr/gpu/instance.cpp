@@ -1,7 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/instance.h>
-
-#include <vulkan/vulkan.hpp>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <algorithm>
 #include <cstring>
@@ -89,7 +88,9 @@ void Instance::Handles::MessengerDeleter::operator()(VkDebugUtilsMessengerEXT me
 Instance::Instance(const InstanceOptions& options)
     : m_validation(std::make_shared<ValidationLog>()),
       m_handles(std::make_unique<Handles>()) {
-    if (vk::enumerateInstanceVersion() < VK_API_VERSION_1_3) {
+    loadFunctions(nullptr);
+    if (functions().vkEnumerateInstanceVersion == nullptr ||
+        vk::enumerateInstanceVersion() < VK_API_VERSION_1_3) {
         throw base::RunError("the Vulkan loader is older than 1.3; install a newer libvulkan1");
     }
     if (options.validate && !hasLayer(kValidationLayer)) {
@@ -127,6 +128,7 @@ Instance::Instance(const InstanceOptions& options)
         throw base::RunError(
             "no Vulkan driver found; install the graphics card's, or for a software one mesa-vulkan-drivers");
     }
+    loadFunctions(nullptr, *m_handles->instance);
     if (options.validate && m_hasDebugUtils) {
         const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
             m_handles->instance->getProcAddr("vkCreateDebugUtilsMessengerEXT"));

@@ -39,7 +39,8 @@ struct InstanceOptions {
     std::vector<const char*> extensions;
 };
 
-/// The Vulkan loader's instance. base::RunError when there is no loader or no Vulkan 1.3.
+/// An instance of the Vulkan loader in use: a host's that a BorrowedDevice brought, else the system's. base::RunError when
+/// there is no loader or no Vulkan 1.3.
 class CDR_EXPORT Instance {
   public:
     /// Errors as above; base::InputError for an extension that is not there.

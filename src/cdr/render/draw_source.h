@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/geometry/layers.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/materials/material_words.h>
@@ -7,7 +8,6 @@
 #include <cdr/shaders/shared.h>
 
 #include <glm/glm.hpp>
-#include <vulkan/vulkan.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cdr/depth/mapping.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/level_choice.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstddef>
 #include <vector>

@@ -90,7 +90,7 @@ int main() try {
     VkPhysicalDeviceFeatures2 features{};
     features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
     features.pNext = &v12; // and what the engine itself needs
-    cdr::gpu::enableFeatures(physical, features);
+    cdr::gpu::enableFeatures(instance, physical, features);
     VkDevice device = makeDevice(physical, family, features);
 
     cdr::gpu::BorrowedDevice borrowed{.instance = instance,

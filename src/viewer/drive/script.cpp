@@ -1,12 +1,12 @@
 #include "script.h"
 
 #include <cdr/base/suggest.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/host/file.h>
 #include <viewer/window/window.h>
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <vulkan/vulkan.hpp>
 
 #include <array>
 #include <cctype>

@@ -1,7 +1,8 @@
 #include "shortcuts.h"
 
+#include <cdr/gpu/vulkan_hpp.h>
+
 #include <GLFW/glfw3.h>
-#include <vulkan/vulkan.hpp>
 
 namespace cdr::viewer {
 

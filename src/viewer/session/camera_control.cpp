@@ -1,5 +1,6 @@
 #include "camera_control.h"
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <viewer/panels/shortcuts.h>
 #include <viewer/state/camera/fly_controller.h>
 #include <viewer/state/camera/gamepad.h>
@@ -7,7 +8,6 @@
 #include <viewer/state/camera/obstacles.h>
 
 #include <GLFW/glfw3.h>
-#include <vulkan/vulkan.hpp>
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,7 @@
 #include "scene_renderer.h"
 
 #include <cdr/base/error.h>
-
-#include <vulkan/vulkan.hpp>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <exception>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vulkan/vulkan.hpp>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <cstdint>
 #include <optional>

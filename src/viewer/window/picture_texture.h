@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/image/image.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstddef>
 #include <memory>

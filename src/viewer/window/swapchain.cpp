@@ -1,6 +1,7 @@
 #include "swapchain.h"
 
 #include <cdr/base/error.h>
+#include <cdr/gpu/functions.h>
 #include <viewer/state/surface_choice.h>
 
 #include <algorithm>
@@ -85,7 +86,7 @@ void Swapchain::note(vk::Result result, const char* call) {
 std::optional<std::uint32_t> Swapchain::acquire(vk::Semaphore ready) {
     // The C call, since out of date is no error here.
     std::uint32_t index = 0;
-    const auto result = static_cast<vk::Result>(vkAcquireNextImageKHR(
+    const auto result = static_cast<vk::Result>(gpu::functions().vkAcquireNextImageKHR(
         m_device, *m_swapchain, std::numeric_limits<std::uint64_t>::max(), ready, VK_NULL_HANDLE, &index));
     note(result, "vkAcquireNextImageKHR");
     const bool hasImage = result == vk::Result::eSuccess || result == vk::Result::eSuboptimalKHR;
@@ -98,7 +99,8 @@ void Swapchain::present(vk::Queue queue, std::uint32_t image) {
                                   .swapchainCount = 1,
                                   .pSwapchains = &*m_swapchain,
                                   .pImageIndices = &image};
-    note(static_cast<vk::Result>(vkQueuePresentKHR(queue, &static_cast<const VkPresentInfoKHR&>(info))),
+    note(static_cast<vk::Result>(
+             gpu::functions().vkQueuePresentKHR(queue, &static_cast<const VkPresentInfoKHR&>(info))),
          "vkQueuePresentKHR");
 }
 

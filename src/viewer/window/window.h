@@ -2,7 +2,7 @@
 
 #include "input_event.h"
 
-#include <vulkan/vulkan.hpp>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <array>
 #include <cstdint>

@@ -1,10 +1,9 @@
 #include "../fixture.h"
 
 #include <cdr/base/error.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <scenes/city.h>
 #include <scenes/open_scene.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <memory>
 

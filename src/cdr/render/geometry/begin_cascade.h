@@ -1,8 +1,7 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/frame_view.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstddef>
 

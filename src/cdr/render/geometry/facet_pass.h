@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cdr/gpu/device.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/geometry/draw_job.h>
 #include <cdr/render/geometry/facet_meshes.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
-
-#include <vulkan/vulkan.hpp>
 
 namespace cdr::render {
 

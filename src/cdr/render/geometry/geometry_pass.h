@@ -1,13 +1,12 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/frame_view.h>
 #include <cdr/render/geometry/draw_job.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/shaders/shared.h>
 #include <cdr/visibility/bin.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 #include <span>

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cdr/depth/technique.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/render/geometry/batching.h>
 #include <cdr/render/layer_options.h>
 
 #include <glm/glm.hpp>
-#include <vulkan/vulkan.hpp>
 
 #include <array>
 #include <cstddef>

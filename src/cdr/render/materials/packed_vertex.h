@@ -1,9 +1,9 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/scene/mesh.h>
 
 #include <glm/glm.hpp>
-#include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 #include <vector>

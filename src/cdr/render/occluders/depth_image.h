@@ -1,8 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
-
-#include <vulkan/vulkan.hpp>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <cstddef>
 

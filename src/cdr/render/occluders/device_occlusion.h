@@ -1,9 +1,8 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/geometry/geometry_pass.h>
 #include <cdr/render/occluders/depth_image.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstddef>
 #include <cstdint>

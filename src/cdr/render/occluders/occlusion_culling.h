@@ -1,11 +1,10 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/submit/secondary_path.h>
 #include <cdr/visibility/depth_tiles.h>
 #include <cdr/visibility/occluders.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 #include <memory>

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/host_frame.h>
-
-#include <vulkan/vulkan.hpp>
 
 namespace cdr::render {
 

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cdr/gpu/pipeline.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/host_frame.h>
 #include <cdr/render/shading/shading_pass.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <utility>
 

@@ -1,12 +1,11 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/frame_view.h>
 #include <cdr/render/output/motion_history.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/targets/gbuffer.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 #include <vector>

@@ -2,8 +2,7 @@
 
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/pipeline.h>
-
-#include <vulkan/vulkan.hpp>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <cstddef>
 #include <cstdint>

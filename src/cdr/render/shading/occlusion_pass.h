@@ -1,8 +1,7 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/shading/fullscreen_pass.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 

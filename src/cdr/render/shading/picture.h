@@ -1,9 +1,8 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/effects.h>
 #include <cdr/render/shading/fullscreen_pass.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 #include <memory>

@@ -1,13 +1,12 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/effects.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/shading/occlusion_pass.h>
 #include <cdr/render/view_transform.h>
 #include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstddef>
 #include <cstdint>

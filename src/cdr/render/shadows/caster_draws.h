@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/shadows/light_view.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 #include <vector>

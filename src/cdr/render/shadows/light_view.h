@@ -1,11 +1,11 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/shadows/receiver_slices.h>
 #include <cdr/scene/scene.h>
 #include <cdr/shaders/shadows_shared.h>
 
 #include <glm/glm.hpp>
-#include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 #include <vector>

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/shadows/caster_draws.h>
-
-#include <vulkan/vulkan.hpp>
 
 namespace cdr::render {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/frame_view.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/shading/shading_pass.h>
@@ -7,8 +8,6 @@
 #include <cdr/render/shadows/shadow_map.h>
 #include <cdr/render/shadows/shadows.h>
 #include <cdr/visibility/cull_cells.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 #include <vector>

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstddef>
 #include <vector>

@@ -1,13 +1,12 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/frame.h>
 #include <cdr/render/frame_view.h>
 #include <cdr/render/geometry/geometry_pass.h>
 #include <cdr/render/submit/cascade_commands.h>
 #include <cdr/render/submit/submission.h>
 #include <cdr/visibility/cull_cells.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstddef>
 #include <functional>

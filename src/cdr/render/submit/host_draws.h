@@ -1,10 +1,9 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/geometry/draw_job.h>
 #include <cdr/render/submit/draw_path.h>
 #include <cdr/visibility/bin_cells.h>
-
-#include <vulkan/vulkan.hpp>
 
 namespace cdr::render {
 

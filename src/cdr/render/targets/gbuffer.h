@@ -2,11 +2,11 @@
 
 #include <cdr/depth/format.h>
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/targets/gbuffer_pixel.h>
 #include <cdr/shaders/shared.h>
 
 #include <glm/glm.hpp>
-#include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 #include <string>

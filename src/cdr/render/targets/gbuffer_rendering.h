@@ -1,8 +1,7 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/targets/gbuffer.h>
-
-#include <vulkan/vulkan.hpp>
 
 namespace cdr::render {
 

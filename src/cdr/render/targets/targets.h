@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/frame_view.h>
 #include <cdr/render/submit/cascade_commands.h>
 #include <cdr/render/targets/gbuffer.h>
 #include <cdr/render/targets/targets_choice.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <memory>
 

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/image/image.h>
 #include <cdr/render/readback.h>
-
-#include <vulkan/vulkan.hpp>
 
 namespace cdr::render {
 

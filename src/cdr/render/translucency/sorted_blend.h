@@ -1,10 +1,9 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/translucency/fragment_list.h>
 #include <cdr/render/translucency/translucent_frame.h>
-
-#include <vulkan/vulkan.hpp>
 
 namespace cdr::render {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/frame_view.h>
 #include <cdr/render/translucency/translucent_pipelines.h>
@@ -8,8 +9,6 @@
 #include <cdr/shaders/translucent_shared.h>
 #include <cdr/visibility/bin.h>
 #include <cdr/visibility/cull.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 #include <vector>

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/translucency/fragment_counter.h>
 #include <cdr/render/translucency/translucent_draws.h>
-
-#include <vulkan/vulkan.hpp>
 
 namespace cdr::render {
 

@@ -1,8 +1,7 @@
 #pragma once
 
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/draw_source.h>
-
-#include <vulkan/vulkan.hpp>
 
 #include <cstdint>
 #include <map>
