@@ -32,7 +32,7 @@ TEST_P(FaultTest, EndsInOneLine) {
     const TemporaryFolder folder;
     const ProgramResult result =
         runProgram(std::string(GetParam().arguments) + " --validate --size 320x180 -o a.png --json a.json",
-                   folder.path(), GetParam().fault.environment() + " timeout 100");
+                   folder.path(), GetParam().fault.environment() + " timeout 1000");
     EXPECT_EQ(result.status, 1) << result.err;
     EXPECT_NE(result.err.find(GetParam().says), std::string::npos) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;

@@ -37,7 +37,7 @@ class FaultSweep : public testing::TestWithParam<Swept> {
         const std::filesystem::path log = folder.path().string() + ".fault";
         Run run{.result = runProgram(std::string(GetParam().command) + " --validate", folder.path(),
                                      "CDR_FAULT_LOG='" + log.string() + "' " + fault.environment() +
-                                         " timeout 100"),
+                                         " timeout 1000"),
                 .failed = {}};
         std::istringstream(readText(log)) >> run.calls >> run.failed;
         std::filesystem::remove(log);

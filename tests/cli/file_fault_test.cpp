@@ -55,7 +55,7 @@ TEST_P(FileFaults, EveryWriteMayFail) {
     const auto run = [&](long after, int error, const TemporaryFolder& folder) {
         return runProgram(GetParam().command, folder.path(),
                           "CDR_FILE_FAULT='" + std::to_string(after) + " " + std::to_string(error) +
-                              "' LD_PRELOAD='" CDR_FILE_FAULTS "' timeout 100");
+                              "' LD_PRELOAD='" CDR_FILE_FAULTS "' timeout 1000");
     };
     constexpr long kNever = 1'000'000'000;
     constexpr long kMostCalls = 2000;

@@ -225,7 +225,7 @@ TEST_P(NumericOptions, EveryNumberIsTakenOrRefused) {
             const std::string arguments = std::string(GetParam().command) + replaced(quoted(option), value);
             SCOPED_TRACE(arguments);
             const TemporaryFolder folder;
-            const ProgramResult result = runProgram(arguments, folder.path(), "timeout 100");
+            const ProgramResult result = runProgram(arguments, folder.path(), "timeout 1000");
             EXPECT_TRUE(result.status == 0 || result.status == 2) << result.status << " " << result.err;
             EXPECT_TRUE(holdsWholeFiles(folder));
             if (result.status == 2) {
@@ -248,7 +248,7 @@ TEST_P(NumericOptions, WhatIsNoFiniteNumberIsRefused) {
             }
             const std::string arguments = std::string(GetParam().command) + replaced(quoted(option), value);
             const TemporaryFolder folder;
-            const ProgramResult result = runProgram(arguments, folder.path(), "timeout 100");
+            const ProgramResult result = runProgram(arguments, folder.path(), "timeout 1000");
             EXPECT_EQ(result.status, 2) << arguments << "\n" << result.err;
             EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
             EXPECT_TRUE(folder.isEmpty()) << arguments;

@@ -13,7 +13,7 @@ glm::vec<2, T> foldOctahedral(const glm::vec<2, T>& p) {
             (T(1) - std::abs(p.x)) * (p.y >= T(0) ? T(1) : T(-1))};
 }
 
-/// A direction, of any length, as two numbers in [-1, 1], as shaders/targets/octahedral.glsl has it. (0, 0) for
+/// A direction, of any length, as two numbers in [-1, 1], as shaders/public/cdr_octahedral.glsl has it. (0, 0) for
 /// no direction.
 template <typename T>
 glm::vec<2, T> encodeOctahedral(const glm::vec<3, T>& n) {

@@ -19,11 +19,7 @@
 namespace cdr::viewer {
 
 void Application::dropFiles(const DropInput& drop) {
-    const auto isScene = [](const std::filesystem::path& path) {
-        const std::string extension = path.extension().string();
-        return extension == ".gltf" || extension == ".glb";
-    };
-    const auto found = std::find_if(drop.paths.begin(), drop.paths.end(), isScene);
+    const auto found = std::find_if(drop.paths.begin(), drop.paths.end(), scene::isGltfPath);
     if (found == drop.paths.end()) {
         m_model.say(drop.paths.empty() ? "nothing that is a file was dropped"
                                        : fmt::format("{} is no scene: drop a .gltf or .glb file",

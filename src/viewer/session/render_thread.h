@@ -3,7 +3,7 @@
 #include "mailbox.h"
 
 #include <cdr/gpu/device.h>
-#include <viewer/state/render_request.h>
+#include <viewer/state/requests/render_request.h>
 
 #include <functional>
 #include <optional>

@@ -26,11 +26,11 @@ void SceneRenderer::open(const ViewSettings& settings) {
     auto moving = setup.motion ? std::make_unique<scenes::MovingScene>(setup.scene, setup.motion) : nullptr;
     render::GpuScene onDevice = moving != nullptr ? render::GpuScene(m_device, moving->world())
                                                   : render::GpuScene(m_device, setup.scene);
-    auto next = std::make_unique<OnStage>(
-        OnStage{.opened = opened,
-                .obstacles = std::make_shared<const Obstacles>(setup.scene, workers),
-                .moving = std::move(moving),
-                .onDevice = std::move(onDevice)});
+    auto next = std::make_unique<OpenScene>(
+        OpenScene{.opened = opened,
+                  .obstacles = std::make_shared<const Obstacles>(setup.scene, workers),
+                  .moving = std::move(moving),
+                  .onDevice = std::move(onDevice)});
     for (SideRenderer& side : m_sides) {
         side.drop();
     }

@@ -4,7 +4,7 @@
 
 #include <scenes/moving_scene.h>
 #include <viewer/state/flip_window.h>
-#include <viewer/state/render_request.h>
+#include <viewer/state/requests/render_request.h>
 
 #include <array>
 #include <chrono>
@@ -19,7 +19,7 @@ namespace cdr::viewer {
 /// where a view needs it or wrong pixels are counted. One thread's.
 class SceneRenderer {
   public:
-    /// The device must outlive the stage.
+    /// The device must outlive it.
     explicit SceneRenderer(const gpu::Device& device) : m_device(device) {}
 
     /// Opens what the request names unless it is open, and renders it. base::InputError or base::RunError say
@@ -31,7 +31,7 @@ class SceneRenderer {
 
   private:
     using Clock = std::chrono::steady_clock;
-    struct OnStage {
+    struct OpenScene {
         std::shared_ptr<const scene::OpenedScene> opened;
         std::shared_ptr<const Obstacles> obstacles;
         std::unique_ptr<scenes::MovingScene> moving; ///< null where nothing moves
@@ -52,7 +52,7 @@ class SceneRenderer {
     scenes::Colours m_colours = scenes::Colours::thesis;
     scene::GltfChoice m_choice;
     bool m_hasLevels = false; ///< of detail, which are made when first asked for
-    std::unique_ptr<OnStage> m_scene;
+    std::unique_ptr<OpenScene> m_scene;
     std::array<SideRenderer, 2> m_sides;
     SideRenderer m_reference;
     std::array<FlipWindow, 2> m_flips;

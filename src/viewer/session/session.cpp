@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <viewer/state/camera/fly_controller.h>
+#include <viewer/state/requests/next_request.h>
 #include <viewer/state/tour.h>
 #include <viewer/window/window.h>
 
@@ -17,10 +18,6 @@ namespace {
 /// While the camera moves, frames that picking can read come this often.
 constexpr std::chrono::milliseconds kSurfacesEvery{100};
 constexpr std::chrono::seconds kRateWindow{1};
-
-bool asksTheSame(const RenderRequest& a, const RenderRequest& b) {
-    return a.camera == b.camera && a.frame == b.frame && a.settings == b.settings && a.extent == b.extent;
-}
 
 } // namespace
 
@@ -93,7 +90,7 @@ void Session::followTour() {
     }
 }
 
-RenderRequest Session::wanted(const PictureArea& area) const {
+RenderRequest Session::wantedRequest(const PictureArea& area) const {
     RenderRequest request{
         .serial = m_serial + 1, .settings = m_model.settings, .extent = area.extent, .camera = {}};
     request.settings.divider = 0.5; // both sides are whole pictures, so it need not be rendered anew
@@ -127,25 +124,21 @@ void Session::update(const PictureArea& area, const glm::dvec2& cursor, double s
         m_model.actions.push_back(Action::record); // it is full
     }
     readCursor(area, cursor);
-    RenderRequest request = wanted(area);
-    const bool isChanged = !m_asked || !asksTheSame(*m_asked, request);
-    const bool isFlying = isSteered || m_model.motion != Motion::free || m_model.playback.isPlaying;
-    const bool isMoving = isFlying || m_model.rendersAlways;
     const auto now = Clock::now();
-    const bool isDue = (area.contains(cursor) || isSteered) && now - m_surfacesAsked >= kSurfacesEvery;
-    request.wantsSurfaces = !isMoving || isDue;
-    request.countsWrong = !isMoving;
-    const bool lacksSurfaces = m_asked && ((!m_asked->wantsSurfaces && request.wantsSurfaces) ||
-                                           (!m_asked->countsWrong && request.countsWrong));
-    request.isAtRest = !isChanged && !isFlying && remembersFrames(request.settings);
-    const bool lacksRest = request.isAtRest && !m_asked->isAtRest;
-    if (!isChanged && !((m_model.rendersAlways || lacksSurfaces || lacksRest) && m_thread->isReady())) {
+    Wanted wanted{.request = wantedRequest(area),
+                  .isFlying = isSteered || m_model.motion != Motion::free || m_model.playback.isPlaying,
+                  .rendersAlways = m_model.rendersAlways,
+                  .surfacesAreDue =
+                      (area.contains(cursor) || isSteered) && now - m_surfacesAsked >= kSurfacesEvery,
+                  .isThreadReady = m_thread->isReady()};
+    auto request = decide(m_asked ? &*m_asked : nullptr, std::move(wanted));
+    if (!request) {
         return;
     }
-    if (request.wantsSurfaces) {
+    if (request->wantsSurfaces) {
         m_surfacesAsked = now;
     }
-    ask(std::move(request));
+    ask(*std::move(request));
 }
 
 void Session::ask(RenderRequest request) {

@@ -51,7 +51,7 @@ class Session {
     void followPath(double seconds);
     void followTour();
     void followAnimation(double seconds);
-    RenderRequest wanted(const PictureArea& area) const;
+    RenderRequest wantedRequest(const PictureArea& area) const;
     void ask(RenderRequest request);
     void adopt(RenderResult result);
     void takeWrong(const RenderResult& result);

@@ -9,7 +9,7 @@
 
 namespace cdr::viewer {
 
-/// What all renderers of a stage share.
+/// What all renderers of an open scene share.
 struct SceneOnDevice {
     const gpu::Device& device;
     const scene::Scene& scene;

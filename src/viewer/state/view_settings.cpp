@@ -33,23 +33,6 @@ bool remembersFrames(const ViewSettings& settings) {
     return isFitted(settings.technique) || (settings.second && isFitted(*settings.second));
 }
 
-Rework reworkOf(const ViewSettings& before, const ViewSettings& after) {
-    const auto needsLevels = [](const ViewSettings& settings) {
-        return settings.finish.detail != visibility::DetailMode::none;
-    };
-    if (before.scene != after.scene || before.seed != after.seed || before.choice != after.choice ||
-        before.colours != after.colours || (needsLevels(after) && !needsLevels(before))) {
-        return Rework::scene;
-    }
-    if (before.technique != after.technique || before.second != after.second ||
-        before.targets != after.targets || before.submission != after.submission ||
-        before.batching != after.batching || before.threads != after.threads ||
-        before.finish != after.finish || needsReference(before.view) != needsReference(after.view)) {
-        return Rework::renderer;
-    }
-    return before.view == after.view ? Rework::nothing : Rework::picture;
-}
-
 render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t side,
                                     const PictureExtent& extent) {
     render::RenderOptions options{.width = extent.width,

@@ -50,15 +50,6 @@ struct ViewSettings {
 /// Whether what is drawn depends on the frames before, as fitted splits do.
 bool remembersFrames(const ViewSettings& settings);
 
-/// The least that has to be made anew.
-enum class Rework : std::uint8_t {
-    nothing,  ///< the divider moved, or nothing did
-    picture,  ///< another picture of the same frames
-    renderer, ///< at least one side's
-    scene,    ///< everything
-};
-Rework reworkOf(const ViewSettings& before, const ViewSettings& after);
-
 /// How one side, 0 left or 1 right, is rendered.
 render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t side,
                                     const PictureExtent& extent);

@@ -6,7 +6,7 @@
 #include "first_steps.h"
 #include "frame_statistics.h"
 #include "picking.h"
-#include "render_request.h"
+#include "requests/render_request.h"
 #include "video_recording.h"
 #include "view_settings.h"
 

@@ -140,10 +140,6 @@ vk::UniqueSurfaceKHR Window::makeSurface(vk::Instance instance) const {
     return vk::UniqueSurfaceKHR(surface, instance);
 }
 
-void Window::poll() const {
-    glfwPollEvents();
-}
-
 void Window::wait(double seconds) const {
     glfwWaitEventsTimeout(seconds);
 }

@@ -51,7 +51,6 @@ class Window {
     vk::UniqueSurfaceKHR makeSurface(vk::Instance instance) const;
 
     /// Processes what has arrived; waits for it at most that long.
-    void poll() const;
     void wait(double seconds) const;
     /// What happened since the last call, in order.
     std::vector<InputEvent> takeEvents();

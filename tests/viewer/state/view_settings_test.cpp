@@ -11,33 +11,6 @@ namespace cdr::viewer {
 
 namespace {
 
-TEST(ViewSettings, WhatAChangeTakes) {
-    const ViewSettings before;
-    const auto rework = [&](auto change) {
-        ViewSettings after = before;
-        change(after);
-        EXPECT_EQ(before == after,
-                  reworkOf(before, after) == Rework::nothing && before.divider == after.divider);
-        return reworkOf(before, after);
-    };
-    EXPECT_EQ(rework([](ViewSettings&) {}), Rework::nothing);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.divider = 0.7; }), Rework::nothing);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.view = ViewKind::ids; }), Rework::picture);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.view = ViewKind::wrong; }), Rework::renderer);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.technique.mapping = depth::Mapping::log; }), Rework::renderer);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.technique.split = depth::SplitCount{3}; }), Rework::renderer);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.technique.format = depth::DepthFormat::d16; }),
-              Rework::renderer);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.second = presetOfKey(1); }), Rework::renderer);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.targets = render::TargetsChoice::pool(4); }), Rework::renderer);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.threads = 2; }), Rework::renderer);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.submission = render::Submission::primaries; }),
-              Rework::renderer);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.batching = render::Batching::perObject; }), Rework::renderer);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.seed = 1; }), Rework::scene);
-    EXPECT_EQ(rework([](ViewSettings& s) { s.scene = "afc", s.threads = 2; }), Rework::scene);
-}
-
 TEST(ViewSettings, PresetKeysKeepTheFormatAndTheOtherSide) {
     ViewSettings settings;
     settings.technique.format = depth::DepthFormat::d24;

@@ -8,7 +8,7 @@
 
 namespace cdr::measure {
 
-/// How far around a pixel countCracks() looks for what it shows unless told: an error of half a pixel moves a
+/// How far around a pixel findCracks() looks for what it shows unless told: an error of half a pixel moves a
 /// silhouette by one at the picture's corners, and rasterisation rounds by another.
 inline constexpr std::uint32_t kCrackReach = 2;
 

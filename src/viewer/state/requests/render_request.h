@@ -1,13 +1,12 @@
 #pragma once
 
-#include "camera/obstacles.h"
-#include "view_settings.h"
-#include "worker_timeline.h"
-#include "wrong_view.h"
-
 #include <cdr/render/frame.h>
 #include <cdr/render/renderer.h>
 #include <scenes/open_scene.h>
+#include <viewer/state/camera/obstacles.h>
+#include <viewer/state/view_settings.h>
+#include <viewer/state/worker_timeline.h>
+#include <viewer/state/wrong_view.h>
 
 #include <cstdint>
 #include <exception>
