@@ -5,7 +5,7 @@
 
 struct Vertex {
     float3 position : POSITION;       // about the mesh's own origin
-    float3x3 turnAndScale : ROTATION; // object to view space, without translation
+    float3x3 turnAndScale : ROTATION; // object to view space, without translation; an attribute is a row
     float3 centre : CENTRE;           // view-space x and y, and the view distance beyond the anchor
 };
 struct Clipped {

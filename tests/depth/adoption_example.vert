@@ -5,7 +5,7 @@
 
 layout(push_constant) uniform Push { CdrCascade cascade; };
 layout(location = 0) in vec3 position;     // about the mesh's own origin
-layout(location = 1) in mat3 turnAndScale; // object to view space, without translation
+layout(location = 1) in mat3 turnAndScale; // object to view space, without translation; an attribute is a column
 layout(location = 4) in vec3 centre;       // view-space x and y, and the view distance beyond the anchor
 
 void main() {

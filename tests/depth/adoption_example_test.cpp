@@ -1,5 +1,4 @@
-#include <cdr/depth/cascade_constants.h>
-#include <cdr/depth/make_cascades.h>
+#include "adoption_example.h"
 
 #include <gtest/gtest.h>
 
@@ -15,56 +14,8 @@
 
 namespace {
 
-/// What an engine has anyway: objects in float64, and a view.
-struct Vec3 {
-    double x, y, z;
-};
-struct Object {
-    Vec3 centre; ///< view space: the eye is subtracted and axes are turned in float64
-    double radius;
-};
-struct Pass;
-struct Engine {
-    double nearView, farView, footprintSlope;
-    std::vector<Object> visible;
-    cdr::depth::Projection projection;
-    std::vector<Pass> passes;
-
-    void clearDepth(float value);
-    void setCascade(const cdr::depth::CascadeConstants& constants);
-    void draw(const Object& object, float x, float y, float ahead);
-};
-
-// quoted in src/cdr/README.md: begin
-using namespace cdr::depth;
-
-void drawAnchored(Engine& engine, Cascades& cascades) { // keep `cascades` from frame to frame
-    std::vector<Interval> occupied;
-    for (const Object& object : engine.visible) {
-        occupied.push_back({-object.centre.z - object.radius, -object.centre.z + object.radius});
-    }
-    cascades =
-        makeCascades(SplitFitted{}, {.nearView = engine.nearView,
-                                     .farView = engine.farView,
-                                     .model = {Mapping::anchored, DepthFormat::d32f},
-                                     .footprintSlope = engine.footprintSlope, // 2 tan(fovY / 2) / height
-                                     .visible = occupied,
-                                     .previous = cascades});
-    for (std::size_t i = cascades.size(); i-- > 0;) { // farthest first
-        const Cascade range = clipRange(Mapping::anchored, cascades, i);
-        const double anchorView = clipTerms(depthRange(Mapping::anchored, cascades, i)).anchorView;
-        engine.clearDepth(1.0f);
-        engine.setCascade(cascadeConstants(Mapping::anchored, cascades, i, engine.projection));
-        for (const Object& object : engine.visible) {
-            const double w = -object.centre.z;
-            if (w + object.radius >= range.nearView && w - object.radius <= range.farView) {
-                engine.draw(object, float(object.centre.x), float(object.centre.y),
-                            float(w - anchorView)); // subtracted in float64, then rounded
-            }
-        }
-    }
-}
-// quoted in src/cdr/README.md: end
+using cdr::depth::CascadeConstants;
+using cdr::depth::Cascades;
 
 struct Drawn {
     std::size_t object;
@@ -75,15 +26,16 @@ struct Pass {
     std::vector<Drawn> drawn;
 };
 
-void Engine::clearDepth(float) {
-    passes.emplace_back();
-}
-void Engine::setCascade(const cdr::depth::CascadeConstants& constants) {
-    passes.back().constants = constants;
-}
-void Engine::draw(const Object& object, float x, float y, float ahead) {
-    passes.back().drawn.push_back({static_cast<std::size_t>(&object - visible.data()), x, y, ahead});
-}
+/// Keeps what it is told to draw.
+struct RecordingEngine : adoption::Engine {
+    std::vector<Pass> passes{};
+
+    void clearDepth(float) override { passes.emplace_back(); }
+    void setCascade(const CascadeConstants& constants) override { passes.back().constants = constants; }
+    void draw(const adoption::Object& object, float x, float y, float ahead) override {
+        passes.back().drawn.push_back({static_cast<std::size_t>(&object - visible.data()), x, y, ahead});
+    }
+};
 
 std::vector<std::uint32_t> readSpirv(const char* path) {
     std::ifstream file(path, std::ios::binary);
@@ -125,18 +77,18 @@ float depthOf(const CascadeConstants& cascade, float ahead) {
 
 /// Followed to the letter, it orders two objects a million units away and ten micrometres apart.
 TEST(AdoptionExample, OrdersWhatFloat32DistancesCannot) {
-    Engine engine{.nearView = 0.001,
-                  .farView = 2e6,
-                  .footprintSlope = 5e-8,
-                  .visible = {{{0.0, 0.0, -0.01}, 0.002}},
-                  .projection = {.fovY = 1.0, .aspect = 1.5},
-                  .passes = {}};
+    RecordingEngine engine;
+    engine.nearView = 0.001;
+    engine.farView = 2e6;
+    engine.footprintSlope = 5e-8;
+    engine.visible = {{{0.0, 0.0, -0.01}, 0.002}};
+    engine.projection = {.fovY = 1.0, .aspect = 1.5};
     for (int i = 0; i < 100; ++i) {
         engine.visible.push_back({{0.0, 0.0, -1e6 + 0.1 * i}, 0.5});
         engine.visible.push_back({{0.0, 0.0, -1e6 + 0.1 * i - 1e-5}, 0.5});
     }
     Cascades cascades;
-    drawAnchored(engine, cascades);
+    adoption::drawAnchored(engine, cascades);
     ASSERT_EQ(engine.passes.size(), 2u);
     EXPECT_EQ(engine.passes[1].drawn.size(), 1u); // what is near has a cascade of its own, drawn last
     ASSERT_EQ(engine.passes[0].drawn.size(), 200u);

@@ -112,6 +112,95 @@ TEST(World, RefusesStaleHandlesByName) {
     EXPECT_NE(refusalOf([&] { world.removeLight({}); }), "");
 }
 
+struct Misuse {
+    const char* call;
+    std::function<void()> run;
+};
+
+void expectRefusals(const std::vector<Misuse>& misuses, const char* words) {
+    for (const Misuse& misuse : misuses) {
+        EXPECT_NE(refusalOf(misuse.run).find(words), std::string::npos)
+            << misuse.call << ": " << refusalOf(misuse.run);
+    }
+}
+
+TEST(World, EveryCallRefusesAHandleOfWhatWasRemoved) {
+    World world = boxWorld();
+    const MeshHandle mesh = world.addMesh(makeBox(glm::vec3(1.0f)));
+    const MaterialHandle material = world.addMaterial({});
+    const TextureHandle texture =
+        world.addTexture({.name = "dot", .pixels = image::ImageRgba8(1, 1, {1, 2, 3, 255})});
+    const InstanceHandle instance = world.addInstance(boxAt(world, {}));
+    const LightHandle light = world.addLight({});
+    world.removeMesh(mesh);
+    world.removeMaterial(material);
+    world.removeTexture(texture);
+    world.removeInstance(instance);
+    world.removeLight(light);
+    const InstanceHandle kept = world.instance(0);
+    const std::vector<InstanceHandle> both{kept, instance};
+    const std::vector<Transform> two(2);
+    const std::vector<Vertex> vertices = makeBox(glm::vec3(1.0f)).vertices;
+    expectRefusals(
+        {{"addInstance, mesh", [&] { world.addInstance({.mesh = mesh, .material = world.material(0)}); }},
+         {"addInstance, material", [&] { world.addInstance({.mesh = world.mesh(0), .material = material}); }},
+         {"removeInstance", [&] { world.removeInstance(instance); }},
+         {"setTransform", [&] { world.setTransform(instance, {}); }},
+         {"setTransforms", [&] { world.setTransforms(both, two); }},
+         {"setMaterial, instance", [&] { world.setMaterial(instance, world.material(0)); }},
+         {"setMaterial of an instance", [&] { world.setMaterial(kept, material); }},
+         {"setLight", [&] { world.setLight(light, {}); }},
+         {"removeLight", [&] { world.removeLight(light); }},
+         {"setVertices", [&] { world.setVertices(mesh, vertices); }},
+         {"removeMesh", [&] { world.removeMesh(mesh); }},
+         {"setMaterial", [&] { world.setMaterial(material, Material{}); }},
+         {"removeMaterial", [&] { world.removeMaterial(material); }},
+         {"removeTexture", [&] { world.removeTexture(texture); }},
+         {"instance", [&] { (void)world.instance(1); }},
+         {"mesh", [&] { (void)world.mesh(1); }},
+         {"material", [&] { (void)world.material(1); }},
+         {"texture", [&] { (void)world.texture(0); }},
+         {"light", [&] { (void)world.light(0); }}},
+        "is not there");
+    EXPECT_EQ(world.scene().instances.position(0), glm::dvec3(1.0, 2.0, 3.0));
+}
+
+TEST(World, EveryCallRefusesWhatIsNotFinite) {
+    World world = boxWorld();
+    const auto nan = static_cast<float>(kNan);
+    const LightHandle light = world.addLight({});
+    Mesh mesh = makeBox(glm::vec3(1.0f));
+    mesh.vertices[3].position.y = nan;
+    std::vector<Vertex> vertices = world.scene().meshes[0].vertices;
+    vertices[5].position.z = nan;
+    Material material;
+    material.baseColorFactor.x = nan;
+    expectRefusals({{"addInstance",
+                     [&] {
+                         world.addInstance(boxAt(world, {kNan, 0.0, 0.0}));
+                     }},
+                    {"setTransform",
+                     [&] {
+                         world.setTransform(world.instance(0), {.position = {0.0, 0.0, kNan}});
+                     }},
+                    {"addLight",
+                     [&] {
+                         world.addLight({.position = {kNan, 0.0, 0.0}});
+                     }},
+                    {"setLight",
+                     [&] {
+                         world.setLight(light, {.position = {0.0, kNan, 0.0}});
+                     }},
+                    {"addMesh", [&] { world.addMesh(mesh); }},
+                    {"setVertices", [&] { world.setVertices(world.mesh(0), vertices); }},
+                    {"addMaterial", [&] { world.addMaterial(material); }},
+                    {"setMaterial", [&] { world.setMaterial(world.material(0), material); }}},
+                   "finite");
+    EXPECT_EQ(world.scene().instances.size(), 1u);
+    EXPECT_EQ(world.scene().meshes.size(), 1u);
+    EXPECT_EQ(world.scene().materials.size(), 1u);
+}
+
 TEST(World, RefusesWhatCannotBeDrawn) {
     World world = boxWorld();
     const InstanceHandle box = world.instance(0);
