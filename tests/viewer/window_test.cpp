@@ -83,7 +83,7 @@ TEST_F(ViewerTest, ComesBackFromBeingMinimised) {
 }
 
 TEST_F(ViewerTest, OpensWhatIsDropped) {
-    fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "shapes.gltf");
+    fs::copy_file(CDR_SOURCE_DIR "/tests/golden/shapes.gltf", folder() / "Shapes.GLTF");
     std::ofstream(folder() / "broken.gltf") << "{ not a scene";
     const RunResult run = play("--size 800x480 --technique standard cubes",
                                "wait-frame\npicture cubes.png\ndrop Shapes.GLTF\nwait-frame\nstate\n"

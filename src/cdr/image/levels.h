@@ -12,7 +12,7 @@ namespace cdr::image {
 enum class Encoding : std::uint8_t { srgb, linear };
 
 /// A side of the next smaller level: half, rounded down, but at least 1.
-std::uint32_t halvedSide(std::uint32_t side);
+CDR_EXPORT std::uint32_t halvedSide(std::uint32_t side);
 
 /// How many levels a picture has, itself included, down to one pixel: 0 for one without pixels.
 CDR_EXPORT std::uint32_t levelCount(std::uint32_t width, std::uint32_t height);
