@@ -34,6 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     limits.maxFileBytes = 1u << 20;
     limits.maxTriangles = 10'000;
     limits.maxBytes = 64u << 20;
+    limits.threads = 1;
     try {
         // The folder does not exist, so no input can reach a real file.
         play(cdr::scene::gltf::importGltf({data, size}, "/nowhere/a.glb", limits));

@@ -207,5 +207,32 @@ TEST_F(Folder, WriteImageGoesByTheExtension) {
     EXPECT_EQ(filesInside(), 2u);
 }
 
+TEST(Codec, TheSizeIsReadFromTheHeaderAlone) {
+    std::vector<std::uint8_t> png = encodePng(noise(13, 7));
+    EXPECT_EQ(sizeOfEncoded(png, "picture"), (PictureSize{13, 7}));
+    png.resize(png.size() - 20); // cut off inside of its pixels
+    EXPECT_EQ(sizeOfEncoded(png, "picture"), (PictureSize{13, 7}));
+    const auto refusalOf = [](const std::vector<std::uint8_t>& encoded) -> std::string {
+        try {
+            sizeOfEncoded(encoded, "picture");
+        } catch (const base::InputError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    EXPECT_EQ(refusalOf({1, 2, 3}), "picture: neither PNG nor JPEG");
+    EXPECT_EQ(refusalOf({0xff, 0xd8, 0xff}).substr(0, 22), "picture: damaged JPEG:");
+    EXPECT_EQ(refusalOf(withPngSize(png, 20000, 3)),
+              "picture: 20000x3 pixels is over the limit of 16384 a side and 67108864 in all");
+    EXPECT_NE(refusalOf(withPngSize(png, 8000, 8000)).find("cannot hold 8000x8000 pixels"), std::string::npos);
+}
+
+TEST(Codec, TheSizeOfAJpegIsReadFromItsHeader) {
+    const std::vector<std::uint8_t> jpeg =
+        host::readFile(CDR_SOURCE_DIR "/tests/assets/stone.jpg", 1u << 20u);
+    const ImageRgba8 picture = decodeImage(jpeg, "stone");
+    EXPECT_EQ(sizeOfEncoded(jpeg, "stone"), (PictureSize{picture.width, picture.height}));
+}
+
 } // namespace
 } // namespace cdr::image

@@ -43,6 +43,16 @@ ImageRgba8 decodeImage(std::span<const std::uint8_t> encoded, const std::string&
     throw base::InputError(fmt::format("{}: neither PNG nor JPEG", name));
 }
 
+PictureSize sizeOfEncoded(std::span<const std::uint8_t> encoded, const std::string& name) {
+    if (looksLikePng(encoded)) {
+        return sizeOfPng(encoded, name);
+    }
+    if (looksLikeJpeg(encoded)) {
+        return sizeOfJpeg(encoded, name);
+    }
+    throw base::InputError(fmt::format("{}: neither PNG nor JPEG", name));
+}
+
 std::vector<std::uint8_t> encodeImage(const std::filesystem::path& path, const ImageRgba8& image) {
     const std::string extension = lowerCase(path.extension().string());
     if (extension == ".png") {

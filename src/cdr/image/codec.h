@@ -20,6 +20,18 @@ inline constexpr std::uint64_t kMaxDecodedPixels = 64ull << 20;
 /// @param name of the file, which the message begins with.
 ImageRgba8 decodeImage(std::span<const std::uint8_t> encoded, const std::string& name);
 
+/// Columns and rows of a picture.
+struct PictureSize {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+
+    bool operator==(const PictureSize&) const = default;
+};
+
+/// The size that decodeImage() would give, by the header alone. base::InputError for what the header shows to be no
+/// picture, or over the limits above.
+PictureSize sizeOfEncoded(std::span<const std::uint8_t> encoded, const std::string& name);
+
 /// A named 32-bit float channel of an EXR file.
 struct ExrChannel {
     std::string name;

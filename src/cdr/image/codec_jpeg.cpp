@@ -3,7 +3,6 @@
 #include "codec_limits.h"
 
 #include <cdr/base/error.h>
-#include <cdr/image/codec.h>
 
 #include <fmt/format.h>
 #include <turbojpeg.h>
@@ -29,17 +28,17 @@ using Decoder = std::unique_ptr<std::remove_pointer_t<tjhandle>, decltype(&tjDes
     throw base::InputError(fmt::format("{}: damaged JPEG: {}", name, tjGetErrorStr2(decoder.get())));
 }
 
-} // namespace
-
-bool looksLikeJpeg(std::span<const std::uint8_t> encoded) {
-    return encoded.size() >= 3 && encoded[0] == 0xff && encoded[1] == 0xd8 && encoded[2] == 0xff;
-}
-
-ImageRgba8 decodeJpeg(std::span<const std::uint8_t> encoded, const std::string& name) {
-    const Decoder decoder(tjInitDecompress(), &tjDestroy);
+Decoder makeDecoder() {
+    Decoder decoder(tjInitDecompress(), &tjDestroy);
     if (!decoder) {
         throw base::RunError("JPEG: out of memory");
     }
+    return decoder;
+}
+
+/// Bounds what decoding takes.
+PictureSize readHeader(const Decoder& decoder, std::span<const std::uint8_t> encoded,
+                       const std::string& name) {
     // 32 bits on some platforms.
     if (encoded.size() > std::numeric_limits<unsigned long>::max()) {
         throw base::InputError(fmt::format("{}: JPEG of {} bytes is too large", name, encoded.size()));
@@ -61,9 +60,26 @@ ImageRgba8 decodeJpeg(std::span<const std::uint8_t> encoded, const std::string& 
         throw base::InputError(fmt::format("{}: damaged JPEG: {} bytes cannot hold {}x{} pixels", name,
                                            encoded.size(), columns, rows));
     }
-    ImageRgba8 image(columns, rows);
-    if (tjDecompress2(decoder.get(), encoded.data(), size, image.pixels.front().data(), width,
-                      width * static_cast<int>(sizeof(Rgba8)), height, TJPF_RGBA, kFlags) != 0) {
+    return {columns, rows};
+}
+
+} // namespace
+
+bool looksLikeJpeg(std::span<const std::uint8_t> encoded) {
+    return encoded.size() >= 3 && encoded[0] == 0xff && encoded[1] == 0xd8 && encoded[2] == 0xff;
+}
+
+PictureSize sizeOfJpeg(std::span<const std::uint8_t> encoded, const std::string& name) {
+    return readHeader(makeDecoder(), encoded, name);
+}
+
+ImageRgba8 decodeJpeg(std::span<const std::uint8_t> encoded, const std::string& name) {
+    const Decoder decoder = makeDecoder();
+    const PictureSize size = readHeader(decoder, encoded, name);
+    ImageRgba8 image(size.width, size.height);
+    if (tjDecompress2(decoder.get(), encoded.data(), static_cast<unsigned long>(encoded.size()),
+                      image.pixels.front().data(), static_cast<int>(size.width), 0,
+                      static_cast<int>(size.height), TJPF_RGBA, kFlags) != 0) {
         refuse(decoder, name);
     }
     return image;

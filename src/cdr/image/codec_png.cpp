@@ -3,7 +3,6 @@
 #include "codec_limits.h"
 
 #include <cdr/base/error.h>
-#include <cdr/image/codec.h>
 
 #include <fmt/format.h>
 #include <spng.h>
@@ -61,6 +60,16 @@ void requirePlausible(const spng_ihdr& header, std::size_t encodedBytes, const s
     }
 }
 
+/// Starts to decode, and bounds what that takes.
+spng_ihdr readHeader(const Context& context, std::span<const std::uint8_t> encoded, const std::string& name) {
+    requireDecoded(spng_set_png_buffer(context.get(), encoded.data(), encoded.size()), name);
+    requireDecoded(spng_set_chunk_limits(context.get(), kMaxChunkBytes, kMaxChunkBytes), name);
+    spng_ihdr header{};
+    requireDecoded(spng_get_ihdr(context.get(), &header), name);
+    requirePlausible(header, encoded.size(), name);
+    return header;
+}
+
 } // namespace
 
 bool looksLikePng(std::span<const std::uint8_t> encoded) {
@@ -68,13 +77,14 @@ bool looksLikePng(std::span<const std::uint8_t> encoded) {
            std::equal(kSignature.begin(), kSignature.end(), encoded.begin());
 }
 
+PictureSize sizeOfPng(std::span<const std::uint8_t> encoded, const std::string& name) {
+    const spng_ihdr header = readHeader(makeContext(0), encoded, name);
+    return {header.width, header.height};
+}
+
 ImageRgba8 decodePng(std::span<const std::uint8_t> encoded, const std::string& name) {
     const Context context = makeContext(0);
-    requireDecoded(spng_set_png_buffer(context.get(), encoded.data(), encoded.size()), name);
-    requireDecoded(spng_set_chunk_limits(context.get(), kMaxChunkBytes, kMaxChunkBytes), name);
-    spng_ihdr header{};
-    requireDecoded(spng_get_ihdr(context.get(), &header), name);
-    requirePlausible(header, encoded.size(), name);
+    const spng_ihdr header = readHeader(context, encoded, name);
     ImageRgba8 image(header.width, header.height);
     requireDecoded(spng_decode_image(context.get(), image.pixels.data(), image.pixels.size() * sizeof(Rgba8),
                                      SPNG_FMT_RGBA8, SPNG_DECODE_TRNS),

@@ -5,6 +5,7 @@
 #include <cdr/scene/lod/mesh_pieces.h>
 #include <cdr/scene/scene.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -24,6 +25,9 @@ struct GltfLimits {
     /// Not refused but cut: meshes wider than this become pieces (cutIntoPieces()). Scene units, where the
     /// mesh's largest node has it.
     double pieceRadius = kPieceRadius;
+    /// Not refused but used: threads that decode pictures, at most; 0: as many as there are processors. What is imported
+    /// does not depend on it.
+    std::size_t threads = 0;
 };
 
 /// A perspective camera of a file, in world space. Its aspect ratio is left to the picture; where the file

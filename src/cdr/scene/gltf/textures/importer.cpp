@@ -1,9 +1,10 @@
-#include "checks.h"
-#include "json.h"
-#include "material.h"
+#include "importer.h"
 
-#include <cdr/image/codec.h>
+#include "../checks.h"
+#include "../json.h"
 
+#include <algorithm>
+#include <thread>
 #include <utility>
 
 namespace cdr::scene::gltf {
@@ -93,41 +94,46 @@ std::optional<std::uint32_t> TextureImporter::use(int index, TextureContent cont
         m_imported.try_emplace({*image, wrapU, wrapV, nearest, small.showsTexels, small.levels, content},
                                static_cast<std::uint32_t>(m_scene.textures.size()));
     if (isNew) {
-        Texture texture{.repeatU = wrapU != kClampToEdge,
-                        .repeatV = wrapV != kClampToEdge,
-                        .mirrorU = wrapU == kMirroredRepeat,
-                        .mirrorV = wrapV == kMirroredRepeat,
-                        .nearest = nearest,
-                        .nearestSmall = small.showsTexels,
-                        .levels = small.levels,
-                        .content = content};
-        texture.pixels = import(*image, texture.name);
-        m_scene.textures.push_back(std::move(texture));
+        Shown& shown = shownOf(*image);
+        m_pixels += std::uint64_t{shown.source.size.width} * shown.source.size.height;
+        if (m_pixels > kMaxTexturePixels) {
+            refuse("its textures have over {} pixels", kMaxTexturePixels);
+        }
+        shown.textures.push_back(found->second);
+        m_scene.textures.push_back({.name = shown.source.name,
+                                    .repeatU = wrapU != kClampToEdge,
+                                    .repeatV = wrapV != kClampToEdge,
+                                    .mirrorU = wrapU == kMirroredRepeat,
+                                    .mirrorV = wrapV == kMirroredRepeat,
+                                    .nearest = nearest,
+                                    .nearestSmall = small.showsTexels,
+                                    .levels = small.levels,
+                                    .content = content});
     }
     return found->second;
 }
 
-image::ImageRgba8 TextureImporter::import(int index, std::string& name) {
-    const json& source = itemAt(m_sources.document.root, "images", index, "image");
-    const std::optional<int> bufferView = indexMember(source, "bufferView");
-    const std::optional<std::string> uri = stringMember(source, "uri");
-    if (bufferView.has_value() == uri.has_value()) {
-        refuse("image {} must have one of 'uri' and 'bufferView'", index);
+TextureImporter::Shown& TextureImporter::shownOf(int image) {
+    const auto [found, isNew] = m_shownOf.try_emplace(image, m_shown.size());
+    if (isNew) {
+        m_shown.push_back({.source = readPictureSource(m_sources, image), .textures = {}});
     }
-    host::Bytes owned;
-    std::span<const std::uint8_t> encoded;
-    if (uri) {
-        encoded = owned = m_sources.files.read(*uri);
-    } else {
-        encoded = m_sources.buffers.view(*bufferView).bytes;
+    return m_shown[found->second];
+}
+
+void TextureImporter::decode(std::size_t threads) {
+    const std::size_t most = threads != 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+    host::WorkerPool workers(std::clamp<std::size_t>(m_shown.size(), 1, std::min(most, host::WorkerPool::kMaxThreads)));
+    workers.run(m_shown.size(), [&](std::size_t i, std::size_t) { fill(m_shown[i]); });
+}
+
+void TextureImporter::fill(Shown& shown) {
+    image::ImageRgba8 pixels = shown.source.decode();
+    shown.source.owned = {};
+    for (std::size_t i = 1; i < shown.textures.size(); ++i) {
+        m_scene.textures[shown.textures[i]].pixels = pixels;
     }
-    name = oneLine(fullNameOf(source));
-    image::ImageRgba8 pixels = image::decodeImage(encoded, fmt::format("image {}", index));
-    m_pixels += pixels.pixels.size();
-    if (m_pixels > kMaxTexturePixels) {
-        refuse("its textures have over {} pixels", kMaxTexturePixels);
-    }
-    return pixels;
+    m_scene.textures[shown.textures.front()].pixels = std::move(pixels);
 }
 
 } // namespace cdr::scene::gltf

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "picture_source.h"
+
+#include "../sources.h"
+
+#include <cdr/host/worker_pool.h>
+#include <cdr/scene/scene.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace cdr::scene::gltf {
+
+/// Imports textures into a scene, each picture and way to read it once. Pictures are decoded last, and all at once.
+class TextureImporter {
+  public:
+    TextureImporter(const Sources& sources, Scene& scene);
+
+    /// Index into Scene::textures of a glTF texture; nothing when only an extension supplies its picture. It has no
+    /// pixels yet.
+    std::optional<std::uint32_t> use(int index, TextureContent content);
+
+    /// Decodes what textures show. The first picture that is damaged, in the order of use(), is the one refused.
+    /// @param threads as GltfLimits::threads.
+    void decode(std::size_t threads);
+
+  private:
+    /// A picture, and which of the scene's textures show it.
+    struct Shown {
+        PictureSource source;
+        std::vector<std::uint32_t> textures;
+    };
+
+    /// The texture's image; nothing, with a note, when only an extension supplies it.
+    std::optional<int> imageOf(int index);
+    Shown& shownOf(int image);
+    /// Gives a picture to the textures that show it.
+    void fill(Shown& shown);
+
+    /// Image, how it goes on along u and v, whether single texels show where large and where small, levels, what its
+    /// channels are.
+    using Key = std::tuple<int, int, int, bool, bool, TextureLevels, TextureContent>;
+
+    Sources m_sources;
+    Scene& m_scene;
+    std::map<Key, std::uint32_t> m_imported;
+    std::map<int, std::size_t> m_shownOf; ///< by image
+    std::vector<Shown> m_shown;           ///< in the order of use()
+    std::uint64_t m_pixels = 0;
+};
+
+} // namespace cdr::scene::gltf
