@@ -68,7 +68,9 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
     if (scene::isGltfPath(nameOrPath)) {
         reads(nameOrPath);
     }
-    scene::OpenedScene opened = scenes::openScene(nameOrPath, seed, choice);
+    scene::GltfChoice bounded = choice;
+    bounded.textureMiB = m_global.textureMiB;
+    scene::OpenedScene opened = scenes::openScene(nameOrPath, seed, bounded);
     note(opened.notes);
     return std::move(opened.setup);
 }

@@ -35,6 +35,9 @@ std::string viewerProgram() {
     if (global.unit != base::LengthUnit::none) {
         arguments.insert(arguments.begin(), fmt::format("--unit={}", nameOf(global.unit)));
     }
+    if (global.textureMiB) {
+        arguments.insert(arguments.begin(), fmt::format("--texture-memory={}", *global.textureMiB));
+    }
     arguments.insert(arguments.begin(), viewerProgram());
     std::vector<char*> pointers;
     for (std::string& argument : arguments) {

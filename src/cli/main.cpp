@@ -7,6 +7,7 @@
 #include <cdr/host/document.h>
 #include <cdr/host/standard_streams.h>
 #include <cdr/host/unfinished_file.h>
+#include <experiments/camera_options.h>
 #include <experiments/help_format.h>
 
 #include <fmt/format.h>
@@ -85,6 +86,7 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
             "--unit", [&global](const std::string& name) { global.unit = cdr::base::parseLengthUnit(name); },
             "Unit of printed lengths where scenes are in metres: none, auto, um, mm, m or km; JSON has none")
         ->default_str("none");
+    cdr::experiments::addTextureMemory(program, global.textureMiB);
     program.add_flag("--quiet", global.quiet, "Print nothing but errors and what of a file is not drawn");
     program.add_flag("--share-machine", global.shareMachine,
                      "Under mpirun: measure time though several ranks share a machine");

@@ -23,6 +23,7 @@ struct GlobalOptions {
     bool validate = false;
     bool quiet = false;
     bool shareMachine = false; ///< time though other ranks of the run keep the same machine busy
+    std::optional<std::uint64_t> textureMiB;        ///< as scene::GltfChoice has it
     base::LengthUnit unit = base::LengthUnit::none; ///< of lengths in tables and sentences
     ranks::Ranks* ranks = nullptr;                  ///< of the run; main() fills it in
     std::string section; ///< of a report that the command runs for: only its progress shows, under this name

@@ -83,6 +83,13 @@ void addColours(CLI::App& command, std::string& colours) {
         ->capture_default_str();
 }
 
+void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMiB) {
+    command
+        .add_option("--texture-memory", textureMiB,
+                    "Most MiB of a glTF file's textures, which are shown smaller to fit")
+        ->check(CLI::Range(std::uint64_t{1}, scene::kMostTextureMiB));
+}
+
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
     command.add_option("--gltf-scene", choice.scene, "Scene of a glTF file, from 0; its default one");
     command.add_option("--camera", choice.camera,

@@ -35,6 +35,8 @@ struct CameraOptions {
 void addFrameOptions(CLI::App& command, CameraOptions& options);
 /// Adds --path, --eye, --target, --direction, --up, --fov, --near and --far.
 void addCameraOptions(CLI::App& command, CameraOptions& options);
+/// Adds --texture-memory.
+void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMiB);
 /// Adds --gltf-scene and --camera.
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
 /// Adds --animation, --time and --fps.

@@ -59,7 +59,9 @@ scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
     if (scene::isGltfPath(nameOrPath)) {
         return scene::openGltf(nameOrPath, choice);
     }
-    if (choice != scene::GltfChoice{}) {
+    scene::GltfChoice ofFiles = choice;
+    ofFiles.textureMiB.reset(); // holds whatever is opened
+    if (ofFiles != scene::GltfChoice{}) {
         throw base::InputError(
             "--gltf-scene, --camera, --light, --animation, --time and --fps are for .gltf and .glb files, not " +
             nameOrPath);

@@ -92,6 +92,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"shadows alley --methods plan --json t.json", "did you mean 'plain'"},
         BadInput{"shadows alley --methods none --json t.json", "nothing to compare"},
         BadInput{"render sheets --translucency-memory 0 -o a.png", "--translucency-memory"},
+        BadInput{"render sheets --texture-memory 0 -o a.png", "--texture-memory"},
+        BadInput{"--texture-memory 1e3x inspect sheets", "--texture-memory"},
         BadInput{"translucency afc --json t.json", "no translucent surfaces"},
         BadInput{"translucency --cascades 2,65 --json t.json", "64"},
         BadInput{"render afc --targets pool:x -o a.png", "pool:N takes a whole number of layers"},

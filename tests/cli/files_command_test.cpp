@@ -1,5 +1,7 @@
 #include "program.h"
 
+#include <cdr/image/codec.h>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -51,6 +53,30 @@ TEST(Files, ScenesOfOneNameAreRefused) {
     EXPECT_NE(result.err.find("a/m.gltf and b/m.gltf would both be written as m_*.png"), std::string::npos)
         << result.err;
     EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
+/// Every command that opens a file takes the budget, in front of the command or behind it.
+TEST(Files, ABudgetShrinksTexturesAndSaysSo) {
+    const TemporaryFolder folder;
+    json model = json::parse(readText(CDR_SOURCE_DIR "/tests/golden/shapes.gltf"));
+    image::writeImage(folder.path() / "large.png", image::ImageRgba8(600, 600, {200, 100, 50, 255}));
+    model["images"] = {{{"uri", "large.png"}}};
+    model["textures"] = {{{"source", 0}}};
+    for (json& material : model["materials"]) {
+        material["emissiveTexture"] = {{"index", 0}};
+    }
+    std::ofstream(folder.path() / "m.gltf") << model.dump();
+    const std::string said = "shown smaller than it is, so that all textures fit in 1 MiB";
+    for (const char* arguments : {"render m.gltf --size 16x16 --texture-memory 1 -o a.png",
+                                  "--texture-memory 1 render m.gltf --size 16x16 -o b.png",
+                                  "inspect m.gltf --size 16x16 --texture-memory 1",
+                                  "effects m.gltf --frames 1 --size 16x16 --texture-memory 1"}) {
+        const ProgramResult result = runProgram(arguments, folder.path());
+        EXPECT_EQ(result.status, 0) << arguments << result.err;
+        EXPECT_NE(result.err.find(said), std::string::npos) << arguments << result.err;
+    }
+    const ProgramResult whole = runProgram("render m.gltf --size 16x16 -o c.png", folder.path());
+    EXPECT_EQ(whole.err.find("shown smaller"), std::string::npos) << whole.err;
 }
 
 TEST(Files, DevicesTakeSeveralOutputs) {

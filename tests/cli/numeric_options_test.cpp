@@ -95,6 +95,7 @@ const std::vector<Numbers> kNumbersOfCommands{
       "--gltf-scene @",
       "--snap-bits @",
       "--translucency-memory @",
+      "--texture-memory @",
       "--split ratio:@",
       "--split count:@",
       "--split at:@",

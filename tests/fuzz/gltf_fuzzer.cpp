@@ -35,6 +35,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     limits.maxTriangles = 10'000;
     limits.maxBytes = 64u << 20;
     limits.threads = 1;
+    if (size % 2 != 0) {
+        limits.textureMemory = 1u << 12;
+    }
     try {
         // The folder does not exist, so no input can reach a real file.
         play(cdr::scene::gltf::importGltf({data, size}, "/nowhere/a.glb", limits));

@@ -224,7 +224,8 @@ TEST(Codec, TheSizeIsReadFromTheHeaderAlone) {
     EXPECT_EQ(refusalOf({0xff, 0xd8, 0xff}).substr(0, 22), "picture: damaged JPEG:");
     EXPECT_EQ(refusalOf(withPngSize(png, 20000, 3)),
               "picture: 20000x3 pixels is over the limit of 16384 a side and 67108864 in all");
-    EXPECT_NE(refusalOf(withPngSize(png, 8000, 8000)).find("cannot hold 8000x8000 pixels"), std::string::npos);
+    EXPECT_NE(refusalOf(withPngSize(png, 8000, 8000)).find("cannot hold 8000x8000 pixels"),
+              std::string::npos);
 }
 
 TEST(Codec, TheSizeOfAJpegIsReadFromItsHeader) {

@@ -71,6 +71,7 @@ void addPlace(CLI::App& program, Arguments& arguments) {
     experiments::addCameraOptions(program, arguments.camera);
     experiments::addSceneChoice(program, arguments.choice);
     experiments::addAnimationChoice(program, arguments.choice);
+    experiments::addTextureMemory(program, arguments.choice.textureMiB);
     program.option_defaults()->group("Options");
 }
 

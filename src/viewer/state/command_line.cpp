@@ -141,6 +141,8 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
                     fmt::format("{}", settings.choice.seconds.value_or(0.0)));
     words.addUnless(!settings.choice.framesPerSecond, "--fps",
                     fmt::format("{}", settings.choice.framesPerSecond.value_or(0.0)));
+    words.addUnless(!settings.choice.textureMiB, "--texture-memory",
+                    fmt::format("{}", settings.choice.textureMiB.value_or(0)));
     words.addUnless(settings.seed == scenes::kDefaultSeed, "--seed", fmt::format("{}", settings.seed));
     words.add("--size", fmt::format("{}x{}", view.extent.width, view.extent.height));
     words.addUnless(aovOf(settings.view) == "color", "--aov", aovOf(settings.view));

@@ -89,5 +89,57 @@ TEST_F(GltfTextures, OnePictureReadInTwoWaysIsDecodedForBoth) {
     EXPECT_EQ(scene.textures[1].pixels, picture(4, 4));
 }
 
+TEST_F(GltfTextures, ABudgetTakesLevelsFromThoseThatTakeMost) {
+    const std::vector<Bytes> pictures{image::encodePng(picture(1024, 512)), image::encodePng(picture(64, 64)),
+                                      image::encodePng(picture(512, 512))};
+    const Document document = with(pictures);
+    EXPECT_TRUE(import(document, {.textureMemory = 5u << 20u}).ignored.empty()); // they take 4.1 MiB
+    const GltfImport shrunk = import(document, {.textureMemory = 1u << 20u});
+    const std::vector<Texture>& textures = shrunk.scene.textures;
+    ASSERT_EQ(textures.size(), 3u);
+    EXPECT_EQ(textures[0].pixels.width, 256u);
+    EXPECT_EQ(textures[0].pixels.height, 128u);
+    EXPECT_EQ(textures[1].pixels, picture(64, 64));
+    EXPECT_EQ(textures[2].pixels.width, 256u);
+    EXPECT_EQ(textures[0].pixels, image::smallerLevels(picture(1024, 512), image::Encoding::srgb, 2).back());
+    EXPECT_TRUE(anySays(shrunk.ignored, "image 0 and 1 more: shown smaller than it is, so that all textures "
+                                        "fit in 1 MiB"));
+    std::uint64_t pixels = 0;
+    for (const Texture& texture : textures) {
+        pixels += image::levelPixels(texture.pixels.width, texture.pixels.height, 99);
+    }
+    EXPECT_LE(pixels * 4, 1u << 20u);
+}
+
+TEST_F(GltfTextures, ABudgetCountsLevelsOnlyWhereThereAreAny) {
+    Document document = with({image::encodePng(picture(512, 512))});
+    EXPECT_EQ(import(document, {.textureMemory = 1u << 20u}).scene.textures[0].pixels.width, 256u);
+    document.root["samplers"] = {{{"minFilter", 9729}}};
+    document.root["textures"][0]["sampler"] = 0;
+    EXPECT_EQ(import(document, {.textureMemory = 1u << 20u}).scene.textures[0].pixels.width, 512u);
+}
+
+TEST_F(GltfTextures, DataShrinksAsDataAndColourAsLight) {
+    image::ImageRgba8 stripes(2, 1, {0, 0, 0, 255});
+    stripes.at(1, 0) = {255, 255, 255, 255};
+    Document document = with({image::encodePng(stripes)});
+    document.root["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
+    const std::vector<Texture> textures = import(document, {.textureMemory = 8}).scene.textures;
+    ASSERT_EQ(textures.size(), 2u);
+    EXPECT_EQ(textures[0].pixels.at(0, 0)[0], 188);
+    EXPECT_EQ(textures[1].pixels.at(0, 0)[0], 128);
+}
+
+/// Sizes are read before pixels, so what is over the limit is refused while it takes no memory.
+TEST_F(GltfTextures, WhatIsOverTheLimitIsRefusedBeforeItIsDecoded) {
+    const Bytes good = image::encodePng(picture(64, 64));
+    Bytes damaged = good;
+    damaged.resize(damaged.size() / 2); // is refused when it is decoded
+    const Document document = with({damaged, good, good});
+    // Three textures of one pixel each are the least.
+    expectSays(refusalOf(document, {.textureMemory = 11}), "its textures take 0 MiB, over the limit of 0");
+    expectSays(refusalOf(document, {.textureMemory = 12}), "image 0: damaged PNG");
+}
+
 } // namespace
 } // namespace cdr::scene::test

@@ -57,6 +57,14 @@ scene::Camera cameraIn(const std::string& line) {
     return camera;
 }
 
+TEST(RenderCommand, KeepsTheTexturesBudget) {
+    ReproducedView view = viewWith(kOwn);
+    EXPECT_EQ(renderCommand(view, "a.png").find("--texture-memory"), std::string::npos);
+    view.settings.scene = "model.glb";
+    view.settings.choice.textureMiB = 64;
+    EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--texture-memory"), "64");
+}
+
 TEST(RenderCommand, LeavesOutWhatIsTheScenesOwn) {
     EXPECT_EQ(renderCommand(viewWith(kOwn)),
               "cdr render rotation --technique=anchored --size=640x360 --output=view.png");

@@ -67,7 +67,7 @@ class Importer {
         for (const MeshNode& node : nodes.meshes) {
             addObject(node);
         }
-        m_materials.decodeTextures(m_limits.threads);
+        m_materials.decodeTextures(m_limits);
         result.animation = m_moving->finish(m_scene);
         result.rigNodeOf = m_moving->rigNodes();
         result.scene = std::move(m_scene);

@@ -25,6 +25,9 @@ struct GltfLimits {
     /// Not refused but cut: meshes wider than this become pieces (cutIntoPieces()). Scene units, where the
     /// mesh's largest node has it.
     double pieceRadius = kPieceRadius;
+    /// Not refused but shrunk, with a note: the bytes of all textures with their levels, by leaving out the largest levels
+    /// of the largest textures. Without it, what takes 1366 MiB is refused.
+    std::optional<std::uint64_t> textureMemory{};
     /// Not refused but used: threads that decode pictures, at most; 0: as many as there are processors. What is imported
     /// does not depend on it.
     std::size_t threads = 0;

@@ -7,7 +7,6 @@
 
 #include <cdr/scene/scene.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -34,7 +33,7 @@ class MaterialImporter {
     const MaterialUse& use(int material);
 
     /// TextureImporter::decode(), once all materials are there.
-    void decodeTextures(std::size_t threads) { m_textures.decode(threads); }
+    void decodeTextures(const GltfLimits& limits) { m_textures.decode(limits); }
 
   private:
     MaterialUse import(int index);

@@ -119,6 +119,10 @@ void requireUsable(const GltfChoice& choice) {
         throw base::InputError(fmt::format("--fps must be above 0 and at most {}, not {}",
                                            kMostFramesPerSecond, *choice.framesPerSecond));
     }
+    if (choice.textureMiB && (*choice.textureMiB < 1 || *choice.textureMiB > kMostTextureMiB)) {
+        throw base::InputError(fmt::format("--texture-memory must be from 1 to {}, in MiB, not {}",
+                                           kMostTextureMiB, *choice.textureMiB));
+    }
 }
 
 /// An animation by its name, else by its number.
@@ -196,7 +200,11 @@ std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame) {
 
 OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice) {
     requireUsable(choice);
-    GltfImport import = loadGltf(path, {}, choice.scene);
+    GltfLimits limits;
+    if (choice.textureMiB) {
+        limits.textureMemory = *choice.textureMiB << 20u;
+    }
+    GltfImport import = loadGltf(path, limits, choice.scene);
     const std::optional<GltfCamera> camera = chosenCamera(path, import, choice.camera);
     if (!camera && !import.cameras.empty()) {
         import.ignored.push_back(import.cameras.size() == 1

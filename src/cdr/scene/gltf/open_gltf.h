@@ -36,9 +36,14 @@ struct GltfChoice {
     std::optional<std::string> animation{};
     std::optional<double> seconds{};         ///< of the animation at frame 0, at least 0; else 0
     std::optional<double> framesPerSecond{}; ///< above 0; else every frame shows the same moment
+    /// Most MiB of all textures with their levels, at least 1: those that take most lose their largest levels, with a note.
+    std::optional<std::uint64_t> textureMiB{};
 
     bool operator==(const GltfChoice&) const = default;
 };
+
+/// Most that GltfChoice::textureMiB takes: 4 TiB.
+inline constexpr std::uint64_t kMostTextureMiB = std::uint64_t{1} << 22u;
 
 /// The moment that a frame shows, where an animation is played.
 CDR_EXPORT std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame);

@@ -3,6 +3,9 @@
 #include "../checks.h"
 #include "../json.h"
 
+#include <cdr/host/worker_pool.h>
+#include <cdr/image/levels.h>
+
 #include <algorithm>
 #include <thread>
 #include <utility>
@@ -13,8 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Most pixels of all textures of one file together: 4 bytes each, so 1 GiB.
-constexpr std::uint64_t kMaxTexturePixels = 256ull << 20;
+/// Most that all textures of one file take with their levels, where nothing else is said: 1 GiB and a third of it.
+constexpr std::uint64_t kMaxTextureBytes = 1366ull << 20;
 
 /// glTF's numbers for how a texture goes on beyond its edge.
 enum Wrap { kClampToEdge = 33071, kMirroredRepeat = 33648, kRepeat = 10497 };
@@ -95,11 +98,8 @@ std::optional<std::uint32_t> TextureImporter::use(int index, TextureContent cont
                                static_cast<std::uint32_t>(m_scene.textures.size()));
     if (isNew) {
         Shown& shown = shownOf(*image);
-        m_pixels += std::uint64_t{shown.source.size.width} * shown.source.size.height;
-        if (m_pixels > kMaxTexturePixels) {
-            refuse("its textures have over {} pixels", kMaxTexturePixels);
-        }
         shown.textures.push_back(found->second);
+        m_needs.push_back({.size = shown.source.size, .hasLevels = small.levels != TextureLevels::none});
         m_scene.textures.push_back({.name = shown.source.name,
                                     .repeatU = wrapU != kClampToEdge,
                                     .repeatV = wrapV != kClampToEdge,
@@ -121,19 +121,50 @@ TextureImporter::Shown& TextureImporter::shownOf(int image) {
     return m_shown[found->second];
 }
 
-void TextureImporter::decode(std::size_t threads) {
-    const std::size_t most = threads != 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
-    host::WorkerPool workers(std::clamp<std::size_t>(m_shown.size(), 1, std::min(most, host::WorkerPool::kMaxThreads)));
-    workers.run(m_shown.size(), [&](std::size_t i, std::size_t) { fill(m_shown[i]); });
+std::vector<std::uint32_t> TextureImporter::dropLevels(const std::optional<std::uint64_t>& bytes) {
+    std::vector<std::uint32_t> dropped(m_needs.size(), 0);
+    if (bytes) {
+        dropped = levelsToDrop(m_needs, *bytes);
+        for (const Shown& shown : m_shown) {
+            if (std::any_of(shown.textures.begin(), shown.textures.end(),
+                            [&](std::uint32_t texture) { return dropped[texture] > 0; })) {
+                m_sources.notes.add(
+                    fmt::format("shown smaller than it is, so that all textures fit in {} MiB",
+                                *bytes >> 20u),
+                    shown.source.label());
+            }
+        }
+    }
+    const std::uint64_t needed = textureBytes(m_needs, dropped);
+    if (needed > bytes.value_or(kMaxTextureBytes)) {
+        refuse("its textures take {} MiB, over the limit of {}; --texture-memory shows them smaller",
+               needed >> 20u, bytes.value_or(kMaxTextureBytes) >> 20u);
+    }
+    return dropped;
 }
 
-void TextureImporter::fill(Shown& shown) {
-    image::ImageRgba8 pixels = shown.source.decode();
+void TextureImporter::decode(const GltfLimits& limits) {
+    const std::vector<std::uint32_t> dropped = dropLevels(limits.textureMemory);
+    const std::size_t most =
+        limits.threads != 0 ? limits.threads : std::max(1u, std::thread::hardware_concurrency());
+    host::WorkerPool workers(
+        std::clamp<std::size_t>(m_shown.size(), 1, std::min(most, host::WorkerPool::kMaxThreads)));
+    workers.run(m_shown.size(), [&](std::size_t i, std::size_t) { fill(m_shown[i], dropped); });
+}
+
+void TextureImporter::fill(Shown& shown, const std::vector<std::uint32_t>& dropped) {
+    const image::ImageRgba8 pixels = shown.source.decode();
     shown.source.owned = {};
-    for (std::size_t i = 1; i < shown.textures.size(); ++i) {
-        m_scene.textures[shown.textures[i]].pixels = pixels;
+    for (const std::uint32_t index : shown.textures) {
+        Texture& texture = m_scene.textures[index];
+        const auto encoding =
+            texture.content == TextureContent::color ? image::Encoding::srgb : image::Encoding::linear;
+        if (dropped[index] == 0) {
+            texture.pixels = pixels;
+        } else {
+            texture.pixels = std::move(image::smallerLevels(pixels, encoding, dropped[index]).back());
+        }
     }
-    m_scene.textures[shown.textures.front()].pixels = std::move(pixels);
 }
 
 } // namespace cdr::scene::gltf

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "../sources.h"
+#include "budget.h"
 #include "picture_source.h"
 
-#include "../sources.h"
-
-#include <cdr/host/worker_pool.h>
+#include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/scene.h>
 
 #include <cstdint>
@@ -25,8 +25,8 @@ class TextureImporter {
     std::optional<std::uint32_t> use(int index, TextureContent content);
 
     /// Decodes what textures show. The first picture that is damaged, in the order of use(), is the one refused.
-    /// @param threads as GltfLimits::threads.
-    void decode(std::size_t threads);
+    /// Leaves out the largest levels of some, with a note, where GltfLimits::textureMemory asks for it.
+    void decode(const GltfLimits& limits);
 
   private:
     /// A picture, and which of the scene's textures show it.
@@ -38,8 +38,10 @@ class TextureImporter {
     /// The texture's image; nothing, with a note, when only an extension supplies it.
     std::optional<int> imageOf(int index);
     Shown& shownOf(int image);
+    /// By texture, how many of its largest levels are left out. Refuses what takes too much even so.
+    std::vector<std::uint32_t> dropLevels(const std::optional<std::uint64_t>& bytes);
     /// Gives a picture to the textures that show it.
-    void fill(Shown& shown);
+    void fill(Shown& shown, const std::vector<std::uint32_t>& dropped);
 
     /// Image, how it goes on along u and v, whether single texels show where large and where small, levels, what its
     /// channels are.
@@ -50,7 +52,7 @@ class TextureImporter {
     std::map<Key, std::uint32_t> m_imported;
     std::map<int, std::size_t> m_shownOf; ///< by image
     std::vector<Shown> m_shown;           ///< in the order of use()
-    std::uint64_t m_pixels = 0;
+    std::vector<TextureNeed> m_needs;     ///< by texture of the scene
 };
 
 } // namespace cdr::scene::gltf

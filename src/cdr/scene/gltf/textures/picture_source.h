@@ -14,8 +14,8 @@ namespace cdr::scene::gltf {
 /// An image of a file, not decoded yet. Its size is known and bounded.
 struct PictureSource {
     int image = 0;
-    std::string name;    ///< what the file calls it, on one line
-    host::Bytes owned{}; ///< where a file or a URI holds it
+    std::string name;                         ///< what the file calls it, on one line
+    host::Bytes owned{};                      ///< where a file or a URI holds it
     std::span<const std::uint8_t> inBuffer{}; ///< else
     image::PictureSize size{};
 
