@@ -18,8 +18,8 @@ Functions functionsOfProcess;
 /// Stays open until the process ends, since objects of any lifetime call it.
 PFN_vkGetInstanceProcAddr systemLoader() {
     try {
-        static const vk::DynamicLoader library;
-        return library.getProcAddress<PFN_vkGetInstanceProcAddr>("vkGetInstanceProcAddr");
+        static const vk::DynamicLoader kLibrary;
+        return kLibrary.getProcAddress<PFN_vkGetInstanceProcAddr>("vkGetInstanceProcAddr");
     } catch (const std::runtime_error&) {
         throw base::RunError("no Vulkan loader found; install it, in Debian libvulkan1");
     }
