@@ -26,6 +26,8 @@ packages=(
     ffmpeg
     # several machines: optional, without them cdr is built for one, and the tests of ranks skip and say so
     libopenmpi-dev openmpi-bin
+    # the reference of the installed headers, and the test of what they say: optional, it skips and says so
+    doxygen
     # tests, benchmarks and checks
     libbenchmark-dev libgtest-dev clang-format clang-tidy libvulkan-volk-dev
 )

@@ -1,5 +1,5 @@
-# The reference of the installed headers, where Doxygen is installed: the target cdr_reference. What has no comment is an
-# error, and so is what a comment names and is not there.
+# The reference of the installed headers, where Doxygen is installed: the target cdr_reference. tools/reference.doxyfile says
+# how they are read, and what is an error.
 find_package(Doxygen QUIET)
 if(NOT DOXYGEN_FOUND)
     return()
@@ -11,18 +11,16 @@ foreach(room IN LISTS CDR_DEPTH_ROOMS CDR_SCENE_ROOMS CDR_RENDER_ROOMS)
     list(APPEND reference_headers ${headers})
     list(APPEND reference_roots "${PROJECT_BINARY_DIR}/include/${room}")
 endforeach()
-set(DOXYGEN_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/reference")
-set(DOXYGEN_STRIP_FROM_PATH ${reference_roots})
-set(DOXYGEN_STRIP_FROM_INC_PATH ${reference_roots})
-set(DOXYGEN_JAVADOC_AUTOBRIEF YES)
-set(DOXYGEN_DISTRIBUTE_GROUP_DOC YES)
-set(DOXYGEN_EXTRACT_ALL NO)
-set(DOXYGEN_INPUT_FILTER "sed 's/^.*operator==.*= default;.*$//'") # all members equal: no more to say
-set(DOXYGEN_MACRO_EXPANSION YES)
-set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
-set(DOXYGEN_PREDEFINED "CDR_EXPORT=")
-set(DOXYGEN_HAVE_DOT NO)
-set(DOXYGEN_QUIET YES)
-set(DOXYGEN_WARN_IF_INCOMPLETE_DOC NO) # comments name the parameters that need a word
-set(DOXYGEN_WARN_AS_ERROR FAIL_ON_WARNINGS)
-doxygen_add_docs(cdr_reference ${reference_headers} COMMENT "Making the reference in reference/html")
+list(JOIN reference_headers "\" \"" reference_headers)
+list(JOIN reference_roots "\" \"" reference_roots)
+set(CDR_REFERENCE_SETTINGS "${PROJECT_BINARY_DIR}/reference.doxyfile")
+file(GENERATE OUTPUT "${CDR_REFERENCE_SETTINGS}" CONTENT "@INCLUDE = \"${PROJECT_SOURCE_DIR}/tools/reference.doxyfile\"
+PROJECT_NAME = cdr
+PROJECT_NUMBER = ${PROJECT_VERSION}
+INPUT = \"${reference_headers}\"
+STRIP_FROM_PATH = \"${reference_roots}\"
+STRIP_FROM_INC_PATH = \"${reference_roots}\"
+OUTPUT_DIRECTORY = \"${PROJECT_BINARY_DIR}/reference\"
+")
+add_custom_target(cdr_reference COMMAND "${DOXYGEN_EXECUTABLE}" "${CDR_REFERENCE_SETTINGS}"
+    COMMENT "Making the reference in reference/html" VERBATIM)

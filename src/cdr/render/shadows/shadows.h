@@ -25,7 +25,7 @@ inline constexpr std::array kShadowMethods{ShadowMethod::none, ShadowMethod::anc
 
 /// "none", "anchored" or "plain".
 CDR_EXPORT std::string_view nameOf(ShadowMethod method);
-/// base::InputError with a suggestion for an unknown name.
+/// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT ShadowMethod parseShadowMethod(std::string_view name);
 
 /// Shadows of opaque surfaces, in full detail, on opaque surfaces.
@@ -33,6 +33,7 @@ struct Shadows {
     ShadowMethod method = ShadowMethod::none; ///< how they are cast
     std::uint32_t mostTexels = 2048;          ///< of a side of a map, kLeastShadowTexels to kMostShadowTexels
 
+    /// Whether lights cast shadows.
     bool isOn() const { return method != ShadowMethod::none; }
     bool operator==(const Shadows&) const = default;
 };
