@@ -16,10 +16,13 @@ struct EnumNames {
     std::string_view what;                     ///< what messages call a value: "depth mapping"
     std::array<std::string_view, Count> names; ///< by value
 
-    /// The name of a value of the enumeration.
+    /// The name of a value of the enumeration, which is not checked.
+    /// @errors None.
+    /// @lifetime That of the text in `names`: of a literal, the program's.
     constexpr std::string_view nameOf(Enum value) const { return names[static_cast<std::size_t>(value)]; }
 
     /// Refused with a suggestion: an unknown name.
+    /// @errors None.
     Result<Enum> tryParse(std::string_view name) const {
         const auto found = std::find(names.begin(), names.end(), name);
         if (found == names.end()) {
@@ -28,7 +31,7 @@ struct EnumNames {
         return static_cast<Enum>(found - names.begin());
     }
 
-    /// InputError with a suggestion for an unknown name.
+    /// @throws InputError with a suggestion for an unknown name.
     Enum parse(std::string_view name) const { return tryParse(name).orThrow(); }
 };
 

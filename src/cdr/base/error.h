@@ -11,6 +11,7 @@
 #endif
 
 /// Errors, results, names and numbers as text: what all else stands on.
+/// @threads Functions keep nothing: any thread may call them, many at once.
 namespace cdr::base {
 
 /// The caller's fault: an argument, a file, or a limit that was exceeded. Programs exit with status 2.
@@ -27,6 +28,7 @@ class CDR_EXPORT RunError : public std::runtime_error {
 
 /// Throws an InputError or a RunError. Compiled without exceptions, it prints the message and aborts: such programs
 /// call the function's form that returns a Result.
+/// @throws Error with the message, always.
 template <typename Error>
 [[noreturn]] void raise(const std::string& message) {
 #if defined(__cpp_exceptions)

@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None.
+/// @units Any: the text leaves the unit out.
+
 #include <cdr/base/export.h>
 
 #include <string>
@@ -11,9 +15,11 @@ namespace cdr::base {
 CDR_EXPORT std::string shortest(double value);
 
 /// As many significant digits as given, trailing zeros left out: printf's "%.Ng".
+/// @param digits at most 350, which is not checked.
 CDR_EXPORT std::string general(double value, int digits = 6);
 
 /// As many decimals as given: printf's "%.Nf".
+/// @param decimals at most 80, which is not checked.
 CDR_EXPORT std::string fixed(double value, int decimals);
 
 /// The texts one after another, numbers in between by shortest().

@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+
 #include <cdr/base/export.h>
 
 #include <array>
@@ -16,8 +19,10 @@ inline constexpr std::array kLengthUnits{LengthUnit::none,       LengthUnit::aut
                                          LengthUnit::micrometre, LengthUnit::millimetre,
                                          LengthUnit::metre,      LengthUnit::kilometre};
 /// "none", "auto", "um", "mm", "m", "km".
+/// @lifetime The program's.
 CDR_EXPORT std::string_view nameOf(LengthUnit unit);
-/// The unit of a name; InputError lists the names.
+/// The unit of a name.
+/// @throws InputError with a suggestion for an unknown name.
 CDR_EXPORT LengthUnit parseLengthUnit(std::string_view name);
 
 /// `typeset` is for windows and pages: thousands grouped, a true minus, powers of ten raised, no place to break a line.
@@ -30,6 +35,7 @@ inline constexpr int kReadableDigits = 4;
 /// A number as people read it, in every program of cdr: so many significant digits, but all whole ones below ten million,
 /// and no zeros at the end. A power of ten below 0.0001 and from ten million on. "infinite", and "none" for no number.
 /// tests/base/quantities.json holds it to the report's page, which follows the same rules.
+/// @param value in any unit, which the text leaves out.
 CDR_EXPORT std::string quantityText(double value, NumberStyle style = NumberStyle::typeset,
                                     int digits = kReadableDigits);
 

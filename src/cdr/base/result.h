@@ -14,6 +14,9 @@ struct Refusal {
 };
 
 /// A value, or why there is none: what functions return that do not throw.
+/// @threads As the value: any number of them may read it at once.
+/// @errors None but orThrow()'s.
+/// @lifetime References stay valid until the result is assigned to or destroyed.
 template <typename Value>
 class Result {
   public:
@@ -27,14 +30,15 @@ class Result {
 
     /// Whether there is a value.
     explicit operator bool() const { return m_content.index() == 0; }
-    /// Only where there is a value.
+    /// Only where there is a value, which is not checked.
     const Value& operator*() const { return *std::get_if<0>(&m_content); }
-    /// As operator*.
+    /// Null where there is none.
     const Value* operator->() const { return std::get_if<0>(&m_content); }
-    /// Only where there is none.
+    /// Only where there is none, which is not checked.
     const Refusal& refusal() const { return *std::get_if<1>(&m_content); }
 
-    /// The value. InputError where there is none.
+    /// The value, moved out.
+    /// @throws InputError with the refusal's message where there is none.
     Value orThrow() && {
         if (!*this) {
             raise<InputError>(refusal().message);

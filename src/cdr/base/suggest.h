@@ -11,12 +11,15 @@ namespace cdr::base {
 
 /// "unknown WHAT 'GIVEN'; did you mean 'CLOSEST'? (known: a, b, c)". The closest is by edit distance, and
 /// left out when nothing is similar.
+/// @errors None.
 CDR_EXPORT std::string unknownName(std::string_view what, std::string_view given,
                                    std::span<const std::string_view> known);
 
-/// A finite decimal number. InputError with `what` for anything else.
+/// A finite decimal number, in the unit that its text is in.
+/// @throws InputError that names `what` for anything else.
 CDR_EXPORT double parseNumber(std::string_view what, std::string_view text);
-/// The same, refused instead of thrown.
+/// parseNumber() in the same unit, refused instead of thrown.
+/// @errors None.
 CDR_EXPORT Result<double> tryParseNumber(std::string_view what, std::string_view text);
 
 } // namespace cdr::base

@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+/// @units Distances, separations and spans are view distances in scene units.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/forecast.h>
 
@@ -54,14 +58,14 @@ struct Advice {
 
 /// Forecasts every preset in every format, and anchored with its target set to the separation, simplest
 /// first.
-/// base::InputError for an unusable range, distance, content or separation.
+/// @throws base::InputError for an unusable range, distance, content or separation.
 CDR_EXPORT Advice advise(const AdviceQuestion& question);
 /// The same, refused instead of thrown.
 CDR_EXPORT base::Result<Advice> tryAdvise(const AdviceQuestion& question);
 
 /// The same, with measurements in place of predictions.
-/// @param measurements one per row of advise(question), empty where there is none; base::InputError for
-///        another number.
+/// @param measurements one per row of advise(question), empty where there is none.
+/// @throws base::InputError as advise(question), and for another number of measurements.
 CDR_EXPORT Advice advise(const AdviceQuestion& question,
                          const std::vector<std::optional<Measurement>>& measurements);
 /// The same, refused instead of thrown.
@@ -71,12 +75,13 @@ CDR_EXPORT base::Result<Advice> tryAdvise(const AdviceQuestion& question,
 /// What a technique needs from an engine and a device, in words.
 CDR_EXPORT std::string costOf(const AdviceRow& row);
 
-/// Writes a length, in scene units.
+/// Writes a length, in scene units. What it throws comes through explain().
 using LengthText = std::function<std::string(double)>;
 /// base::quantityText() without a unit.
 CDR_EXPORT std::string plainLength(double view);
 
 /// The advice in words, one sentence per line.
+/// @param advice of advise(question), with a row at least: the question had a format.
 CDR_EXPORT std::vector<std::string> explain(const AdviceQuestion& question, const Advice& advice,
                                             const LengthText& lengthText = plainLength);
 

@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+
 #include <cdr/base/export.h>
 #include <cdr/base/result.h>
 
@@ -33,7 +36,7 @@ inline constexpr double kMostView = 1e40;
 
 /// Why these are no near and far plane: empty where kLeastView <= near < far <= kMostView.
 CDR_EXPORT std::optional<base::Refusal> rangeProblem(double nearView, double farView);
-/// base::InputError where there is a rangeProblem().
+/// @throws base::InputError where there is a rangeProblem().
 CDR_EXPORT void requireRange(double nearView, double farView);
 
 } // namespace cdr::depth

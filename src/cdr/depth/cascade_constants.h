@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/mapping.h>
 
@@ -29,6 +32,7 @@ static_assert(sizeof(CascadeConstants) == 32);
 static_assert(offsetof(CascadeConstants, nearAhead) == 16);
 
 /// The constants of cascade `index` of makeCascades().
+/// @param index below the number of cascades, which is not checked.
 /// @param farEnd as depthRange() takes it.
 CDR_EXPORT CascadeConstants cascadeConstants(Mapping mapping, const Cascades& cascades, std::size_t index,
                                              const Projection& projection, FarEnd farEnd = FarEnd::open);

@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None: what is wanted of arguments is not checked.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/depth/occupancy.h>
@@ -23,10 +26,12 @@ CDR_EXPORT std::optional<Cascades> planCascades(const StepModel& model, const St
                                                 std::span<const Interval> occupied, std::size_t most);
 
 /// Whether planCascades() finds a plan; several times faster.
+/// @param occupied as for planCascades().
 CDR_EXPORT bool canMeet(const StepModel& model, const StepTarget& target, std::span<const Interval> occupied,
                         std::size_t most);
 
 /// The finest multiple of `target`, at least 1, that `most` cascades meet, to a thousandth.
+/// @param occupied as for planCascades().
 CDR_EXPORT StepTarget relaxToMeet(const StepModel& model, const StepTarget& target,
                                   std::span<const Interval> occupied, std::size_t most);
 

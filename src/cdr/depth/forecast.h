@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/rounding.h>
 #include <cdr/depth/technique.h>
@@ -39,10 +42,11 @@ struct CDR_EXPORT Forecast {
     double guaranteedView() const { return bufferStepView + 2.0 * rounding.worstView(); }
 };
 
-/// Predicts the smallest separation a technique resolves. base::InputError for an unusable range, a
-/// distance outside it, snapping out of its ranges, or a split fitted to pixels without footprintSlope.
+/// Predicts the smallest separation a technique resolves.
+/// @throws base::InputError for an unusable range, a distance outside it, snapping out of its ranges, or a split fitted
+///         to pixels without footprintSlope.
 CDR_EXPORT Forecast forecast(const Technique& technique, const ForecastScene& scene);
-/// The same, refused instead of thrown.
+/// forecast(), refused instead of thrown.
 CDR_EXPORT base::Result<Forecast> tryForecast(const Technique& technique, const ForecastScene& scene);
 
 /// The same in cascades that were cut, such as a frame's. Nothing where none of them holds the distance, with a little
@@ -51,8 +55,9 @@ CDR_EXPORT std::optional<Forecast> forecastIn(const Technique& technique, const 
                                               double distanceView);
 
 /// The cascades the technique would cut.
+/// @throws base::InputError as forecast().
 CDR_EXPORT Cascades forecastCascades(const Technique& technique, const ForecastScene& scene);
-/// The same, refused instead of thrown.
+/// forecastCascades(), refused instead of thrown.
 CDR_EXPORT base::Result<Cascades> tryForecastCascades(const Technique& technique, const ForecastScene& scene);
 
 } // namespace cdr::depth

@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+/// @lifetime References, and names, live as long as the program.
+
 #include <cdr/base/export.h>
 #include <cdr/base/result.h>
 
@@ -42,16 +46,17 @@ constexpr std::string_view nameOf(DepthFormat format) {
 /// Their names, for lists in messages and in JSON.
 CDR_EXPORT std::vector<std::string_view> namesOf(std::span<const DepthFormat> formats);
 
-/// base::InputError with a suggestion for any other name.
+/// @throws base::InputError with a suggestion for any other name.
 CDR_EXPORT DepthFormat parseDepthFormat(std::string_view name);
-/// The same, refused instead of thrown.
+/// parseDepthFormat(), refused instead of thrown.
 CDR_EXPORT base::Result<DepthFormat> tryParseDepthFormat(std::string_view name);
 
-/// The gap between neighbouring stored values around depth `zNdc` in [0, 1]: 1 / (2^bits - 1) for the
+/// The gap between neighbouring values of the depth buffer around depth `zNdc` in [0, 1]: 1 / (2^bits - 1) for the
 /// fractions (Vulkan: fixed-point conversion), the spacing of float32 just below zNdc for the float.
 CDR_EXPORT double depthStep(DepthFormat format, double zNdc);
 
-/// `zNdc` as the buffer would store it, rounded to nearest.
+/// A depth as the buffer would store it, rounded to nearest.
+/// @param zNdc in [0, 1], of the depth buffer, as the result is.
 CDR_EXPORT double quantize(DepthFormat format, double zNdc);
 
 } // namespace cdr::depth

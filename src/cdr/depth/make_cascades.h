@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/depth/occupancy.h>
@@ -31,10 +34,10 @@ struct SplitContext {
 /// - none, ratio, count, at, minimax: the whole range, without gap or overlap.
 /// - fitted: what is visible, see fitCascades(); there may be gaps.
 ///
-/// base::InputError for a range that requireRange() refuses, for more than kMaxCascades, and for a split that
-/// is fitted to pixels without a footprint slope above 0.
+/// @throws base::InputError for a range that requireRange() refuses, for more than kMaxCascades, and for a split that
+///         is fitted to pixels without a footprint slope above 0.
 CDR_EXPORT Cascades makeCascades(const Split& split, const SplitContext& context);
-/// The same, refused instead of thrown.
+/// makeCascades(), refused instead of thrown.
 CDR_EXPORT base::Result<Cascades> tryMakeCascades(const Split& split, const SplitContext& context);
 
 } // namespace cdr::depth

@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+/// @units Depths are of the depth buffer, in [0, 1]. Distances are view distances in scene units.
+
 #include <cdr/base/export.h>
 #include <cdr/base/result.h>
 #include <cdr/depth/cascade.h>
@@ -31,11 +35,12 @@ inline constexpr std::array kMappings{Mapping::standard,    Mapping::reversed, M
                                       Mapping::logFragment, Mapping::anchored, Mapping::anchoredReversed};
 
 /// "standard", "reversed", "log", "log-fragment", "anchored" or "anchored-reversed".
+/// @lifetime The program's.
 CDR_EXPORT std::string_view nameOf(Mapping mapping);
 
-/// base::InputError with a suggestion for an unknown name.
+/// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT Mapping parseMapping(std::string_view name);
-/// The same, refused instead of thrown.
+/// parseMapping(), refused instead of thrown.
 CDR_EXPORT base::Result<Mapping> tryParseMapping(std::string_view name);
 
 /// Nearer surfaces have the larger depth: clear to 0, compare GREATER_OR_EQUAL.
@@ -65,6 +70,8 @@ struct DepthRange {
 /// - linear mappings: float32 view distances, 1e-6 of the far plane (1 unit at 10^6, as in the thesis);
 /// - log: a logarithm that is interpolated linearly, 1e-4 of the far plane;
 /// - anchored: float32 distances to the anchor plane, 1e-4 of the thickness of the cascade.
+///
+/// @param index below the number of cascades, which is not checked.
 CDR_EXPORT Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index);
 
 /// Where the depth range of the last reversed cascade ends. At infinity, which costs a float buffer nothing,
@@ -73,6 +80,7 @@ enum class FarEnd : std::uint8_t { open, closed };
 
 /// The depth range of cascade `index`: its clip range. The last cascade of reversed is open to infinity
 /// unless `farEnd` closes it.
+/// @param index as clipRange() takes it.
 CDR_EXPORT DepthRange depthRange(Mapping mapping, const Cascades& cascades, std::size_t index,
                                  FarEnd farEnd = FarEnd::open);
 /// The same of a clip range. @param farEnd `open` only for the last cascade.
@@ -97,6 +105,7 @@ struct ClipTerms {
 };
 
 /// Of a range.
+/// @throws base::RunError for a mapping that is none of the enumeration.
 CDR_EXPORT ClipTerms clipTerms(const DepthRange& range);
 
 } // namespace cdr::depth

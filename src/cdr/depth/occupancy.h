@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None.
+/// @units Distances are view distances in scene units; roundings are shares of them.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/mapping.h>
 

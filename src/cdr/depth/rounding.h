@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/mapping.h>
 
@@ -40,7 +43,7 @@ CDR_EXPORT DepthRounding depthRounding(const DepthRange& range, double distanceV
 /// @param slope tangent of the angle between the surface and a plane that faces the camera; 0 faces it.
 CDR_EXPORT double snapGapView(unsigned subPixelBits, double footprintView, double slope);
 
-/// The gap between neighbouring float32 values around a positive number.
+/// The gap between neighbouring float32 values around a positive number, in the unit of that number.
 CDR_EXPORT double floatGap(double value);
 
 } // namespace cdr::depth

@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/format.h>
 #include <cdr/depth/mapping.h>
@@ -21,7 +24,8 @@ CDR_EXPORT double separationView(Mapping mapping, const Cascades& cascades, Dept
 /// The formulas of the thesis (Listing A.2) for an integer buffer: Baker 1999 with 2^bits steps for standard,
 /// Ulrich 2011 with 2^bits - 1 steps for log. Baker measures towards the camera and separationView() away
 /// from it, so they differ where a step spans a large share of the distance.
-/// @param mapping standard or log; base::InputError for others, which the thesis does not have.
+/// @param mapping standard or log.
+/// @throws base::InputError for another mapping, which the thesis does not have, where a cascade holds the distance.
 CDR_EXPORT double thesisSeparationView(Mapping mapping, const Cascades& cascades, int bits,
                                        double distanceView);
 
@@ -36,6 +40,8 @@ struct Crossing {
 
 /// Finds both crossings of `curve` with `separation` on [nearView, farView], by a logarithmic scan and
 /// bisection. Empty when the curve never reaches the value.
+/// @param curve separations by view distance, both in scene units; called about 200,000 times.
+/// @throws anything that `curve` throws.
 CDR_EXPORT std::optional<Crossing> findCrossing(const std::function<double(double)>& curve, double separation,
                                                 double nearView, double farView);
 

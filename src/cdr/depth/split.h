@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+
 #include <cdr/base/export.h>
 #include <cdr/base/result.h>
 #include <cdr/depth/cascade.h>
@@ -57,9 +60,10 @@ struct SplitMinimax {
 using Split = std::variant<SplitNone, SplitRatio, SplitCount, SplitAt, SplitFitted, SplitMinimax>;
 
 /// Reads "none", "ratio:R", "count:K", "at:a,b,...", "minimax:K" or "fitted[:TARGET[px][,max=K]]", TARGET in
-/// scene units, or in pixels with "px". base::InputError says what is wrong.
+/// scene units, or in pixels with "px".
+/// @throws base::InputError for any other text, and says what is wrong.
 CDR_EXPORT Split parseSplit(std::string_view text);
-/// The same, refused instead of thrown.
+/// parseSplit(), refused instead of thrown.
 CDR_EXPORT base::Result<Split> tryParseSplit(std::string_view text);
 
 /// The text parseSplit() reads.

@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/depth/format.h>
@@ -29,7 +32,7 @@ struct CDR_EXPORT StepTarget {
     double units() const { return std::max(unitsView, leastUnitsView); }
     /// The part that is a share of the view distance, with its bound.
     double share() const { return std::max(shareView, leastShareView); }
-    /// So many times as large, with the same bounds.
+    /// The target times a factor, which is a ratio, with the same bounds.
     StepTarget scaled(double factor) const;
 };
 

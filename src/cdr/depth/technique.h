@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/format.h>
 #include <cdr/depth/mapping.h>
@@ -9,7 +12,8 @@
 #include <string>
 #include <string_view>
 
-/// Depth mappings, cascades, splits and forecasts: pure float64 functions, safe from any thread, without Vulkan.
+/// Depth mappings, cascades, splits and forecasts: pure float64 functions without Vulkan.
+/// @threads Functions depend on their arguments alone: any thread may call them, many at once.
 namespace cdr::depth {
 
 /// Mapping x split x depth format.
@@ -29,6 +33,7 @@ struct NamedTechnique {
 
 /// The named techniques: standard, cdr, log, logcdr (thesis), reversed (what the industry ships) and anchored
 /// (ours), worst first. All have the format d32f.
+/// @lifetime The program's.
 CDR_EXPORT std::span<const NamedTechnique> presets();
 
 /// The preset with this mapping and split, in any format; else the parts.
@@ -38,12 +43,13 @@ CDR_EXPORT std::string nameOf(const Technique& technique);
 CDR_EXPORT std::string partsOf(const Technique& technique);
 
 /// Reads a preset's name, or "mapping/split" with the format d32f.
-/// base::InputError with a suggestion for an unknown name.
+/// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT Technique parseTechnique(std::string_view name);
 
 /// parseTechnique(), with the preset's name or the parts as the name, whichever was given.
+/// @throws base::InputError as parseTechnique().
 CDR_EXPORT NamedTechnique namedTechnique(std::string_view name);
-/// The same, refused instead of thrown.
+/// namedTechnique(), refused instead of thrown.
 CDR_EXPORT base::Result<NamedTechnique> tryNamedTechnique(std::string_view name);
 
 } // namespace cdr::depth

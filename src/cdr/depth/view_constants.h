@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None.
+
 #include <cdr/base/export.h>
 
 #include <array>
@@ -12,7 +15,8 @@ struct FloatPair {
     float rest = 0.0f;  ///< what it leaves out, to 2^-48 of the number
 };
 
-/// @param number at most float's greatest value in magnitude. 48 of its 53 bits stay.
+/// A number in two parts, in the unit that it is in. 48 of its 53 bits stay.
+/// @param number at most float's greatest value in magnitude.
 CDR_EXPORT FloatPair floatPair(double number);
 
 /// Where a camera is and which way it looks, in world space, all in float64.
