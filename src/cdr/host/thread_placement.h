@@ -14,10 +14,13 @@ enum class Placement {
 };
 
 /// CPUs that the calling thread may run on, ascending. Empty where the system cannot tell.
+/// @errors None.
 CDR_EXPORT std::vector<std::size_t> allowedCpus();
 
 /// Keeps the calling thread on one CPU until the object is destroyed, by the same thread. Does nothing where
 /// the system has no such call.
+/// @threads Belongs to the thread that made it.
+/// @errors None: a CPU that is not there leaves the thread as it is.
 class CDR_EXPORT PinnedThread {
   public:
     /// @param number of the CPU among `cpus`, modulo their number. Without CPUs nothing happens.

@@ -20,6 +20,9 @@ namespace cdr::host {
 /// Each worker adds to a track of its own, so an event takes no lock. Frames and stages come from the one
 /// thread that drives the frame. Code that can be traced takes a pointer, null for no trace, and uses it once
 /// per job, never per draw.
+/// @threads The driving thread calls all but addJob(), and while no batch runs where a function says so.
+/// @errors None but those that a function names.
+/// @lifetime Spans stay valid until the next event or forget().
 class CDR_EXPORT Trace {
   public:
     /// What events are timed by.
@@ -28,7 +31,7 @@ class CDR_EXPORT Trace {
     /// @param workers tracks for workers 0 to workers - 1; 0 is the thread that drives the frame.
     explicit Trace(std::size_t workers);
 
-    /// Later events belong to this frame. Driving thread only.
+    /// Later events belong to this frame. Between batches.
     void beginFrame(std::string name);
 
     /// A stage that the driving thread just ended, such as "cull". The jobs of workers take the name of the
@@ -45,7 +48,9 @@ class CDR_EXPORT Trace {
         Clock::time_point begin; ///< when it began
         Clock::time_point end;   ///< when it ended
     };
-    /// A job that `worker` just ended; on that worker's thread.
+    /// A job that `worker` just ended.
+    /// @param worker below workers(), which is not checked.
+    /// @threads That worker's own; workers may call it at once.
     void addJob(std::size_t worker, const Job& job);
 
     /// A stage or job that was recorded, and the frame it belongs to: frames count from 1, 0 is before the
@@ -61,24 +66,25 @@ class CDR_EXPORT Trace {
         std::size_t frame; ///< as Stage has it
         Job job;           ///< as it was added
     };
-    // What was recorded, in order. Driving thread, between batches.
-    /// Stages that were recorded, in order. Driving thread, between batches.
+    /// Stages that were recorded, in order.
     std::span<const Stage> stages() const { return m_stages; }
     /// Tracks that there are.
     std::size_t workers() const { return m_workers.size(); }
-    /// Jobs of a worker, in order. Driving thread, between batches. std::out_of_range for no such worker.
+    /// Jobs of a worker, in order. Between batches.
+    /// @throws std::out_of_range for no such worker.
     std::span<const FramedJob> jobs(std::size_t worker) const { return m_workers.at(worker).jobs; }
 
-    /// Forgets everything recorded and keeps the memory, for a trace that is read frame by frame. Driving
-    /// thread, between batches.
+    /// Forgets everything recorded and keeps the memory, for a trace that is read frame by frame. Between batches.
     void forget();
 
-    /// Ignores everything from now on. Driving thread, between batches.
+    /// Ignores everything from now on. Between batches.
     void stop() { m_stopped = true; }
 
-    /// {"traceEvents": [...]}, microseconds since the trace was made.
+    /// {"traceEvents": [...]}, microseconds since the trace was made. Between batches.
     nlohmann::ordered_json toJson() const;
-    /// Writes toJson() whole or not at all. base::InputError when the file cannot be made.
+    /// Writes toJson() whole or not at all. Between batches.
+    /// @throws base::InputError when the file cannot be made.
+    /// @throws base::RunError when it cannot all be written, as on a full disk.
     void write(const std::filesystem::path& path) const;
 
     /// Most events in a track. The rest are only counted, so that a long run cannot fill the memory.
@@ -100,10 +106,13 @@ class CDR_EXPORT Trace {
     bool m_stopped = false;
 };
 
-/// Traces one job from construction to destruction. Does nothing without a trace.
+/// Traces one job from construction to destruction. Does nothing without a trace, which must outlive it.
+/// @threads The thread of the worker that it names.
+/// @errors None.
 class JobSpan {
   public:
-    /// Begins a job. @param trace null for none.
+    /// Begins a job.
+    /// @param trace null for none.
     JobSpan(Trace* trace, std::size_t worker, std::size_t index,
             std::optional<std::size_t> cascade = std::nullopt, std::size_t draws = 0)
         : m_trace(trace),

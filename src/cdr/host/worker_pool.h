@@ -12,6 +12,7 @@
 #include <vector>
 
 /// Worker threads and the traces of what they did.
+/// @threads Functions keep nothing: any thread may call them, many at once.
 namespace cdr::host {
 
 /// A fixed set of threads that run the jobs of one batch at a time.
@@ -19,10 +20,14 @@ namespace cdr::host {
 /// The calling thread is worker 0 and takes part, so a pool of one thread starts no thread and runs the same
 /// code. Jobs are handed out by index from an atomic counter; which worker runs a job is not defined, so
 /// results must be stored by job index, never in completion order.
+/// @threads One thread at a time, and never from within a job.
+/// @errors None but those that a function names.
 class CDR_EXPORT WorkerPool {
   public:
-    /// @param threads workers, the caller included: 1 to kMaxThreads, else InputError.
+    /// @param threads workers, the caller included: 1 to kMaxThreads.
     /// @param placement of the threads it starts; the caller, worker 0, stays as it is.
+    /// @throws base::InputError for another number of threads.
+    /// @throws std::system_error when the system starts no more threads.
     explicit WorkerPool(std::size_t threads, Placement placement = Placement::free);
     ~WorkerPool();
     WorkerPool(const WorkerPool&) = delete;
@@ -31,12 +36,12 @@ class CDR_EXPORT WorkerPool {
     /// A job: its index in [0, jobs) and the worker in [0, threads()) that runs it.
     using Job = std::function<void(std::size_t job, std::size_t worker)>;
 
-    /// Runs `body` once for each job in [0, jobs) and returns when all have ended. The first exception by job
-    /// index is rethrown after the batch. Not reentrant: one batch at a time, from one thread.
+    /// Runs `body` once for each job in [0, jobs) and returns when all have ended. Not reentrant.
+    /// @throws anything that `body` throws: of several the one of the lowest job, once the batch has ended.
     void run(std::size_t jobs, const Job& body);
 
-    /// Traces every job from now on; null for none. Between batches only; the trace must have a track per
-    /// worker.
+    /// Traces every job from now on; null for none. Between batches only.
+    /// @param trace with a track per worker. It must live until another takes its place, or as long as the pool.
     void setTrace(Trace* trace) { m_trace = trace; }
 
     /// Workers, the caller included.
@@ -63,10 +68,13 @@ struct IndexRange {
     std::size_t begin = 0; ///< the first
     std::size_t end = 0;   ///< one past the last
     /// How many indices it holds.
+    /// @errors None.
     std::size_t size() const { return end - begin; }
 };
 
 /// The `part`-th of `parts` contiguous ranges that cover [0, count) with sizes that differ by one at most.
+/// @param parts above 0, which is not checked; count * parts must not overflow.
+/// @errors None.
 constexpr IndexRange evenRange(std::size_t count, std::size_t part, std::size_t parts) {
     return {count * part / parts, count * (part + 1) / parts};
 }

@@ -6,12 +6,15 @@
 #include <vector>
 
 /// Pictures on the host.
+/// @threads Functions keep nothing, so any thread may call them. One that changes an object has it to itself.
 namespace cdr::image {
 
 /// One 8-bit pixel: red, green, blue, alpha.
 using Rgba8 = std::array<std::uint8_t, 4>;
 
 /// A rectangle of pixels, rows from the top, each row from the left, no padding.
+/// @errors None.
+/// @lifetime References stay valid until `pixels` changes its size.
 template <typename Pixel>
 struct Raster {
     std::uint32_t width = 0;   ///< pixels of a row
@@ -25,9 +28,9 @@ struct Raster {
           height(h),
           pixels(static_cast<std::size_t>(w) * h, fill) {}
 
-    /// A pixel; column and row must be within the raster.
+    /// A pixel; column and row must be within the raster, which is not checked.
     Pixel& at(std::uint32_t x, std::uint32_t y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
-    /// A pixel; column and row must be within the raster.
+    /// A pixel; column and row must be within the raster, which is not checked.
     const Pixel& at(std::uint32_t x, std::uint32_t y) const {
         return pixels[static_cast<std::size_t>(y) * width + x];
     }

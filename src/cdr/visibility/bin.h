@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None: what is wanted of arguments is not checked.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/host/worker_pool.h>
@@ -40,7 +43,7 @@ struct DrawLists {
     }
     /// Where the wide instances of a cascade begin.
     std::size_t wideBegin(std::size_t cascade) const { return begins[2 * cascade + 1]; }
-    /// Draws per visible instance: 1 where no instance straddles a boundary.
+    /// The ratio of draws to visible instances: 1 where no instance straddles a boundary.
     double duplication() const {
         return visible ? static_cast<double>(draws()) / static_cast<double>(visible) : 1.0;
     }
@@ -51,11 +54,10 @@ CDR_EXPORT void keepCascades(DrawLists& lists, host::IndexRange cascades);
 
 /// Puts every visible instance into each cascade whose range its sphere [w - r, w + r] meets (thesis chapter
 /// 3). The same lists for any number of workers. `lists` is reused, so binning allocates nothing once warm.
-/// @param clipRanges each cascade's depth::clipRange(), nearest first: near planes ascend. A range that ends
-/// before an earlier one does is taken to end with it.
-/// @param wideSpan an instance is wide when its sphere reaches the camera plane or 2r > wideSpan * (w - r);
-/// infinity for
-///        none. Depth that is not linear in screen space must be set per fragment on those.
+/// @param clipRanges each cascade's depth::clipRange(), at most depth::kMaxCascades, nearest first: near planes
+///        ascend. A range that ends before an earlier one does is taken to end with it.
+/// @param wideSpan a ratio: an instance is wide when its sphere reaches the camera plane or 2r > wideSpan * (w - r);
+///        infinity for none. Depth that is not linear in screen space must be set per fragment on those.
 CDR_EXPORT void binByDistance(const VisibleList& visible, const depth::Cascades& clipRanges, double wideSpan,
                               host::WorkerPool& workers, DrawLists& lists);
 

@@ -9,6 +9,8 @@
 #include <vector>
 
 /// What a frame draws: culling, binning, levels of detail.
+/// @threads Functions keep nothing: many threads may call them at once, each with output and workers of its own, while
+/// nothing changes the scene.
 namespace cdr::visibility {
 
 /// The instances a camera may see, by bounding sphere, in instance order: the first `count` entries of each
@@ -26,6 +28,7 @@ struct VisibleList {
 /// @param some indices into `instances`, ascending. VisibleList::instance holds the same indices.
 /// @param frustum of the camera and the picture.
 /// @param visible overwritten.
+/// @errors None.
 CDR_EXPORT void cullSpheres(const scene::Instances& instances, std::span<const std::uint32_t> some,
                             const scene::Camera& camera, const scene::Frustum& frustum, VisibleList& visible);
 

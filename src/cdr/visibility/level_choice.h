@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/host/worker_pool.h>
@@ -26,6 +29,7 @@ enum class DetailMode : std::uint8_t {
 inline constexpr std::array kDetailModes{DetailMode::none, DetailMode::perObject, DetailMode::perCascade};
 
 /// "none", "object" or "cascade".
+/// @lifetime The program's.
 CDR_EXPORT std::string_view nameOf(DetailMode mode);
 
 /// Level of detail by projected error.
@@ -38,9 +42,10 @@ struct Detail {
 
 /// "none", "object:0.5" or "cascade:0.5".
 CDR_EXPORT std::string nameOf(const Detail& detail);
-/// `none`, `object[:PIXELS]` or `cascade[:PIXELS]`. base::InputError with a suggestion for anything else.
+/// `none`, `object[:PIXELS]` or `cascade[:PIXELS]`.
+/// @throws base::InputError for anything else, with a suggestion for an unknown name.
 CDR_EXPORT Detail parseDetail(std::string_view text);
-/// base::InputError unless the pixels are finite and above 0.
+/// @throws base::InputError unless the pixels are finite and above 0.
 CDR_EXPORT void requireUsable(const Detail& detail);
 
 /// A Detail for one lens and picture.
@@ -49,6 +54,7 @@ struct LevelRule {
     double slope = 0.0;                 ///< largest error per unit of view distance, both in scene units
 };
 
+/// The rule of a detail.
 /// @param height of the picture in pixels.
 CDR_EXPORT LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::uint32_t height);
 
