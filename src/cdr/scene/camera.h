@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+
 #include <cdr/base/export.h>
 
 #include <glm/glm.hpp>
@@ -29,24 +32,27 @@ struct Camera {
 };
 
 /// Turns `camera` to look from `eye` at `target`, keeping its lens. World y is up, or world z when the view
-/// is along y. base::InputError when eye and target coincide or are not finite.
+/// is along y. Both points are in world space.
+/// @throws base::InputError when eye and target coincide or are not finite.
 CDR_EXPORT Camera lookAt(Camera camera, const glm::dvec3& eye, const glm::dvec3& target);
 
 /// Turns `camera` to look from `eye` along `forward`, keeping its lens. A unit vector is used exactly, to the
 /// bit. So lookAlong(c, c.position, -c.back) returns a camera that came from lookAt() unchanged, however far
 /// out it stands. Without `up`, up is as in lookAt(). With it, the camera's up is the part of `up` across the
 /// view.
-/// base::InputError when a vector is zero or not finite, or `up` lies along the view.
+/// @throws base::InputError when a vector is zero or not finite, or `up` lies along the view.
 CDR_EXPORT Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward);
 /// The same, with an up of the caller's.
+/// @throws base::InputError as above.
 CDR_EXPORT Camera lookAlong(Camera camera, const glm::dvec3& eye, const glm::dvec3& forward,
                             const glm::dvec3& up);
 
 /// The nearest camera that command line options can express, through lookAlong() and radiansOf(). If the axes
 /// are orthonormal, it differs by roundings only. Applied to its own result it changes nothing.
-/// base::InputError as lookAlong().
+/// @throws base::InputError as lookAlong().
 CDR_EXPORT Camera canonical(const Camera& camera);
 /// Whether lookAlong() gives this camera, to the bit, from its eye and forward vector without `up`.
+/// @throws base::InputError as lookAlong().
 CDR_EXPORT bool isLevel(const Camera& camera);
 
 /// Radians of an angle in degrees, as every option of the command line is read.
@@ -54,8 +60,8 @@ CDR_EXPORT double radiansOf(double degrees);
 /// The degrees whose radiansOf() is `radians` or nearest to it.
 CDR_EXPORT double degreesOf(double radians);
 
-/// base::InputError with the value unless the camera is usable: finite, depth::kLeastView <= near < far <=
-/// depth::kMostView, 0 < fovY < pi.
+/// @throws base::InputError with the value unless the camera is usable: lens and position finite, depth::kLeastView <=
+///         near < far <= depth::kMostView, 0 < fovY < pi. Its axes are not looked at.
 CDR_EXPORT void requireUsable(const Camera& camera);
 
 } // namespace cdr::scene

@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None. What a path gives for a frame throws as lookAt().
+/// @units Places and lengths are in world space, in scene units.
+
 #include <cdr/base/export.h>
 #include <cdr/scene/camera.h>
 
@@ -18,10 +22,12 @@ struct CameraPath {
 CDR_EXPORT CameraPath stillPath(const Camera& camera);
 
 /// Circles `target` once about the y axis at `radius` and at its height, looking at it. Frame 0 is at +z.
+/// @param frames above 0, which is not checked.
 CDR_EXPORT CameraPath orbitPath(const Camera& lens, const glm::dvec3& target, double radius,
                                 std::uint32_t frames);
 
 /// Turns once about the y axis without moving. Frame 0 looks down -z.
+/// @param frames above 0, which is not checked.
 CDR_EXPORT CameraPath turnPath(const Camera& lens, const glm::dvec3& eye, std::uint32_t frames);
 
 } // namespace cdr::scene

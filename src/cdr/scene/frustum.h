@@ -19,8 +19,10 @@ struct Frustum {
     double footprintSlope = 0.0; ///< what a pixel covers per unit of view distance, in scene units
 };
 
+/// The frustum of a usable camera.
 /// @param width of the picture in pixels, > 0.
 /// @param height of the picture in pixels, > 0. Without a picture: 1, and its aspect as the width.
+/// @errors None.
 CDR_EXPORT Frustum frustumOf(const Camera& camera, double width, double height);
 
 } // namespace cdr::scene

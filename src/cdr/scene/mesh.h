@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None but what a function that is handed in throws.
+
 #include <cdr/base/export.h>
 #include <cdr/image/image.h>
 
@@ -131,7 +134,7 @@ struct Material {
     MaterialDetail detail{}; ///< none unless told
 };
 
-/// The least radius about the origin that holds every position, rounded up.
+/// The least radius about the origin that holds every position, rounded up. Object space.
 CDR_EXPORT float boundingRadiusOf(std::span<const Vertex> vertices);
 
 /// Calls `visit` with each texture index of a material, which it may change.
@@ -159,7 +162,7 @@ inline bool hasEmission(const Material& material) {
            (material.detail.occlusion.has_value() || material.detail.emission != glm::vec3(0.0f));
 }
 
-/// A box of the given half sides about the origin, 24 vertices, flat normals, 12 triangles.
+/// A box of the given half sides, in object space, about the origin, 24 vertices, flat normals, 12 triangles.
 CDR_EXPORT Mesh makeBox(const glm::vec3& halfSides);
 
 /// The same triangles, each with three vertices of its own, as in a mesh without an index buffer. Without

@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None.
+
 #include <cdr/base/export.h>
 #include <cdr/scene/mesh.h>
 
@@ -12,7 +15,8 @@
 #include <string>
 #include <vector>
 
-/// Meshes, materials, instances, lights, cameras, and worlds that change. An object belongs to one thread at a time.
+/// Meshes, materials, instances, lights, cameras, and worlds that change.
+/// @threads Functions keep nothing: many threads may call them at once on what no other one changes.
 namespace cdr::scene {
 
 /// What the renderer draws, one entry per (object, primitive). A structure of arrays, since culling and
@@ -75,11 +79,13 @@ struct CDR_EXPORT Scene {
 inline constexpr std::uint32_t kMaxObjects = (1u << 24) - 2;
 
 /// Appends one instance. Its radius is the mesh's times an upper bound of the basis' largest singular value.
+/// @param mesh of the scene, which is not checked, as `material` and `object` are not: requireUsable() does.
 /// @param position of the mesh's origin, which is its bounding centre, in world space.
 CDR_EXPORT void addInstance(Scene& scene, std::uint32_t mesh, std::uint32_t material, std::uint32_t object,
                             const glm::dvec3& position, const glm::mat3& basis);
 
 /// Moves an instance and gives it the radius that addInstance() would.
+/// @param position as addInstance() takes it.
 CDR_EXPORT void placeInstance(Scene& scene, std::size_t instance, const glm::dvec3& position,
                               const glm::mat3& basis);
 

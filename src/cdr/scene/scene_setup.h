@@ -26,6 +26,7 @@ struct SceneMotion {
         vertices{};
 
     /// Whether anything moves.
+    /// @errors None.
     explicit operator bool() const { return !instances.empty(); }
 };
 

@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+
 #include <cdr/base/export.h>
 #include <cdr/scene/scene_setup.h>
 
@@ -22,8 +25,9 @@ enum class ModelLight : std::uint8_t {
 inline constexpr std::array kModelLights{ModelLight::lamps, ModelLight::sky};
 
 /// "lamps" or "sky".
+/// @lifetime The program's.
 CDR_EXPORT std::string_view nameOf(ModelLight light);
-/// base::InputError with a suggestion for an unknown name.
+/// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT ModelLight parseModelLight(std::string_view name);
 
 /// What of a glTF file is shown, and through which eyes.
@@ -45,14 +49,16 @@ struct GltfChoice {
 /// Most that GltfChoice::textureMiB takes: 4 TiB.
 inline constexpr std::uint64_t kMostTextureMiB = std::uint64_t{1} << 22u;
 
-/// The moment that a frame shows, where an animation is played.
+/// The moment that a frame shows, in seconds of the animation, where one is played.
 CDR_EXPORT std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame);
 
 /// Whether a path is to be opened as glTF, by its extension.
 CDR_EXPORT bool isGltfPath(const std::filesystem::path& path);
 
-/// A glTF file lit and framed so that it fills the picture, or seen by a camera of its own. base::InputError
-/// as loadGltf(), or when it has no such camera or animation, which names those it has.
+/// A glTF file lit and framed so that it fills the picture, or seen by a camera of its own.
+/// @throws base::InputError in one line that names the file and the fault: it cannot be read, is not sound glTF, goes
+///         beyond a limit, or has nothing to look at. When it has no such camera or animation, the line names those it
+///         has. And for a choice that is out of range.
 CDR_EXPORT OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice = {});
 
 } // namespace cdr::scene

@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+
 #include <cdr/base/export.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/scene/scene.h>
@@ -23,11 +26,14 @@ struct LevelOptions {
 /// collapsed along themselves alone. A level's error is measured (surfaceDeviation()): the simplifier's own
 /// figure, a mean over quadrics, was exceeded up to twice. Errors ascend. The same levels each time.
 ///
-/// Empty where nothing can be saved. base::InputError for unusable options.
+/// Empty where nothing can be saved.
+/// @param mesh that requireUsable() lets pass, which is not checked.
+/// @throws base::InputError for unusable options.
 CDR_EXPORT std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options = {});
 
 /// Makes the levels of every mesh that has none; those the scene's maker gave stay. The same levels for any
 /// number of workers.
+/// @throws base::InputError for unusable options, where a mesh has no levels.
 CDR_EXPORT void makeLevels(Scene& scene, host::WorkerPool& workers, const LevelOptions& options = {});
 
 } // namespace cdr::scene

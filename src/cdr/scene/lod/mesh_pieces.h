@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None: what is wanted of arguments is not checked.
+
 #include <cdr/base/export.h>
 #include <cdr/scene/mesh.h>
 #include <cdr/scene/scene.h>
@@ -63,7 +66,8 @@ CDR_EXPORT PieceSet addPieces(Scene& scene, std::vector<MeshPiece> pieces);
 
 /// Appends an instance per piece, all of one object. Origins are turned in float64 by `toWorld`, so a piece
 /// is where its node says, and only what lies within it turns by the basis rounded to float32.
-/// @param toWorld affine.
+/// @param pieces of addPieces() for this scene.
+/// @param toWorld affine, from the source's space.
 CDR_EXPORT void placePieces(Scene& scene, const PieceSet& pieces, std::uint32_t material,
                             std::uint32_t object, const glm::dmat4& toWorld);
 

@@ -10,6 +10,8 @@ namespace cdr::scene {
 
 /// Which places of an array changed, in order. Each reader remembers how far it has read, so that following the changes
 /// takes time by their number, not by the array's size.
+/// @threads Any number at once may read while none adds.
+/// @errors None.
 class ChangeLog {
   public:
     /// Where a reader begins that has seen all so far.
@@ -17,6 +19,8 @@ class ChangeLog {
 
     /// What changed since a position, places twice where they changed twice. Nothing where so much changed that the
     /// reader had better read the whole array.
+    /// @param position at most end(), which is not checked.
+    /// @lifetime The span is valid until the next add().
     std::optional<std::span<const std::uint32_t>> since(std::uint64_t position) const {
         if (position < m_first) {
             return std::nullopt;
@@ -24,6 +28,7 @@ class ChangeLog {
         return std::span(m_changed).subspan(static_cast<std::size_t>(position - m_first));
     }
 
+    /// A place changed.
     /// @param places of the array
     void add(std::uint32_t index, std::size_t places) {
         constexpr std::size_t kLeast = 1024;

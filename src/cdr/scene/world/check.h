@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors requireUsable() throws base::InputError that says what is wrong, unless a scene may hold the value. isUsable()
+///         throws nothing.
+
 #include <cdr/base/export.h>
 #include <cdr/scene/scene.h>
 
@@ -19,22 +23,24 @@ struct Transform {
 /// Whether requireUsable() would let it pass.
 CDR_EXPORT bool isUsable(const Transform& transform);
 
-/// Each throws base::InputError that says what is wrong, unless a scene may hold the value. `what` names it in the
-/// message.
 /// Position and basis finite, the basis' columns no longer than 1e17.
+/// @param what names the value in the message, here and below
 CDR_EXPORT void requireUsable(const Transform& transform, const std::string& what);
 /// Position, colour and half distance finite, half distance above 0.
 CDR_EXPORT void requireUsable(const PointLight& light, const std::string& what);
 /// Indices in range, vertices finite and within the bounding radius, which is at most 1e20, at most kMaxLevels levels.
 CDR_EXPORT void requireUsable(const Mesh& mesh, const std::string& what);
 /// The part of it that vertices decide.
+/// @param boundingRadius object space
 CDR_EXPORT void requireUsable(std::span<const Vertex> vertices, float boundingRadius,
                               const std::string& what);
 /// As many pixels as its size says, at least one.
 CDR_EXPORT void requireUsable(const Texture& texture, const std::string& what);
+/// Textures that are there, and numbers in the ranges that Material and MaterialDetail name.
 /// @param textures of the scene
 CDR_EXPORT void requireUsable(const Material& material, std::size_t textures, const std::string& what);
-/// All of the above, and that instances name meshes, materials and objects that are there.
+/// All of the above, the sky, and that instances name meshes and materials that are there, and objects up to kMaxObjects.
+/// @param scene whose arrays of Instances are of one length, which is not checked
 CDR_EXPORT void requireUsable(const Scene& scene);
 
 } // namespace cdr::scene

@@ -29,23 +29,31 @@ using MaterialHandle = Handle<struct MaterialKind>;
 /// Of a texture.
 using TextureHandle = Handle<struct TextureKind>;
 
-/// base::InputError: nothing is at this place.
+/// Says that nothing is at this place.
+/// @throws base::InputError always.
 [[noreturn]] CDR_EXPORT void refusePlace(const char* kind, std::size_t index);
-/// base::InputError: the handle names nothing that is there. @param wasThere whether there is such a place
+/// Says that the handle names nothing that is there.
+/// @param wasThere whether there is such a place
+/// @throws base::InputError always.
 [[noreturn]] CDR_EXPORT void refuseHandle(const char* kind, std::uint32_t index, std::uint32_t generation,
                                           bool wasThere);
-/// base::InputError: something uses it still.
+/// Says that something uses it still.
+/// @throws base::InputError always.
 [[noreturn]] CDR_EXPORT void refuseUsed(const char* kind, std::uint32_t index, std::uint32_t uses,
                                         const char* users);
 
 /// Hands out places in an array and takes them back. A place that was given back is used again before the array grows.
+/// @threads Any number at once may read while none takes or gives back.
+/// @errors None but those that a function names.
 template <typename Kind>
 class Places {
   public:
-    /// The first `taken` places, none free. @param kind as messages name it
+    /// The first `taken` places, none free.
+    /// @param kind as messages name it; must outlive the object
     explicit Places(const char* kind, std::size_t taken = 0) : m_kind(kind), m_generations(taken, 1) {}
 
     /// What messages call a thing.
+    /// @lifetime That of the text that the constructor was given.
     const char* kind() const { return m_kind; }
 
     /// How many places there are, the free ones included.
@@ -61,7 +69,8 @@ class Places {
         m_free.pop_back();
         return {index, ++m_generations[index]};
     }
-    /// @param handle of a taken place
+    /// Takes a place back.
+    /// @param handle of a taken place, which is not checked
     void free(Handle<Kind> handle) {
         ++m_generations[handle.index];
         m_free.push_back(handle.index);
@@ -73,13 +82,14 @@ class Places {
     bool has(Handle<Kind> handle) const {
         return isTaken(handle.index) && m_generations[handle.index] == handle.generation;
     }
-    /// base::InputError unless has(handle).
+    /// @throws base::InputError unless has(handle).
     void require(Handle<Kind> handle) const {
         if (!has(handle)) {
             refuseHandle(m_kind, handle.index, handle.generation, handle.index < size());
         }
     }
-    /// base::InputError unless isTaken(index).
+    /// The handle of what is at a place.
+    /// @throws base::InputError unless isTaken(index).
     Handle<Kind> at(std::size_t index) const {
         if (!isTaken(index)) {
             refusePlace(m_kind, index);

@@ -11,9 +11,12 @@
 namespace cdr::scene {
 
 /// Which instances use a mesh. Only meshes that were asked for once are followed, so that others cost nothing.
+/// @threads One thread at a time.
+/// @errors None.
 class MeshUsers {
   public:
     /// Looks at every instance when a mesh is asked for first.
+    /// @lifetime The reference is valid as long as the object; what it refers to changes by add() and remove().
     const std::vector<std::uint32_t>& of(std::uint32_t mesh, const Instances& instances) {
         const auto [found, isNew] = m_users.try_emplace(mesh);
         for (std::size_t i = 0; isNew && i < instances.size(); ++i) {

@@ -12,11 +12,16 @@ namespace cdr::scene {
 /// Things of one kind that others use: who has which place, how many use each, and what changed. The things themselves are
 /// an array of the scene's, which the functions are given; a place that is free keeps one that nothing uses.
 ///
-/// Functions that take a handle throw base::InputError, and change nothing, unless it names what is there.
+/// @threads Any number at once may read while none changes it.
+/// @errors Functions that take a handle throw base::InputError, and change nothing, unless it names what is there.
+/// @lifetime References are valid as long as the table.
 template <typename Kind>
 class Table {
   public:
-    /// @param kind and users as messages name them. @param taken how many things there are.
+    /// A table of things that are there, which nothing uses yet.
+    /// @param kind as messages name one; must outlive the table
+    /// @param users as messages name them; must outlive the table
+    /// @param taken how many things there are
     Table(const char* kind, const char* users, std::size_t taken = 0)
         : m_places(kind, taken),
           m_users(users),
@@ -27,7 +32,8 @@ class Table {
     /// Which places changed.
     const ChangeLog& changes() const { return m_changes; }
 
-    /// @param index of a place that is there
+    /// Something uses a thing.
+    /// @param index of a place that is there, which is not checked
     void use(std::uint32_t index) { ++m_uses[index]; }
     /// Takes one use() back.
     void release(std::uint32_t index) { --m_uses[index]; }
@@ -49,14 +55,17 @@ class Table {
         m_places.require(handle);
         put(things, handle.index, std::move(thing));
     }
-    /// base::InputError also where something uses it. @param free what the place keeps
+    /// Gives a place back.
+    /// @param free what the place keeps
+    /// @throws base::InputError also where something uses it.
     template <typename T>
     void remove(std::vector<T>& things, Handle<Kind> handle, T free) {
         requireUnused(handle);
         m_places.free(handle);
         put(things, handle.index, std::move(free));
     }
-    /// base::InputError unless the handle names what is there and nothing uses it.
+    /// Whether a thing may be removed.
+    /// @throws base::InputError unless the handle names what is there and nothing uses it.
     void requireUnused(Handle<Kind> handle) const {
         m_places.require(handle);
         if (m_uses[handle.index] > 0) {

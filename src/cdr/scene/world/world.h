@@ -23,18 +23,19 @@ struct InstanceOptions {
 /// A scene that changes while it is drawn. It is the one owner of what it holds; a render::GpuScene made from it follows
 /// at the start of each frame, so all that draws sees an edit in the same frame.
 ///
-/// Every function throws base::InputError and changes nothing when a handle names what is not there (any more), or a
-/// value cannot be drawn. Edits and frames belong on one thread, or take turns.
-///
 /// Instances are drawn in the order of their places (Handle::index). A new one takes the place given back last. A place
 /// that is free keeps an instance without size, which no picture and no truth shows.
+/// @threads Edits and frames belong on one thread, or take turns.
+/// @errors Every function throws base::InputError and changes nothing when a handle names what is not there (any more), or
+///         a value cannot be drawn.
+/// @lifetime References are valid as long as the world, which must stay where it is. What they refer to changes.
 class CDR_EXPORT World {
   public:
     World() : World(Scene{}) {}
-    /// base::InputError as requireUsable(scene).
+    /// @throws base::InputError as requireUsable(scene).
     explicit World(Scene scene);
 
-    /// As it is now. The reference stays valid, what it refers to changes.
+    /// As it is now.
     const Scene& scene() const { return m_scene; }
 
     /// Handles of what the scene held when the world was made, by index; or of what is at that place now.
@@ -93,7 +94,7 @@ class CDR_EXPORT World {
         const ChangeLog& textures;  ///< by place
         const ChangeLog& vertices;  ///< of meshes, by place, where these alone changed
     };
-    /// Valid while the world lives; each log grows as edits are made.
+    /// What changed since the world was made; each log grows as edits are made.
     Changes changes() const {
         return {m_instanceChanges, m_meshes.changes(), m_materials.changes(), m_textures.changes(),
                 m_vertexChanges};
