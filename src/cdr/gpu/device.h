@@ -24,7 +24,8 @@ enum class Format;
 enum class ObjectType;
 } // namespace vk
 
-/// Vulkan instances and devices, made or lent. An object belongs to one thread at a time.
+/// Vulkan instances and devices, made or lent.
+/// @threads Functions may be called by many threads at once, each with structs of its own.
 namespace cdr::gpu {
 
 /// What a device is, and whether cdr can use it.
@@ -46,6 +47,7 @@ struct DeviceInfo {
 };
 
 /// Every device of the instance, in the loader's order.
+/// @throws std::system_error for Vulkan's errors.
 CDR_EXPORT std::vector<DeviceInfo> listDevices(const Instance& instance);
 
 /// Handles of a device that another program part created and owns.
@@ -75,20 +77,30 @@ struct BorrowedDevice {
     std::function<VkResult(const VkSubmitInfo2& submission, VkFence done)> submit{};
 };
 
-/// A logical device with one queue and a memory allocator. Frees what it created; what it borrowed stays.
+/// A logical device with one queue and a memory allocator. Frees what it created; what it borrowed stays. It must outlive
+/// what is made on it, and its Instance must outlive it.
+/// @threads Any number at once may ask what it is. submit() belongs to one thread at a time, and what is given a handle or
+///          a command buffer to the thread that has it.
+/// @errors None but those that a function names.
+/// @lifetime Handles, pointers and references are valid as long as the device; moving it takes them along.
 class CDR_EXPORT Device {
   public:
     /// @param choice index ("0") or part of a name in any case. Empty takes the best usable device: discrete,
     ///        integrated, virtual, then CPU.
-    /// base::InputError, with each device and why it was refused, when none fits.
+    /// @throws base::InputError that says of each device why it was refused, when none fits.
+    /// @throws base::RunError when there is no device at all.
+    /// @throws std::system_error for Vulkan's other errors.
     Device(const Instance& instance, const std::string& choice);
-    /// base::InputError that names the features which BorrowedDevice::features leaves off; for a loader that is not the one
-    /// in use, or knows not all of Vulkan 1.3. base::RunError when there is no loader.
+    /// Of handles that stay the caller's.
+    /// @throws base::InputError that names the features which BorrowedDevice::features leaves off.
+    /// @throws base::InputError for a loader that is not the one in use, or knows not all of Vulkan 1.3.
+    /// @throws base::RunError when there is no loader.
+    /// @throws std::system_error for Vulkan's other errors.
     explicit Device(const BorrowedDevice& borrowed);
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
-    /// What is moved from may only be destroyed or assigned to.
+    /// What is moved from may only be destroyed or assigned to. What was made on it refers to it, and must be gone.
     Device(Device&&) noexcept;
     /// As the constructor that moves. What uses this device must be gone.
     Device& operator=(Device&&) noexcept;
@@ -101,26 +113,30 @@ class CDR_EXPORT Device {
     vk::Queue queue() const;
     /// Of queue().
     std::uint32_t queueFamily() const;
-    /// vkQueueSubmit2() on queue(), or what takes its place. base::RunError and the like when the device is lost.
+    /// vkQueueSubmit2() on queue(), or what takes its place.
+    /// @param done may be null.
+    /// @throws std::system_error for Vulkan's errors, a lost device among them.
     void submit(const VkSubmitInfo2& submission, VkFence done) const;
     /// Of all memory that cdr takes; lent, or one of its own.
     VmaAllocator_T* allocator() const;
-    /// Pipelines that renderers of one device share are compiled once. Lives as long as the device.
+    /// Pipelines that renderers of one device share are compiled once.
     vk::PipelineCache pipelineCache() const;
     /// What listDevices() says of it.
     const DeviceInfo& info() const;
 
     /// The Vulkan format of optimally tiled depth attachments for `format`.
-    /// base::InputError, naming what the device has, when it lacks one.
+    /// @throws base::InputError that names what the device has, when it lacks one.
     vk::Format depthFormat(depth::DepthFormat format) const;
 
     /// Names an object for captures and validation messages; does nothing without VK_EXT_debug_utils.
+    /// @throws std::system_error when memory does not suffice.
     template <typename Handle>
     void setName(Handle handle, const std::string& name) const {
         setObjectName(Handle::objectType, reinterpret_cast<std::uint64_t>(typename Handle::CType(handle)),
                       name);
     }
-    /// Opens and closes a labelled region in a command buffer, for captures.
+    /// Opens a labelled region in a command buffer, for captures.
+    /// @param label is copied.
     void beginLabel(vk::CommandBuffer commands, const char* label) const;
     /// Closes what beginLabel() opened.
     void endLabel(vk::CommandBuffer commands) const;

@@ -13,17 +13,19 @@ namespace cdr::gpu {
 /// use and the device has. What is on stays on.
 /// @param instance of the device.
 /// @param features whose pNext chain holds VkPhysicalDeviceVulkan12Features and VkPhysicalDeviceVulkan13Features.
-/// base::InputError that names a feature which the device lacks, or a struct that the chain lacks; and as
-/// Device(const BorrowedDevice&) for the loader.
 /// @param loader as BorrowedDevice::loader.
+/// @throws base::InputError that names a feature which the device lacks, or a struct that the chain lacks.
+/// @throws base::InputError and base::RunError for the loader, as Device(const BorrowedDevice&).
 CDR_EXPORT void enableFeatures(VkInstance instance, VkPhysicalDevice physical,
                                VkPhysicalDeviceFeatures2& features,
                                PFN_vkGetInstanceProcAddr loader = nullptr);
 
 /// The features that cdr needs and `features` leaves off, by their names in Vulkan. Empty when it can draw.
+/// @errors None.
 CDR_EXPORT std::vector<std::string> missingFeatures(const VkPhysicalDeviceFeatures2& features);
 
 /// The same for Submission::gpuDriven alone.
+/// @errors None.
 CDR_EXPORT std::vector<std::string> missingGpuDrivenFeatures(const VkPhysicalDeviceFeatures2& features);
 
 } // namespace cdr::gpu

@@ -14,15 +14,16 @@ class Instance;
 
 namespace cdr::gpu {
 
-/// Collects the messages of the validation layers, from any thread. A test that renders fails unless it stays
-/// empty.
+/// Collects the messages of the validation layers. A test that renders fails unless it stays empty.
+/// @threads Any number at once.
+/// @errors None.
 class CDR_EXPORT ValidationLog {
   public:
-    /// Keeps a message. From any thread.
+    /// Keeps a message.
     void add(std::string message);
-    /// A copy of all so far. From any thread.
+    /// A copy of all so far.
     std::vector<std::string> messages() const;
-    /// How many there are so far. From any thread.
+    /// How many there are so far.
     std::size_t count() const;
 
   private:
@@ -39,11 +40,15 @@ struct InstanceOptions {
     std::vector<const char*> extensions;
 };
 
-/// An instance of the Vulkan loader in use: a host's that a BorrowedDevice brought, else the system's. base::RunError when
-/// there is no loader or no Vulkan 1.3.
+/// An instance of the Vulkan loader in use: a host's that a BorrowedDevice brought, else the system's.
+/// @threads Any number at once may ask what it is.
+/// @errors None but the constructor's.
+/// @lifetime The handle and references are valid as long as the instance; moving it takes them along.
 class CDR_EXPORT Instance {
   public:
-    /// Errors as above; base::InputError for an extension that is not there.
+    /// @throws base::RunError when there is no loader, no Vulkan 1.3 or no driver.
+    /// @throws base::InputError for InstanceOptions::validate without the layer.
+    /// @throws std::system_error for an extension that is not there, and Vulkan's other errors.
     explicit Instance(const InstanceOptions& options = {});
     ~Instance();
     Instance(const Instance&) = delete;
