@@ -17,6 +17,7 @@ struct CascadePart {
     std::size_t count = 1; ///< parts, 1 or more
 
     /// Its cascades, where a frame has so many. Where they do not come out even, the nearer parts have one more.
+    /// @errors None: that there is such a part is not checked.
     host::IndexRange of(std::size_t cascades) const {
         const host::IndexRange mirrored = host::evenRange(cascades, count - 1 - index, count);
         return {cascades - mirrored.end, cascades - mirrored.begin};
@@ -24,8 +25,10 @@ struct CascadePart {
     bool operator==(const CascadePart&) const = default;
 };
 
-/// base::InputError for what looks beyond a pixel's own surface, or needs other cascades: edges smoothed, ambient
-/// occlusion over the whole picture, a lens with a focus, motion, blended surfaces, gpu-driven draws.
+/// Refuses what several renderers cannot draw together.
+/// @throws base::InputError for what looks beyond a pixel's own surface, or needs other cascades: edges smoothed,
+///         ambient occlusion over the whole picture, a lens with a focus, motion, occlusion culling, blended surfaces,
+///         gpu-driven draws. And for a part that there is not.
 /// @param hasBlended whether the scene has blended materials.
 CDR_EXPORT void requireDivisible(const RenderOptions& options, bool hasBlended);
 

@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+/// @lifetime Names live as long as the program.
+
 #include <cdr/base/export.h>
 
 #include <glm/glm.hpp>
@@ -21,7 +25,7 @@ inline constexpr std::array kAntialiases{Antialias::none, Antialias::edges};
 
 /// "none" or "edges".
 CDR_EXPORT std::string_view nameOf(Antialias antialias);
-/// base::InputError with a suggestion for an unknown name.
+/// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT Antialias parseAntialias(std::string_view name);
 
 /// How light that is brighter than a picture can show comes into it.
@@ -36,7 +40,7 @@ inline constexpr std::array kToneMaps{ToneMap::scene, ToneMap::none, ToneMap::ne
 
 /// "scene", "none" or "neutral".
 CDR_EXPORT std::string_view nameOf(ToneMap toneMap);
-/// base::InputError with a suggestion for an unknown name.
+/// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT ToneMap parseToneMap(std::string_view name);
 
 /// Most stops of exposure, either way.
@@ -81,8 +85,9 @@ struct Effects {
     bool operator==(const Effects&) const = default;
 };
 
-/// base::InputError, naming the value, unless every length is finite and not negative and colours lie in [0,
-/// 1].
+/// Refuses effects that cannot be drawn.
+/// @throws base::InputError that names the value, unless every length is finite and not negative, exposure at most
+///         kMostExposure either way, and colours lie in [0, 1].
 CDR_EXPORT void requireUsable(const Effects& effects);
 
 } // namespace cdr::render

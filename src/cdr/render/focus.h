@@ -17,17 +17,22 @@ struct Focus {
     bool blend = false;
 
     /// Whether anything is out of focus.
+    /// @errors None.
     bool isOn() const { return distance > 0.0; }
     bool operator==(const Focus&) const = default;
 };
 
-/// base::InputError, naming the value, unless both are finite and not negative.
+/// Refuses a focus that cannot be drawn.
+/// @throws base::InputError that names the value, unless both are finite and not negative.
 CDR_EXPORT void requireUsable(const Focus& focus);
 
 /// Fewest pixels a layer has: a sixteenth of the picture's along each side.
 inline constexpr std::uint32_t kMostFocusScale = 16;
 
-/// A focused lens as a picture sees it: distances in scene units, circles of confusion in pixels across.
+/// A focused lens as a picture sees it.
+/// @threads Any number at once: it does not change.
+/// @errors None.
+/// @units View distances in scene units; circles of confusion in pixels across.
 class CDR_EXPORT FocusLens {
   public:
     /// @param focus that is on.

@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None: neither that a pixel is in the picture nor that the G-buffer was copied is checked.
+
 #include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/image/image.h>

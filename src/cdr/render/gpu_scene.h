@@ -32,12 +32,18 @@ struct MeshRange;
 
 /// A scene's meshes, materials and textures on a device, and its instances as recording reads them. Any number of
 /// renderers may share it.
+/// @threads One thread at a time: renderers that share it take turns.
+/// @errors None but those that a function names.
+/// @lifetime References, spans and handles are valid until an update() that finds something to do, and while this is.
 class CDR_EXPORT GpuScene {
   public:
-    /// Of a scene that stays as it is. Uploads and waits. base::InputError as scene::requireUsable(); base::RunError,
-    /// with both figures, when the device has too little memory.
+    /// Of a scene that stays as it is. Uploads and waits. The device and the scene must outlive this.
+    /// @throws base::InputError as scene::requireUsable().
+    /// @throws base::RunError with both figures when the device has too little memory.
+    /// @throws std::system_error for Vulkan's other errors, a lost device among them.
     GpuScene(const gpu::Device& device, const scene::Scene& scene);
-    /// Of a scene that changes; the world must outlive this.
+    /// Of a scene that changes. The device and the world must outlive this.
+    /// @errors base::InputError, base::RunError and std::system_error as above.
     GpuScene(const gpu::Device& device, const scene::World& world);
     ~GpuScene();
     GpuScene(const GpuScene&) = delete;
@@ -49,10 +55,11 @@ class CDR_EXPORT GpuScene {
 
     /// Follows the world's edits since the last call; renderers call it at the start of a frame. Instances take time
     /// by the number that changed. Meshes, materials and textures wait for all that the queue was given before.
-    /// base::RunError as the constructor.
+    /// @errors base::RunError and std::system_error as the constructors.
     void update();
 
     /// What it was made of, as it is now.
+    /// @lifetime That of the scene, or of the world.
     const scene::Scene& scene() const;
     /// Whether it follows a world.
     bool isLive() const;
@@ -66,6 +73,7 @@ class CDR_EXPORT GpuScene {
     /// Another number after each update() that changed more than instances: what a draw kind or a material says.
     std::uint64_t tablesRevision() const;
     /// Which instances changed.
+    /// @lifetime That of the world, or the program's where there is none.
     const scene::ChangeLog& instanceChanges() const;
     /// Tells apart the instances that were at one place of a world one after the other; 0 while none is there.
     std::uint32_t generation(std::size_t instance) const;
@@ -92,7 +100,8 @@ class CDR_EXPORT GpuScene {
     /// The instances whose material blends, ascending. They are drawn after all others.
     std::span<const std::uint32_t> blended() const;
     /// The instances that do not blend, as culling reads them: made at the first call, and as they are since the last
-    /// update(). Of a scene that stays as it is, threads may call it at once.
+    /// update().
+    /// @threads Any number at once, of a scene that stays as it is.
     const visibility::InstanceCells& cells(host::WorkerPool& workers) const;
     /// By instance.
     const std::vector<DrawSource>& sources() const;

@@ -21,6 +21,7 @@ struct VisibleCells;
 }
 
 /// The frame. Renderers, and what they draw, belong to one thread at a time; those of one device take turns.
+/// @threads Functions keep nothing: many threads may call them at once.
 namespace cdr::render {
 
 class DrawPathFactory;
@@ -35,15 +36,22 @@ enum class FrameCopy : std::uint8_t { color, everything };
 ///
 /// Data flows one way: camera -> cull -> split -> bin -> record on workers -> execute -> shade -> translucent
 /// surfaces -> Frame.
+/// @threads One thread at a time. Those of one device take turns, since they share its queue.
+/// @errors None but those that a function names.
+/// @lifetime The device and what is drawn must outlive the renderer, and stay where they are.
 class CDR_EXPORT Renderer {
   public:
-    /// Of a scene that stays as it is. The device, the scene and its GpuScene must outlive the renderer.
-    /// base::InputError for a picture of no or too many pixels, a depth format the device lacks, a
-    /// submission it cannot do, or an unusable detail; base::RunError when its memory does not suffice, with
-    /// both figures.
+    /// Of a scene that stays as it is.
+    /// @param gpuScene of `scene`
+    /// @throws base::InputError for options out of range, that do not go together or that the device cannot do: a
+    ///         picture of no or too many pixels, a depth format that it lacks, and the like.
+    /// @throws base::InputError for the GpuScene of a world, which changes.
+    /// @throws base::RunError with both figures when the device's memory or its limits do not suffice.
+    /// @throws std::system_error for Vulkan's other errors, and when the system starts no more threads.
     Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
              const RenderOptions& options);
-    /// Of a world: each frame shows it as it is when the frame begins. Errors as above.
+    /// Of a world: each frame shows it as it is when the frame begins.
+    /// @errors base::InputError, base::RunError and std::system_error as above.
     Renderer(const gpu::Device& device, GpuScene& live, const RenderOptions& options);
     /// Waits for what is in flight.
     ~Renderer();
@@ -51,44 +59,57 @@ class CDR_EXPORT Renderer {
     Renderer& operator=(const Renderer&) = delete;
 
     /// Renders one frame, waits for it and copies it to the host; Frame::gbuffer stays empty unless asked
-    /// for. base::InputError for an unusable camera or split, and with
-    /// RenderOptions::motion where instances of one object moved apart since the last frame.
+    /// for.
+    /// @throws base::InputError for an unusable camera or split, and with RenderOptions::motion where instances of one
+    ///         object moved apart since the last frame.
+    /// @throws base::RunError when what the frame draws has no room on the device.
+    /// @throws std::system_error for Vulkan's other errors, a lost device among them.
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);
 
     /// Goes past a frame without drawing it: the next one is the same as if this one had been rendered. It costs culling
     /// where a fitted split keeps to the frame before, and next to nothing where no frame depends on another.
+    /// @errors base::InputError, base::RunError and std::system_error as render().
     void skip(const scene::Camera& camera);
 
     /// The next frame is rendered as a first one is: a fitted split does not keep to the last frame's, and nothing moved.
     void forgetFrames();
 
     /// Renders one frame and waits for it, but leaves it on the device: what experiments time.
+    /// @errors base::InputError, base::RunError and std::system_error as render().
     FrameStats draw(const scene::Camera& camera);
 
-    /// Renders one frame without waiting for it: the CPU is at most `framesInFlight` ahead of the device.
-    /// Errors of an earlier frame may come up here. A frame whose lists had too little room (gpu-driven, or translucent
-    /// surfaces sorted) signals nonetheless, and unless a later frame was submitted is drawn again, whole, once that is
-    /// seen.
+    /// Renders one frame without waiting for it: the CPU is at most `framesInFlight` ahead of the device. A frame whose
+    /// lists had too little room (gpu-driven, or translucent surfaces sorted) signals nonetheless, and unless a later
+    /// frame was submitted is drawn again, whole, once that is seen.
+    /// @errors base::InputError, base::RunError and std::system_error as render(), of an earlier frame too.
     void submit(const scene::Camera& camera, const FrameSync& sync = {});
     /// Records one frame into a host's command buffer and images, which the host submits: to the device's queue, and
     /// before this or any other renderer of the device begins its next frame. Waits for the frame that was recorded
     /// `framesInFlight` calls before.
     ///
     /// A frame whose lists had too little room, as for submit(), lacks what found none; the next one has the room.
-    /// base::InputError for what cannot be recorded into, or with Submission::primaries, which needs command buffers of
-    /// its own; then nothing was recorded. After any other error, one of HostFrame::draw's too, the host's commands are
-    /// to be reset.
+    /// @throws base::InputError as render(), for what cannot be recorded into, and with Submission::primaries, which
+    ///         needs command buffers of its own; then nothing was recorded.
+    /// @throws base::RunError as render(). After this or any other error, one of HostFrame::draw's too, the host's
+    ///         commands are to be reset.
+    /// @throws std::system_error as render().
     void record(const scene::Camera& camera, const HostFrame& frame);
     /// Waits for all that was submitted or recorded.
+    /// @errors base::RunError and std::system_error of these frames, as render().
     void finish();
-    /// Where the last frame is. Valid until the next frame, or resize().
+    /// Where the last frame is.
+    /// @lifetime The images are valid until the next frame, or resize().
     Surfaces surfaces() const;
 
     /// Makes pictures of another size. Pipelines of the geometry stay, unless vertices are snapped. Waits for what is in
-    /// flight; errors as the constructor, which leave the size as it was.
+    /// flight.
+    /// @param width in pixels
+    /// @param height in pixels
+    /// @errors base::InputError, base::RunError and std::system_error as the constructor; the size is then as it was.
     void resize(std::uint32_t width, std::uint32_t height);
 
     /// What it was made with; resize() changes the size.
+    /// @lifetime As long as the renderer.
     const RenderOptions& options() const { return m_options; }
 
   private:

@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+/// @lifetime Names live as long as the program.
+
 #include <cdr/base/export.h>
 
 #include <array>
@@ -19,7 +23,7 @@ inline constexpr std::array kSurfacePaths{SurfacePath::gbuffer, SurfacePath::vis
 
 /// "gbuffer" or "visibility".
 CDR_EXPORT std::string_view nameOf(SurfacePath path);
-/// base::InputError with a suggestion for an unknown name.
+/// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT SurfacePath parseSurfacePath(std::string_view name);
 
 } // namespace cdr::render

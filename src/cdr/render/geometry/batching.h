@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+/// @lifetime Names live as long as the program.
+
 #include <cdr/base/export.h>
 
 #include <array>
@@ -20,7 +24,7 @@ inline constexpr std::array kBatchings{Batching::perObject, Batching::pushConsta
 
 /// "per-object", "push-constants" or "instanced".
 CDR_EXPORT std::string_view nameOf(Batching batching);
-/// base::InputError with a suggestion for an unknown name.
+/// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT Batching parseBatching(std::string_view name);
 
 } // namespace cdr::render

@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+/// @lifetime Names live as long as the program.
+
 #include <cdr/base/export.h>
 
 #include <array>

@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+/// @lifetime Names live as long as the program.
+
 #include <cdr/base/export.h>
 
 #include <array>
@@ -21,7 +25,7 @@ inline constexpr std::array kSubmissions{Submission::secondaries, Submission::pr
 
 /// "secondaries", "primaries" or "gpu-driven".
 CDR_EXPORT std::string_view nameOf(Submission submission);
-/// base::InputError with a suggestion for an unknown name.
+/// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT Submission parseSubmission(std::string_view name);
 
 } // namespace cdr::render

@@ -1,5 +1,8 @@
 #pragma once
 
+/// @file
+/// @errors None.
+
 #include <cdr/base/export.h>
 
 #include <glm/glm.hpp>

@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+/// @lifetime Names live as long as the program.
+
 #include <cdr/base/export.h>
 
 #include <array>
@@ -34,7 +38,8 @@ struct CDR_EXPORT TargetsChoice {
     TargetsChoice() = default;
     /// A kind as it comes: a pool has kDefaultPoolLayers.
     TargetsChoice(TargetsKind ofKind); // NOLINT(google-explicit-constructor): a kind is a choice
-    /// base::InputError unless kMinPoolLayers to kMaxPoolLayers.
+    /// A pool of so many layers.
+    /// @throws base::InputError unless kMinPoolLayers to kMaxPoolLayers.
     static TargetsChoice pool(std::uint32_t layers);
 
     bool operator==(const TargetsChoice&) const = default;
@@ -43,8 +48,8 @@ struct CDR_EXPORT TargetsChoice {
 /// The kind's name, a pool's with its layers: "pool:4".
 CDR_EXPORT std::string nameOf(const TargetsChoice& choice);
 
-/// Reads a kind's name, or "pool:N". base::InputError with a suggestion for an unknown name, and for a number
-/// that does not fit.
+/// Reads a kind's name, or "pool:N".
+/// @throws base::InputError with a suggestion for an unknown name, and for a number that does not fit.
 CDR_EXPORT TargetsChoice parseTargets(std::string_view text);
 
 /// Whether cascades are drawn into layers of their own before they meet: accumulate, pool and layers.

@@ -1,5 +1,9 @@
 #pragma once
 
+/// @file
+/// @errors None but those that a function names.
+/// @lifetime Names live as long as the program.
+
 #include <cdr/base/export.h>
 
 #include <array>
@@ -26,7 +30,7 @@ inline constexpr std::array kTranslucencies{Translucency::weighted, Translucency
 
 /// "weighted" or "sorted".
 CDR_EXPORT std::string_view nameOf(Translucency translucency);
-/// base::InputError with a suggestion for an unknown name.
+/// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT Translucency parseTranslucency(std::string_view name);
 
 /// How blended surfaces are drawn.
