@@ -41,7 +41,7 @@ struct Crossing {
 /// Finds both crossings of `curve` with `separation` on [nearView, farView], by a logarithmic scan and
 /// bisection. Empty when the curve never reaches the value.
 /// @param curve separations by view distance, both in scene units; called about 200,000 times.
-/// @throws anything that `curve` throws.
+/// @errors What `curve` throws.
 CDR_EXPORT std::optional<Crossing> findCrossing(const std::function<double(double)>& curve, double separation,
                                                 double nearView, double farView);
 

@@ -37,7 +37,7 @@ class CDR_EXPORT WorkerPool {
     using Job = std::function<void(std::size_t job, std::size_t worker)>;
 
     /// Runs `body` once for each job in [0, jobs) and returns when all have ended. Not reentrant.
-    /// @throws anything that `body` throws: of several the one of the lowest job, once the batch has ended.
+    /// @errors What `body` throws: of several the error of the lowest job, once the batch has ended.
     void run(std::size_t jobs, const Job& body);
 
     /// Traces every job from now on; null for none. Between batches only.

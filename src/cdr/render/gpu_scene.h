@@ -34,7 +34,7 @@ struct MeshRange;
 /// renderers may share it.
 /// @threads One thread at a time: renderers that share it take turns.
 /// @errors None but those that a function names.
-/// @lifetime References, spans and handles are valid until an update() that finds something to do, and while this is.
+/// @lifetime References, spans and handles are valid until an update() that finds something to do, or the end of this.
 class CDR_EXPORT GpuScene {
   public:
     /// Of a scene that stays as it is. Uploads and waits. The device and the scene must outlive this.
