@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Checks the shape of the repository: at most 45 files in a folder, at most 500 lines in a file. CTest runs it as Rooms.
+# Checks the shape of the repository: at most 45 files in a folder, at most 500 lines in a file, and shell
+# scripts that bash can parse. CTest runs it as Rooms.
 # That each folder has its line in ARCHITECTURE.md is checked by the test Documents.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -24,5 +25,9 @@ while read -r lines file; do
     ((lines <= most_lines)) || finding "$file has $lines lines, $most_lines are the most"
 done < <(sources | grep -E '[.](h|cpp|glsl|vert|frag|comp|js|mjs|css|html|py|sh|cmake|txt|md)$' |
     xargs -d '\n' wc --lines | grep -v ' total$')
+
+while read -r script; do
+    bash -n "$script" || finding "$script is no script that bash can parse"
+done < <(sources | grep -E '[.]sh$')
 
 ((findings == 0)) || exit 1
