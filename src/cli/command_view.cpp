@@ -1,12 +1,14 @@
 #include "commands.h"
 
 #include <cdr/base/error.h>
+#include <cdr/host/process.h>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -19,9 +21,14 @@ namespace fs = std::filesystem;
 
 /// cdr-viewer beside this program; else the one that PATH finds.
 std::string viewerProgram() {
-    std::error_code error;
-    const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / "cdr-viewer";
-    return !error && fs::exists(beside, error) ? beside.string() : "cdr-viewer";
+    if (const std::optional<fs::path> own = host::ownProgram()) {
+        std::error_code error;
+        const fs::path beside = own->parent_path() / "cdr-viewer";
+        if (fs::exists(beside, error)) {
+            return beside.string();
+        }
+    }
+    return "cdr-viewer";
 }
 
 /// Becomes the viewer. base::InputError where there is none.

@@ -4,10 +4,10 @@
 
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
+#include <cdr/host/process.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include <algorithm>
 #include <set>
@@ -93,7 +93,7 @@ fs::path resolved(const fs::path& path) {
 
 /// A hidden name in `folder` that no other process uses.
 fs::path hiddenIn(const fs::path& folder, const fs::path& path, std::string_view what) {
-    return folder / fmt::format(".{}.{}.{}", path.filename().string(), static_cast<long>(::getpid()), what);
+    return folder / fmt::format(".{}.{}.{}", path.filename().string(), host::processId(), what);
 }
 
 /// Whether the current folder is `path`. base::InputError when it lies deeper in it: it would be removed.

@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
+#include <cdr/host/process.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ constexpr int kMostLinks = 40; // as Linux has it
 std::optional<int> descriptorOf(const fs::path& path) {
     const std::string folder = path.parent_path().lexically_normal().string();
     if (folder != "/dev/fd" && folder != "/proc/self/fd" &&
-        folder != fmt::format("/proc/{}/fd", ::getpid())) {
+        folder != fmt::format("/proc/{}/fd", processId())) {
         return std::nullopt;
     }
     const std::string name = path.filename().string();

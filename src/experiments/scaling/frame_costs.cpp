@@ -1,12 +1,11 @@
 #include "frame_costs.h"
 
 #include <cdr/host/file.h>
+#include <cdr/host/process.h>
 #include <cdr/image/codec.h>
 #include <cdr/render/renderer.h>
 #include <experiments/units.h>
 #include <scenes/cubes.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -35,7 +34,7 @@ class ScratchFile {
   public:
     ScratchFile()
         : m_path(std::filesystem::temp_directory_path() /
-                 ("cdr-cost-" + std::to_string(::getpid()) + ".png")) {}
+                 ("cdr-cost-" + std::to_string(host::processId()) + ".png")) {}
     ~ScratchFile() {
         std::error_code ignored;
         std::filesystem::remove(m_path, ignored);

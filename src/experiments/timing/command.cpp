@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
+#include <cdr/host/process.h>
 #include <cdr/host/trace.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/render/renderer.h>
@@ -184,7 +185,11 @@ std::vector<std::string> runArguments(const Command& command, const TimingArgume
 }
 
 void runAgainst(const Command& command, const TimingArguments& arguments) {
-    const experiments::AgainstOptions options{.here = std::filesystem::read_symlink("/proc/self/exe"),
+    const std::optional<std::filesystem::path> own = host::ownProgram();
+    if (!own) {
+        throw base::RunError("--against: this system does not tell which file this program is");
+    }
+    const experiments::AgainstOptions options{.here = *own,
                                               .against = arguments.against,
                                               .arguments = runArguments(command, arguments),
                                               .rounds = arguments.rounds,
