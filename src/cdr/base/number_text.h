@@ -4,23 +4,21 @@
 /// @errors None.
 /// @units Any: the text leaves the unit out.
 
-#include <cdr/base/export.h>
-
 #include <string>
 #include <type_traits>
 
 namespace cdr::base {
 
 /// The shortest text that reads back as the same value. Without an exponent from 1e-4 up to 1e16, as fmt writes "{}".
-CDR_EXPORT std::string shortest(double value);
+std::string shortest(double value);
 
 /// As many significant digits as given, trailing zeros left out: printf's "%.Ng".
 /// @param digits at most 350, which is not checked.
-CDR_EXPORT std::string general(double value, int digits = 6);
+std::string general(double value, int digits = 6);
 
 /// As many decimals as given: printf's "%.Nf".
 /// @param decimals at most 80, which is not checked.
-CDR_EXPORT std::string fixed(double value, int decimals);
+std::string fixed(double value, int decimals);
 
 /// The texts one after another, numbers in between by shortest().
 template <typename... Parts>

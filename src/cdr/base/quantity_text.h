@@ -3,8 +3,6 @@
 /// @file
 /// @errors None but those that a function names.
 
-#include <cdr/base/export.h>
-
 #include <array>
 #include <string>
 #include <string_view>
@@ -20,10 +18,10 @@ inline constexpr std::array kLengthUnits{LengthUnit::none,       LengthUnit::aut
                                          LengthUnit::metre,      LengthUnit::kilometre};
 /// "none", "auto", "um", "mm", "m", "km".
 /// @lifetime The program's.
-CDR_EXPORT std::string_view nameOf(LengthUnit unit);
+std::string_view nameOf(LengthUnit unit);
 /// The unit of a name.
 /// @throws InputError with a suggestion for an unknown name.
-CDR_EXPORT LengthUnit parseLengthUnit(std::string_view name);
+LengthUnit parseLengthUnit(std::string_view name);
 
 /// `typeset` is for windows and pages: thousands grouped, a true minus, powers of ten raised, no place to break a line.
 /// `plain` is for terminals: what it writes without a unit can be typed in again.
@@ -36,12 +34,12 @@ inline constexpr int kReadableDigits = 4;
 /// and no zeros at the end. A power of ten below 0.0001 and from ten million on. "infinite", and "none" for no number.
 /// tests/base/quantities.json holds it to the report's page, which follows the same rules.
 /// @param value in any unit, which the text leaves out.
-CDR_EXPORT std::string quantityText(double value, NumberStyle style = NumberStyle::typeset,
-                                    int digits = kReadableDigits);
+std::string quantityText(double value, NumberStyle style = NumberStyle::typeset,
+                         int digits = kReadableDigits);
 
 /// A length as quantityText() in a unit.
 /// @param metres scene units, which are metres by convention.
-CDR_EXPORT std::string quantityText(double metres, LengthUnit unit, NumberStyle style = NumberStyle::typeset,
-                                    int digits = kReadableDigits);
+std::string quantityText(double metres, LengthUnit unit, NumberStyle style = NumberStyle::typeset,
+                         int digits = kReadableDigits);
 
 } // namespace cdr::base

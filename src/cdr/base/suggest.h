@@ -20,6 +20,6 @@ CDR_EXPORT std::string unknownName(std::string_view what, std::string_view given
 CDR_EXPORT double parseNumber(std::string_view what, std::string_view text);
 /// parseNumber() in the same unit, refused instead of thrown.
 /// @errors None.
-CDR_EXPORT Result<double> tryParseNumber(std::string_view what, std::string_view text);
+Result<double> tryParseNumber(std::string_view what, std::string_view text);
 
 } // namespace cdr::base

@@ -77,7 +77,7 @@ CDR_EXPORT std::string costOf(const AdviceRow& row);
 
 /// Writes a length, in scene units. What it throws comes through explain().
 using LengthText = std::function<std::string(double)>;
-/// base::quantityText() without a unit.
+/// Four significant digits, as the programs write a length without a unit.
 CDR_EXPORT std::string plainLength(double view);
 
 /// The advice in words, one sentence per line.

@@ -3,7 +3,6 @@
 /// @file
 /// @errors None: what is wanted of arguments is not checked.
 
-#include <cdr/base/export.h>
 #include <cdr/depth/cascade.h>
 #include <cdr/depth/occupancy.h>
 #include <cdr/depth/step_bound.h>
@@ -22,17 +21,17 @@ namespace cdr::depth {
 /// beginning with k cascades, c of which end in a gap, the one that reaches farthest leaves the least to do;
 /// one such way is kept for every (k, c).
 /// @param occupied as mergeIntervals() returns them, not empty.
-CDR_EXPORT std::optional<Cascades> planCascades(const StepModel& model, const StepTarget& target,
-                                                std::span<const Interval> occupied, std::size_t most);
+std::optional<Cascades> planCascades(const StepModel& model, const StepTarget& target,
+                                     std::span<const Interval> occupied, std::size_t most);
 
 /// Whether planCascades() finds a plan; several times faster.
 /// @param occupied as for planCascades().
-CDR_EXPORT bool canMeet(const StepModel& model, const StepTarget& target, std::span<const Interval> occupied,
-                        std::size_t most);
+bool canMeet(const StepModel& model, const StepTarget& target, std::span<const Interval> occupied,
+             std::size_t most);
 
 /// The finest multiple of `target`, at least 1, that `most` cascades meet, to a thousandth.
 /// @param occupied as for planCascades().
-CDR_EXPORT StepTarget relaxToMeet(const StepModel& model, const StepTarget& target,
-                                  std::span<const Interval> occupied, std::size_t most);
+StepTarget relaxToMeet(const StepModel& model, const StepTarget& target, std::span<const Interval> occupied,
+                       std::size_t most);
 
 } // namespace cdr::depth

@@ -3,7 +3,6 @@
 /// @file
 /// @errors None: makeCascades() checks the arguments, and is the one to call.
 
-#include <cdr/base/export.h>
 #include <cdr/depth/make_cascades.h>
 
 namespace cdr::depth {
@@ -17,12 +16,12 @@ namespace cdr::depth {
 /// - they have a margin of 1/128 of the cascade where the target allows it;
 /// - previous bounds are kept while what they enclose stays within twice that margin;
 /// - previous cuts and the previous count are kept while a target 1/8 wider is met.
-CDR_EXPORT Cascades fitCascades(const SplitFitted& split, const SplitContext& context);
+Cascades fitCascades(const SplitFitted& split, const SplitContext& context);
 
 /// How far beyond its target a kept split may lie.
 inline constexpr double kFitSlack = 0.125;
 
 /// `split.count` cascades over the camera's range with the smallest worst step bound, to a thousandth.
-CDR_EXPORT Cascades minimaxCascades(const SplitMinimax& split, const SplitContext& context);
+Cascades minimaxCascades(const SplitMinimax& split, const SplitContext& context);
 
 } // namespace cdr::depth

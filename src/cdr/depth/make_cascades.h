@@ -32,7 +32,7 @@ struct SplitContext {
 /// Cuts view distances into cascades, nearest first. Depends on its arguments alone.
 ///
 /// - none, ratio, count, at, minimax: the whole range, without gap or overlap.
-/// - fitted: what is visible, see fitCascades(); there may be gaps.
+/// - fitted: what is visible, as SplitFitted says; there may be gaps.
 ///
 /// @throws base::InputError for a range that requireRange() refuses, for more than kMaxCascades, and for a split that
 ///         is fitted to pixels without a footprint slope above 0.

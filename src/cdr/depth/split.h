@@ -38,6 +38,9 @@ struct SplitAt {
 };
 
 /// Fitted to what is visible: the fewest cascades whose steps stay below a target, and none over empty space.
+///
+/// Bounds stay put from frame to frame: they have a margin of 1/128 of the cascade where the target allows it, and previous
+/// ones are kept while they meet a target that is 1/8 wider.
 struct SplitFitted {
     /// What the target is in: a pixel's footprint, or scene units.
     enum class Unit { pixels, scene };
