@@ -16,7 +16,7 @@ const kLine = /^(?:\$ )?(?:build\/release\/bin\/)?(cdr|cdr-viewer)((?: .*)?)$/;
 function blockCommands(text) {
     const indented = [...prose(text).matchAll(/^ {4}(\S.*)$/gm)].map((match) => match[1]);
     const fenced = blocks(text).flatMap(({ language, body }) =>
-        body.split("\n").filter((line) => language !== "console" || line.startsWith("$ ")));
+        body.split("\n").filter((line) => !["console", "text"].includes(language) || line.startsWith("$ ")));
     return [...fenced, ...indented].flatMap(parse);
 }
 

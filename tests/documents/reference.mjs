@@ -13,7 +13,7 @@ const rooms = [...read("tools/cmake/CdrPackage.cmake").matchAll(/set\(CDR_(?:DEP
 /** Paths of the headers that are installed: what a room lists, or all of its folder. */
 export const headers = rooms.flatMap((room) => {
     const folder = `src/cdr/${room}`;
-    const listed = read(`${folder}/CMakeLists.txt`).match(/cdr_room\([^)]*?HEADERS\s+([^)]*?)\s+(?:PUBLIC|PRIVATE)/);
+    const listed = read(`${folder}/CMakeLists.txt`).match(/cdr_room\([^)]*?HEADERS\s+([^)]*?)\s*(?:\bPUBLIC\b|\bPRIVATE\b|\))/);
     return listed ? listed[1].split(/\s+/).map((name) => `${folder}/${name}`)
         : files(folder).filter((path) => path.endsWith(".h"));
 });

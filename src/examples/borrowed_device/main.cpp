@@ -52,17 +52,19 @@ VkDevice makeDevice(VkPhysicalDevice physical, std::uint32_t family,
 }
 
 void drawOneBox(const cdr::gpu::Device& device) {
-    namespace render = cdr::render;
-    cdr::scene::Scene scene;
+    // quoted in README.md: begin
+    cdr::scene::Scene scene; // or that of cdr::scene::openGltf("model.gltf")
     scene.meshes.push_back(cdr::scene::makeBox(glm::vec3(1.0f)));
     scene.materials.push_back({.name = "white"});
-    cdr::scene::addInstance(scene, 0, 0, 41, {0.0, 0.0, -5.0}, glm::mat3(1.0f));
-    const render::GpuScene onDevice(device, scene);
-    render::Renderer renderer(
-        device, scene, onDevice,
-        {.width = 64, .height = 64, .technique = cdr::depth::parseTechnique("anchored")});
-    const render::Frame frame = renderer.render(cdr::scene::Camera{});
-    std::printf("id %u at %.6f\n", frame.id(32, 32), frame.distanceView(32, 32));
+    cdr::scene::addInstance(scene, 0, 0, 41, {0.0, 0.0, -5.0}, glm::mat3(1.0f)); // object 41
+    const cdr::render::GpuScene onDevice(device, scene);
+    cdr::render::Renderer renderer(device, scene, onDevice,
+                                   {.technique = cdr::depth::parseTechnique("anchored")});
+    const cdr::render::Frame frame = renderer.render(cdr::scene::Camera{});
+    const std::uint32_t id = frame.id(640, 360);          // object index + 1, 0 for the background
+    const double distance = frame.distanceView(640, 360); // float64, in scene units, for every technique
+    // quoted in README.md: end
+    std::printf("id %u at %.6f\n", id, distance);
 }
 
 } // namespace
