@@ -14,7 +14,7 @@ void requirePage() {
     if (page::kFiles.empty()) {
         throw base::RunError(
             "this cdr was built without the report's page; run tools/setup.sh, which fetches "
-            "what the page is made of, and build again");
+            "what the page is made of, and build again with CDR_BUILD_REPORT on");
     }
 }
 

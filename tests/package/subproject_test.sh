@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Adds cdr's folder to an engine's build, by add_subdirectory and by FetchContent: only the library is built. Then configures
+# cdr itself without what can be left out, and looks which programs remain.
+# Usage: subproject_test.sh SOURCE_DIR
+set -euo pipefail
+
+source_dir=$(cd "$1" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export CCACHE_BASEDIR=$work
+quiet() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2 && echo "failed: $*" >&2 && exit 1; }; }
+fail() {
+    echo "$1" >&2
+    exit 1
+}
+
+for by in add_subdirectory FetchContent; do
+    quiet cmake -G Ninja -S "$source_dir/tests/package/subproject" -B "$work/$by" -DCMAKE_BUILD_TYPE=Debug \
+        "-DCDR_BY=$by" "-DCDR_SOURCE=$source_dir" -DCDR_UNITY_BUILD=ON
+done
+# What the engine does not link is not built, and its own program lands where it says.
+quiet cmake --build "$work/add_subdirectory"
+[[ $("$work/add_subdirectory/engine") == "cdr "*": 2 cascades, farthest first"* ]] || fail "unexpected output of the engine"
+built=$(cd "$work/add_subdirectory" && find . -name '*.a' -printf '%f\n' | sort | paste --serial --delimiters=' ')
+[[ $built == "libcdr_base.a libcdr_depth.a" ]] || fail "an engine that links cdr::depth also built: $built"
+echo "subproject: added by add_subdirectory and FetchContent, only the library is built"
+
+# programs NAME [OPTION...]: those that this configuration would build, and whether all that they need is known.
+programs() {
+    local at=$work/$1
+    shift
+    quiet cmake -G Ninja -S "$source_dir" -B "$at" -DCMAKE_BUILD_TYPE=Release -DCDR_UNITY_BUILD=ON "$@"
+    quiet ninja -C "$at" -n
+    ninja -C "$at" -t targets all | sed -nE 's,^bin/([a-z_-]+): CXX_EXECUTABLE_LINKER.*,\1,p'
+}
+# expect NAME PATTERN...: the programs' names, and !PATTERN for one that must not be there.
+expect() {
+    local name=$1 pattern
+    shift
+    for pattern in "$@"; do
+        if [[ $pattern == !* ]]; then
+            ! grep -qxE "${pattern#!}" <<<"$found" || fail "$name: builds ${pattern#!}"
+        else
+            grep -qxE "$pattern" <<<"$found" || fail "$name: does not build $pattern"
+        fi
+    done
+}
+found=$(programs no_viewer -DCDR_BUILD_VIEWER=OFF)
+expect "CDR_BUILD_VIEWER=OFF" cdr test_render '!cdr-viewer.*' '!test_viewer'
+found=$(programs no_report -DCDR_BUILD_REPORT=OFF)
+expect "CDR_BUILD_REPORT=OFF" cdr test_report
+! grep -rq 'page/build.mjs' "$work/no_report/build.ninja" || fail "CDR_BUILD_REPORT=OFF: bundles the page"
+quiet cmake --build "$work/no_report" --target cdr_page_header
+found=$(programs no_tools -DCDR_BUILD_TOOLS=OFF)
+expect "CDR_BUILD_TOOLS=OFF" '!.+'
+found=$(programs no_render -DCDR_BUILD_RENDER=OFF)
+expect "CDR_BUILD_RENDER=OFF" '!.+'
+echo "options: configured without the viewer, the page, the programs and the renderer"
