@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The long checks, before a release or after a large change: every test under the sanitizers, those of a driver on other
-# drivers, clang-tidy and include-what-you-use over all sources, every header compiled alone, all faults of which the suite
-# takes a sample, and a minute of fuzzing for each parser. It takes hours on two cores.
+# drivers, clang-tidy and include-what-you-use over all sources, every header compiled alone, depth's tests for Windows
+# where a cross compiler and wine are installed, all faults of which the suite takes a sample, and a minute of fuzzing for each
+# parser. It takes hours on two cores.
 # Usage: tools/check.sh [--changed]
 # --changed does what fits into a few minutes: clang-tidy over the sources that differ from origin/main, or from the
 # parent commit where they do not differ, and under AddressSanitizer the tests of the rooms that do.
@@ -20,6 +21,9 @@ check_all() {
     tools/tidy.sh
     tools/includes.sh
     cmake --build build/tidy --target all_verify_interface_header_sets
+    local windows=0
+    tools/windows.sh || windows=$?
+    ((windows == 0 || windows == 3)) || return 1 # 3: it said what is missing
     CDR_ALL_CASES=1 build/release/bin/test_cli --gtest_brief=1 \
         --gtest_filter='*FaultSweep*:*FileFaults*:*NumericOptions*:Signals*'
     CDR_ALL_CASES=1 ctest --preset release --tests-regex '^Documents$'
