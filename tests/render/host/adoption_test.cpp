@@ -1,7 +1,7 @@
 #include "../../depth/adoption_example.h"
 #include "../fixture.h"
-#include "../read_image.h"
-#include "../read_spirv.h"
+#include "read_image.h"
+#include "read_spirv.h"
 
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/memory.h>

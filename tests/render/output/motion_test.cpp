@@ -1,6 +1,6 @@
-#include "fixture.h"
-#include "host_side.h"
-#include "read_image.h"
+#include "../fixture.h"
+#include "../host/host_side.h"
+#include "../host/read_image.h"
 
 #include <cdr/base/error.h>
 #include <cdr/measure/truth/truth_motion.h>

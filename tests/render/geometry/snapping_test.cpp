@@ -1,5 +1,5 @@
-#include "fixture.h"
-#include "snapping.h"
+#include "../fixture.h"
+#include "../snapping.h"
 
 #include <cdr/depth/forecast.h>
 #include <cdr/scene/frustum.h>

@@ -1,4 +1,4 @@
-#include "fixture.h"
+#include "../fixture.h"
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/memory.h>

@@ -1,5 +1,5 @@
-#include "fixture.h"
-#include "snapping.h"
+#include "../fixture.h"
+#include "../snapping.h"
 
 #include <cdr/depth/make_cascades.h>
 #include <cdr/depth/separation.h>

@@ -1,4 +1,4 @@
-#include "fixture.h"
+#include "../fixture.h"
 #include "host_side.h"
 
 #include <cdr/base/error.h>

@@ -1,4 +1,4 @@
-#include "fixture.h"
+#include "../fixture.h"
 #include "read_image.h"
 
 #include <cdr/render/renderer_setup.h>

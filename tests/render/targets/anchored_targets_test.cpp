@@ -1,5 +1,5 @@
-#include "fixture.h"
-#include "snapping.h"
+#include "../fixture.h"
+#include "../snapping.h"
 
 #include <scenes/cubes.h>
 #include <scenes/globe.h>

@@ -1,4 +1,4 @@
-#include "fixture.h"
+#include "../fixture.h"
 
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/render/materials/material_words.h>

@@ -1,5 +1,5 @@
-#include "fixture.h"
-#include "snapping.h"
+#include "../fixture.h"
+#include "../snapping.h"
 
 #include <cdr/base/error.h>
 #include <cdr/measure/truth/layered_truth.h>

@@ -1,4 +1,4 @@
-#include "fixture.h"
+#include "../fixture.h"
 #include "read_spirv.h"
 
 #include <cdr/depth/cascade_constants.h>
