@@ -1,10 +1,15 @@
 #include <cdr/base/error.h>
 #include <cdr/depth/advice.h>
+#include <cdr/depth/cascade_constants.h>
 #include <cdr/depth/make_cascades.h>
+#include <cdr/depth/separation.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +34,15 @@ const SplitContext kContext{.nearView = 0.1, .farView = 1e5};
 const ForecastScene kFarAway{.atView = 1e9};
 const ForecastScene kSnappedTooFine{.subPixelBits = 33};
 const ForecastScene kOverhanging{.subPixelBits = 8, .slope = -1.0};
+
+const Cascades kOneCascade{{.nearView = 1.0, .farView = 2.0}};
+const Projection kLens{.fovY = 1.0, .aspect = 1.5};
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+BadCall constantsCall(const char* what, std::size_t index, const Projection& lens) {
+    return {what, [=] { return messageOf(tryCascadeConstants(Mapping::anchored, kOneCascade, index, lens)); },
+            [=] { cascadeConstants(Mapping::anchored, kOneCascade, index, lens); }};
+}
 
 const std::vector<BadCall> kBadCalls{
     {"mapping", [] { return messageOf(tryParseMapping("lag")); }, [] { parseMapping("lag"); }},
@@ -63,6 +77,16 @@ const std::vector<BadCall> kBadCalls{
     {"slope", [] { return messageOf(tryForecast({}, kOverhanging)); }, [] { forecast({}, kOverhanging); }},
     {"separation", [] { return messageOf(tryAdvise({.scene = {}, .separationView = 0.0})); },
      [] { advise({.scene = {}, .separationView = 0.0}); }},
+    {"technique by name", [] { return messageOf(tryParseTechnique("cdx")); }, [] { parseTechnique("cdx"); }},
+    {"the thesis' mapping",
+     [] { return messageOf(tryThesisSeparationView(Mapping::anchored, kOneCascade, 24, 1.0)); },
+     [] { thesisSeparationView(Mapping::anchored, kOneCascade, 24, 1.0); }},
+    constantsCall("no such cascade", 1, kLens),
+    constantsCall("no field of view", 0, {.fovY = 0.0, .aspect = 1.0}),
+    constantsCall("a field of view of half a turn", 0, {.fovY = std::numbers::pi, .aspect = 1.0}),
+    constantsCall("a field of view that is no number", 0, {.fovY = kNan, .aspect = 1.0}),
+    constantsCall("no width", 0, {.fovY = 1.0, .aspect = 0.0}),
+    constantsCall("an infinite width", 0, {.fovY = 1.0, .aspect = HUGE_VAL}),
     {"advice's scene", [] { return messageOf(tryAdvise({.scene = kFarAway})); },
      [] { advise({.scene = kFarAway}); }},
 };
@@ -89,6 +113,11 @@ TEST(Refusal, OfAnotherNumberOfMeasurements) {
 
 TEST(Refusal, GoodCallsGiveTheSameBothWays) {
     EXPECT_EQ(tryNamedTechnique("cdr")->technique, namedTechnique("cdr").technique);
+    EXPECT_EQ(*tryParseTechnique("anchored"), parseTechnique("anchored"));
+    EXPECT_EQ(*tryThesisSeparationView(Mapping::log, kOneCascade, 24, 1.5),
+              thesisSeparationView(Mapping::log, kOneCascade, 24, 1.5));
+    EXPECT_EQ(tryCascadeConstants(Mapping::anchored, kOneCascade, 0, kLens)->projectionX,
+              cascadeConstants(Mapping::anchored, kOneCascade, 0, kLens).projectionX);
     EXPECT_EQ(*tryParseSplit("at:1,2"), parseSplit("at:1,2"));
     EXPECT_EQ(tryMakeCascades(SplitCount{3}, kContext)->size(), makeCascades(SplitCount{3}, kContext).size());
 }

@@ -1,9 +1,10 @@
 #pragma once
 
 /// @file
-/// @errors None.
+/// @errors None but those that a function names.
 
 #include <cdr/base/export.h>
+#include <cdr/base/result.h>
 #include <cdr/depth/mapping.h>
 
 #include <cstddef>
@@ -13,7 +14,7 @@ namespace cdr::depth {
 /// A perspective lens, as a projection matrix has it.
 struct Projection {
     double fovY = 0.0;   ///< vertical field of view in radians, above 0 and below pi
-    double aspect = 1.0; ///< width / height, above 0
+    double aspect = 1.0; ///< width / height, above 0 and finite
 };
 
 /// What a vertex shader needs of one cascade: CdrCascade of shaders/public/cdr_depth.glsl, whose two vec4 have the same
@@ -32,9 +33,13 @@ static_assert(sizeof(CascadeConstants) == 32);
 static_assert(offsetof(CascadeConstants, nearAhead) == 16);
 
 /// The constants of cascade `index` of makeCascades().
-/// @param index below the number of cascades, which is not checked.
+/// @throws base::InputError for an index that is no cascade's, and for a projection outside the limits above.
 /// @param farEnd as depthRange() takes it.
 CDR_EXPORT CascadeConstants cascadeConstants(Mapping mapping, const Cascades& cascades, std::size_t index,
                                              const Projection& projection, FarEnd farEnd = FarEnd::open);
+/// The same, refused instead of thrown.
+CDR_EXPORT base::Result<CascadeConstants> tryCascadeConstants(Mapping mapping, const Cascades& cascades,
+                                                              std::size_t index, const Projection& projection,
+                                                              FarEnd farEnd = FarEnd::open);
 
 } // namespace cdr::depth

@@ -61,6 +61,14 @@ double separationView(Mapping mapping, const Cascades& cascades, DepthFormat for
 }
 
 double thesisSeparationView(Mapping mapping, const Cascades& cascades, int bits, double distanceView) {
+    return tryThesisSeparationView(mapping, cascades, bits, distanceView).orThrow();
+}
+
+base::Result<double> tryThesisSeparationView(Mapping mapping, const Cascades& cascades, int bits,
+                                             double distanceView) {
+    if (mapping != Mapping::standard && mapping != Mapping::log) {
+        return base::Refusal{"the thesis gives separations for standard and log alone"};
+    }
     const Cascade* cascade = findCascade(cascades, distanceView);
     if (cascade == nullptr) {
         return kInfinity;
@@ -73,10 +81,7 @@ double thesisSeparationView(Mapping mapping, const Cascades& cascades, int bits,
         const double step = std::exp2(-bits);
         return distanceView * distanceView * step / (c + distanceView * step);
     }
-    if (mapping == Mapping::log) {
-        return distanceView * std::expm1(std::log(f / n) / (std::exp2(bits) - 1.0));
-    }
-    base::raise<base::InputError>("the thesis gives separations for standard and log alone");
+    return distanceView * std::expm1(std::log(f / n) / (std::exp2(bits) - 1.0));
 }
 
 std::optional<Crossing> findCrossing(const std::function<double(double)>& curve, double separation,

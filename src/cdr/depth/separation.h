@@ -4,6 +4,7 @@
 /// @errors None but those that a function names.
 
 #include <cdr/base/export.h>
+#include <cdr/base/result.h>
 #include <cdr/depth/format.h>
 #include <cdr/depth/mapping.h>
 
@@ -25,9 +26,12 @@ CDR_EXPORT double separationView(Mapping mapping, const Cascades& cascades, Dept
 /// Ulrich 2011 with 2^bits - 1 steps for log. Baker measures towards the camera and separationView() away
 /// from it, so they differ where a step spans a large share of the distance.
 /// @param mapping standard or log.
-/// @throws base::InputError for another mapping, which the thesis does not have, where a cascade holds the distance.
+/// @throws base::InputError for another mapping, which the thesis does not have.
 CDR_EXPORT double thesisSeparationView(Mapping mapping, const Cascades& cascades, int bits,
                                        double distanceView);
+/// The same, refused instead of thrown.
+CDR_EXPORT base::Result<double> tryThesisSeparationView(Mapping mapping, const Cascades& cascades, int bits,
+                                                        double distanceView);
 
 /// Where a separation curve over view distance meets a value.
 struct Crossing {

@@ -32,7 +32,15 @@ std::string partsOf(const Technique& technique) {
 }
 
 Technique parseTechnique(std::string_view name) {
-    return namedTechnique(name).technique;
+    return tryParseTechnique(name).orThrow();
+}
+
+base::Result<Technique> tryParseTechnique(std::string_view name) {
+    const base::Result<NamedTechnique> named = tryNamedTechnique(name);
+    if (!named) {
+        return named.refusal();
+    }
+    return named->technique;
 }
 
 NamedTechnique namedTechnique(std::string_view name) {

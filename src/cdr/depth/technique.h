@@ -45,6 +45,8 @@ CDR_EXPORT std::string partsOf(const Technique& technique);
 /// Reads a preset's name, or "mapping/split" with the format d32f.
 /// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT Technique parseTechnique(std::string_view name);
+/// The same, refused instead of thrown.
+CDR_EXPORT base::Result<Technique> tryParseTechnique(std::string_view name);
 
 /// parseTechnique(), with the preset's name or the parts as the name, whichever was given.
 /// @throws base::InputError as parseTechnique().
