@@ -105,7 +105,7 @@ TEST(World, RefusesStaleHandlesByName) {
     world.addInstance(boxAt(world, {}));
     EXPECT_EQ(refusalOf([&] { world.setTransform(gone, {}); }),
               "instance 1 (generation 1) is not there: it was removed");
-    EXPECT_EQ(refusalOf([&] { world.setTransform({.index = 7, .generation = 1}, {}); }),
+    EXPECT_EQ(refusalOf([&] { world.setTransform({.index = 7, .generation = 1, .world = gone.world}, {}); }),
               "instance 7 (generation 1) is not there: it never was");
     EXPECT_EQ(refusalOf([&] { (void)world.mesh(5); }), "mesh 5 is not there");
     EXPECT_NE(refusalOf([&] { world.addInstance({}); }), "");
@@ -124,44 +124,79 @@ void expectRefusals(const std::vector<Misuse>& misuses, const char* words) {
     }
 }
 
-TEST(World, EveryCallRefusesAHandleOfWhatWasRemoved) {
-    World world = boxWorld();
-    const MeshHandle mesh = world.addMesh(makeBox(glm::vec3(1.0f)));
-    const MaterialHandle material = world.addMaterial({});
-    const TextureHandle texture =
-        world.addTexture({.name = "dot", .pixels = image::ImageRgba8(1, 1, {1, 2, 3, 255})});
-    const InstanceHandle instance = world.addInstance(boxAt(world, {}));
-    const LightHandle light = world.addLight({});
-    world.removeMesh(mesh);
-    world.removeMaterial(material);
-    world.removeTexture(texture);
-    world.removeInstance(instance);
-    world.removeLight(light);
+/// Handles of each kind.
+struct Handles {
+    MeshHandle mesh;
+    MaterialHandle material;
+    TextureHandle texture;
+    InstanceHandle instance;
+    LightHandle light;
+};
+
+Handles addOneOfEach(World& world) {
+    return {.mesh = world.addMesh(makeBox(glm::vec3(1.0f))),
+            .material = world.addMaterial({}),
+            .texture = world.addTexture({.name = "dot", .pixels = image::ImageRgba8(1, 1, {1, 2, 3, 255})}),
+            .instance = world.addInstance(boxAt(world, {})),
+            .light = world.addLight({})};
+}
+
+/// Every call that takes a handle, with those that name nothing in this world.
+void expectRefusals(World& world, const Handles& bad, const char* words) {
     const InstanceHandle kept = world.instance(0);
-    const std::vector<InstanceHandle> both{kept, instance};
+    const std::vector<InstanceHandle> both{kept, bad.instance};
     const std::vector<Transform> two(2);
     const std::vector<Vertex> vertices = makeBox(glm::vec3(1.0f)).vertices;
     expectRefusals(
-        {{"addInstance, mesh", [&] { world.addInstance({.mesh = mesh, .material = world.material(0)}); }},
-         {"addInstance, material", [&] { world.addInstance({.mesh = world.mesh(0), .material = material}); }},
-         {"removeInstance", [&] { world.removeInstance(instance); }},
-         {"setTransform", [&] { world.setTransform(instance, {}); }},
+        {{"addInstance, mesh", [&] { world.addInstance({.mesh = bad.mesh, .material = world.material(0)}); }},
+         {"addInstance, material",
+          [&] { world.addInstance({.mesh = world.mesh(0), .material = bad.material}); }},
+         {"removeInstance", [&] { world.removeInstance(bad.instance); }},
+         {"setTransform", [&] { world.setTransform(bad.instance, {}); }},
          {"setTransforms", [&] { world.setTransforms(both, two); }},
-         {"setMaterial, instance", [&] { world.setMaterial(instance, world.material(0)); }},
-         {"setMaterial of an instance", [&] { world.setMaterial(kept, material); }},
-         {"setLight", [&] { world.setLight(light, {}); }},
-         {"removeLight", [&] { world.removeLight(light); }},
-         {"setVertices", [&] { world.setVertices(mesh, vertices); }},
-         {"removeMesh", [&] { world.removeMesh(mesh); }},
-         {"setMaterial", [&] { world.setMaterial(material, Material{}); }},
-         {"removeMaterial", [&] { world.removeMaterial(material); }},
-         {"removeTexture", [&] { world.removeTexture(texture); }},
-         {"instance", [&] { (void)world.instance(1); }},
-         {"mesh", [&] { (void)world.mesh(1); }},
-         {"material", [&] { (void)world.material(1); }},
-         {"texture", [&] { (void)world.texture(0); }},
-         {"light", [&] { (void)world.light(0); }}},
-        "is not there");
+         {"setMaterial, instance", [&] { world.setMaterial(bad.instance, world.material(0)); }},
+         {"setMaterial of an instance", [&] { world.setMaterial(kept, bad.material); }},
+         {"setLight", [&] { world.setLight(bad.light, {}); }},
+         {"removeLight", [&] { world.removeLight(bad.light); }},
+         {"setVertices", [&] { world.setVertices(bad.mesh, vertices); }},
+         {"removeMesh", [&] { world.removeMesh(bad.mesh); }},
+         {"setMaterial", [&] { world.setMaterial(bad.material, Material{}); }},
+         {"removeMaterial", [&] { world.removeMaterial(bad.material); }},
+         {"removeTexture", [&] { world.removeTexture(bad.texture); }}},
+        words);
+    EXPECT_EQ(world.scene().instances.position(0), glm::dvec3(1.0, 2.0, 3.0));
+}
+
+TEST(World, EveryCallRefusesAHandleOfWhatWasRemoved) {
+    World world = boxWorld();
+    const Handles gone = addOneOfEach(world);
+    world.removeInstance(gone.instance);
+    world.removeMesh(gone.mesh);
+    world.removeMaterial(gone.material);
+    world.removeTexture(gone.texture);
+    world.removeLight(gone.light);
+    expectRefusals(world, gone, "it was removed");
+    expectRefusals({{"instance", [&] { (void)world.instance(1); }},
+                    {"mesh", [&] { (void)world.mesh(1); }},
+                    {"material", [&] { (void)world.material(1); }},
+                    {"texture", [&] { (void)world.texture(0); }},
+                    {"light", [&] { (void)world.light(0); }}},
+                   "is not there");
+}
+
+TEST(World, EveryCallRefusesAHandleOfAnotherWorld) {
+    World world = boxWorld();
+    World other = boxWorld();
+    addOneOfEach(world);
+    expectRefusals(world, addOneOfEach(other), "it is of another world");
+}
+
+TEST(World, ACopyTakesTheHandlesOfItsOriginal) {
+    World world = boxWorld();
+    const InstanceHandle box = world.instance(0);
+    World copy = world;
+    copy.setTransform(box, {.position = {5.0, 0.0, 0.0}});
+    EXPECT_EQ(copy.scene().instances.position(0), glm::dvec3(5.0, 0.0, 0.0));
     EXPECT_EQ(world.scene().instances.position(0), glm::dvec3(1.0, 2.0, 3.0));
 }
 

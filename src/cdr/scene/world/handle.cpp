@@ -1,7 +1,10 @@
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/scene/world/handle.h>
 
 #include <fmt/format.h>
+
+#include <atomic>
 
 namespace cdr::scene {
 
@@ -9,9 +12,16 @@ void refusePlace(const char* kind, std::size_t index) {
     throw base::InputError(fmt::format("{} {} is not there", kind, index));
 }
 
-void refuseHandle(const char* kind, std::uint32_t index, std::uint32_t generation, bool wasThere) {
-    throw base::InputError(fmt::format("{} {} (generation {}) is not there: {}", kind, index, generation,
-                                       wasThere ? "it was removed" : "it never was"));
+std::uint32_t newWorldId() {
+    static std::atomic<std::uint32_t> last{0};
+    return ++last;
+}
+
+void refuseHandle(const char* kind, std::uint32_t index, std::uint32_t generation, HandleFault fault) {
+    constexpr base::EnumNames<HandleFault, 3> kWhy{
+        "fault", {"it never was", "it was removed", "it is of another world"}};
+    throw base::InputError(
+        fmt::format("{} {} (generation {}) is not there: {}", kind, index, generation, kWhy.nameOf(fault)));
 }
 
 void refuseUsed(const char* kind, std::uint32_t index, std::uint32_t uses, const char* users) {

@@ -8,12 +8,13 @@
 
 namespace cdr::scene {
 
-/// Names one thing in a World for as long as it is there. Its place in the scene's arrays is `index`; a later thing at
+/// Names one thing in one World for as long as it is there. Its place in the scene's arrays is `index`; a later thing at
 /// the same place has another generation.
 template <typename Kind>
 struct Handle {
     std::uint32_t index = 0;      ///< of its place
     std::uint32_t generation = 0; ///< 0 names nothing
+    std::uint32_t world = 0;      ///< that gave it, as newWorldId() counts them
 
     bool operator==(const Handle&) const = default;
 };
@@ -29,14 +30,23 @@ using MaterialHandle = Handle<struct MaterialKind>;
 /// Of a texture.
 using TextureHandle = Handle<struct TextureKind>;
 
+/// Another number than any world of the process has had.
+CDR_EXPORT std::uint32_t newWorldId();
+
+/// Why a handle names nothing that is there.
+enum class HandleFault : std::uint8_t {
+    never,      ///< it was never given
+    removed,    ///< what it named was removed
+    otherWorld, ///< it was given by another world
+};
+
 /// Says that nothing is at this place.
 /// @throws base::InputError always.
 [[noreturn]] CDR_EXPORT void refusePlace(const char* kind, std::size_t index);
 /// Says that the handle names nothing that is there.
-/// @param wasThere whether there is such a place
 /// @throws base::InputError always.
 [[noreturn]] CDR_EXPORT void refuseHandle(const char* kind, std::uint32_t index, std::uint32_t generation,
-                                          bool wasThere);
+                                          HandleFault fault);
 /// Says that something uses it still.
 /// @throws base::InputError always.
 [[noreturn]] CDR_EXPORT void refuseUsed(const char* kind, std::uint32_t index, std::uint32_t uses,
@@ -50,7 +60,11 @@ class Places {
   public:
     /// The first `taken` places, none free.
     /// @param kind as messages name it; must outlive the object
-    explicit Places(const char* kind, std::size_t taken = 0) : m_kind(kind), m_generations(taken, 1) {}
+    /// @param world that the things are of
+    Places(const char* kind, std::uint32_t world, std::size_t taken)
+        : m_kind(kind),
+          m_world(world),
+          m_generations(taken, 1) {}
 
     /// What messages call a thing.
     /// @lifetime That of the text that the constructor was given.
@@ -63,11 +77,11 @@ class Places {
     Handle<Kind> take() {
         if (m_free.empty()) {
             m_generations.push_back(1);
-            return {static_cast<std::uint32_t>(size() - 1), 1};
+            return {static_cast<std::uint32_t>(size() - 1), 1, m_world};
         }
         const std::uint32_t index = m_free.back();
         m_free.pop_back();
-        return {index, ++m_generations[index]};
+        return {index, ++m_generations[index], m_world};
     }
     /// Takes a place back.
     /// @param handle of a taken place, which is not checked
@@ -80,12 +94,13 @@ class Places {
     bool isTaken(std::size_t index) const { return index < size() && m_generations[index] % 2 == 1; }
     /// Whether a handle names what is there.
     bool has(Handle<Kind> handle) const {
-        return isTaken(handle.index) && m_generations[handle.index] == handle.generation;
+        return handle.world == m_world && isTaken(handle.index) &&
+               m_generations[handle.index] == handle.generation;
     }
     /// @throws base::InputError unless has(handle).
     void require(Handle<Kind> handle) const {
         if (!has(handle)) {
-            refuseHandle(m_kind, handle.index, handle.generation, handle.index < size());
+            refuseHandle(m_kind, handle.index, handle.generation, faultOf(handle));
         }
     }
     /// The handle of what is at a place.
@@ -94,11 +109,19 @@ class Places {
         if (!isTaken(index)) {
             refusePlace(m_kind, index);
         }
-        return {static_cast<std::uint32_t>(index), m_generations[index]};
+        return {static_cast<std::uint32_t>(index), m_generations[index], m_world};
     }
 
   private:
+    HandleFault faultOf(Handle<Kind> handle) const {
+        if (handle.generation != 0 && handle.world != m_world) {
+            return HandleFault::otherWorld;
+        }
+        return handle.generation != 0 && handle.index < size() ? HandleFault::removed : HandleFault::never;
+    }
+
     const char* m_kind;
+    std::uint32_t m_world;
     std::vector<std::uint32_t> m_generations; ///< odd while taken
     std::vector<std::uint32_t> m_free;
 };

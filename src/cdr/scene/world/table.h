@@ -21,9 +21,10 @@ class Table {
     /// A table of things that are there, which nothing uses yet.
     /// @param kind as messages name one; must outlive the table
     /// @param users as messages name them; must outlive the table
+    /// @param world that the things are of
     /// @param taken how many things there are
-    Table(const char* kind, const char* users, std::size_t taken = 0)
-        : m_places(kind, taken),
+    Table(const char* kind, const char* users, std::uint32_t world, std::size_t taken)
+        : m_places(kind, world, taken),
           m_users(users),
           m_uses(taken) {}
 

@@ -18,11 +18,12 @@ std::string nameOf(const char* kind, Handle<Kind> handle) {
 
 World::World(Scene scene)
     : m_scene(std::move(scene)),
-      m_instances("instance", m_scene.instances.size()),
-      m_meshes("mesh", "instances", m_scene.meshes.size()),
-      m_materials("material", "instances", m_scene.materials.size()),
-      m_textures("texture", "materials", m_scene.textures.size()),
-      m_lightPlaces("light", m_scene.lights.size()) {
+      m_id(newWorldId()),
+      m_instances("instance", m_id, m_scene.instances.size()),
+      m_meshes("mesh", "instances", m_id, m_scene.meshes.size()),
+      m_materials("material", "instances", m_id, m_scene.materials.size()),
+      m_textures("texture", "materials", m_id, m_scene.textures.size()),
+      m_lightPlaces("light", m_id, m_scene.lights.size()) {
     requireUsable(m_scene);
     for (std::uint32_t light = 0; light < m_scene.lights.size(); ++light) {
         m_lightOf.push_back(light);

@@ -23,11 +23,13 @@ struct InstanceOptions {
 /// A scene that changes while it is drawn. It is the one owner of what it holds; a render::GpuScene made from it follows
 /// at the start of each frame, so all that draws sees an edit in the same frame.
 ///
+/// A copy takes the handles of the world that it is copied from.
+///
 /// Instances are drawn in the order of their places (Handle::index). A new one takes the place given back last. A place
 /// that is free keeps an instance without size, which no picture and no truth shows.
 /// @threads Edits and frames belong on one thread, or take turns.
 /// @errors Every function throws base::InputError and changes nothing when a handle or an index names what is not there
-///         (any more), or a value cannot be drawn.
+///         (any more), a handle is of another world, or a value cannot be drawn.
 /// @lifetime References are valid as long as the world, which must stay where it is. What they refer to changes.
 class CDR_EXPORT World {
   public:
@@ -108,6 +110,7 @@ class CDR_EXPORT World {
     void releaseTexture(const Material& material);
 
     Scene m_scene;
+    std::uint32_t m_id; ///< in the handles that it gives
     Places<InstanceKind> m_instances;
     ChangeLog m_instanceChanges;
     Table<MeshKind> m_meshes;
