@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/features.h>
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
 #include <fmt/format.h>
@@ -124,6 +125,7 @@ struct Device::Handles {
     std::unique_ptr<VmaAllocator_T, AllocatorDeleter> ownedAllocator; ///< empty when borrowed
     VmaAllocator_T* allocator = nullptr;
     vk::UniquePipelineCache pipelineCache;
+    PipelineObjects pipelineObjects;
 };
 
 Device::~Device() = default;
@@ -159,6 +161,10 @@ VmaAllocator_T* Device::allocator() const {
 
 vk::PipelineCache Device::pipelineCache() const {
     return *m_handles->pipelineCache;
+}
+
+PipelineObjects& Device::pipelineObjects() const {
+    return m_handles->pipelineObjects;
 }
 
 const DeviceInfo& Device::info() const {

@@ -28,6 +28,8 @@ enum class ObjectType;
 /// @threads Functions may be called by many threads at once, each with structs of its own.
 namespace cdr::gpu {
 
+struct PipelineObjects;
+
 /// What a device is, and whether cdr can use it.
 struct DeviceInfo {
     std::string name;                             ///< as the driver gives it
@@ -121,6 +123,8 @@ class CDR_EXPORT Device {
     VmaAllocator_T* allocator() const;
     /// Pipelines that renderers of one device share are compiled once.
     vk::PipelineCache pipelineCache() const;
+    /// Layouts and pipelines that renderers of this device share while they are there.
+    PipelineObjects& pipelineObjects() const;
     /// What listDevices() says of it.
     const DeviceInfo& info() const;
 

@@ -7,8 +7,9 @@ namespace cdr::gpu {
 
 namespace {
 
-vk::UniqueShaderModule makeModule(const Device& device, std::span<const std::uint32_t> spirv) {
-    return device.handle().createShaderModuleUnique({.codeSize = spirv.size_bytes(), .pCode = spirv.data()});
+vk::UniqueShaderModule makeModule(const Device& device, const Spirv& spirv) {
+    return device.handle().createShaderModuleUnique(
+        {.codeSize = spirv.words.size() * sizeof(std::uint32_t), .pCode = spirv.words.data()});
 }
 
 /// Constants 0, 1, ... laid out one after the other.
@@ -68,11 +69,9 @@ vk::StencilOpState stencilState(Stencil stencil) {
             .reference = 1};
 }
 
-} // namespace
-
-vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options) {
+vk::UniquePipeline createGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options) {
     const vk::UniqueShaderModule vertex = makeModule(device, options.vertexSpirv);
-    const bool isShaded = !options.fragmentSpirv.empty();
+    const bool isShaded = !options.fragmentSpirv.words.empty();
     const vk::UniqueShaderModule fragment =
         isShaded ? makeModule(device, options.fragmentSpirv) : vk::UniqueShaderModule();
     const Specialization constants(options.constants);
@@ -134,22 +133,74 @@ vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipe
                                                                             .pDepthStencilState = &depth,
                                                                             .pColorBlendState = &blend,
                                                                             .pDynamicState = &dynamic,
-                                                                            .layout = options.layout});
+                                                                            .layout = *options.layout});
     vk::resultCheck(result, "vkCreateGraphicsPipelines");
     device.setName(*pipeline, options.name);
     return std::move(pipeline);
 }
 
-vk::UniquePipeline makeComputePipeline(const Device& device, std::span<const std::uint32_t> spirv,
-                                       vk::PipelineLayout layout, const std::string& name) {
-    const vk::UniqueShaderModule shader = makeModule(device, spirv);
+vk::UniquePipeline createComputePipeline(const Device& device, const ComputePipelineOptions& options) {
+    const vk::UniqueShaderModule shader = makeModule(device, options.spirv);
     auto [result, pipeline] = device.handle().createComputePipelineUnique(
         device.pipelineCache(),
         {.stage = {.stage = vk::ShaderStageFlagBits::eCompute, .module = *shader, .pName = "main"},
-         .layout = layout});
+         .layout = *options.layout});
     vk::resultCheck(result, "vkCreateComputePipelines");
-    device.setName(*pipeline, name);
+    device.setName(*pipeline, options.name);
     return std::move(pipeline);
+}
+
+vk::UniquePipelineLayout createPipelineLayout(const Device& device, const PipelineLayoutOptions& options) {
+    std::vector<vk::DescriptorSetLayout> sets;
+    for (const SetLayout& set : options.sets) {
+        sets.push_back(*set);
+    }
+    return device.handle().createPipelineLayoutUnique(
+        {.setLayoutCount = static_cast<std::uint32_t>(sets.size()),
+         .pSetLayouts = sets.data(),
+         .pushConstantRangeCount = static_cast<std::uint32_t>(options.constants.size()),
+         .pPushConstantRanges = options.constants.data()});
+}
+
+vk::UniqueDescriptorSetLayout createSetLayout(const Device& device, const SetLayoutOptions& options) {
+    std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    for (const vk::DescriptorType type : options.types) {
+        bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
+                            .descriptorType = type,
+                            .descriptorCount = 1,
+                            .stageFlags = options.stages});
+    }
+    return device.handle().createDescriptorSetLayoutUnique(
+        {.bindingCount = static_cast<std::uint32_t>(bindings.size()), .pBindings = bindings.data()});
+}
+
+} // namespace
+
+Pipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options) {
+    return device.pipelineObjects().graphics.get(
+        options, [&](const auto& wanted) { return createGraphicsPipeline(device, wanted); });
+}
+
+Pipeline makeComputePipeline(const Device& device, const ComputePipelineOptions& options) {
+    return device.pipelineObjects().compute.get(
+        options, [&](const auto& wanted) { return createComputePipeline(device, wanted); });
+}
+
+PipelineLayout makePipelineLayout(const Device& device, const PipelineLayoutOptions& options,
+                                  const std::string& name) {
+    return device.pipelineObjects().layouts.get(options, [&](const auto& wanted) {
+        vk::UniquePipelineLayout layout = createPipelineLayout(device, wanted);
+        device.setName(*layout, name);
+        return layout;
+    });
+}
+
+SetLayout makeSetLayout(const Device& device, const SetLayoutOptions& options, const std::string& name) {
+    return SetLayout(device.pipelineObjects().setLayouts.get(options, [&](const auto& wanted) {
+        vk::UniqueDescriptorSetLayout layout = createSetLayout(device, wanted);
+        device.setName(*layout, name);
+        return layout;
+    }));
 }
 
 void bindFullscreenPipeline(vk::CommandBuffer commands, vk::Pipeline pipeline, vk::Extent2D extent) {
@@ -159,35 +210,6 @@ void bindFullscreenPipeline(vk::CommandBuffer commands, vk::Pipeline pipeline, v
     commands.setScissor(0, vk::Rect2D{{0, 0}, extent});
     commands.setCullMode(vk::CullModeFlagBits::eNone);
     commands.setFrontFace(vk::FrontFace::eCounterClockwise);
-}
-
-vk::UniquePipelineLayout makePipelineLayout(const Device& device,
-                                            const std::vector<vk::DescriptorSetLayout>& sets,
-                                            const std::vector<vk::PushConstantRange>& constants,
-                                            const std::string& name) {
-    auto layout = device.handle().createPipelineLayoutUnique(
-        {.setLayoutCount = static_cast<std::uint32_t>(sets.size()),
-         .pSetLayouts = sets.data(),
-         .pushConstantRangeCount = static_cast<std::uint32_t>(constants.size()),
-         .pPushConstantRanges = constants.data()});
-    device.setName(*layout, name);
-    return layout;
-}
-
-vk::UniqueDescriptorSetLayout makeSetLayout(const Device& device,
-                                            const std::vector<vk::DescriptorType>& types,
-                                            vk::ShaderStageFlags stages, const std::string& name) {
-    std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (const vk::DescriptorType type : types) {
-        bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
-                            .descriptorType = type,
-                            .descriptorCount = 1,
-                            .stageFlags = stages});
-    }
-    auto layout = device.handle().createDescriptorSetLayoutUnique(
-        {.bindingCount = static_cast<std::uint32_t>(bindings.size()), .pBindings = bindings.data()});
-    device.setName(*layout, name);
-    return layout;
 }
 
 vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, std::uint32_t sets, std::uint32_t perSet,

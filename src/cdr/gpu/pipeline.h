@@ -1,14 +1,56 @@
 #pragma once
 
 #include <cdr/gpu/device.h>
+#include <cdr/gpu/shared.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cdr::gpu {
+
+/// A shader in SPIR-V.
+struct Spirv {
+    std::vector<std::uint32_t> words;
+
+    Spirv() = default;
+    explicit Spirv(std::vector<std::uint32_t> read) : words(std::move(read)) {}
+    // Implicit, since the headers that the build makes of shaders hold arrays.
+    template <std::size_t n>
+    Spirv(const std::uint32_t (&array)[n]) : words(array, array + n) {} // NOLINT(google-explicit-constructor)
+
+    bool operator==(const Spirv&) const = default;
+};
+
+/// What the layout of a descriptor set is made from: binding i has the i-th type, one descriptor each.
+struct SetLayoutOptions {
+    std::vector<vk::DescriptorType> types;
+    vk::ShaderStageFlags stages;
+
+    bool operator==(const SetLayoutOptions&) const = default;
+};
+
+/// Shared by all that were made from equal options.
+struct SetLayout : Shared<vk::UniqueDescriptorSetLayout> {
+    SetLayout() = default;
+    explicit SetLayout(Shared shared) : Shared(std::move(shared)) {}
+};
+
+/// What the layout of pipelines is made from.
+struct PipelineLayoutOptions {
+    std::vector<SetLayout> sets;
+    std::vector<vk::PushConstantRange> constants;
+
+    bool operator==(const PipelineLayoutOptions&) const = default;
+};
+
+/// Shared as a SetLayout is.
+using PipelineLayout = Shared<vk::UniquePipelineLayout>;
+/// Shared as a SetLayout is.
+using Pipeline = Shared<vk::UniquePipeline>;
 
 /// How a pipeline's colour is combined with the attachment's.
 enum class Blend : std::uint8_t {
@@ -28,11 +70,11 @@ enum class Stencil : std::uint8_t {
 /// What a graphics pipeline is made from; viewport, scissor, cull mode and front face stay dynamic.
 struct GraphicsPipelineOptions {
     std::string name;
-    std::span<const std::uint32_t> vertexSpirv;
-    std::span<const std::uint32_t> fragmentSpirv; ///< empty: depth alone is written
+    Spirv vertexSpirv;
+    Spirv fragmentSpirv; ///< empty: depth alone is written
     /// Specialisation constants 0, 1, ... of both stages.
     std::vector<std::uint32_t> constants;
-    vk::PipelineLayout layout;
+    PipelineLayout layout;
     std::vector<vk::VertexInputBindingDescription> bindings;
     std::vector<vk::VertexInputAttributeDescription> attributes;
     std::vector<vk::Format> colorFormats;
@@ -43,25 +85,40 @@ struct GraphicsPipelineOptions {
     vk::CompareOp depthCompare = vk::CompareOp::eLessOrEqual;
     bool hasDepthBias = false; ///< set by setDepthBias(), dynamic
     Blend blend = Blend::none; ///< of every attachment
+
+    bool operator==(const GraphicsPipelineOptions&) const = default;
 };
 
-vk::UniquePipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options);
+/// What a compute pipeline is made from.
+struct ComputePipelineOptions {
+    std::string name;
+    Spirv spirv;
+    PipelineLayout layout;
 
-vk::UniquePipeline makeComputePipeline(const Device& device, std::span<const std::uint32_t> spirv,
-                                       vk::PipelineLayout layout, const std::string& name);
+    bool operator==(const ComputePipelineOptions&) const = default;
+};
+
+/// The layouts and pipelines of one device.
+struct PipelineObjects {
+    SharedObjects<SetLayoutOptions, vk::UniqueDescriptorSetLayout> setLayouts;
+    SharedObjects<PipelineLayoutOptions, vk::UniquePipelineLayout> layouts;
+    SharedObjects<GraphicsPipelineOptions, vk::UniquePipeline> graphics;
+    SharedObjects<ComputePipelineOptions, vk::UniquePipeline> compute;
+};
+
+Pipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options);
+
+Pipeline makeComputePipeline(const Device& device, const ComputePipelineOptions& options);
 
 /// Binds a pipeline whose vertex shader covers the picture with one triangle, and sets its dynamic state.
 void bindFullscreenPipeline(vk::CommandBuffer commands, vk::Pipeline pipeline, vk::Extent2D extent);
 
-vk::UniquePipelineLayout makePipelineLayout(const Device& device,
-                                            const std::vector<vk::DescriptorSetLayout>& sets,
-                                            const std::vector<vk::PushConstantRange>& constants,
-                                            const std::string& name);
+/// @param name for captures and messages; that of the first where several are equal.
+PipelineLayout makePipelineLayout(const Device& device, const PipelineLayoutOptions& options,
+                                  const std::string& name);
 
-/// A descriptor set layout whose binding i has the i-th type, one descriptor each.
-vk::UniqueDescriptorSetLayout makeSetLayout(const Device& device,
-                                            const std::vector<vk::DescriptorType>& types,
-                                            vk::ShaderStageFlags stages, const std::string& name);
+/// @param name as of makePipelineLayout().
+SetLayout makeSetLayout(const Device& device, const SetLayoutOptions& options, const std::string& name);
 
 /// A pool with room for `sets` descriptor sets that hold `perSet` of each descriptor type named.
 vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, std::uint32_t sets, std::uint32_t perSet,

@@ -175,10 +175,10 @@ vk::Buffer GpuScene::vertices() const {
 vk::Buffer GpuScene::indices() const {
     return m_state->m_meshes.indices().handle();
 }
-vk::DescriptorSetLayout GpuScene::textureLayout() const {
+const gpu::SetLayout& GpuScene::textureLayout() const {
     return m_state->m_textures.baseColorLayout();
 }
-vk::DescriptorSetLayout GpuScene::detailLayout() const {
+const gpu::SetLayout& GpuScene::detailLayout() const {
     return m_state->m_textures.detailLayout();
 }
 vk::Buffer GpuScene::details() const {

@@ -12,9 +12,11 @@
 
 namespace vk {
 class Buffer;
-class DescriptorSetLayout;
 } // namespace vk
 
+namespace cdr::gpu {
+struct SetLayout;
+}
 namespace cdr::host {
 class WorkerPool;
 }
@@ -82,9 +84,9 @@ class CDR_EXPORT GpuScene {
     /// Of all meshes and their levels.
     vk::Buffer indices() const;
     /// Of the set that DrawKind::textureSet is.
-    vk::DescriptorSetLayout textureLayout() const;
+    const gpu::SetLayout& textureLayout() const;
     /// Of the set that DrawKind::detailSet is.
-    vk::DescriptorSetLayout detailLayout() const;
+    const gpu::SetLayout& detailLayout() const;
     /// What vertices have beside vertices(), of all meshes; null where no material has detail.
     vk::Buffer details() const;
     /// The part of a draw record that the material decides, by material.

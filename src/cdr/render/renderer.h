@@ -101,7 +101,7 @@ class CDR_EXPORT Renderer {
     /// @lifetime The images are valid until the next frame, or resize().
     Surfaces surfaces() const;
 
-    /// Makes pictures of another size. Pipelines of the geometry stay, unless vertices are snapped. Waits for what is in
+    /// Makes pictures of another size. Pipelines stay, unless vertices are snapped. Waits for what is in
     /// flight.
     /// @param width in pixels
     /// @param height in pixels

@@ -55,16 +55,14 @@ class DeviceEngine : public adoption::Engine {
                    .aspect = vk::ImageAspectFlagBits::eDepth},
                   "depth") {
         constexpr auto kBoth = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-        m_layout = gpu::makePipelineLayout(device, {}, {{kBoth, 0, 36}}, "recipe");
-        const auto vertexSpirv = readSpirv(language.vertexShader);
-        const auto fragmentSpirv = readSpirv(CDR_ID_OF_PUSH);
+        m_layout = gpu::makePipelineLayout(device, {{}, {{kBoth, 0, 36}}}, "recipe");
         constexpr vk::Format kVec3 = vk::Format::eR32G32B32Sfloat;
         m_pipeline = gpu::makeGraphicsPipeline(
             device, {.name = "recipe",
-                     .vertexSpirv = vertexSpirv,
-                     .fragmentSpirv = fragmentSpirv,
+                     .vertexSpirv = readSpirv(language.vertexShader),
+                     .fragmentSpirv = readSpirv(CDR_ID_OF_PUSH),
                      .constants = {},
-                     .layout = *m_layout,
+                     .layout = m_layout,
                      .bindings = {{0, sizeof(kSquare[0]), vk::VertexInputRate::eVertex},
                                   {1, sizeof(Placed), vk::VertexInputRate::eInstance}},
                      .attributes = {{0, 0, kVec3, 0},
@@ -175,8 +173,8 @@ class DeviceEngine : public adoption::Engine {
     gpu::Buffer m_placed;
     gpu::Image m_ids;
     gpu::Image m_depth;
-    vk::UniquePipelineLayout m_layout;
-    vk::UniquePipeline m_pipeline;
+    gpu::PipelineLayout m_layout;
+    gpu::Pipeline m_pipeline;
     vk::CommandBuffer m_commands;
     std::uint32_t m_draws = 0;
     std::size_t m_cascades = 0;

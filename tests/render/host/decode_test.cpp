@@ -28,10 +28,10 @@ class DecodeTest : public RenderTest {
             anchors[i][0] = static_cast<float>(anchorsView[i]);
             anchors[i][1] = static_cast<float>(anchorsView[i] - static_cast<double>(anchors[i][0]));
         }
-        const auto setLayout = gpu::makeSetLayout(device(), bindings, kStage, "decode");
+        const auto setLayout = gpu::makeSetLayout(device(), {bindings, kStage}, "decode");
         const auto layout = gpu::makePipelineLayout(
-            device(), {*setLayout}, {{.stageFlags = kStage, .size = sizeof(anchors)}}, "decode");
-        const auto pipeline = gpu::makeComputePipeline(device(), readSpirv(shader), *layout, "decode");
+            device(), {{setLayout}, {{.stageFlags = kStage, .size = sizeof(anchors)}}}, "decode");
+        const auto pipeline = gpu::makeComputePipeline(device(), {"decode", readSpirv(shader), layout});
         const auto pool = gpu::makeDescriptorPool(device(), 1, 1, bindings);
         const vk::DescriptorSet set = gpu::allocateSet(device(), *pool, *setLayout);
         image::Raster<Decoded> decoded(gbuffer.extent.width, gbuffer.extent.height);

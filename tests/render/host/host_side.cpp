@@ -76,14 +76,13 @@ void HostSide::submit() {
 
 HostRectangles::HostRectangles(const gpu::Device& device, vk::Format format, const HostShaders& shaders)
     : m_layout(gpu::makePipelineLayout(
-          device, {}, {{.stageFlags = kRectangleStages, .size = sizeof(RectanglePush)}}, "host rectangles")) {
-    const std::vector<std::uint32_t> vertex = readSpirv(shaders.vertexPath);
-    const std::vector<std::uint32_t> fragment = readSpirv(shaders.fragmentPath);
+          device, {{}, {{.stageFlags = kRectangleStages, .size = sizeof(RectanglePush)}}},
+          "host rectangles")) {
     m_pipeline = gpu::makeGraphicsPipeline(device, {.name = "host rectangles",
-                                                    .vertexSpirv = vertex,
-                                                    .fragmentSpirv = fragment,
+                                                    .vertexSpirv = readSpirv(shaders.vertexPath),
+                                                    .fragmentSpirv = readSpirv(shaders.fragmentPath),
                                                     .constants = {},
-                                                    .layout = *m_layout,
+                                                    .layout = m_layout,
                                                     .bindings = {},
                                                     .attributes = {},
                                                     .colorFormats = {render::kGBufferFormat},

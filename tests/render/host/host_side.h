@@ -76,8 +76,8 @@ class HostRectangles {
               std::uint32_t object) const;
 
   private:
-    vk::UniquePipelineLayout m_layout;
-    vk::UniquePipeline m_pipeline;
+    gpu::PipelineLayout m_layout;
+    gpu::Pipeline m_pipeline;
 };
 
 } // namespace cdr::render_test

@@ -40,9 +40,9 @@ class PlaceTest : public RenderTest {
         using Type = vk::DescriptorType;
         const std::vector<Type> bindings(3, Type::eStorageBuffer);
         const auto setLayout =
-            gpu::makeSetLayout(device(), bindings, vk::ShaderStageFlagBits::eCompute, "place");
-        const auto layout = gpu::makePipelineLayout(device(), {*setLayout}, {}, "place");
-        const auto pipeline = gpu::makeComputePipeline(device(), readSpirv(shader), *layout, "place");
+            gpu::makeSetLayout(device(), {bindings, vk::ShaderStageFlagBits::eCompute}, "place");
+        const auto layout = gpu::makePipelineLayout(device(), {{setLayout}, {}}, "place");
+        const auto pipeline = gpu::makeComputePipeline(device(), {"place", readSpirv(shader), layout});
         const auto pool = gpu::makeDescriptorPool(device(), 1, 1, bindings);
         const vk::DescriptorSet set = gpu::allocateSet(device(), *pool, *setLayout);
         constexpr auto kUsage = vk::BufferUsageFlagBits::eStorageBuffer;

@@ -1,19 +1,22 @@
 #pragma once
 
+#include <cdr/gpu/pipeline.h>
+
 #include <cstdint>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 namespace cdr::render_test {
 
 /// A shader that the build compiled.
-inline std::vector<std::uint32_t> readSpirv(const char* path) {
+inline gpu::Spirv readSpirv(const char* path) {
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     std::vector<std::uint32_t> words(static_cast<std::size_t>(file.tellg()) / sizeof(std::uint32_t));
     file.seekg(0);
     file.read(reinterpret_cast<char*>(words.data()),
               static_cast<std::streamsize>(words.size() * sizeof(std::uint32_t)));
-    return words;
+    return gpu::Spirv(std::move(words));
 }
 
 } // namespace cdr::render_test

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <numeric>
 #include <random>
+#include <string>
 
 namespace cdr::render_test {
 
@@ -426,6 +428,83 @@ TEST_F(WorldTest, AnyEditsGiveThePictureOfASceneBuiltAnew) {
         ASSERT_EQ(messageCount(), 0u);
     }
     EXPECT_GT(blendedFragments, 0u);
+}
+
+template <typename Values>
+auto oneOf(std::mt19937_64& random, const Values& values) {
+    return values[std::uniform_int_distribution<std::size_t>(0, std::size(values) - 1)(random)];
+}
+
+/// Options by lot, of those that may go together.
+render::RenderOptions randomOptions(std::mt19937_64& random, const std::vector<Submission>& submissions) {
+    constexpr std::array kTechniques{"standard", "cdr", "logcdr", "reversed", "anchored"};
+    constexpr std::array<std::size_t, 5> kThreads{1, 2, 3, 8, 16};
+    constexpr std::array<std::size_t, 3> kInFlight{1, 2, 3};
+    constexpr std::array kYesOrNo{false, true};
+    render::RenderOptions options =
+        optionsFor(oneOf(random, kTechniques), oneOf(random, submissions),
+                   oneOf(random, render::kTargetsKinds), oneOf(random, kThreads), oneOf(random, kInFlight));
+    options.batching = oneOf(random, render::kBatchings);
+    options.translucency = {.method = oneOf(random, render::kTranslucencies), .countsFragments = true};
+    options.occlusionCulling = oneOf(random, kYesOrNo);
+    if (oneOf(random, kYesOrNo)) {
+        options.detail = {};
+        options.shadows = {.method = render::ShadowMethod::anchored, .mostTexels = 64};
+    }
+    return options;
+}
+
+std::string describe(const render::RenderOptions& options) {
+    std::string text = depth::nameOf(options.technique);
+    for (const std::string_view name :
+         {render::nameOf(options.submission), render::nameOf(options.targets.kind),
+          render::nameOf(options.batching), render::nameOf(options.translucency.method),
+          render::nameOf(options.shadows.method)}) {
+        text.append(", ").append(name);
+    }
+    return text + (options.occlusionCulling ? ", occlusion culling, " : ", ") +
+           std::to_string(options.threads) + " threads, " + std::to_string(options.framesInFlight) +
+           " in flight";
+}
+
+/// The same rule for renderers of options by lot, seen from changing places. CDR_ALL_CASES takes more seeds.
+TEST_F(WorldTest, RenderersOfAnyOptionsShowAnyEdits) {
+    const std::uint64_t seeds = std::getenv("CDR_ALL_CASES") != nullptr ? 40 : 3;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        std::mt19937_64 random(seed);
+        World world;
+        Editor editor(seed, world);
+        editor.populate(150);
+        render::GpuScene onDevice(device(), world);
+        std::vector<std::unique_ptr<render::Renderer>> renderers;
+        for (int i = 0; i < 4; ++i) {
+            const render::RenderOptions options = randomOptions(random, submissions());
+            SCOPED_TRACE("seed " + std::to_string(seed) + ": " + describe(options));
+            renderers.push_back(std::make_unique<render::Renderer>(device(), onDevice, options));
+        }
+        for (int batch = 0; batch < 5; ++batch) {
+            scene::Camera camera = ahead();
+            camera.position.x = std::uniform_real_distribution<double>(-30.0, 30.0)(random);
+            for (int half = 0; half < 2; ++half) {
+                for (int i = 0; i < 125; ++i) {
+                    editor.edit(half == 0 ? Editor::Scope::instances : Editor::Scope::all);
+                }
+                for (const auto& renderer : renderers) {
+                    renderer->submit(camera);
+                }
+            }
+            const scene::Scene built = editor.expected().build();
+            for (const auto& renderer : renderers) {
+                renderer->forgetFrames();
+                const render::Frame frame = renderer->render(camera);
+                const render::Frame wanted = draw(built, camera, renderer->options());
+                ASSERT_EQ(hashOf(frame), hashOf(wanted))
+                    << "seed " << seed << ", batch " << batch << ": " << describe(renderer->options());
+                ASSERT_EQ(frame.fragmentCounts.pixels, wanted.fragmentCounts.pixels);
+            }
+            ASSERT_EQ(messageCount(), 0u);
+        }
+    }
 }
 
 /// The truth reads the world's scene itself: what was removed is not in it, and what is drawn is.

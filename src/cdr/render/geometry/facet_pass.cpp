@@ -42,7 +42,7 @@ FacetPass::FacetPass(const gpu::Device& device, const GpuScene& scene, FacetMesh
                         ? GeometryPipelines::kOccluderFormat
                         : depthAttachmentFormat(device, options.technique.format, kVisibilityFormat)),
       m_layout(gpu::makePipelineLayout(
-          device, {}, {{.stageFlags = GeometryPipelines::kStages, .size = sizeof(shaders::CascadePush)}},
+          device, {{}, {{.stageFlags = GeometryPipelines::kStages, .size = sizeof(shaders::CascadePush)}}},
           "facet layout")),
       m_compact(options.output == GeometryOutput::depth ? makeOccluder(device, false)
                                                         : makePipeline(device, false)),
@@ -53,16 +53,15 @@ vk::Format FacetPass::surfaceFormat() const {
     return m_options.output == GeometryOutput::depth ? vk::Format::eUndefined : kVisibilityFormat;
 }
 
-vk::UniquePipeline FacetPass::makeOccluder(const gpu::Device& device, bool wide) const {
-    using Spirv = std::span<const std::uint32_t>;
+gpu::Pipeline FacetPass::makeOccluder(const gpu::Device& device, bool wide) const {
     return gpu::makeGraphicsPipeline(device,
                                      {.name = wide ? "facet occluders, wide" : "facet occluders",
                                       .vertexSpirv = kFacetOccluderVert,
-                                      .fragmentSpirv = wide ? Spirv(kOccluderFrag) : Spirv(),
+                                      .fragmentSpirv = wide ? gpu::Spirv(kOccluderFrag) : gpu::Spirv(),
                                       .constants = {shaders::kDepthFormLinear, 0u, 0u, wide ? 1u : 0u, 0u,
                                                     std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
                                                     std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
-                                      .layout = *m_layout,
+                                      .layout = m_layout,
                                       .bindings = {kBinding},
                                       .attributes = {attributes().front()},
                                       .colorFormats = {},
@@ -70,21 +69,20 @@ vk::UniquePipeline FacetPass::makeOccluder(const gpu::Device& device, bool wide)
                                       .depthCompare = vk::CompareOp::eGreaterOrEqual});
 }
 
-vk::UniquePipeline FacetPass::makePipeline(const gpu::Device& device, bool wide) const {
-    using Spirv = std::span<const std::uint32_t>;
+gpu::Pipeline FacetPass::makePipeline(const gpu::Device& device, bool wide) const {
     const std::uint32_t form = depthFormOf(mapping(), wide);
     const bool writesDepth = form == shaders::kDepthFormLogFragment;
     const bool cuts = wide || writesDepth;
     return gpu::makeGraphicsPipeline(
         device,
         {.name = wide ? "facets, wide" : "facets",
-         .vertexSpirv = cuts ? Spirv(kFacetCutVert) : Spirv(kFacetVert),
-         .fragmentSpirv = writesDepth ? Spirv(kFacetDepthFrag)
-                          : cuts      ? Spirv(kFacetCutFrag)
-                                      : Spirv(kFacetFrag),
+         .vertexSpirv = cuts ? gpu::Spirv(kFacetCutVert) : gpu::Spirv(kFacetVert),
+         .fragmentSpirv = writesDepth ? gpu::Spirv(kFacetDepthFrag)
+                          : cuts      ? gpu::Spirv(kFacetCutFrag)
+                                      : gpu::Spirv(kFacetFrag),
          .constants = {form, 0u, 0u, wide ? 1u : 0u, 0u, std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
                        std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
-         .layout = *m_layout,
+         .layout = m_layout,
          .bindings = {kBinding},
          .attributes = attributes(),
          .colorFormats = {kVisibilityFormat},

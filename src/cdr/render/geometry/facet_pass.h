@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/device.h>
+#include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/geometry/draw_job.h>
 #include <cdr/render/geometry/facet_meshes.h>
@@ -35,16 +36,16 @@ class FacetPass {
     depth::Mapping mapping() const { return m_options.technique.mapping; }
 
   private:
-    vk::UniquePipeline makePipeline(const gpu::Device& device, bool wide) const;
-    vk::UniquePipeline makeOccluder(const gpu::Device& device, bool wide) const;
+    gpu::Pipeline makePipeline(const gpu::Device& device, bool wide) const;
+    gpu::Pipeline makeOccluder(const gpu::Device& device, bool wide) const;
 
     const GpuScene& m_scene;
     FacetMeshes m_meshes;
     GeometryOptions m_options;
     vk::Format m_depthFormat;
-    vk::UniquePipelineLayout m_layout;
-    vk::UniquePipeline m_compact;
-    vk::UniquePipeline m_wide;
+    gpu::PipelineLayout m_layout;
+    gpu::Pipeline m_compact;
+    gpu::Pipeline m_wide;
 };
 
 } // namespace cdr::render

@@ -44,7 +44,7 @@ constexpr double kLogWideSpan = 0.02;
 /// Clipping rounds to about 1e-7 of the triangle's own span, which must stay below the overlap of 1e-6.
 constexpr double kLinearWideSpan = 4.0;
 
-using Spirv = std::span<const std::uint32_t>;
+using gpu::Spirv;
 
 /// What a variant's shaders are made for.
 struct ShaderKind {
@@ -149,8 +149,9 @@ GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& 
     : m_options(options),
       m_depthFormat(options.output == GeometryOutput::depth ? kOccluderFormat
                                                             : device.depthFormat(options.technique.format)),
-      m_layout(gpu::makePipelineLayout(device, {scene.textureLayout(), scene.detailLayout()},
-                                       {pushRange(options.batching)}, "geometry layout")) {
+      m_layout(gpu::makePipelineLayout(
+          device, {{scene.textureLayout(), scene.detailLayout()}, {pushRange(options.batching)}},
+          "geometry layout")) {
     follow(device, scene);
 }
 
@@ -182,7 +183,7 @@ vk::Format GeometryPipelines::surfaceFormat() const {
     return m_options.output == GeometryOutput::depth ? vk::Format::eUndefined : kGBufferFormat;
 }
 
-vk::UniquePipeline GeometryPipelines::makeOccluder(const gpu::Device& device, bool wide) const {
+gpu::Pipeline GeometryPipelines::makeOccluder(const gpu::Device& device, bool wide) const {
     return gpu::makeGraphicsPipeline(device,
                                      {.name = wide ? "occluders, wide" : "occluders",
                                       .vertexSpirv = kOccluderVert,
@@ -190,7 +191,7 @@ vk::UniquePipeline GeometryPipelines::makeOccluder(const gpu::Device& device, bo
                                       .constants = {shaders::kDepthFormLinear, 0u, 0u, wide ? 1u : 0u, 0u,
                                                     std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
                                                     std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
-                                      .layout = *m_layout,
+                                      .layout = m_layout,
                                       .bindings = bindingsFor(Batching::instanced, false),
                                       .attributes = placeAttributes(),
                                       .colorFormats = {},
@@ -205,7 +206,7 @@ void GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene, b
     const bool writesDepth = form == shaders::kDepthFormLogFragment;
     const bool isBiased = m_options.layers.method == LayerMethod::polygonOffset;
     for (const DrawKind& kind : scene.kinds()) {
-        vk::UniquePipeline& pipeline = pipelines[kind.variant];
+        gpu::Pipeline& pipeline = pipelines[kind.variant];
         if (pipeline) {
             continue;
         }
@@ -229,7 +230,7 @@ void GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene, b
                            std::bit_cast<std::uint32_t>(depthStepOf(m_options.technique.format)),
                            std::bit_cast<std::uint32_t>(depth::isReversed(mapping) ? 1.0f : -1.0f),
                            kind.variant / kDetailStep},
-             .layout = *m_layout,
+             .layout = m_layout,
              .bindings = bindingsFor(m_options.batching, shaderKind.isDetailed),
              .attributes = attributesFor(m_options.batching, shaderKind.isDetailed),
              .colorFormats = m_options.emission ? std::vector{kGBufferFormat, kEmissionFormat}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/depth/technique.h>
+#include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/render/geometry/batching.h>
@@ -71,13 +72,13 @@ class GeometryPipelines {
     static constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
   private:
-    using Pipelines = std::array<vk::UniquePipeline, kPipelineVariants>; ///< empty where no kind needs one
+    using Pipelines = std::array<gpu::Pipeline, kPipelineVariants>; ///< empty where no kind needs one
     void make(const gpu::Device& device, const GpuScene& scene, bool wide, Pipelines& pipelines) const;
-    vk::UniquePipeline makeOccluder(const gpu::Device& device, bool wide) const;
+    gpu::Pipeline makeOccluder(const gpu::Device& device, bool wide) const;
 
     GeometryOptions m_options;
     vk::Format m_depthFormat;
-    vk::UniquePipelineLayout m_layout;
+    gpu::PipelineLayout m_layout;
     Pipelines m_compact;
     Pipelines m_wide;
 };

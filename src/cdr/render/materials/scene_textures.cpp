@@ -95,9 +95,9 @@ std::uint32_t detailPartsOf(const scene::Material& material) {
 SceneTextures::SceneTextures(const gpu::Device& device)
     : m_device(device),
       m_baseColorLayout(
-          gpu::makeSetLayout(device, {kTextureType}, vk::ShaderStageFlagBits::eFragment, "texture set")),
+          gpu::makeSetLayout(device, {{kTextureType}, vk::ShaderStageFlagBits::eFragment}, "texture set")),
       m_detailLayout(
-          gpu::makeSetLayout(device, kDetailTypes, vk::ShaderStageFlagBits::eFragment, "detail set")),
+          gpu::makeSetLayout(device, {kDetailTypes, vk::ShaderStageFlagBits::eFragment}, "detail set")),
       m_white(upload({.name = "white", .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})})) {}
 
 SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture) const {

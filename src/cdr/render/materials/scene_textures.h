@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/scene/scene.h>
 
@@ -24,9 +25,9 @@ class SceneTextures {
     void followMaterials(const scene::Scene& scene);
 
     /// Of baseColorSet().
-    vk::DescriptorSetLayout baseColorLayout() const { return *m_baseColorLayout; }
+    const gpu::SetLayout& baseColorLayout() const { return m_baseColorLayout; }
     /// Of detailSet(): four textures and a shaders::DetailRecord, as shaders/geometry/detail.glsl reads them.
-    vk::DescriptorSetLayout detailLayout() const { return *m_detailLayout; }
+    const gpu::SetLayout& detailLayout() const { return m_detailLayout; }
     /// A material's base colour texture; a white pixel for one without, so that every pipeline has a valid set.
     vk::DescriptorSet baseColorSet(const scene::Material& material) const;
     /// Null for a material without detail.
@@ -51,8 +52,8 @@ class SceneTextures {
     Detail makeDetail(const scene::Material& material) const;
 
     const gpu::Device& m_device;
-    vk::UniqueDescriptorSetLayout m_baseColorLayout;
-    vk::UniqueDescriptorSetLayout m_detailLayout;
+    gpu::SetLayout m_baseColorLayout;
+    gpu::SetLayout m_detailLayout;
     Uploaded m_white;
     std::vector<Uploaded> m_textures; ///< the scene's
     std::vector<Detail> m_details;    ///< by material

@@ -60,13 +60,13 @@ constexpr auto kUsed = Access::eShaderStorageRead | Access::eShaderStorageWrite;
 
 } // namespace
 
-vk::UniqueDescriptorSetLayout DeviceOcclusion::makeLayout(const gpu::Device& device) {
-    return gpu::makeSetLayout(device, std::vector(kBuffers, kBufferType), vk::ShaderStageFlagBits::eCompute,
+gpu::SetLayout DeviceOcclusion::makeLayout(const gpu::Device& device) {
+    return gpu::makeSetLayout(device, {std::vector(kBuffers, kBufferType), vk::ShaderStageFlagBits::eCompute},
                               "occlusion set");
 }
 
 DeviceOcclusion::DeviceOcclusion(const gpu::Device& device, const GpuScene& scene,
-                                 const GeometryPass& depthPass, vk::DescriptorSetLayout layout,
+                                 const GeometryPass& depthPass, const gpu::SetLayout& layout,
                                  const depth::Technique& technique, vk::Extent2D extent)
     : m_device(device),
       m_scene(scene),
@@ -79,10 +79,10 @@ DeviceOcclusion::DeviceOcclusion(const gpu::Device& device, const GpuScene& scen
                         vk::BufferUsageFlagBits::eTransferDst)),
       m_tiles(makeBuffer(device, tileBytes(extent), "occluder tiles")),
       // Shaders name the set as those of BinningPass do, where another one comes first.
-      m_layout(gpu::makePipelineLayout(device, {layout, layout}, {}, "occlusion layout")),
-      m_reduce(gpu::makeComputePipeline(device, kReduceDepthComp, *m_layout, "reduce depth")),
+      m_layout(gpu::makePipelineLayout(device, {{layout, layout}, {}}, "occlusion layout")),
+      m_reduce(gpu::makeComputePipeline(device, {"reduce depth", kReduceDepthComp, m_layout})),
       m_reduceSquares(
-          gpu::makeComputePipeline(device, kReduceDepthSquaresComp, *m_layout, "reduce depth, squares")) {}
+          gpu::makeComputePipeline(device, {"reduce depth, squares", kReduceDepthSquaresComp, m_layout})) {}
 
 std::uint64_t DeviceOcclusion::predictBytes(const gpu::Device& device, vk::Extent2D extent) {
     return gpu::predictBytes(device, occluderDepthOptions(extent)) + occluderCopyBytes(extent) +
@@ -96,7 +96,7 @@ DeviceOcclusion::Slot DeviceOcclusion::makeSlot() const {
               .seen = {},
               .descriptors = gpu::makeDescriptorPool(m_device, 1, kBuffers, {kBufferType}),
               .set = {}};
-    slot.set = gpu::allocateSet(m_device, *slot.descriptors, m_setLayout);
+    slot.set = gpu::allocateSet(m_device, *slot.descriptors, *m_setLayout);
     gpu::writeBufferBinding(m_device, slot.set, 0, kBufferType, slot.view.handle());
     gpu::writeBufferBinding(m_device, slot.set, 2, kBufferType, m_copy.handle());
     gpu::writeBufferBinding(m_device, slot.set, 3, kBufferType, m_tiles.handle());

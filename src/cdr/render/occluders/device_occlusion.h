@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/geometry/geometry_pass.h>
 #include <cdr/render/occluders/depth_image.h>
@@ -15,11 +16,11 @@ namespace cdr::render {
 class DeviceOcclusion {
   public:
     /// Of the set that the passes of BinningPass read.
-    static vk::UniqueDescriptorSetLayout makeLayout(const gpu::Device& device);
+    static gpu::SetLayout makeLayout(const gpu::Device& device);
 
     /// @param depthPass of GeometryOutput::depth. @param layout made by makeLayout(). Both must outlive this.
     DeviceOcclusion(const gpu::Device& device, const GpuScene& scene, const GeometryPass& depthPass,
-                    vk::DescriptorSetLayout layout, const depth::Technique& technique, vk::Extent2D extent);
+                    const gpu::SetLayout& layout, const depth::Technique& technique, vk::Extent2D extent);
 
     /// What one frame slot owns.
     struct Slot {
@@ -47,15 +48,15 @@ class DeviceOcclusion {
     const gpu::Device& m_device;
     const GpuScene& m_scene;
     const GeometryPass& m_depthPass;
-    vk::DescriptorSetLayout m_setLayout;
+    gpu::SetLayout m_setLayout;
     depth::Technique m_technique;
     vk::Extent2D m_extent;
     gpu::Image m_depth;
     gpu::Buffer m_copy;
     gpu::Buffer m_tiles;
-    vk::UniquePipelineLayout m_layout;
-    vk::UniquePipeline m_reduce;
-    vk::UniquePipeline m_reduceSquares;
+    gpu::PipelineLayout m_layout;
+    gpu::Pipeline m_reduce;
+    gpu::Pipeline m_reduceSquares;
     std::shared_ptr<const gpu::Buffer> m_seen;
     bool m_hasSeen = false;
 };

@@ -33,9 +33,9 @@ class DepthOutput {
   private:
     const gpu::Device& m_device;
     vk::UniqueSampler m_sampler;
-    vk::UniqueDescriptorSetLayout m_setLayout;
-    vk::UniquePipelineLayout m_layout;
-    vk::UniquePipeline m_pipeline;
+    gpu::SetLayout m_setLayout;
+    gpu::PipelineLayout m_layout;
+    gpu::Pipeline m_pipeline;
 };
 
 } // namespace cdr::render

@@ -39,17 +39,17 @@ FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOp
                                                      .minFilter = options.filter,
                                                      .addressModeU = vk::SamplerAddressMode::eClampToEdge,
                                                      .addressModeV = vk::SamplerAddressMode::eClampToEdge})),
-      m_setLayout(gpu::makeSetLayout(device, options.bindings, kSetStages, options.name + " set")),
-      m_layout(gpu::makePipelineLayout(device, {*m_setLayout}, pushRanges(options.pushBytes),
+      m_setLayout(gpu::makeSetLayout(device, {options.bindings, kSetStages}, options.name + " set")),
+      m_layout(gpu::makePipelineLayout(device, {{m_setLayout}, pushRanges(options.pushBytes)},
                                        options.name + " layout")),
       m_pipeline(gpu::makeGraphicsPipeline(
           device,
           {.name = options.name,
-           .vertexSpirv = options.vertexSpirv.empty() ? std::span<const std::uint32_t>(kFullscreenVert)
-                                                      : options.vertexSpirv,
+           .vertexSpirv =
+               options.vertexSpirv.words.empty() ? gpu::Spirv(kFullscreenVert) : options.vertexSpirv,
            .fragmentSpirv = options.fragmentSpirv,
            .constants = options.constants,
-           .layout = *m_layout,
+           .layout = m_layout,
            .bindings = {},
            .attributes = {},
            .colorFormats = options.formatBeside == vk::Format::eUndefined

@@ -17,8 +17,8 @@ namespace cdr::render {
 struct FullscreenPassOptions {
     std::string name;
     /// Covers the picture with one triangle; empty: and does nothing else.
-    std::span<const std::uint32_t> vertexSpirv{};
-    std::span<const std::uint32_t> fragmentSpirv;
+    gpu::Spirv vertexSpirv{};
+    gpu::Spirv fragmentSpirv;
     std::vector<vk::DescriptorType>
         bindings; ///< of set 0, for both stages: combined image samplers, storage buffers and uniform texel buffers
     vk::Format format = vk::Format::eUndefined;
@@ -64,7 +64,7 @@ class FullscreenPass {
     /// Inputs with nothing set; they must not outlive the pass.
     PassInputs makeInputs() const;
 
-    vk::DescriptorSetLayout setLayout() const { return *m_setLayout; }
+    const gpu::SetLayout& setLayout() const { return m_setLayout; }
 
     /// One draw over the whole picture.
     struct Draw {
@@ -86,9 +86,9 @@ class FullscreenPass {
     const gpu::Device& m_device;
     std::vector<vk::DescriptorType> m_bindings;
     vk::UniqueSampler m_sampler;
-    vk::UniqueDescriptorSetLayout m_setLayout;
-    vk::UniquePipelineLayout m_layout;
-    vk::UniquePipeline m_pipeline;
+    gpu::SetLayout m_setLayout;
+    gpu::PipelineLayout m_layout;
+    gpu::Pipeline m_pipeline;
 };
 
 } // namespace cdr::render

@@ -45,8 +45,7 @@ std::unique_ptr<Picture::Lit> Picture::makeLit(const gpu::Device& device, const 
         Lit{.image = {device, litOptions(options.extent), "lit"},
             .pass = {device,
                      {.name = "encode",
-                      .fragmentSpirv = smooth ? std::span<const std::uint32_t>(kEncodeAntialiasedFrag)
-                                              : std::span<const std::uint32_t>(kEncodeFrag),
+                      .fragmentSpirv = smooth ? gpu::Spirv(kEncodeAntialiasedFrag) : gpu::Spirv(kEncodeFrag),
                       .bindings = {vk::DescriptorType::eCombinedImageSampler},
                       .format = kEncodedFormat,
                       .constants = {constants.begin(), constants.end()}}},

@@ -35,7 +35,7 @@ bool isOccludedPerLayer(const Effects& effects) {
     return isOccluded(effects) && effects.occlusion.perLayer;
 }
 
-using Spirv = std::span<const std::uint32_t>;
+using gpu::Spirv;
 
 Spirv fragmentOf(const ShadingOptions& shading) {
     const Effects& effects = shading.effects;

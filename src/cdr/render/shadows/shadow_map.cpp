@@ -80,15 +80,15 @@ void handOver(vk::CommandBuffer primary, const gpu::Image& depth, const gpu::Ima
 ShadowMap::ShadowMap(const gpu::Device& device, std::uint32_t side)
     : m_depth(device, depthOptions(side), "shadow map depth"),
       m_slope(device, slopeOptions(side), "shadow map slope"),
-      m_layout(gpu::makePipelineLayout(device, {},
-                                       {{.stageFlags = kPushStages, .size = sizeof(shaders::CasterPush)}},
-                                       "shadow caster layout")),
+      m_layout(gpu::makePipelineLayout(
+          device, {{}, {{.stageFlags = kPushStages, .size = sizeof(shaders::CasterPush)}}},
+          "shadow caster layout")),
       m_pipeline(
           gpu::makeGraphicsPipeline(device, {.name = "shadow casters",
                                              .vertexSpirv = kCasterVert,
                                              .fragmentSpirv = kCasterFrag,
                                              .constants = {},
-                                             .layout = *m_layout,
+                                             .layout = m_layout,
                                              .bindings = {vertexBinding(),
                                                           {.binding = CasterDraws::kRecordBinding,
                                                            .stride = sizeof(shaders::CasterRecord),

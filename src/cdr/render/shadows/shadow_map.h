@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/shadows/caster_draws.h>
 
@@ -25,8 +26,8 @@ class ShadowMap {
   private:
     gpu::Image m_depth;
     gpu::Image m_slope;
-    vk::UniquePipelineLayout m_layout;
-    vk::UniquePipeline m_pipeline;
+    gpu::PipelineLayout m_layout;
+    gpu::Pipeline m_pipeline;
 };
 
 } // namespace cdr::render

@@ -28,7 +28,7 @@ gpu::ImageOptions maskOptions(vk::Extent2D extent) {
 
 FullscreenPassOptions receiverOptions(bool facets) {
     return {.name = "shadow receivers",
-            .fragmentSpirv = facets ? std::span<const std::uint32_t>(kReceiverFacetsFrag) : kReceiverFrag,
+            .fragmentSpirv = facets ? gpu::Spirv(kReceiverFacetsFrag) : kReceiverFrag,
             .bindings = facets ? std::vector{kImage, kBuffer, kTexels, kImage, kImage}
                                : std::vector{kImage, kBuffer, kImage, kImage},
             .format = kMaskFormat,

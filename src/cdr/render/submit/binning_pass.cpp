@@ -72,16 +72,19 @@ vk::MemoryBarrier2 barrier(vk::PipelineStageFlags2 stages, vk::AccessFlags2 acce
 } // namespace
 
 BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, visibility::DetailMode detail,
-                         vk::DescriptorSetLayout occlusionLayout)
+                         const gpu::SetLayout& occlusionLayout)
     : m_device(checked(device, drawn.scene.instances)),
       m_drawn(drawn),
       m_detail(detail),
       m_isStaged(true),
-      m_setLayout(gpu::makeSetLayout(device, std::vector(kBindings, vk::DescriptorType::eStorageBuffer),
-                                     vk::ShaderStageFlagBits::eCompute, "binning set")),
+      m_setLayout(gpu::makeSetLayout(
+          device,
+          {std::vector(kBindings, vk::DescriptorType::eStorageBuffer), vk::ShaderStageFlagBits::eCompute},
+          "binning set")),
       m_layout(gpu::makePipelineLayout(
-          device, occlusionLayout ? std::vector{*m_setLayout, occlusionLayout} : std::vector{*m_setLayout},
-          {}, "binning layout")),
+          device,
+          {occlusionLayout ? std::vector{m_setLayout, occlusionLayout} : std::vector{m_setLayout}, {}},
+          "binning layout")),
       m_count{makePipeline(kBinCountComp, "bin, count"), {}, {}},
       m_scan(makePipeline(kBinScanComp, "bin, scan")),
       m_fill(makePipeline(kBinFillComp, "bin, fill")),
@@ -93,8 +96,8 @@ BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, vis
     groupInstances();
 }
 
-vk::UniquePipeline BinningPass::makePipeline(std::span<const std::uint32_t> spirv, const char* name) const {
-    return gpu::makeComputePipeline(m_device, spirv, *m_layout, name);
+gpu::Pipeline BinningPass::makePipeline(const gpu::Spirv& spirv, const char* name) const {
+    return gpu::makeComputePipeline(m_device, {name, spirv, m_layout});
 }
 
 void BinningPass::groupInstances() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/pipeline.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/submit/draw_path.h>
 #include <cdr/shaders/binning_shared.h>
@@ -30,12 +31,12 @@ class BinningPass {
     /// may have another level.
     /// @param occlusionLayout of the set that `occluders` and `shown` read; null: they are not asked for.
     BinningPass(const gpu::Device& device, const DrawnScene& drawn, visibility::DetailMode detail,
-                vk::DescriptorSetLayout occlusionLayout);
+                const gpu::SetLayout& occlusionLayout);
 
     std::size_t instances() const { return m_looks.size(); }
     std::size_t runs() const { return m_runs.size(); }
     std::span<const GeometryPass::RunGroup> groups() const { return m_groups; }
-    vk::DescriptorSetLayout layout() const { return *m_setLayout; }
+    const gpu::SetLayout& layout() const { return m_setLayout; }
 
     /// One frame slot's copies of what changed.
     struct Copies {
@@ -71,7 +72,7 @@ class BinningPass {
     void provideBuffers();
     void stageAll(Copies& copies) const;
     void stageChanged(const std::vector<std::uint32_t>& changed, Copies& copies) const;
-    vk::UniquePipeline makePipeline(std::span<const std::uint32_t> spirv, const char* name) const;
+    gpu::Pipeline makePipeline(const gpu::Spirv& spirv, const char* name) const;
 
     const gpu::Device& m_device;
     DrawnScene m_drawn;
@@ -86,12 +87,12 @@ class BinningPass {
     std::uint64_t m_tables = 0;         ///< GpuScene::tablesRevision()
     bool m_isStaged = false;            ///< what the last follow() staged has not been recorded
     std::shared_ptr<const SceneBuffers> m_sceneBuffers;
-    vk::UniqueDescriptorSetLayout m_setLayout;
-    vk::UniquePipelineLayout m_layout;
-    std::array<vk::UniquePipeline, 3> m_count; ///< by Kept
-    vk::UniquePipeline m_scan;
-    vk::UniquePipeline m_fill;
-    vk::UniquePipeline m_commands;
+    gpu::SetLayout m_setLayout;
+    gpu::PipelineLayout m_layout;
+    std::array<gpu::Pipeline, 3> m_count; ///< by Kept
+    gpu::Pipeline m_scan;
+    gpu::Pipeline m_fill;
+    gpu::Pipeline m_commands;
 };
 
 } // namespace cdr::render

@@ -60,7 +60,7 @@ DeviceLists::DeviceLists(const gpu::Device& device, const BinningPass& binning)
       m_result(device, sizeof(shaders::BinningResult), vk::BufferUsageFlagBits::eStorageBuffer,
                gpu::MemoryUse::hostReads, "binning result"),
       m_descriptors(gpu::makeDescriptorPool(device, 1, BinningPass::kBindings, {kStorage})),
-      m_set(gpu::allocateSet(device, *m_descriptors, binning.layout())),
+      m_set(gpu::allocateSet(device, *m_descriptors, *binning.layout())),
       m_draws{.commands = {}, .counts = {}, .runs = 0, .groups = {}, .records = {}} {
     gpu::writeBufferBinding(device, m_set, 0, kStorage, m_view.handle());
     gpu::writeBufferBinding(device, m_set, kResult, kStorage, m_result.handle());

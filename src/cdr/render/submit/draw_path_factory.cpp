@@ -25,7 +25,7 @@ std::uint32_t subPixelBitsOf(const gpu::Device& device, const RenderOptions& opt
     return options.snapBits == 0 ? ofDevice : std::min(options.snapBits, ofDevice);
 }
 
-vk::UniqueDescriptorSetLayout makeOcclusionLayout(const gpu::Device& device, const RenderOptions& options) {
+gpu::SetLayout makeOcclusionLayout(const gpu::Device& device, const RenderOptions& options) {
     if (options.submission == Submission::gpuDriven && options.occlusionCulling) {
         return DeviceOcclusion::makeLayout(device);
     }
@@ -43,7 +43,7 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
       m_trace(options.trace),
       m_occlusionLayout(makeOcclusionLayout(device, options)),
       m_binning(options.submission == Submission::gpuDriven
-                    ? std::make_unique<BinningPass>(device, scene, options.detail.mode, *m_occlusionLayout)
+                    ? std::make_unique<BinningPass>(device, scene, options.detail.mode, m_occlusionLayout)
                     : nullptr) {
     const GeometryOptions geometry{.technique = options.technique,
                                    .batching = options.batching,
@@ -87,7 +87,7 @@ std::unique_ptr<HostDraws> DrawPathFactory::makeOccluders(host::WorkerPool& work
 std::unique_ptr<DeviceOcclusion> DrawPathFactory::makeDeviceOcclusion(const depth::Technique& technique,
                                                                       vk::Extent2D extent) const {
     return std::make_unique<DeviceOcclusion>(m_device, m_scene.uploaded, *m_occluders.geometry,
-                                             *m_occlusionLayout, technique, extent);
+                                             m_occlusionLayout, technique, extent);
 }
 
 std::unique_ptr<HostDraws> DrawPathFactory::makeDraws(const HostPasses& passes,

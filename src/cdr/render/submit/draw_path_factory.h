@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/gpu/pipeline.h>
 #include <cdr/render/drawn_scene.h>
 #include <cdr/render/geometry/facet_pass.h>
 #include <cdr/render/geometry/geometry_pass.h>
@@ -57,8 +58,8 @@ class DrawPathFactory {
     DrawnScene m_scene;
     Submission m_submission;
     host::Trace* m_trace;
-    vk::UniqueDescriptorSetLayout m_occlusionLayout; ///< for Submission::gpuDriven with occlusion culling
-    std::unique_ptr<BinningPass> m_binning;          ///< for Submission::gpuDriven
+    gpu::SetLayout m_occlusionLayout;       ///< for Submission::gpuDriven with occlusion culling
+    std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
     HostPasses m_surfaces;
     HostPasses m_occluders; ///< none without occlusion culling
 };

@@ -19,12 +19,12 @@ std::vector<vk::Format> surfaceFormats(const TargetsOptions& options) {
 
 ZeroFill::ZeroFill(const gpu::Device& device, const TargetsOptions& options)
     : m_extent(options.extent),
-      m_layout(gpu::makePipelineLayout(device, {}, {}, "zero fill layout")),
+      m_layout(gpu::makePipelineLayout(device, {}, "zero fill layout")),
       m_pipeline(gpu::makeGraphicsPipeline(device, {.name = "zero fill",
                                                     .vertexSpirv = kFullscreenVert,
                                                     .fragmentSpirv = kZeroFillFrag,
                                                     .constants = {},
-                                                    .layout = *m_layout,
+                                                    .layout = m_layout,
                                                     .bindings = {},
                                                     .attributes = {},
                                                     .colorFormats = surfaceFormats(options),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/device.h>
+#include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
 #include <memory>
@@ -22,8 +23,8 @@ class ZeroFill {
 
   private:
     vk::Extent2D m_extent;
-    vk::UniquePipelineLayout m_layout;
-    vk::UniquePipeline m_pipeline;
+    gpu::PipelineLayout m_layout;
+    gpu::Pipeline m_pipeline;
     vk::UniqueCommandPool m_pool;
     vk::UniqueCommandBuffer m_secondary; ///< recorded once
 };

@@ -50,7 +50,7 @@ std::optional<ListRefusal> FragmentList::refusal(const gpu::Device& device, vk::
     return std::nullopt;
 }
 
-FragmentList::FragmentList(const gpu::Device& device, vk::DescriptorSetLayout layout, vk::Extent2D extent,
+FragmentList::FragmentList(const gpu::Device& device, const gpu::SetLayout& layout, vk::Extent2D extent,
                            std::uint64_t mostBytes)
     : m_device(device),
       m_mostBytes(mostBytes),
@@ -60,7 +60,7 @@ FragmentList::FragmentList(const gpu::Device& device, vk::DescriptorSetLayout la
       m_count(device, sizeof(std::uint32_t), vk::BufferUsageFlagBits::eStorageBuffer,
               gpu::MemoryUse::hostReads, "fragment count"),
       m_pool(gpu::makeDescriptorPool(device, 1, kBindings, {kStorage})),
-      m_set(gpu::allocateSet(device, *m_pool, layout)) {
+      m_set(gpu::allocateSet(device, *m_pool, *layout)) {
     gpu::writeBufferBinding(device, m_set, 0, kStorage, m_heads.handle());
     gpu::writeBufferBinding(device, m_set, 2, kStorage, m_count.handle());
     makeNodes(std::clamp<std::uint64_t>(mostFragments(), 1, pixelsOf(extent)));

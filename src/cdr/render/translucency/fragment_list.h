@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/translucency/translucency.h>
 
@@ -18,7 +19,7 @@ class FragmentList {
                                               std::uint64_t mostBytes);
 
     /// Starts with a node per pixel, or as many as the bound allows. There must be no refusal().
-    FragmentList(const gpu::Device& device, vk::DescriptorSetLayout layout, vk::Extent2D extent,
+    FragmentList(const gpu::Device& device, const gpu::SetLayout& layout, vk::Extent2D extent,
                  std::uint64_t mostBytes);
 
     vk::DescriptorSet set() const { return m_set; }

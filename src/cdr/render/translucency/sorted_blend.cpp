@@ -17,7 +17,7 @@ namespace {
 using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
-TranslucentPipelinesOptions drawOptions(vk::DescriptorSetLayout surroundings, vk::DescriptorSetLayout list,
+TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, const gpu::SetLayout& list,
                                         bool countsFragments) {
     TranslucentPipelinesOptions options{.name = "translucent, sorted",
                                         .fragmentSpirv = kTranslucentSortedFrag,
@@ -34,8 +34,8 @@ TranslucentPipelinesOptions drawOptions(vk::DescriptorSetLayout surroundings, vk
 
 } // namespace
 
-SortedBlend::SortedBlend(const gpu::Device& device, const GpuScene& scene,
-                         vk::DescriptorSetLayout surroundings, bool countsFragments)
+SortedBlend::SortedBlend(const gpu::Device& device, const GpuScene& scene, const gpu::SetLayout& surroundings,
+                         bool countsFragments)
     : m_device(device),
       m_resolve(device, {.name = "sorted resolve",
                          .fragmentSpirv = kTranslucentSortedResolveFrag,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/translucency/fragment_list.h>
@@ -13,11 +14,11 @@ namespace cdr::render {
 class SortedBlend {
   public:
     /// The device must have fragment stores. @param surroundings layout of TranslucentFrame::surroundings.
-    SortedBlend(const gpu::Device& device, const GpuScene& scene, vk::DescriptorSetLayout surroundings,
+    SortedBlend(const gpu::Device& device, const GpuScene& scene, const gpu::SetLayout& surroundings,
                 bool countsFragments);
 
     /// Of FragmentList::set().
-    vk::DescriptorSetLayout listLayout() const { return m_resolve.setLayout(); }
+    const gpu::SetLayout& listLayout() const { return m_resolve.setLayout(); }
 
     /// Afterwards FragmentList::count() is the host's to read once the frame has finished. With too little
     /// room in the list the picture is incomplete.

@@ -33,17 +33,17 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const DrawnScene& sc
       m_lit(lit),
       m_options(options),
       m_sampler(device.handle().createSamplerUnique({})),
-      m_surroundingsLayout(gpu::makeSetLayout(device, {kImage, vk::DescriptorType::eStorageBuffer},
-                                              vk::ShaderStageFlagBits::eFragment,
-                                              "translucent surroundings")),
-      m_weighted(device, scene.uploaded, *m_surroundingsLayout,
+      m_surroundingsLayout(gpu::makeSetLayout(
+          device, {{kImage, vk::DescriptorType::eStorageBuffer}, vk::ShaderStageFlagBits::eFragment},
+          "translucent surroundings")),
+      m_weighted(device, scene.uploaded, m_surroundingsLayout,
                  checkedExtent(device, m_lit.options().extent, options.countsFragments),
                  options.countsFragments),
       m_refusal(refusalOf(device, m_lit.options().extent, options)),
       m_counter(options.countsFragments ? std::make_unique<FragmentCounter>(device, m_lit.options().extent)
                                         : nullptr) {
     if (options.method == Translucency::sorted && !m_refusal) {
-        m_sorted = std::make_unique<SortedBlend>(device, scene.uploaded, *m_surroundingsLayout,
+        m_sorted = std::make_unique<SortedBlend>(device, scene.uploaded, m_surroundingsLayout,
                                                  options.countsFragments);
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/gpu/pipeline.h>
 #include <cdr/render/frame.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/translucency/sorted_blend.h>
@@ -57,7 +58,7 @@ class TranslucentPass {
     const gpu::Image& m_lit;
     TranslucencyOptions m_options;
     vk::UniqueSampler m_sampler;
-    vk::UniqueDescriptorSetLayout m_surroundingsLayout;
+    gpu::SetLayout m_surroundingsLayout;
     WeightedBlend m_weighted;
     std::unique_ptr<SortedBlend> m_sorted; ///< where it is asked for and can be
     std::optional<ListRefusal> m_refusal;  ///< why it cannot, where it is asked for

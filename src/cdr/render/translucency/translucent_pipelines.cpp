@@ -55,31 +55,31 @@ TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const GpuS
       m_scene(scene),
       m_options(options),
       m_detailSet(static_cast<std::uint32_t>(1 + options.sets.size())) {
-    std::vector<vk::DescriptorSetLayout> sets{scene.textureLayout()};
+    std::vector<gpu::SetLayout> sets{scene.textureLayout()};
     sets.insert(sets.end(), options.sets.begin(), options.sets.end());
     sets.push_back(scene.detailLayout());
-    m_layout = gpu::makePipelineLayout(device, sets,
-                                       {{.stageFlags = kStages, .size = sizeof(shaders::TranslucentPush)}},
-                                       options.name + " layout");
+    m_layout = gpu::makePipelineLayout(
+        device, {sets, {{.stageFlags = kStages, .size = sizeof(shaders::TranslucentPush)}}},
+        options.name + " layout");
     for (const std::uint32_t key : {0u, kTexturedVariant}) {
         m_pipelines.try_emplace(key, make(key));
     }
 }
 
-vk::UniquePipeline TranslucentPipelines::make(std::uint32_t key) const {
+gpu::Pipeline TranslucentPipelines::make(std::uint32_t key) const {
     const bool isDetailed = key >= kDetailStep;
     return gpu::makeGraphicsPipeline(
-        m_device, {.name = m_options.name,
-                   .vertexSpirv = isDetailed ? std::span<const std::uint32_t>(kTranslucentDetailedVert)
-                                             : std::span<const std::uint32_t>(kTranslucentVert),
-                   .fragmentSpirv = isDetailed ? m_options.detailedSpirv : m_options.fragmentSpirv,
-                   .constants = {key & kTexturedVariant, m_scene.isShiny() ? 1u : 0u,
-                                 m_scene.scene().sky ? 1u : 0u, key / kDetailStep},
-                   .layout = *m_layout,
-                   .bindings = bindings(isDetailed),
-                   .attributes = attributes(isDetailed),
-                   .colorFormats = m_options.colorFormats,
-                   .blend = gpu::Blend::accumulate});
+        m_device,
+        {.name = m_options.name,
+         .vertexSpirv = isDetailed ? gpu::Spirv(kTranslucentDetailedVert) : gpu::Spirv(kTranslucentVert),
+         .fragmentSpirv = isDetailed ? m_options.detailedSpirv : m_options.fragmentSpirv,
+         .constants = {key & kTexturedVariant, m_scene.isShiny() ? 1u : 0u, m_scene.scene().sky ? 1u : 0u,
+                       key / kDetailStep},
+         .layout = m_layout,
+         .bindings = bindings(isDetailed),
+         .attributes = attributes(isDetailed),
+         .colorFormats = m_options.colorFormats,
+         .blend = gpu::Blend::accumulate});
 }
 
 vk::Pipeline TranslucentPipelines::pipeline(const DrawKind& kind) const {

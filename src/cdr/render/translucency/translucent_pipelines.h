@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/draw_source.h>
 
@@ -14,10 +15,9 @@ namespace cdr::render {
 /// What one method of translucency draws with.
 struct TranslucentPipelinesOptions {
     std::string name;
-    std::span<const std::uint32_t> fragmentSpirv;
-    std::span<const std::uint32_t> detailedSpirv; ///< the same for materials with detail
-    std::vector<vk::DescriptorSetLayout>
-        sets;                             ///< from set 1 on; set 0 is the texture, the last one the detail
+    gpu::Spirv fragmentSpirv;
+    gpu::Spirv detailedSpirv;             ///< the same for materials with detail
+    std::vector<gpu::SetLayout> sets;     ///< from set 1 on; set 0 is the texture, the last one the detail
     std::vector<vk::Format> colorFormats; ///< all blended as gpu::Blend::accumulate
 };
 
@@ -36,14 +36,14 @@ class TranslucentPipelines {
     static constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
   private:
-    vk::UniquePipeline make(std::uint32_t key) const;
+    gpu::Pipeline make(std::uint32_t key) const;
 
     const gpu::Device& m_device;
     const GpuScene& m_scene;
     TranslucentPipelinesOptions m_options;
     std::uint32_t m_detailSet;
-    vk::UniquePipelineLayout m_layout;
-    mutable std::map<std::uint32_t, vk::UniquePipeline> m_pipelines; ///< by key, made when first needed
+    gpu::PipelineLayout m_layout;
+    mutable std::map<std::uint32_t, gpu::Pipeline> m_pipelines; ///< by key, made when first needed
 };
 
 } // namespace cdr::render

@@ -29,7 +29,7 @@ gpu::Image makeImage(const gpu::Device& device, vk::Extent2D extent, vk::Format 
             name};
 }
 
-TranslucentPipelinesOptions drawOptions(vk::DescriptorSetLayout surroundings, bool countsFragments) {
+TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, bool countsFragments) {
     TranslucentPipelinesOptions options{.name = "translucent, weighted",
                                         .fragmentSpirv = kTranslucentWeightedFrag,
                                         .detailedSpirv = kTranslucentWeightedDetailedFrag,
@@ -54,7 +54,7 @@ vk::RenderingAttachmentInfo cleared(const gpu::Image& image, float alpha) {
 } // namespace
 
 WeightedBlend::WeightedBlend(const gpu::Device& device, const GpuScene& scene,
-                             vk::DescriptorSetLayout surroundings, vk::Extent2D extent, bool countsFragments)
+                             const gpu::SetLayout& surroundings, vk::Extent2D extent, bool countsFragments)
     : m_device(device),
       m_sum(makeImage(device, extent, kSumFormat, "weighted sum")),
       m_weight(makeImage(device, extent, kWeightFormat, "weights")),

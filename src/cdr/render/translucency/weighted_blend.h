@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/shading/fullscreen_pass.h>
 #include <cdr/render/translucency/translucent_frame.h>
@@ -14,7 +15,7 @@ namespace cdr::render {
 class WeightedBlend {
   public:
     /// @param surroundings layout of TranslucentFrame::surroundings.
-    WeightedBlend(const gpu::Device& device, const GpuScene& scene, vk::DescriptorSetLayout surroundings,
+    WeightedBlend(const gpu::Device& device, const GpuScene& scene, const gpu::SetLayout& surroundings,
                   vk::Extent2D extent, bool countsFragments);
 
     void record(vk::CommandBuffer primary, const TranslucentFrame& frame) const;
