@@ -46,6 +46,31 @@ TEST(Devices, RefusalNamesEachDeviceAndWhy) {
     EXPECT_THROW(Device(instance, "999"), InputError);
 }
 
+TEST(Devices, AnExtensionThatIsNotThereIsRefusedByName) {
+    try {
+        const Instance instance({.validate = false, .extensions = {"VK_KHR_no_such_extension"}});
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("VK_KHR_no_such_extension"), std::string::npos);
+    }
+}
+
+TEST(Memory, AnImageOfTooManyPixelsASideIsRefused) {
+    const Instance instance;
+    const Device device(instance, "");
+    const std::uint32_t most = device.info().maxImageSide;
+    const auto imageOf = [&](std::uint32_t width, std::uint32_t height) {
+        return Image(device,
+                     {.extent = {width, height},
+                      .format = vk::Format::eR8G8B8A8Unorm,
+                      .usage = vk::ImageUsageFlagBits::eTransferDst},
+                     "wide");
+    };
+    EXPECT_NO_THROW(imageOf(most, 1));
+    EXPECT_THROW(imageOf(most + 1, 1), InputError);
+    EXPECT_THROW(imageOf(1, most + 1), InputError);
+}
+
 TEST(Memory, UploadsArriveWhole) {
     const Instance instance({.validate = true, .extensions = {}});
     {

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
+#include <string>
 
 namespace cdr::render_test {
 
@@ -191,16 +193,45 @@ TEST_F(FrameTest, ABorrowedDeviceIsRefusedByTheNameOfWhatItLacks) {
                                       .queueFamily = device().queueFamily(),
                                       .features = &features};
     EXPECT_EQ(gpu::Device(handles).info().gpuDrivenMissing, device().info().gpuDrivenMissing);
+    v12.timelineSemaphore = VK_FALSE;
     v13.synchronization2 = VK_FALSE;
     features.features.depthClamp = VK_FALSE;
     try {
         const gpu::Device refused(handles);
         FAIL();
     } catch (const base::InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("was made without synchronization2, depthClamp"),
+        EXPECT_NE(std::string(error.what())
+                      .find("was made without synchronization2, timelineSemaphore, depthClamp"),
                   std::string::npos)
             << error.what();
     }
+}
+
+TEST_F(FrameTest, ABorrowedDeviceIsRefusedByTheNameOfTheHandleThatIsNull) {
+    const gpu::BorrowedDevice whole{.instance = instance().handle(),
+                                    .physical = device().physical(),
+                                    .device = device().handle(),
+                                    .queue = device().queue(),
+                                    .queueFamily = device().queueFamily()};
+    std::map<std::string, gpu::BorrowedDevice> lacking;
+    for (const char* name : {"VkInstance", "VkPhysicalDevice", "VkDevice", "VkQueue"}) {
+        lacking[name] = whole;
+    }
+    lacking["VkInstance"].instance = VK_NULL_HANDLE;
+    lacking["VkPhysicalDevice"].physical = VK_NULL_HANDLE;
+    lacking["VkDevice"].device = VK_NULL_HANDLE;
+    lacking["VkQueue"].queue = VK_NULL_HANDLE;
+    for (const auto& [name, handles] : lacking) {
+        try {
+            const gpu::Device refused(handles);
+            ADD_FAILURE() << name;
+        } catch (const base::InputError& error) {
+            EXPECT_EQ(error.what(), "the " + name + " of a borrowed device is null");
+        }
+    }
+    VkPhysicalDeviceFeatures2 features{};
+    EXPECT_THROW(gpu::enableFeatures(VK_NULL_HANDLE, device().physical(), features), base::InputError);
+    EXPECT_THROW(gpu::enableFeatures(instance().handle(), VK_NULL_HANDLE, features), base::InputError);
 }
 
 TEST_F(FrameTest, ResizedPicturesAreThoseOfARendererOfTheirSize) {

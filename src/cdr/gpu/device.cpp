@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 namespace cdr::gpu {
 
@@ -91,6 +92,19 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
                                         .pQueueCreateInfos = &queue,
                                         .enabledExtensionCount = hasPortabilitySubset(physical) ? 1u : 0u,
                                         .ppEnabledExtensionNames = &kPortabilitySubset});
+}
+
+void requireHandles(const BorrowedDevice& borrowed) {
+    const std::array<std::pair<const char*, bool>, 4> handles{
+        {{"VkInstance", borrowed.instance != VK_NULL_HANDLE},
+         {"VkPhysicalDevice", borrowed.physical != VK_NULL_HANDLE},
+         {"VkDevice", borrowed.device != VK_NULL_HANDLE},
+         {"VkQueue", borrowed.queue != VK_NULL_HANDLE}}};
+    for (const auto& [name, isThere] : handles) {
+        if (!isThere) {
+            throw base::InputError(fmt::format("the {} of a borrowed device is null", name));
+        }
+    }
 }
 
 } // namespace
@@ -183,6 +197,7 @@ Device::Device(const Instance& instance, const std::string& choice) : m_handles(
 }
 
 Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Handles>()) {
+    requireHandles(borrowed);
     loadFunctions(borrowed.loader, borrowed.instance);
     m_handles->physical = borrowed.physical;
     m_handles->device = borrowed.device;

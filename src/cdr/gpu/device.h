@@ -94,6 +94,7 @@ class CDR_EXPORT Device {
     /// @throws std::system_error for Vulkan's other errors.
     Device(const Instance& instance, const std::string& choice);
     /// Of handles that stay the caller's.
+    /// @throws base::InputError for a null handle.
     /// @throws base::InputError that names the features which BorrowedDevice::features leaves off.
     /// @throws base::InputError for a loader that is not the one in use, or knows not all of Vulkan 1.3.
     /// @throws base::RunError when there is no loader.

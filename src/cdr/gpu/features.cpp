@@ -50,6 +50,14 @@ bool hasSynchronization2(const VkPhysicalDeviceFeatures2& features) {
            (alone != nullptr && alone->synchronization2 != 0);
 }
 
+bool hasTimelineSemaphore(const VkPhysicalDeviceFeatures2& features) {
+    const auto* v12 = vulkan12(features);
+    const auto* alone = inChain<VkPhysicalDeviceTimelineSemaphoreFeatures>(
+        features, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TIMELINE_SEMAPHORE_FEATURES);
+    return (v12 != nullptr && v12->timelineSemaphore != 0) ||
+           (alone != nullptr && alone->timelineSemaphore != 0);
+}
+
 struct Named {
     bool isOn;
     const char* name;
@@ -71,6 +79,7 @@ std::vector<std::string> missingFeatures(const VkPhysicalDeviceFeatures2& featur
     const VkPhysicalDeviceFeatures& core = features.features;
     return thoseOff({{hasDynamicRendering(features), "dynamicRendering"},
                      {hasSynchronization2(features), "synchronization2"},
+                     {hasTimelineSemaphore(features), "timelineSemaphore"},
                      {core.depthClamp != 0, "depthClamp"},
                      {core.shaderClipDistance != 0, "shaderClipDistance"}});
 }
@@ -86,6 +95,10 @@ std::vector<std::string> missingGpuDrivenFeatures(const VkPhysicalDeviceFeatures
 
 void enableFeatures(VkInstance instance, VkPhysicalDevice physical, VkPhysicalDeviceFeatures2& features,
                     PFN_vkGetInstanceProcAddr loader) {
+    if (instance == VK_NULL_HANDLE || physical == VK_NULL_HANDLE) {
+        throw base::InputError(fmt::format("the {} whose features are to be enabled is null",
+                                           instance == VK_NULL_HANDLE ? "VkInstance" : "VkPhysicalDevice"));
+    }
     loadFunctions(loader, instance);
     const DeviceInfo info = describe(physical, 0);
     if (!info.missing.empty()) {
@@ -100,7 +113,7 @@ void enableFeatures(VkInstance instance, VkPhysicalDevice physical, VkPhysicalDe
     VkPhysicalDeviceFeatures& core = features.features;
     v13->dynamicRendering = VK_TRUE;
     v13->synchronization2 = VK_TRUE;
-    v12->timelineSemaphore = VK_TRUE; // every device of Vulkan 1.2 has it; frames that a host records use it
+    v12->timelineSemaphore = VK_TRUE; // by which frames that a host records say that they are done
     core.depthClamp = VK_TRUE;
     core.shaderClipDistance = VK_TRUE;
     if (info.gpuDrivenMissing.empty()) {

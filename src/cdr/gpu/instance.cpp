@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string>
 
 namespace cdr::gpu {
 
@@ -96,6 +97,11 @@ Instance::Instance(const InstanceOptions& options)
     if (options.validate && !hasLayer(kValidationLayer)) {
         throw base::InputError(
             "--validate needs the Khronos validation layer; install vulkan-validationlayers");
+    }
+    for (const char* extension : options.extensions) {
+        if (!hasExtension(extension)) {
+            throw base::InputError(std::string("the Vulkan loader and its drivers lack ") + extension);
+        }
     }
     std::vector<const char*> extensions = options.extensions;
     m_hasDebugUtils = hasExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);

@@ -47,8 +47,8 @@ struct InstanceOptions {
 class CDR_EXPORT Instance {
   public:
     /// @throws base::RunError when there is no loader, no Vulkan 1.3 or no driver.
-    /// @throws base::InputError for InstanceOptions::validate without the layer.
-    /// @throws std::system_error for an extension that is not there, and Vulkan's other errors.
+    /// @throws base::InputError for InstanceOptions::validate without the layer, and for an extension that is not there.
+    /// @throws std::system_error for Vulkan's other errors.
     explicit Instance(const InstanceOptions& options = {});
     ~Instance();
     Instance(const Instance&) = delete;

@@ -110,6 +110,12 @@ void Buffer::invalidate() const {
 
 Image::Image(const Device& device, const ImageOptions& options, const std::string& name)
     : m_options(options) {
+    const std::uint32_t most = device.info().maxImageSide;
+    if (std::max(options.extent.width, options.extent.height) > most) {
+        throw base::InputError(fmt::format("{}: {}x{} pixels, where {} has images of at most {} a side", name,
+                                           options.extent.width, options.extent.height, device.info().name,
+                                           most));
+    }
     const vk::ImageCreateInfo imageInfo = createInfo(options);
     const std::uint64_t bytes = bytesOfPixels(options);
     const bool isAlone = static_cast<bool>(options.usage & ~kTexture);
