@@ -46,6 +46,12 @@ TEST(NumberText, IsWhatFmtWrites) {
     }
 }
 
+TEST(NumberText, TakesAnyNumberOfDigits) {
+    EXPECT_EQ(fixed(0.5, 1000), "0.5" + std::string(999, '0'));
+    EXPECT_EQ(general(1e308, 309).size(), 309u);
+    EXPECT_EQ(fixed(-1e308, 900).size(), 1u + 309 + 1 + 900);
+}
+
 TEST(NumberText, OfNoNumberIsItsName) {
     EXPECT_EQ(shortest(std::numeric_limits<double>::infinity()), "inf");
     EXPECT_EQ(shortest(-std::numeric_limits<double>::infinity()), "-inf");

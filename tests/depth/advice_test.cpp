@@ -181,6 +181,9 @@ TEST(Advice, RefusesNonsense) {
     AdviceQuestion asked = question(1e6, 1.0);
     asked.scene.spanView = kNan;
     EXPECT_THROW(advise(asked), InputError);
+    asked = question(1e6, 1.0);
+    asked.formats.clear();
+    EXPECT_THROW(advise(asked), InputError);
 }
 
 } // namespace

@@ -82,6 +82,14 @@ TEST(Split, RefusesNonsense) {
     }
 }
 
+TEST(Split, ACountMadeByHandIsRefusedBeforeItTakesMemory) {
+    const SplitContext context{.nearView = 1.0, .farView = 1e6};
+    EXPECT_EQ(makeCascades(SplitCount{kMaxCascades}, context).size(), kMaxCascades);
+    for (const unsigned count : {unsigned{kMaxCascades} + 1, std::numeric_limits<unsigned>::max()}) {
+        EXPECT_THROW(makeCascades(SplitCount{count}, context), InputError) << count;
+    }
+}
+
 TEST(Split, RefusesToFitPixelsOfUnknownSize) {
     EXPECT_THROW(cut(SplitFitted{}, 1.0, 2.0), InputError);
     EXPECT_EQ(cut(SplitFitted{.unit = SplitFitted::Unit::scene}, 1.0, 2.0), (Cascades{{1.0, 2.0}}));

@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/scene/camera.h>
+#include <cdr/scene/camera_path.h>
 
 #include <gtest/gtest.h>
 
@@ -115,6 +116,22 @@ TEST(Canonical, LeavesLevelCamerasAlone) {
     Camera camera = lookAt({}, {1e7, 3.0, -2.0}, {0.0, 1.0, 5.0});
     camera.fovY = radiansOf(0.002);
     expectSameView(canonical(camera), camera);
+}
+
+TEST(Camera, IsRefusedWithAxesThatAreNotFinite) {
+    EXPECT_NO_THROW(requireUsable(Camera{}));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (glm::dvec3 Camera::*axis : {&Camera::right, &Camera::up, &Camera::back}) {
+        Camera camera;
+        (camera.*axis).y = nan;
+        EXPECT_THROW(requireUsable(camera), base::InputError);
+    }
+}
+
+TEST(CameraPath, NeedsAFrame) {
+    EXPECT_THROW(orbitPath({}, {}, 1.0, 0), base::InputError);
+    EXPECT_THROW(turnPath({}, {}, 0), base::InputError);
+    EXPECT_EQ(turnPath({}, {}, 1).at(7).back, turnPath({}, {}, 1).at(0).back);
 }
 
 TEST(Degrees, ComeBack) {

@@ -236,6 +236,22 @@ TEST(World, EveryCallRefusesWhatIsNotFinite) {
     EXPECT_EQ(world.scene().materials.size(), 1u);
 }
 
+TEST(World, RefusesInstancesWhoseArraysDifferInLength) {
+    const auto refuses = [](auto member) {
+        Scene scene = boxWorld().scene();
+        (scene.instances.*member).emplace_back();
+        return refusalOf([&] { requireUsable(scene); }).find("equally long") != std::string::npos;
+    };
+    EXPECT_TRUE(refuses(&Instances::x));
+    EXPECT_TRUE(refuses(&Instances::y));
+    EXPECT_TRUE(refuses(&Instances::z));
+    EXPECT_TRUE(refuses(&Instances::radius));
+    EXPECT_TRUE(refuses(&Instances::basis));
+    EXPECT_TRUE(refuses(&Instances::mesh));
+    EXPECT_TRUE(refuses(&Instances::material));
+    EXPECT_TRUE(refuses(&Instances::object));
+}
+
 TEST(World, RefusesWhatCannotBeDrawn) {
     World world = boxWorld();
     const InstanceHandle box = world.instance(0);

@@ -13,11 +13,9 @@ namespace cdr::base {
 std::string shortest(double value);
 
 /// As many significant digits as given, trailing zeros left out: printf's "%.Ng".
-/// @param digits at most 350, which is not checked.
 std::string general(double value, int digits = 6);
 
 /// As many decimals as given: printf's "%.Nf".
-/// @param decimals at most 80, which is not checked.
 std::string fixed(double value, int decimals);
 
 /// The texts one after another, numbers in between by shortest().

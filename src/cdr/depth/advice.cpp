@@ -159,6 +159,9 @@ base::Result<Advice> tryAdvise(const AdviceQuestion& question) {
         return base::Refusal{
             base::concat("separation must be finite and above 0, not ", question.separationView)};
     }
+    if (question.formats.empty()) {
+        return base::Refusal{"there is no depth format to advise on"};
+    }
     Advice advice;
     for (const Technique& technique : techniquesFor(question)) {
         const auto made = tryForecast(technique, question.scene);

@@ -54,6 +54,9 @@ struct Cut {
     }
 
     base::Result<Cascades> operator()(const SplitCount& split) const {
+        if (split.count > kMaxCascades) {
+            return tooMany(split, split.count);
+        }
         std::vector<double> boundaries;
         for (unsigned i = 1; i < split.count; ++i) {
             boundaries.push_back(context.nearView * std::pow(context.farView / context.nearView,

@@ -156,6 +156,9 @@ void requireUsable(const Camera& camera) {
     if (!isFinite(camera.position)) {
         throw base::InputError("camera: position must be finite");
     }
+    if (!isFinite(camera.right) || !isFinite(camera.up) || !isFinite(camera.back)) {
+        throw base::InputError("camera: its axes must be finite");
+    }
 }
 
 } // namespace cdr::scene

@@ -60,8 +60,8 @@ CDR_EXPORT double radiansOf(double degrees);
 /// The degrees whose radiansOf() is `radians` or nearest to it.
 CDR_EXPORT double degreesOf(double radians);
 
-/// @throws base::InputError with the value unless the camera is usable: lens and position finite, depth::kLeastView <=
-///         near < far <= depth::kMostView, 0 < fovY < pi. Its axes are not looked at.
+/// @throws base::InputError with the value unless the camera is usable: lens, position and axes finite,
+///         depth::kLeastView <= near < far <= depth::kMostView, 0 < fovY < pi. Whether axes are at right angles is not looked at.
 CDR_EXPORT void requireUsable(const Camera& camera);
 
 } // namespace cdr::scene

@@ -22,12 +22,12 @@ struct CameraPath {
 CDR_EXPORT CameraPath stillPath(const Camera& camera);
 
 /// Circles `target` once about the y axis at `radius` and at its height, looking at it. Frame 0 is at +z.
-/// @param frames above 0, which is not checked.
+/// @throws base::InputError for no frames.
 CDR_EXPORT CameraPath orbitPath(const Camera& lens, const glm::dvec3& target, double radius,
                                 std::uint32_t frames);
 
 /// Turns once about the y axis without moving. Frame 0 looks down -z.
-/// @param frames above 0, which is not checked.
+/// @throws base::InputError for no frames.
 CDR_EXPORT CameraPath turnPath(const Camera& lens, const glm::dvec3& eye, std::uint32_t frames);
 
 } // namespace cdr::scene

@@ -69,6 +69,17 @@ void requireSky(const Sky& sky) {
     }
 }
 
+void requireWhole(const Instances& instances) {
+    const std::size_t size = instances.size();
+    for (const std::size_t each :
+         {instances.y.size(), instances.z.size(), instances.radius.size(), instances.basis.size(),
+          instances.mesh.size(), instances.material.size(), instances.object.size()}) {
+        if (each != size) {
+            refuseUse("the instances' arrays must be equally long, but hold {} and {}", size, each);
+        }
+    }
+}
+
 } // namespace
 
 bool isUsable(const Transform& transform) {
@@ -166,6 +177,7 @@ void requireUsable(const Material& material, std::size_t textures, const std::st
 }
 
 void requireUsable(const Scene& scene) {
+    requireWhole(scene.instances);
     const auto requireAll = [](const auto& values, const char* kind, auto... more) {
         for (std::size_t i = 0; i < values.size(); ++i) {
             requireUsable(values[i], more..., kind + std::to_string(i));

@@ -40,7 +40,6 @@ CDR_EXPORT void requireUsable(const Texture& texture, const std::string& what);
 /// @param textures of the scene
 CDR_EXPORT void requireUsable(const Material& material, std::size_t textures, const std::string& what);
 /// All of the above, the sky, and that instances name meshes and materials that are there, and objects up to kMaxObjects.
-/// @param scene whose arrays of Instances are of one length, which is not checked
 CDR_EXPORT void requireUsable(const Scene& scene);
 
 } // namespace cdr::scene
