@@ -28,7 +28,7 @@ unsigned processorsOf(const ranks::Place& place) {
 std::string dealtDevice(const ranks::Place& place) {
     std::vector<gpu::DeviceInfo> devices = gpu::listDevices(gpu::Instance({.extensions = {}}));
     std::erase_if(devices, [](const gpu::DeviceInfo& info) { return !info.missing.empty(); });
-    const auto isProcessor = [](const gpu::DeviceInfo& info) { return info.kind == "cpu"; };
+    const auto isProcessor = [](const gpu::DeviceInfo& info) { return info.kind == gpu::DeviceKind::cpu; };
     if (!std::all_of(devices.begin(), devices.end(), isProcessor)) {
         std::erase_if(devices, isProcessor);
     }

@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/scene/frustum.h>
 #include <scenes/boulders.h>
 #include <scenes/degree.h>
 #include <scenes/random.h>
@@ -128,7 +129,7 @@ glm::mat3 turnedAtRandom(Random& random, double scale) {
 /// Places one boulder apart from all others; there is room, so tries end.
 void placeBoulder(scene::Scene& scene, std::uint32_t object, const scene::Camera& lens, Random& random) {
     constexpr double kAspect = 16.0 / 9.0;
-    const double tanY = std::tan(0.5 * lens.fovY);
+    const double tanY = scene::frustumOf(lens, kAspect, 1.0).tanY;
     for (;;) {
         const double w = std::exp(random.uniform(std::log(kNearest), std::log(kFarthest)));
         const double radius = 0.35 * std::sqrt(w / kNearest) * random.uniform(0.7, 1.3);

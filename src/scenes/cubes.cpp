@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/scene/frustum.h>
 #include <scenes/cube_scene.h>
 #include <scenes/cubes.h>
 #include <scenes/degree.h>
@@ -57,7 +58,7 @@ scene::SceneSetup makeAfcNear(std::uint64_t seed) {
         const scene::Camera camera = orbit.at(frame);
         // The face it turns to the camera, kHalf nearer, reaches a tenth of the picture's height into a
         // corner.
-        const double corner = std::tan(0.5 * camera.fovY) * (kAhead - kHalf);
+        const double corner = scene::frustumOf(camera, 16.0, 9.0).tanY * (kAhead - kHalf);
         const double right = corner * (16.0 / 9.0 - 0.2) + kHalf;
         const double up = corner * 0.8 + kHalf;
         const auto object = static_cast<std::uint32_t>(setup.scene.instances.size());
@@ -94,7 +95,7 @@ scene::SceneSetup makeCrowd(std::uint64_t seed, std::uint32_t cubes, double aspe
     const scene::Camera lens{.fovY = 60.0 * kDegree, .nearView = 100.0, .farView = 10'000.0};
     // Wider than a cube's bounding sphere, so that no cube touches a plane.
     constexpr double kMargin = 2.0;
-    const double tanY = std::tan(0.5 * lens.fovY);
+    const double tanY = scene::frustumOf(lens, aspect, 1.0).tanY;
     const double nearest = std::log(lens.nearView + kMargin);
     const double farthest = std::log(lens.farView - kMargin);
     scene::SceneSetup setup{.scene = cubeScene("crowd", 1'000.0), .path = {}};

@@ -1,5 +1,6 @@
 #include "random.h"
 
+#include <cdr/scene/frustum.h>
 #include <scenes/sheets.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ enum MeshIndex : std::uint32_t { square, box };
 
 /// Where in the view, at distance w; both from -1 to 1 across it.
 glm::dvec3 placeInView(double acrossX, double acrossY, double w) {
-    const double tanY = std::tan(0.5 * kFovY);
+    const double tanY = scene::frustumOf({.fovY = kFovY}, kAspect, 1.0).tanY;
     return w * glm::dvec3(acrossX * tanY * kAspect, acrossY * tanY, -1.0);
 }
 

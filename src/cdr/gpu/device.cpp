@@ -31,12 +31,6 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// Lower is better when the user has no preference.
-int rankOf(const DeviceInfo& info) {
-    constexpr std::array<std::string_view, 4> kOrder{"discrete", "integrated", "virtual", "cpu"};
-    return static_cast<int>(std::find(kOrder.begin(), kOrder.end(), info.kind) - kOrder.begin());
-}
-
 std::uint32_t chooseDevice(const std::vector<DeviceInfo>& infos, const std::string& choice) {
     if (infos.empty()) {
         throw base::RunError(
@@ -50,7 +44,7 @@ std::uint32_t chooseDevice(const std::vector<DeviceInfo>& infos, const std::stri
         } else if (!info.missing.empty()) {
             refused.push_back(
                 fmt::format("{} {} (lacks {})", info.index, info.name, fmt::join(info.missing, ", ")));
-        } else if (best == nullptr || rankOf(info) < rankOf(*best)) {
+        } else if (best == nullptr || info.kind < best->kind) {
             best = &info;
         }
     }

@@ -30,12 +30,21 @@ namespace cdr::gpu {
 
 struct PipelineObjects;
 
+/// What a device runs on, the preferred kind first.
+enum class DeviceKind : std::uint8_t {
+    discrete,   ///< a graphics card
+    integrated, ///< a graphics processor that shares the host's memory
+    virtualGpu, ///< one that a virtual machine is lent
+    cpu,        ///< a software driver
+    other,      ///< what the driver does not say
+};
+
 /// What a device is, and whether cdr can use it.
 struct DeviceInfo {
     std::string name;                             ///< as the driver gives it
     std::string driver;                           ///< driver name and its version text
     std::string api;                              ///< "1.3.230"
-    std::string kind;                             ///< "cpu", "integrated", "discrete", "virtual" or "other"
+    DeviceKind kind = DeviceKind::other;          ///< that it is of
     std::uint32_t index = 0;                      ///< as --device takes it
     std::vector<std::string> missing;             ///< why cdr cannot use it; empty when it can
     std::vector<std::string> gpuDrivenMissing;    ///< why it cannot cull and bin; empty when it can

@@ -24,18 +24,18 @@ constexpr std::array<std::array<vk::Format, 2>, depth::kDepthFormats.size()> kVu
     {vk::Format::eD32Sfloat, vk::Format::eUndefined},
 }};
 
-std::string kindOf(vk::PhysicalDeviceType type) {
+DeviceKind kindOf(vk::PhysicalDeviceType type) {
     switch (type) {
     case vk::PhysicalDeviceType::eCpu:
-        return "cpu";
+        return DeviceKind::cpu;
     case vk::PhysicalDeviceType::eIntegratedGpu:
-        return "integrated";
+        return DeviceKind::integrated;
     case vk::PhysicalDeviceType::eDiscreteGpu:
-        return "discrete";
+        return DeviceKind::discrete;
     case vk::PhysicalDeviceType::eVirtualGpu:
-        return "virtual";
+        return DeviceKind::virtualGpu;
     default:
-        return "other";
+        return DeviceKind::other;
     }
 }
 

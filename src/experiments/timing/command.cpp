@@ -123,7 +123,7 @@ void checkArguments(TimingArguments& arguments, CommandFiles& files, const ranks
     if (!isPlain && arguments.options.framesInFlight > 1) {
         throw base::InputError("--in-flight goes with none of --against, --stages and --memory");
     }
-    if (!isPlain && arguments.options.scene != experiments::kTimingScenes.front()) {
+    if (!isPlain && arguments.options.scene != experiments::TimingOptions{}.scene) {
         throw base::InputError("--scene goes with none of --against, --stages and --memory");
     }
     if (!arguments.modes.empty()) {
@@ -142,10 +142,10 @@ void checkArguments(TimingArguments& arguments, CommandFiles& files, const ranks
 }
 
 const char* describeScene(const experiments::TimingOptions& options) {
-    if (options.scene == "city") {
+    if (options.scene == experiments::TimingScene::city) {
         return "1,000,000 boxes of houses and streets, seen from a street, 60 degrees, near 0.2, far 8,000";
     }
-    return options.scene == "traffic"
+    return options.scene == experiments::TimingScene::traffic
                ? "100,000 cubes that move, from 1 to 10,000,000 units away, one turn about y"
                : "64,000 unit cubes in a 400^3 field, 60 degrees, near 0.1, far 100,000, one turn about y";
 }
@@ -348,9 +348,11 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that cull, bin and record");
     command
-        .add_option("--scene", options.scene,
-                    fmt::format("{}; traffic moves", fmt::join(experiments::kTimingScenes, ", ")))
-        ->capture_default_str();
+        .add_option_function<std::string>(
+            "--scene",
+            [&options](const std::string& name) { options.scene = experiments::parseTimingScene(name); },
+            fmt::format("{}; traffic moves", fmt::join(experiments::timingSceneNames(), ", ")))
+        ->default_str(std::string(nameOf(options.scene)));
     command
         .add_option("--in-flight", options.framesInFlight,
                     "Frames in flight: 1 times latency, as the thesis; more time throughput")

@@ -1,7 +1,7 @@
 #include "timing.h"
 
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/base/suggest.h>
 #include <cdr/render/renderer.h>
 #include <experiments/interleaved_frames.h>
 #include <scenes/city.h>
@@ -19,6 +19,9 @@ namespace {
 
 constexpr double kUsPerMs = 1000.0;
 
+constexpr base::EnumNames<TimingScene, kTimingScenes.size()> kSceneNames{"scene",
+                                                                         {"rotation", "traffic", "city"}};
+
 /// Draws a run of cameras with frames in flight; the sample is one frame's share.
 FrameSample timedRun(render::Renderer& renderer, const std::vector<scene::Camera>& cameras) {
     const auto begin = std::chrono::steady_clock::now();
@@ -31,10 +34,7 @@ FrameSample timedRun(render::Renderer& renderer, const std::vector<scene::Camera
 }
 
 scene::SceneSetup openTimed(const TimingOptions& options) {
-    const bool moves = options.scene == "traffic";
-    if (std::find(kTimingScenes.begin(), kTimingScenes.end(), options.scene) == kTimingScenes.end()) {
-        throw base::InputError(base::unknownName("scene", options.scene, kTimingScenes));
-    }
+    const bool moves = options.scene == TimingScene::traffic;
     if (moves && options.framesInFlight > 1) {
         throw base::InputError("frames in flight are timed of a scene that stands still, not of traffic");
     }
@@ -44,7 +44,7 @@ scene::SceneSetup openTimed(const TimingOptions& options) {
             throw base::InputError("mode " + mode.name + " draws a scene that stands still, not traffic");
         }
     }
-    if (options.scene == "city") {
+    if (options.scene == TimingScene::city) {
         return scenes::makeCity(options.seed);
     }
     return moves ? scenes::makeTraffic(options.seed) : scenes::makeRotation(options.seed);
@@ -83,7 +83,7 @@ class Race {
             m_renderers.push_back(makeRenderer(device, mode));
         }
         m_path = m_setup.path;
-        if (options.scene != "city") { // which has a street to go along
+        if (options.scene != TimingScene::city) { // which has a street to go along
             const scene::Camera first = m_setup.path.at(0);
             m_path = scene::turnPath(first, first.position, options.frames);
         }
@@ -216,6 +216,18 @@ class Race {
 };
 
 } // namespace
+
+std::string_view nameOf(TimingScene scene) {
+    return kSceneNames.nameOf(scene);
+}
+
+std::span<const std::string_view> timingSceneNames() {
+    return kSceneNames.names;
+}
+
+TimingScene parseTimingScene(std::string_view name) {
+    return kSceneNames.parse(name);
+}
 
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
                                     const TimingProgress& progress, TimedRanks& ranks) {

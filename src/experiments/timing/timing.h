@@ -51,14 +51,26 @@ std::vector<TimingMode> extraTimingModes();
 /// for an unknown name.
 std::vector<TimingMode> timingModesNamed(const std::vector<std::string>& names);
 
-/// Scenes that modes are timed over: the thesis' cubes, and cubes that move.
-inline constexpr std::array<std::string_view, 3> kTimingScenes{"rotation", "traffic", "city"};
+/// What modes are timed over.
+enum class TimingScene : std::uint8_t {
+    rotation, ///< the thesis' cubes
+    traffic,  ///< cubes that move
+    city,     ///< boxes of houses, most of them hidden
+};
+inline constexpr std::array kTimingScenes{TimingScene::rotation, TimingScene::traffic, TimingScene::city};
+
+/// "rotation", "traffic" or "city".
+std::string_view nameOf(TimingScene scene);
+/// Of all of them.
+std::span<const std::string_view> timingSceneNames();
+/// base::InputError with a suggestion for an unknown name.
+TimingScene parseTimingScene(std::string_view name);
 
 /// Figure 6.4: what each technique costs over standard. 64,000 unit cubes in a 400^3 field, the camera in the
 /// middle turning once about y over all frames; every mode renders a camera before the next camera, in an
 /// order shuffled anew for each.
 struct TimingOptions {
-    std::string scene{kTimingScenes.front()}; ///< of kTimingScenes
+    TimingScene scene = TimingScene::rotation;
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
     std::uint32_t frames = 10'000; ///< measured, without the warm-up

@@ -1,5 +1,6 @@
 #include <cdr/depth/separation.h>
 #include <cdr/measure/certify/device_bound.h>
+#include <cdr/measure/truth/lens.h>
 
 #include <algorithm>
 #include <bit>
@@ -26,7 +27,7 @@ double cellBegin(std::uint64_t number) {
 
 DeviceBound::DeviceBound(const DrawnFrame& frame)
     : m_snapPixels(frame.snapPixels),
-      m_pixelsPerSlope(0.5 * frame.ids.height / std::tan(0.5 * frame.camera.fovY)),
+      m_pixelsPerSlope(pixelsPerSlope(frame.camera, frame.ids.height)),
       m_picturePixels(double{1.0} * frame.ids.width + frame.ids.height),
       m_bends(frame.technique.mapping == depth::Mapping::log) {
     const depth::Mapping mapping = frame.technique.mapping;

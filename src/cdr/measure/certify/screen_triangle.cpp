@@ -1,4 +1,5 @@
 #include <cdr/measure/certify/screen_triangle.h>
+#include <cdr/measure/truth/lens.h>
 #include <cdr/measure/truth/object_ray.h>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ InstanceTriangles::InstanceTriangles(const scene::Camera& camera, std::uint32_t 
     : m_camera(camera),
       m_bound(bound),
       m_clipView(0.5 * camera.nearView),
-      m_pixelsPerSlope(0.5 * height / std::tan(0.5 * camera.fovY)),
+      m_pixelsPerSlope(pixelsPerSlope(camera, height)),
       m_middle(0.5 * (width - 1.0), 0.5 * (height - 1.0)) {}
 
 glm::dvec2 InstanceTriangles::pixelOf(const glm::dvec3& view) const {

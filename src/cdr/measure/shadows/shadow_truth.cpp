@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/measure/shadows/shadow_truth.h>
+#include <cdr/measure/truth/lens.h>
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +121,7 @@ ShadowImage ShadowTruthCaster::cast(const scene::Camera& camera, std::uint32_t w
     }
     ShadowImage truth(width, height);
     const PixelSlopes slopes = pixelSlopes(camera, width, height);
-    const double pixel = 2.0 * std::tan(0.5 * camera.fovY) / height;
+    const double pixel = 2.0 * halfHeightSlope(camera) / height;
     workers.run(height, [&](std::size_t row, std::size_t) {
         const auto y = static_cast<std::uint32_t>(row);
         for (std::uint32_t x = 0; x < width; ++x) {

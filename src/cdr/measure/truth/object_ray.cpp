@@ -1,3 +1,4 @@
+#include <cdr/measure/truth/lens.h>
 #include <cdr/measure/truth/object_ray.h>
 
 #include <cmath>
@@ -5,7 +6,7 @@
 namespace cdr::measure {
 
 PixelSlopes pixelSlopes(const scene::Camera& camera, std::uint32_t width, std::uint32_t height) {
-    const double halfHeight = std::tan(0.5 * camera.fovY);
+    const double halfHeight = halfHeightSlope(camera);
     const double perPixel = halfHeight / height;
     PixelSlopes slopes;
     slopes.step = 2.0 * perPixel;

@@ -1,3 +1,4 @@
+#include <cdr/measure/truth/lens.h>
 #include <cdr/measure/truth/screen_bounds.h>
 
 #include <algorithm>
@@ -85,13 +86,13 @@ std::optional<Footprint> footprint(const ViewBox& box, const scene::Camera& came
         y.add(corner.y, corner.z, box.rounding);
     });
     // The inverse of pixelSlopes.
-    const double pixelsPerSlope = 0.5 * height / std::tan(0.5 * camera.fovY);
+    const double perSlope = pixelsPerSlope(camera, height);
     const double middleX = 0.5 * (width - 1.0);
     const double middleY = 0.5 * (height - 1.0);
-    const auto columns = pixelsWithin(middleX + x.least * pixelsPerSlope - marginPixels,
-                                      middleX + x.most * pixelsPerSlope + marginPixels, width);
-    const auto rows = pixelsWithin(middleY - y.most * pixelsPerSlope - marginPixels,
-                                   middleY - y.least * pixelsPerSlope + marginPixels, height);
+    const auto columns = pixelsWithin(middleX + x.least * perSlope - marginPixels,
+                                      middleX + x.most * perSlope + marginPixels, width);
+    const auto rows = pixelsWithin(middleY - y.most * perSlope - marginPixels,
+                                   middleY - y.least * perSlope + marginPixels, height);
     const PixelRect pixels{columns[0], rows[0], columns[1], rows[1]};
     return pixels.empty() ? std::nullopt : std::optional(Footprint{pixels, nearestView});
 }

@@ -1,3 +1,4 @@
+#include <cdr/measure/truth/lens.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/truth_motion.h>
 
@@ -48,7 +49,7 @@ image::Raster<glm::dvec2> truthMotion(const TruthImage& truth, const SeenScene& 
     image::Raster<glm::dvec2> motion(truth.width, truth.height, glm::dvec2(kNone));
     const PixelSlopes slopes = pixelSlopes(now.camera, truth.width, truth.height);
     // The picture's height is 2 tan(fovY / 2) in slopes, for either lens.
-    const double perSlope = 0.5 * truth.height / std::tan(0.5 * before.camera.fovY);
+    const double perSlope = pixelsPerSlope(before.camera, truth.height);
     for (std::uint32_t y = 0; y < truth.height; ++y) {
         for (std::uint32_t x = 0; x < truth.width; ++x) {
             const TruthPixel& pixel = truth.at(x, y);

@@ -57,7 +57,8 @@ void ZeroFill::record(vk::CommandBuffer commands) const {
 }
 
 std::unique_ptr<ZeroFill> makeZeroFill(const gpu::Device& device, const TargetsOptions& options) {
-    const bool isClearedSlowly = device.info().kind == "cpu" && options.format == kGBufferFormat;
+    const bool isClearedSlowly =
+        device.info().kind == gpu::DeviceKind::cpu && options.format == kGBufferFormat;
     return isClearedSlowly ? std::make_unique<ZeroFill>(device, options) : nullptr;
 }
 
