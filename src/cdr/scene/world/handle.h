@@ -30,7 +30,7 @@ using MaterialHandle = Handle<struct MaterialKind>;
 /// Of a texture.
 using TextureHandle = Handle<struct TextureKind>;
 
-/// Another number than any world of the process has had.
+/// Another number than any world of the process has had. @errors None.
 CDR_EXPORT std::uint32_t newWorldId();
 
 /// Why a handle names nothing that is there.
