@@ -38,7 +38,7 @@ Command::Command(std::string name, const GlobalOptions& global, OutputOptions ou
       m_global(global),
       m_output(std::move(output)),
       m_console(global, m_output) {
-    divideProcessors(ranks().place());
+    divideProcessors(ranks().place(), m_global.bind);
     m_device = global.device == "each" ? dealtDevice(ranks().place()) : global.device;
     if (global.section.empty()) { // a report has looked already
         requireKnownDevice(m_device);
@@ -50,7 +50,7 @@ Command::Command(std::string name, const GlobalOptions& global, OutputOptions ou
 
 void Command::sayRanks() const {
     if (!ranks().isAlone()) {
-        m_console.line(textOf(ranks().place()));
+        m_console.line(textOf(ranks().place(), m_global.bind));
     }
 }
 
@@ -110,8 +110,12 @@ void Command::endProgress() const {
 }
 
 nlohmann::ordered_json Command::makeDocument(nlohmann::ordered_json options) const {
-    return host::makeDocument(m_name, m_opened ? m_opened->documentDevice() : host::DocumentDevice{},
-                              std::move(options));
+    nlohmann::ordered_json document = host::makeDocument(
+        m_name, m_opened ? m_opened->documentDevice() : host::DocumentDevice{}, std::move(options));
+    if (m_global.hostCpus != 0) {
+        document["host"]["cpus"] = m_global.hostCpus;
+    }
+    return document;
 }
 
 void Command::writeDocument(nlohmann::ordered_json document) const {

@@ -6,6 +6,7 @@
 #include <cdr/gpu/failure.h>
 #include <cdr/host/document.h>
 #include <cdr/host/standard_streams.h>
+#include <cdr/host/thread_placement.h>
 #include <cdr/host/unfinished_file.h>
 #include <experiments/camera_options.h>
 #include <experiments/help_format.h>
@@ -68,6 +69,7 @@ void requireSameProgram(cdr::ranks::Ranks& ranks, int argc, char** argv) {
 
 int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
     requireSameProgram(ranks, argc, argv);
+    ranks.learnCpus();
     CLI::App program("Cascaded deferred rendering: see far without z-fighting.", "cdr");
     program.require_subcommand(1);
     program.fallthrough(); // global options are found behind the command too
@@ -76,6 +78,9 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
     program.formatter(format);
     cdr::cli::GlobalOptions global;
     global.ranks = &ranks;
+    if (!ranks.place().node.empty()) {
+        global.hostCpus = cdr::host::cpusOfParent().size();
+    }
     program.add_option(
         "--device", global.device,
         "Vulkan device by number or part of its name; each: the ranks of a machine take them in turn");
@@ -90,6 +95,10 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
     program.add_flag("--quiet", global.quiet, "Print nothing but errors and what of a file is not drawn");
     program.add_flag("--share-machine", global.shareMachine,
                      "Under mpirun: measure time though several ranks share a machine");
+    program.add_flag(
+        "--bind", global.bind,
+        "Under mpirun: each rank keeps to its part of the machine's processors, or to those that MPI "
+        "bound it to");
     const cdr::host::BuildInfo build = cdr::host::buildInfo();
     program.set_version_flag("--version", fmt::format("cdr {} ({})", build.version, build.commit));
     addCommands(program, global);

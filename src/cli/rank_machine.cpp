@@ -1,12 +1,15 @@
 #include "rank_machine.h"
 
 #include <cdr/gpu/device.h>
+#include <cdr/host/thread_placement.h>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
+#include <set>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -16,11 +19,48 @@ namespace {
 
 constexpr const char* kThreads = "LP_NUM_THREADS";
 
-/// Processors that this rank's drawing may keep busy: its part of the machine, and no more than MPI bound it to.
-unsigned processorsOf(const ranks::Place& place) {
-    const auto machine = static_cast<unsigned>(std::max(::sysconf(_SC_NPROCESSORS_ONLN), 1L));
-    const unsigned bound = std::max(std::thread::hardware_concurrency(), 1u);
-    return std::clamp(machine / static_cast<unsigned>(place.countOnNode), 1u, bound);
+/// By rank of the machine, how many processors its drawing may keep busy.
+std::vector<std::size_t> processorsOf(const ranks::Place& place) {
+    const std::size_t all = std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
+    std::vector<std::size_t> counts(place.countOnNode, std::max<std::size_t>(all / place.countOnNode, 1));
+    if (place.cpus.choice != ranks::CpuChoice::unknown) {
+        std::transform(place.cpus.parts.begin(), place.cpus.parts.end(), counts.begin(),
+                       [](const ranks::Cpus& part) { return part.size(); });
+    }
+    return counts;
+}
+
+/// "1 thread", or "1 to 2 threads" where ranks have unlike parts.
+std::string threadsText(const ranks::Place& place) {
+    const char* threads = std::getenv(kThreads);
+    const std::vector<std::size_t> counts = processorsOf(place);
+    const auto [least, most] = std::minmax_element(counts.begin(), counts.end());
+    // What the first rank has been told, be it by the user, holds for all where their parts are alike.
+    const std::string text = *least == *most || threads != std::to_string(counts[place.indexOnNode])
+                                 ? threads
+                                 : fmt::format("{} to {}", *least, *most);
+    return fmt::format("{} thread{}", text, text == "1" ? "" : "s");
+}
+
+/// How the ranks of this machine came to their processors; empty where that is not known.
+std::string choiceText(const ranks::Place& place, bool bind) {
+    std::set<std::size_t> all;
+    for (const ranks::Cpus& part : place.cpus.parts) {
+        all.insert(part.begin(), part.end());
+    }
+    const std::string processors = fmt::format("{} processor{}", all.size(), all.size() == 1 ? "" : "s");
+    const std::string kept = bind ? ", and each keeps to its part" : "";
+    switch (place.cpus.choice) {
+    case ranks::CpuChoice::shared:
+        return fmt::format("; they share {}{}", processors, kept);
+    case ranks::CpuChoice::followed:
+        return place.countOnNode == 1 ? "" : fmt::format("; MPI bound each to its own of {}", processors);
+    case ranks::CpuChoice::overlapping:
+        return fmt::format("; MPI bound them to overlapping parts of {}{}", processors, kept);
+    case ranks::CpuChoice::unknown:
+        break;
+    }
+    return "";
 }
 
 } // namespace
@@ -35,18 +75,22 @@ std::string dealtDevice(const ranks::Place& place) {
     return devices.empty() ? "" : std::to_string(devices[place.indexOnNode % devices.size()].index);
 }
 
-void divideProcessors(const ranks::Place& place) {
+void divideProcessors(const ranks::Place& place, bool bind) {
     if (place.countOnNode > 1) {
-        ::setenv(kThreads, std::to_string(processorsOf(place)).c_str(), 0);
+        ::setenv(kThreads, std::to_string(processorsOf(place)[place.indexOnNode]).c_str(), 0);
+        if (bind && place.cpus.choice != ranks::CpuChoice::unknown) {
+            host::allowCpus(place.cpus.parts[place.indexOnNode]);
+        }
     }
 }
 
-std::string textOf(const ranks::Place& place) {
-    const char* threads = std::getenv(kThreads);
-    return fmt::format("{} ranks, {} of them on this machine{}", place.count, place.countOnNode,
-                       threads != nullptr ? fmt::format("; lavapipe draws with {} thread{} in each", threads,
-                                                        std::string(threads) == "1" ? "" : "s")
-                                          : "");
+std::string textOf(const ranks::Place& place, bool bind) {
+    std::string text = fmt::format("{} ranks, {} of them on this machine", place.count, place.countOnNode);
+    if (std::getenv(kThreads) == nullptr) {
+        return text;
+    }
+    return fmt::format("{}; lavapipe draws with {} in each{}", text, threadsText(place),
+                       choiceText(place, bind));
 }
 
 } // namespace cdr::cli

@@ -1,5 +1,6 @@
 #include "timed_ranks.h"
 
+#include <cdr/host/thread_placement.h>
 #include <experiments/units.h>
 
 #include <utility>
@@ -16,12 +17,14 @@ void TimedRanks::forEachUnit(std::size_t count, const std::function<Json(std::si
             return Json{{"rank", place.index},
                         {"node", place.node},
                         {"ranks_on_node", place.countOnNode},
+                        {"cpus", host::allowedCpus()},
                         {"timed", time(unit)}};
         },
         [&](std::size_t unit, const Json& made) {
             Timer& timer = m_timers[made.at("rank").get<std::size_t>()];
             timer.node = made.at("node").get<std::string>();
             timer.ranksOnNode = made.at("ranks_on_node").get<std::size_t>();
+            timer.cpus = made.at("cpus");
             timer.units.push_back(unit);
             take(unit, made.at("timed"));
         });
@@ -33,6 +36,7 @@ Json TimedRanks::measuredBy(const std::string& units) const {
         rows.push_back({{"rank", rank},
                         {"node", timer.node},
                         {"ranks_on_node", timer.ranksOnNode},
+                        {"cpus", timer.cpus},
                         {units, timer.units}});
     }
     return rows;
@@ -41,6 +45,7 @@ Json TimedRanks::measuredBy(const std::string& units) const {
 void addMeasuredBy(Json& document, const ranks::Ranks& ranks, const Json& measuredBy) {
     if (!ranks.isAlone()) {
         document["measured_by"] = measuredBy;
+        document["cpu_choice"] = ranks::nameOf(ranks.place().cpus.choice);
     }
 }
 

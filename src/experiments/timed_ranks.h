@@ -32,6 +32,7 @@ class TimedRanks {
     struct Timer {
         std::string node;
         std::size_t ranksOnNode = 1;
+        Json cpus;
         std::vector<std::size_t> units;
     };
 
@@ -39,7 +40,8 @@ class TimedRanks {
     std::map<std::size_t, Timer> m_timers; ///< by rank
 };
 
-/// Adds "measured_by" to a command's document where several ranks timed.
+/// Adds "measured_by" to a command's document where several ranks timed, and "cpu_choice", how those of the first one's
+/// machine came to their processors.
 void addMeasuredBy(Json& document, const ranks::Ranks& ranks, const Json& measuredBy);
 
 } // namespace cdr::experiments

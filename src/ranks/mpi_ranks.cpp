@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/host/thread_placement.h>
 
 #include <climits>
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <chrono>
 #include <cstdint>
 #include <cstring>
@@ -24,6 +26,9 @@ namespace {
 constexpr std::uint64_t kStop = std::uint64_t{1} << 40u;
 /// Between two looks at whether something has arrived. MPI's own waits keep a processor busy, which another rank may need.
 constexpr auto kPause = std::chrono::milliseconds(1);
+
+/// As many as sched_getaffinity() has numbers for; without an answer it gives none.
+constexpr std::size_t kMostCpus = 1024;
 
 enum Tag : int { kMadeTag = 1, kDoneTag = 2, kMergedTag = 3 };
 
@@ -47,6 +52,32 @@ std::string hostName() {
     return {name.data(), static_cast<std::size_t>(length)};
 }
 
+/// The ranks of this rank's machine, to be freed.
+MPI_Comm splitByMachine() {
+    MPI_Comm node = MPI_COMM_NULL;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+    return node;
+}
+
+/// By rank of a machine, the CPUs that it may use.
+std::vector<Cpus> cpusOfRanks(MPI_Comm node, std::size_t count) {
+    std::bitset<kMostCpus> mine;
+    for (const std::size_t cpu : host::allowedCpus()) {
+        mine.set(cpu);
+    }
+    std::vector<std::bitset<kMostCpus>> all(count);
+    MPI_Allgather(&mine, sizeof mine, MPI_BYTE, all.data(), sizeof mine, MPI_BYTE, node);
+    std::vector<Cpus> cpus(count);
+    for (std::size_t rank = 0; rank < count; ++rank) {
+        for (std::size_t cpu = 0; cpu < kMostCpus; ++cpu) {
+            if (all[rank].test(cpu)) {
+                cpus[rank].push_back(cpu);
+            }
+        }
+    }
+    return cpus;
+}
+
 Place makePlace() {
     const auto sizesOf = [](MPI_Comm ranks) {
         int index = 0;
@@ -55,8 +86,7 @@ Place makePlace() {
         MPI_Comm_size(ranks, &count);
         return std::pair(static_cast<std::size_t>(index), static_cast<std::size_t>(count));
     };
-    MPI_Comm node = MPI_COMM_NULL;
-    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+    MPI_Comm node = splitByMachine();
     const auto [index, count] = sizesOf(MPI_COMM_WORLD);
     const auto [indexOnNode, countOnNode] = sizesOf(node);
     MPI_Comm_free(&node);
@@ -123,6 +153,13 @@ class MpiRanks final : public Ranks {
         const host::Bytes own(text.begin(), text.end());
         const host::Bytes first = share(own);
         meet(first == own ? Ending{} : Ending{.status = 2, .line = otherwise});
+    }
+
+    void learnCpus() override {
+        meet({});
+        MPI_Comm node = splitByMachine();
+        setCpus(divideCpus(cpusOfRanks(node, place().countOnNode)));
+        MPI_Comm_free(&node);
     }
 
     void forEachUnit(std::size_t count, const Make& make, const Take& take) override {

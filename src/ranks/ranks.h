@@ -2,10 +2,13 @@
 
 #include <cdr/host/file.h>
 
+#include <ranks/cpu_division.h>
+
 #include <cstddef>
 #include <exception>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace cdr::ranks {
 
@@ -31,6 +34,8 @@ struct Place {
     std::size_t indexOnNode = 0;
     std::size_t countOnNode = 1;
     std::string node{}; ///< name of its machine; empty for a process that was started alone
+    CpuDivision
+        cpus{}; ///< of its machine; nothing is known before learnCpus(), and for a process that was started alone
 };
 
 /// The processes that one command was started as, its ranks; a process that was started alone is the first and only one.
@@ -57,6 +62,9 @@ class Ranks {
     /// @param otherwise what is said of a rank that gives another one than the first.
     virtual void requireSame(const std::string& text, const std::string& otherwise) = 0;
 
+    /// Fills place().cpus. After requireSame(): ranks of other versions may have another way to learn it.
+    virtual void learnCpus() = 0;
+
     /// Makes each of `count` independent units on some rank; a rank is given units in ascending order. The first rank
     /// makes units too, and takes all results, in the order of the units.
     virtual void forEachUnit(std::size_t count, const Make& make, const Take& take) = 0;
@@ -73,6 +81,9 @@ class Ranks {
     /// The last call of a run: waits for all ranks, of which one that failed makes all end as it does.
     /// @param mine how this rank ends, or would end alone.
     virtual Ending end(const Ending& mine) = 0;
+
+  protected:
+    void setCpus(CpuDivision cpus) { m_place.cpus = std::move(cpus); }
 
   private:
     Place m_place;

@@ -7,11 +7,14 @@
 #include <barrier>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace {
 
+using cdr::host::allowCpus;
 using cdr::host::allowedCpus;
+using cdr::host::cpusOfParent;
 using cdr::host::PinnedThread;
 using cdr::host::Placement;
 using cdr::host::WorkerPool;
@@ -109,6 +112,23 @@ TEST(WorkerPool, PinsItsThreadsAndNotTheCaller) {
     EXPECT_EQ(seen[0], cpus);
     EXPECT_EQ(seen[1], std::vector{cpus[1 % cpus.size()]});
     EXPECT_EQ(seen[2], std::vector{cpus[2 % cpus.size()]});
+}
+
+TEST(AllowedCpus, CanBeChosen) {
+    const std::vector<std::size_t> cpus = allowedCpus();
+    if (cpus.empty()) {
+        GTEST_SKIP() << "this system does not say where threads run";
+    }
+    EXPECT_FALSE(cpusOfParent().empty());
+    std::thread([&] { // which leaves the CPUs of the others as they are
+        allowCpus({cpus.back()});
+        EXPECT_EQ(allowedCpus(), std::vector{cpus.back()});
+        std::thread([&] { EXPECT_EQ(allowedCpus(), std::vector{cpus.back()}); }).join();
+        allowCpus({});
+        EXPECT_EQ(allowedCpus(), std::vector{cpus.back()});
+    })
+        .join();
+    EXPECT_EQ(allowedCpus(), cpus);
 }
 
 TEST(PinnedThread, GivesTheCpusBack) {

@@ -2,6 +2,7 @@
 
 #if defined(__linux__)
 #include <sched.h>
+#include <unistd.h>
 #endif
 
 namespace cdr::host {
@@ -10,7 +11,31 @@ namespace cdr::host {
 
 namespace {
 
-void allow(const std::vector<std::size_t>& cpus) {
+/// @param process 0 for the calling thread.
+std::vector<std::size_t> cpusOf(pid_t process) {
+    std::vector<std::size_t> cpus;
+    cpu_set_t set;
+    if (sched_getaffinity(process, sizeof(set), &set) == 0) {
+        for (std::size_t cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+            if (CPU_ISSET(cpu, &set)) {
+                cpus.push_back(cpu);
+            }
+        }
+    }
+    return cpus;
+}
+
+} // namespace
+
+std::vector<std::size_t> allowedCpus() {
+    return cpusOf(0);
+}
+
+std::vector<std::size_t> cpusOfParent() {
+    return cpusOf(getppid());
+}
+
+void allowCpus(const std::vector<std::size_t>& cpus) {
     if (cpus.empty()) {
         return;
     }
@@ -23,30 +48,15 @@ void allow(const std::vector<std::size_t>& cpus) {
     static_cast<void>(sched_setaffinity(0, sizeof(set), &set));
 }
 
-} // namespace
-
-std::vector<std::size_t> allowedCpus() {
-    std::vector<std::size_t> cpus;
-    cpu_set_t set;
-    if (sched_getaffinity(0, sizeof(set), &set) == 0) {
-        for (std::size_t cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
-            if (CPU_ISSET(cpu, &set)) {
-                cpus.push_back(cpu);
-            }
-        }
-    }
-    return cpus;
-}
-
 PinnedThread::PinnedThread(std::size_t number, const std::vector<std::size_t>& cpus)
     : m_before(allowedCpus()) {
     if (!cpus.empty()) {
-        allow({cpus[number % cpus.size()]});
+        allowCpus({cpus[number % cpus.size()]});
     }
 }
 
 PinnedThread::~PinnedThread() {
-    allow(m_before);
+    allowCpus(m_before);
 }
 
 #else
@@ -54,6 +64,12 @@ PinnedThread::~PinnedThread() {
 std::vector<std::size_t> allowedCpus() {
     return {};
 }
+
+std::vector<std::size_t> cpusOfParent() {
+    return {};
+}
+
+void allowCpus(const std::vector<std::size_t>&) {}
 
 PinnedThread::PinnedThread(std::size_t, const std::vector<std::size_t>&) {}
 

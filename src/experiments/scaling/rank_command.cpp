@@ -63,6 +63,7 @@ void runRankSweep(Command& command, experiments::RankSweepOptions options,
                     place.count));
     auto document = command.makeDocument({{"ranks", place.count},
                                           {"ranks_on_node", place.countOnNode},
+                                          {"cpu_choice", ranks::nameOf(place.cpus.choice)},
                                           {"cubes", options.cubes},
                                           {"repeats", options.repeats},
                                           {"seed", options.seed}});
@@ -106,6 +107,7 @@ void runProjection(Command& command, const experiments::FrameCostOptions& option
     console.line(command.opened().text());
     auto document = command.makeDocument({{"ranks", ranks},
                                           {"ranks_on_node", command.ranks().place().countOnNode},
+                                          {"cpu_choice", ranks::nameOf(command.ranks().place().cpus.choice)},
                                           {"width", options.width},
                                           {"height", options.height},
                                           {"cubes", options.cubes},

@@ -60,6 +60,12 @@ void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
         throw cdr::base::InputError("cannot start");
     }
     ranks.requireSame(trouble.kind == "differ" && isTheOne ? "otherwise" : "alike", "is not alike");
+    ranks.learnCpus();
+    const cdr::ranks::Place& place = ranks.place();
+    if (!place.node.empty() &&
+        (place.cpus.parts.size() != place.countOnNode || place.cpus.parts[place.indexOnNode].empty())) {
+        throw std::runtime_error("no CPUs were divided");
+    }
     if (trouble.kind == "before" && isTheOne) {
         throw cdr::base::InputError("cannot begin");
     }

@@ -1,0 +1,173 @@
+#include "../support/launched.h"
+#include "program.h"
+
+#include <cdr/host/file.h>
+#include <cdr/host/thread_placement.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace cdr::cli_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using CpuList = std::vector<std::size_t>;
+
+class RankMachine : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (std::string(CDR_MPIEXEC).empty()) {
+            GTEST_SKIP() << "built without MPI (libopenmpi-dev, openmpi-bin)";
+        }
+    }
+
+    /// For tests that bind ranks apart.
+    static bool hasOneCpu() { return host::allowedCpus().size() < 2; }
+};
+
+/// For a shell: two ranks, of which each may use those CPUs alone, as if MPI had bound it.
+std::string boundTo(const std::string& ofFirst, const std::string& ofSecond) {
+    return test::launched(CDR_MPIEXEC, 2) +
+           " sh -c 'case $OMPI_COMM_WORLD_RANK$PMI_RANK in 0) cpus=" + ofFirst + ";; *) cpus=" + ofSecond +
+           ";; esac; exec taskset --cpu-list $cpus \"$@\"' sh";
+}
+
+std::string listText(const CpuList& cpus) {
+    std::string text;
+    for (const std::size_t cpu : cpus) {
+        text += (text.empty() ? "" : ",") + std::to_string(cpu);
+    }
+    return text;
+}
+
+struct TimedRun {
+    std::string choice;
+    std::map<std::size_t, CpuList> cpus{}; ///< by rank that timed a frame
+    std::string line;                      ///< the first that was printed
+};
+
+TimedRun timeAs(const std::string& launcher, const std::string& option = "") {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "--share-machine " + option + " timing --frames 9 --modes anchored --size 64x36 --json a.json",
+        folder.path(), launcher);
+    EXPECT_EQ(result.status, 0) << result.err;
+    const auto document = nlohmann::json::parse(readText(folder.path() / "a.json"));
+    TimedRun run{.choice = document.at("cpu_choice"), .line = result.out.substr(0, result.out.find('\n'))};
+    for (const auto& row : document.at("measured_by")) {
+        run.cpus[row.at("rank")] = row.at("cpus").get<CpuList>();
+    }
+    return run;
+}
+
+TEST_F(RankMachine, RanksThatAreNotBoundShareItsProcessors) {
+    const CpuList all = host::allowedCpus();
+    const TimedRun free = timeAs(test::launched(CDR_MPIEXEC, 3));
+    EXPECT_EQ(free.choice, "shared");
+    for (const auto& [rank, cpus] : free.cpus) {
+        EXPECT_EQ(cpus, all) << rank;
+    }
+    EXPECT_NE(free.line.find("; they share " + std::to_string(all.size()) + " processor"), std::string::npos)
+        << free.line;
+    EXPECT_EQ(free.line.find("keeps to"), std::string::npos);
+
+    const TimedRun bound = timeAs(test::launched(CDR_MPIEXEC, 2), "--bind");
+    EXPECT_EQ(bound.choice, "shared");
+    EXPECT_TRUE(bound.line.ends_with(", and each keeps to its part")) << bound.line;
+    for (const auto& [rank, cpus] : bound.cpus) {
+        const std::size_t half = all.size() / 2;
+        const CpuList expected = all.size() == 1 ? all
+                                 : rank == 0     ? CpuList(all.begin(), all.begin() + static_cast<long>(half))
+                                                 : CpuList(all.begin() + static_cast<long>(half), all.end());
+        EXPECT_EQ(cpus, expected) << rank;
+    }
+}
+
+/// A machine has more CPUs than a job may use.
+TEST_F(RankMachine, WhatTheRanksMayNotUseIsNotDivided) {
+    const std::string last = std::to_string(host::allowedCpus().back());
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("--bind render cubes --size 32x18 --json a.json", folder.path(),
+                   "taskset --cpu-list " + last + " env " + test::launched(CDR_MPIEXEC, 3));
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(
+        result.out.substr(0, result.out.find('\n')),
+        "3 ranks, 3 of them on this machine; lavapipe draws with 1 thread in each; they share 1 processor, "
+        "and each keeps to its part");
+    EXPECT_EQ(nlohmann::json::parse(readText(folder.path() / "a.json")).at("host").at("cpus"), 1);
+}
+
+TEST_F(RankMachine, WhatMpiBoundIsFollowed) {
+    if (hasOneCpu()) {
+        GTEST_SKIP() << "needs two CPUs";
+    }
+    const CpuList all = host::allowedCpus();
+    const std::string first = std::to_string(all.front());
+    const std::string second = std::to_string(all.back());
+    for (const char* option : {"", "--bind"}) {
+        const TimedRun apart = timeAs(boundTo(first, second), option);
+        EXPECT_EQ(apart.choice, "followed");
+        EXPECT_TRUE(
+            apart.line.ends_with("; lavapipe draws with 1 thread in each; MPI bound each to its own of 2 "
+                                 "processors"))
+            << apart.line;
+        for (const auto& [rank, cpus] : apart.cpus) {
+            EXPECT_EQ(cpus, CpuList{rank == 0 ? all.front() : all.back()});
+        }
+    }
+    const TimedRun overlapping = timeAs(boundTo(first, first + "," + second), "--bind");
+    EXPECT_EQ(overlapping.choice, "overlapping");
+    EXPECT_TRUE(
+        overlapping.line.ends_with("; MPI bound them to overlapping parts of 2 processors, and each keeps "
+                                   "to its part"))
+        << overlapping.line;
+    for (const auto& [rank, cpus] : overlapping.cpus) {
+        EXPECT_EQ(cpus, CpuList{rank == 0 ? all.front() : all.back()});
+    }
+}
+
+/// Times apart: JSON says how many CPUs one process would have.
+TEST_F(RankMachine, BoundRanksLeaveTheBytesOfOneProcess) {
+    if (hasOneCpu()) {
+        GTEST_SKIP() << "needs two CPUs";
+    }
+    const std::string render =
+        "render afc --technique anchored --size 64x36 --frames 4 -o f%d.png --json a.json";
+    const auto filesOf = [&](const std::string& launcher, const std::string& option) {
+        const TemporaryFolder folder;
+        const ProgramResult result = runProgram(option + " " + render, folder.path(), launcher);
+        EXPECT_EQ(result.status, 0) << result.err;
+        std::map<std::string, std::string> files;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder.path())) {
+            files[entry.path().filename().string()] =
+                std::regex_replace(readText(entry.path()), std::regex("\"[a-z_]+_ms\": [^,\n]+"), "");
+        }
+        return files;
+    };
+    const auto alone = filesOf("", "");
+    ASSERT_EQ(alone.size(), 5u);
+    const auto expectAlike = [&](const std::string& launcher, const std::string& option) {
+        const auto files = filesOf(launcher, option);
+        EXPECT_EQ(files.size(), alone.size());
+        for (const auto& [name, bytes] : files) {
+            EXPECT_TRUE(alone.contains(name) && alone.at(name) == bytes)
+                << launcher << ": " << name << (name == "a.json" ? " " + bytes : "");
+        }
+    };
+    expectAlike(test::launched(CDR_MPIEXEC, 2) + " --bind-to core", "");
+    expectAlike(test::launched(CDR_MPIEXEC, 1) + " --bind-to core", "--bind");
+    expectAlike(test::launched(CDR_MPIEXEC, 2), "--bind");
+    const std::string all = listText(host::allowedCpus());
+    expectAlike(boundTo(all.substr(0, all.find(',')), all), "--bind");
+}
+
+} // namespace
+} // namespace cdr::cli_test
