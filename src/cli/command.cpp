@@ -3,10 +3,9 @@
 #include "rank_machine.h"
 
 #include <cdr/base/error.h>
-#include <cdr/host/file.h>
-#include <cdr/host/sha256.h>
-#include <cdr/scene/gltf/gltf.h>
+#include <experiments/same_files.h>
 #include <scenes/open_scene.h>
+#include <scenes/orbit/data.h>
 
 #include <fmt/format.h>
 
@@ -56,17 +55,19 @@ void Command::sayRanks() const {
 
 void Command::reads(const std::filesystem::path& path) {
     m_files.reads(path);
-    if (!ranks().isAlone()) {
-        // A rank that would draw another scene leaves wrong pictures, or waits for a frame that nobody draws.
-        const std::string digest = host::sha256(host::readFile(path, scene::GltfLimits{}.maxFileBytes));
-        ranks().requireSame(digest, fmt::format("{}: is another file than the first rank's", path.string()));
-    }
+    experiments::requireSameFiles(ranks(), path);
 }
 
 scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_t seed,
                                      const scene::GltfChoice& choice) {
     if (scene::isGltfPath(nameOrPath)) {
         reads(nameOrPath);
+    } else if (nameOrPath == "orbit") {
+        const scenes::OrbitFiles files = scenes::orbitFiles();
+        experiments::requireSameEarth(ranks(), files.folder);
+        if (!files.model.empty()) {
+            reads(files.model);
+        }
     }
     scene::GltfChoice bounded = choice;
     bounded.textureMiB = m_global.textureMiB;

@@ -125,8 +125,11 @@ bool isWritable(int descriptor) {
 Bytes readFile(const fs::path& path, std::uintmax_t maxBytes) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (error || !fs::exists(status)) {
+    if (status.type() == fs::file_type::not_found) {
         throw base::InputError(path.string() + ": no such file");
+    }
+    if (error) {
+        throw base::InputError(path.string() + ": " + error.message());
     }
     if (!fs::is_regular_file(status)) {
         throw base::InputError(path.string() + ": not a regular file");

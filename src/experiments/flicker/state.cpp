@@ -137,7 +137,8 @@ FlickerStateFile::FlickerStateFile(std::filesystem::path path, const FlickerOpti
 }
 
 void FlickerStateFile::load(FlickerState& state) const {
-    if (!std::filesystem::exists(m_path)) {
+    std::error_code error; // readFile() says what is wrong with a file that may be there
+    if (std::filesystem::status(m_path, error).type() == std::filesystem::file_type::not_found) {
         return;
     }
     const host::Bytes bytes = host::readFile(m_path, kMostBytes);

@@ -4,6 +4,7 @@
 #include <experiments/gnuplot.h>
 #include <experiments/orbit/orbit.h>
 #include <experiments/readable.h>
+#include <experiments/same_files.h>
 #include <experiments/wrong_pixels_columns.h>
 #include <scenes/orbit/orbit.h>
 
@@ -97,6 +98,7 @@ void run(Command& command, OrbitArguments& arguments) {
     if (!arguments.files.model.empty()) {
         command.reads(arguments.files.model);
     }
+    experiments::requireSameEarth(command.ranks(), arguments.files.folder);
     const scene::OpenedScene opened = scenes::openOrbit(arguments.files);
     const scene::SceneSetup& setup = opened.setup;
     command.note(opened.notes);

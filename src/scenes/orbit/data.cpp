@@ -32,8 +32,7 @@ OrbitFiles orbitFiles() {
 }
 
 EarthMaps loadEarthMaps(const std::filesystem::path& folder) {
-    return {.color = loadPicture(folder / "earth-blue-marble.jpg"),
-            .topography = loadPicture(folder / "earth-topology.png")};
+    return {.color = loadPicture(folder / kEarthColor), .topography = loadPicture(folder / kEarthTopography)};
 }
 
 } // namespace cdr::scenes

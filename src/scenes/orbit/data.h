@@ -16,6 +16,10 @@ struct EarthMaps {
 /// m) to Tibet (202 at 5,000 m): each gives 23.6 to 27.0.
 inline constexpr double kMetresPerGrey = 25.0;
 
+/// The files of the maps, as the npm package three-globe names them.
+inline constexpr const char* kEarthColor = "earth-blue-marble.jpg";
+inline constexpr const char* kEarthTopography = "earth-topology.png";
+
 /// What the scene orbit is made of.
 struct OrbitFiles {
     std::filesystem::path folder; ///< of the maps
@@ -26,7 +30,7 @@ struct OrbitFiles {
 /// the model that CDR_ORBIT_MODEL names, else none.
 OrbitFiles orbitFiles();
 
-/// Reads earth-blue-marble.jpg and earth-topology.png, as the npm package three-globe names them.
+/// Reads kEarthColor and kEarthTopography.
 /// base::InputError, naming tools/setup.sh, when one is missing; or when one is damaged.
 EarthMaps loadEarthMaps(const std::filesystem::path& folder);
 

@@ -30,6 +30,34 @@ TEST_F(Gltf, BuffersBesideTheFile) {
     fs::current_path(before);
 }
 
+/// Those that are missing too, which another rank may have; not those that loadGltf() may not read.
+TEST_F(Gltf, NamesTheFilesThatItRefersTo) {
+    Document document = square();
+    document.root["buffers"] = json::array({{{"uri", "data.bin"}},
+                                            {{"uri", "data:application/octet-stream;base64,AAAA"}},
+                                            {{"byteLength", 4}},
+                                            {{"uri", "../secret.bin"}},
+                                            {{"uri", 3}}});
+    document.root["images"] = json::array(
+        {{{"uri", "sub%20dir/a.png"}}, {{"uri", "data.bin"}}, {{"bufferView", 0}}, {{"uri", "b.png"}}});
+    write("b.png", Bytes{1});
+    const auto expectNames = [&](const std::vector<GltfReference>& references) {
+        ASSERT_EQ(references.size(), 3u);
+        const fs::path home = fs::canonical(folder());
+        EXPECT_EQ(references[0].uri, "data.bin");
+        EXPECT_EQ(references[0].path, home / "data.bin");
+        EXPECT_EQ(references[1].uri, "sub%20dir/a.png");
+        EXPECT_EQ(references[1].path, home / "sub dir/a.png");
+        EXPECT_EQ(references[2].path, home / "b.png");
+    };
+    expectNames(gltfReferences(write("a.gltf", document.root.dump())));
+    expectNames(gltfReferences(write("a.glb", document.glb())));
+    EXPECT_TRUE(gltfReferences(write("a.gltf", std::string("{\"buffers\": 3}"))).empty());
+    EXPECT_TRUE(gltfReferences(write("a.gltf", std::string("{"))).empty());
+    EXPECT_TRUE(gltfReferences(write("a.glb", Bytes{0x67, 0x6c, 0x54, 0x46})).empty());
+    EXPECT_THROW(gltfReferences(folder() / "none.gltf"), base::InputError);
+}
+
 TEST_F(Gltf, BuffersAsDataUri) {
     Document document = triangle();
     // 36 bytes: (0, 0, 0) (1, 0, 0) (0, 1, 0)

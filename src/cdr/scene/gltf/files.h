@@ -23,9 +23,10 @@ class Files {
     /// The bytes of a `data:` URI or of the file that a relative, percent-encoded URI names.
     host::Bytes read(const std::string& uri);
 
-  private:
+    /// The file that a URI names, which is no `data:` URI; refuses one outside the folder.
     std::filesystem::path resolve(const std::string& uri) const;
 
+  private:
     std::filesystem::path m_folder;
     std::uintmax_t m_maxFileBytes;
     std::uintmax_t

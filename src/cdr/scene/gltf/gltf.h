@@ -62,4 +62,14 @@ struct GltfImport {
 GltfImport loadGltf(const std::filesystem::path& path, const GltfLimits& limits = {},
                     std::optional<std::uint32_t> scene = {});
 
+/// A file that a glTF file refers to.
+struct GltfReference {
+    std::string uri; ///< as the glTF file names it
+    std::filesystem::path path;
+};
+
+/// The files beside a glTF file that its buffers and images name, in that order and each URI once, be they there or not. Of
+/// a file that loadGltf() refuses, those that it refers to soundly. base::InputError where the file cannot be read.
+std::vector<GltfReference> gltfReferences(const std::filesystem::path& path, const GltfLimits& limits = {});
+
 } // namespace cdr::scene

@@ -1,0 +1,42 @@
+#include "container.h"
+#include "files.h"
+#include "json.h"
+
+#include <cdr/base/error.h>
+#include <cdr/scene/gltf/gltf.h>
+
+#include <nlohmann/json.hpp>
+
+#include <set>
+#include <utility>
+
+namespace cdr::scene {
+
+std::vector<GltfReference> gltfReferences(const std::filesystem::path& path, const GltfLimits& limits) {
+    const host::Bytes file = host::readFile(path, limits.maxFileBytes);
+    std::vector<GltfReference> references;
+    std::set<std::string> known;
+    const gltf::Files files(path.parent_path(), limits);
+    const auto attempt = [](const auto& read) {
+        try {
+            read();
+        } catch (const base::InputError&) { // loadGltf() says what is wrong, if it uses it
+        }
+    };
+    attempt([&] {
+        const nlohmann::json root = gltf::parseBoundedJson(gltf::openContainer(file).json);
+        for (const char* key : {"buffers", "images"}) {
+            for (const nlohmann::json& item : gltf::arrayMember(root, key)) {
+                attempt([&] {
+                    const std::string uri = gltf::stringMember(item, "uri").value_or("data:");
+                    if (!uri.starts_with("data:") && known.insert(uri).second) {
+                        references.push_back({.uri = uri, .path = files.resolve(uri)});
+                    }
+                });
+            }
+        }
+    });
+    return references;
+}
+
+} // namespace cdr::scene

@@ -1,0 +1,82 @@
+#include "same_files.h"
+
+#include <cdr/base/error.h>
+#include <cdr/host/file.h>
+#include <cdr/host/sha256.h>
+#include <cdr/scene/gltf/gltf.h>
+#include <cdr/scene/gltf/open_gltf.h>
+#include <scenes/orbit/data.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// The importer reads no more of what a file refers to than this many times the limit of one file.
+constexpr std::uintmax_t kFilesRead = 4;
+
+/// By file its digest, or that it cannot be read.
+std::vector<std::string> digestsOf(const std::vector<scene::GltfReference>& files) {
+    std::uintmax_t left = kFilesRead * scene::GltfLimits{}.maxFileBytes;
+    std::vector<std::string> digests;
+    for (const scene::GltfReference& file : files) {
+        try {
+            const host::Bytes bytes =
+                host::readFile(file.path, std::min(left, scene::GltfLimits{}.maxFileBytes));
+            left -= bytes.size();
+            digests.push_back(host::sha256(bytes));
+        } catch (const base::InputError&) {
+            digests.emplace_back("cannot be read");
+        }
+    }
+    return digests;
+}
+
+/// @param what has these files, for the message.
+void requireAlike(ranks::Ranks& ranks, const std::string& what,
+                  const std::vector<scene::GltfReference>& files) {
+    const std::vector<std::string> mine = digestsOf(files);
+    const std::string text = nlohmann::json(mine).dump();
+    const host::Bytes shared = ranks.share({text.begin(), text.end()});
+    const auto first = nlohmann::json::parse(shared).get<std::vector<std::string>>();
+    std::string named;
+    for (std::size_t i = files.size(); i-- > 0;) {
+        if (i >= first.size() || mine[i] != first[i]) {
+            named = files[i].uri;
+        }
+    }
+    ranks.requireSame(text, fmt::format("{}: its file {} is another one than the first rank's", what, named));
+}
+
+} // namespace
+
+void requireSameFiles(ranks::Ranks& ranks, const std::filesystem::path& path) {
+    if (ranks.isAlone()) {
+        return;
+    }
+    const std::string digest = host::sha256(host::readFile(path, scene::GltfLimits{}.maxFileBytes));
+    ranks.requireSame(digest, fmt::format("{}: is another file than the first rank's", path.string()));
+    if (scene::isGltfPath(path)) {
+        requireAlike(ranks, path.string(), scene::gltfReferences(path));
+    }
+}
+
+void requireSameEarth(ranks::Ranks& ranks, const std::filesystem::path& folder) {
+    if (ranks.isAlone()) {
+        return;
+    }
+    std::vector<scene::GltfReference> files;
+    for (const char* name : {scenes::kEarthColor, scenes::kEarthTopography}) {
+        files.push_back({.uri = name, .path = folder / name});
+    }
+    requireAlike(ranks, "orbit", files);
+}
+
+} // namespace cdr::experiments
