@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The long checks, before a release or after a large change: every test under the sanitizers, those of a driver on other
 # drivers, clang-tidy and include-what-you-use over all sources, every header compiled alone, depth's tests for Windows
-# where a cross compiler and wine are installed, all faults of which the suite takes a sample, and a minute of fuzzing for each
-# parser. It takes hours on two cores.
+# where a cross compiler and wine are installed, all faults and kills of which the suite takes a sample, a minute of fuzzing
+# for each parser, ranks over MPICH, and the jobs for Slurm. It takes hours on two cores.
 # Usage: tools/check.sh [--changed]
 # --changed does what fits into a few minutes: clang-tidy over the sources that differ from origin/main, or from the
 # parent commit where they do not differ, and under AddressSanitizer the tests of the rooms that do.
@@ -25,9 +25,23 @@ check_all() {
     tools/windows.sh || windows=$?
     ((windows == 0 || windows == 3)) || return 1 # 3: it said what is missing
     CDR_ALL_CASES=1 build/release/bin/test_cli --gtest_brief=1 \
-        --gtest_filter='*FaultSweep*:*FileFaults*:*NumericOptions*:Signals*'
+        --gtest_filter='*FaultSweep*:*FileFaults*:*NumericOptions*:Signals*:RanksCommand.*Killed*'
     CDR_ALL_CASES=1 ctest --preset release --tests-regex '^Documents$'
     tools/fuzz.sh
+    check_mpich
+    # Whose status for "cannot be started here" it has explained itself.
+    tools/slurm/try.sh || (($? == 77))
+}
+
+# What ranks run, over MPICH. Distributions install it beside Open MPI.
+check_mpich() {
+    if ! command -v mpicxx.mpich >/dev/null || ! command -v mpiexec.mpich >/dev/null; then
+        echo "tools/check.sh: ranks were not tested over MPICH, mpich or libmpich-dev is missing" >&2
+        return
+    fi
+    tools/build.sh --in-batches mpich
+    build/mpich/bin/test_ranks --gtest_brief=1
+    build/mpich/bin/test_cli --gtest_brief=1 --gtest_filter='Rank*:CascadeMemory*:Devices.SayWhetherMpiIsIn'
 }
 
 # The commit that the changes are counted from.
