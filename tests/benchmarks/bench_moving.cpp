@@ -101,7 +101,7 @@ void move(benchmark::State& state) {
 
 BENCHMARK(move)
     ->ArgNames({"percent", "submission"}) // secondaries, primaries, gpu-driven
-    ->ArgsProduct({{1, 10, 100}, {0, 2}})
+    ->ArgsProduct({{1, 10, 100}, {0, 1, 2}})
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime()
     ->Iterations(60);

@@ -1,8 +1,10 @@
 #include "fixture.h"
 
 #include <cdr/gpu/pipeline.h>
+#include <cdr/shaders/shared.h>
 #include <scenes/cubes.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -47,8 +49,10 @@ scene::Scene withGlass(scene::Scene scene) {
                                .baseColorFactor = glm::vec4(0.5f),
                                .shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f},
                                .alphaMode = scene::AlphaMode::blend});
-    scene::addInstance(scene, 0, static_cast<std::uint32_t>(scene.materials.size() - 1), 0,
-                       scene.instances.position(0), glm::mat3(1.0f));
+    const glm::dvec3 where =
+        scene.instances.size() > 0 ? scene.instances.position(0) : glm::dvec3(0.0, 0.0, -5.0);
+    scene::addInstance(scene, 0, static_cast<std::uint32_t>(scene.materials.size() - 1), 0, where,
+                       glm::mat3(1.0f));
     return scene;
 }
 
@@ -71,6 +75,40 @@ TEST_F(SharedPipelinesTest, ResizingMakesNoPipelines) {
             renderer.draw(camera);
             EXPECT_EQ(pipelinesMade(device()), before) << render::nameOf(submission);
         }
+    }
+}
+
+TEST_F(SharedPipelinesTest, AddingToAWorldWhatItHasTheKindOfMakesNone) {
+    scene::Scene scene = withGlass(boxScene());
+    scene.textures.push_back({.name = "white", .pixels = image::ImageRgba8(1, 1, {255, 255, 255, 255})});
+    scene.materials.push_back({.name = "textured", .baseColorTexture = 0});
+    for (std::uint32_t material = 0; material < scene.materials.size(); ++material) {
+        scene::addInstance(scene, 0, material, material, {material - 1.0, 0.0, -5.0}, glm::mat3(1.0f));
+    }
+    for (const render::Submission submission : submissions()) {
+        scene::World world(scene);
+        render::GpuScene onDevice(device(), world);
+        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+        options.submission = submission;
+        render::Renderer renderer(device(), onDevice, options);
+        renderer.draw({});
+        const std::uint64_t before = pipelinesMade(device());
+        scene::Material textured = scene.materials.back();
+        textured.baseColorTexture = world.addTexture(scene.textures[0]).index;
+        const scene::MeshHandle mesh = world.addMesh(scene::makeBox(glm::vec3(0.3f)));
+        world.addInstance({.mesh = mesh,
+                           .material = world.addMaterial(textured),
+                           .object = 7,
+                           .transform = {.position = {0.0, 1.0, -4.0}}});
+        const image::ImageU32 ids = renderer.render({}).ids();
+        EXPECT_GT(std::count(ids.pixels.begin(), ids.pixels.end(), 8u), 0);
+        EXPECT_EQ(pipelinesMade(device()), before) << render::nameOf(submission);
+        // Shading has one for each number of lights up to kFlatLights, and one for more.
+        for (std::uint32_t light = 0; light < shaders::kFlatLights + 4; ++light) {
+            world.addLight({.position = {0.0, 5.0, 0.0}, .halfDistance = 10.0});
+            renderer.draw({});
+        }
+        EXPECT_LE(pipelinesMade(device()), before + shaders::kFlatLights);
     }
 }
 

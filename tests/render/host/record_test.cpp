@@ -274,6 +274,26 @@ TEST_F(RecordTest, AWorldChangesBetweenRecordedFrames) {
     EXPECT_EQ(host.color<image::Rgba8>().pixels, draw(world.scene(), {}, options).color.pixels);
 }
 
+/// The host's pipelines write no second image, so it cannot draw from the frame on in which the first such surface is there.
+TEST_F(RecordTest, AHostCannotDrawBesideLightThatAWorldGained) {
+    scene::World world(boxScene());
+    const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    render::GpuScene gpuScene(device(), world);
+    HostSide host(device(), extentOf(options));
+    render::Renderer renderer(device(), gpuScene, options);
+    const auto record = [&] {
+        render::HostFrame frame = host.begin();
+        frame.draw = [](const render::HostCascade&) {};
+        renderer.record({}, frame);
+        host.submit();
+    };
+    record();
+    scene::Material lamp{.name = "lamp"};
+    lamp.detail.emission = glm::vec3(1.0f);
+    world.addInstance({.mesh = world.mesh(0), .material = world.addMaterial(lamp)});
+    EXPECT_THROW(record(), base::InputError);
+}
+
 TEST_F(RecordTest, WhatCannotBeRecordedIntoIsRefused) {
     scene::Scene scene = boxScene();
     addBox(scene, {0.0, 0.0, -5.0});
