@@ -1,6 +1,8 @@
 #include "command.h"
 #include "commands.h"
 
+#include <cdr/base/enum_names.h>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +14,9 @@ namespace {
 
 struct NoArguments {};
 
+constexpr base::EnumNames<gpu::DeviceKind, 5> kKindNames{
+    "kind", {"discrete", "integrated", "virtual", "cpu", "other"}};
+
 const experiments::Columns<gpu::DeviceInfo>& deviceColumns() {
     using Info = gpu::DeviceInfo;
     static const experiments::Columns<Info> kColumns{
@@ -21,7 +26,10 @@ const experiments::Columns<gpu::DeviceInfo>& deviceColumns() {
         {.key = "name", .value = &Info::name},
         {.key = "driver", .value = &Info::driver, .heading = "driver"},
         {.key = "api", .value = &Info::api, .heading = "Vulkan"},
-        {.key = "kind", .value = &Info::kind, .heading = "kind", .before = "driver"},
+        {.key = "kind",
+         .value = [](const Info& info) { return kKindNames.nameOf(info.kind); },
+         .heading = "kind",
+         .before = "driver"},
         {.key = "usable", .value = [](const Info& info) { return info.missing.empty(); }},
         {.key = "missing", .value = &Info::missing},
         {.key = "queues", .value = &Info::queues, .heading = "queues"},

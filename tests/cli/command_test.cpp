@@ -45,6 +45,15 @@ TEST(Commands, DevicesListsAUsableOne) {
     expectEnvelope(document, "devices");
     ASSERT_FALSE(document["results"].empty());
     EXPECT_NE(result.out.find(document["results"][0]["name"].get<std::string>()), std::string::npos);
+    const std::set<std::string> kinds{"discrete", "integrated", "virtual", "cpu", "other"};
+    for (const json& device : document["results"]) {
+        const std::string name = device["name"];
+        const std::string kind = device["kind"];
+        EXPECT_TRUE(kinds.contains(kind)) << kind;
+        if (name.starts_with("llvmpipe") || name.starts_with("SwiftShader")) {
+            EXPECT_EQ(kind, "cpu") << name;
+        }
+    }
 }
 
 /// A driver that lacks a part of Vulkan is hidden by the loader unless it is asked for: here lavapipe says it does.
