@@ -19,8 +19,8 @@ struct Spirv {
     Spirv() = default;
     explicit Spirv(std::vector<std::uint32_t> read) : words(std::move(read)) {}
     // Implicit, since the headers that the build makes of shaders hold arrays.
-    template <std::size_t n>
-    Spirv(const std::uint32_t (&array)[n]) : words(array, array + n) {} // NOLINT(google-explicit-constructor)
+    template <std::size_t N>
+    Spirv(const std::uint32_t (&array)[N]) : words(array, array + N) {} // NOLINT(google-explicit-constructor)
 
     bool operator==(const Spirv&) const = default;
 };
