@@ -1,11 +1,19 @@
-// Where objects lie that the device itself moves or culls, on devices without float64. The CPU makes one CdrView a frame and
-// one CdrCascade a cascade; places of objects are pairs of floats, as cdr::depth::floatPair() makes them. This file needs GLSL
-// 4.00 or newer, or HLSL by cdr_view.hlsl, and what it includes.
+// Places and distances that one float is too coarse for, on devices without float64: the view distance of what the recipe
+// drew, and where objects lie that the device itself moves or culls. The CPU makes one CdrView a frame and one CdrCascade a
+// cascade; places of objects are pairs of floats, as cdr::depth::floatPair() makes them. This file needs GLSL 4.00 or newer,
+// or HLSL by cdr_view.hlsl, and what it includes.
 #ifndef CDR_VIEW_GLSL
 #define CDR_VIEW_GLSL
 
 #include "cdr_depth.glsl"
 #include "cdr_float_pair.glsl"
+
+// View distance, metric, as a float and the rest that it leaves out: what lies `ahead` of the cascade's anchor. Off by at most
+// 2^-47 of it or of the anchor, so that the difference of two such pairs keeps what a float's would lose.
+// ahead: as the vertex shader hands it on, or as the G-buffer kept it.
+vec2 cdrDistanceViewPair(float ahead, CdrCascade cascade) {
+    return cdrPairSum(vec2(cascade.terms.x, cascade.terms.w), ahead);
+}
 
 // A camera: cdr::depth::ViewConstants. Eight vec4, so that its 128 bytes are the same in every kind of buffer. What a name
 // with `Rest` holds is added to the one before it; the fourth component of each is unused.
