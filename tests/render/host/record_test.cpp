@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -74,9 +75,14 @@ TEST_F(RecordTest, AnotherFormatHoldsTheSamePicture) {
     EXPECT_GT(wanted.at(240, 135)[0], wanted.at(240, 135)[2] + 50);
 }
 
-/// The host's reversed depth of every pixel, of both surface paths, against the distances that the frame holds.
+/// The host's depth of every pixel, in each convention and of both surface paths, against the distances that the frame holds.
+/// What lies beyond the host's far plane has that plane's depth, as background has, and what is too near the near plane's.
 TEST_F(RecordTest, HostDepthIsThatOfItsOwnCamera) {
-    constexpr double kNearView = 0.25;
+    struct Convention {
+        depth::Mapping mapping;
+        double nearView;
+        std::optional<double> farView;
+    };
     const scene::SceneSetup setup = scenes::makeAfc(1);
     const scene::Camera camera = setup.path.at(7);
     const render::GpuScene gpuScene(device(), setup.scene);
@@ -86,21 +92,42 @@ TEST_F(RecordTest, HostDepthIsThatOfItsOwnCamera) {
         const render::Frame wanted = draw(setup.scene, camera, options);
         HostSide host(device(), extentOf(options));
         render::Renderer renderer(device(), setup.scene, gpuScene, options);
-        render::HostFrame frame = host.begin();
-        frame.depth = host.depth(kNearView);
-        renderer.record(camera, frame);
-        host.submit();
-        const image::Raster<float> depths = host.depthValues();
-        std::size_t surfaces = 0;
-        for (std::uint32_t y = 0; y < options.height; ++y) {
-            for (std::uint32_t x = 0; x < options.width; ++x) {
-                const double zNdc = kNearView / wanted.distanceView(x, y); // 0 for background
-                ASSERT_NEAR(depths.at(x, y), zNdc, 2e-7 * zNdc) << x << " " << y;
-                surfaces += zNdc > 0.0 ? 1 : 0;
+        for (const Convention& convention :
+             {Convention{depth::Mapping::reversed, 0.25, {}}, Convention{depth::Mapping::reversed, 1e6, {}},
+              Convention{depth::Mapping::reversed, 4e5, 2e6}, Convention{depth::Mapping::reversed, 4e5, 1e6},
+              Convention{depth::Mapping::standard, 4e5, 2e6},
+              Convention{depth::Mapping::standard, 4e5, 1e6}}) {
+            render::HostFrame frame = host.begin();
+            frame.depth = host.depth(convention.nearView);
+            frame.depth->mapping = convention.mapping;
+            frame.depth->farView = convention.farView;
+            renderer.record(camera, frame);
+            host.submit();
+            const image::Raster<float> depths = host.depthValues();
+            const double f = convention.farView.value_or(HUGE_VAL);
+            const double n = convention.nearView;
+            const bool isStandard = convention.mapping == depth::Mapping::standard;
+            std::size_t surfaces = 0;
+            std::size_t beyond = 0;
+            for (std::uint32_t y = 0; y < options.height; ++y) {
+                for (std::uint32_t x = 0; x < options.width; ++x) {
+                    const double w = wanted.distanceView(x, y); // infinite for background
+                    // The projection matrices of Vulkan's specification and of Lapidous and Jiao, over w.
+                    const double nearShare = n / w;
+                    const double reversed = std::isinf(f) ? nearShare : (nearShare * f - n) / (f - n);
+                    const double zNdc = std::clamp(isStandard ? 1.0 - reversed : reversed, 0.0, 1.0);
+                    // Two roundings of what is subtracted, and one of the result.
+                    const double rounded = (isStandard ? 1.0 : std::isinf(f) ? 0.0 : n / (f - n)) + nearShare;
+                    ASSERT_NEAR(depths.at(x, y), zNdc, 2e-7 * rounded)
+                        << nameOf(convention.mapping) << " to " << f << " at " << x << " " << y;
+                    surfaces += wanted.id(x, y) != 0 ? 1 : 0;
+                    beyond += wanted.id(x, y) != 0 && w > f ? 1 : 0;
+                }
             }
+            EXPECT_GT(surfaces, 1000u);
+            EXPECT_LT(surfaces, depths.pixels.size());
+            EXPECT_EQ(beyond > 1000, f == 1e6) << beyond;
         }
-        EXPECT_GT(surfaces, 1000u);
-        EXPECT_LT(surfaces, depths.pixels.size());
     }
 }
 
