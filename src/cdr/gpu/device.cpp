@@ -88,6 +88,22 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
                                         .ppEnabledExtensionNames = &kPortabilitySubset});
 }
 
+/// What can be asked of Vulkan, which does not say what a device was created with.
+void requireSuitable(const BorrowedDevice& borrowed, const DeviceInfo& info) {
+    if (!info.missing.empty()) {
+        throw base::InputError(
+            fmt::format("the borrowed device {} lacks {}", info.name, fmt::join(info.missing, ", ")));
+    }
+    constexpr auto kNeeded = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
+    const auto families = vk::PhysicalDevice(borrowed.physical).getQueueFamilyProperties();
+    if (borrowed.queueFamily >= families.size() ||
+        (families[borrowed.queueFamily].queueFlags & kNeeded) != kNeeded) {
+        throw base::InputError(
+            fmt::format("the borrowed device {} has no queue family {} that does graphics and compute",
+                        info.name, borrowed.queueFamily));
+    }
+}
+
 void requireHandles(const BorrowedDevice& borrowed) {
     const std::array<std::pair<const char*, bool>, 4> handles{
         {{"VkInstance", borrowed.instance != VK_NULL_HANDLE},
@@ -200,6 +216,7 @@ Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Hand
     m_handles->submit = borrowed.submit;
     m_handles->allocator = borrowed.allocator;
     DeviceInfo& info = m_handles->info = describe(borrowed.physical, 0);
+    requireSuitable(borrowed, info);
     if (borrowed.features != nullptr) {
         if (const auto missing = missingFeatures(*borrowed.features); !missing.empty()) {
             throw base::InputError(fmt::format("the borrowed device {} was made without {}", info.name,

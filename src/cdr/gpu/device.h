@@ -76,7 +76,7 @@ struct BorrowedDevice {
     PFN_vkGetInstanceProcAddr loader = nullptr;
     bool hasDebugNames = false; ///< the instance has VK_EXT_debug_utils
     /// What the device was created with; read while the gpu::Device is made. A feature that cdr needs and this leaves off
-    /// is refused. Null: not checked, and the two below say what else is on.
+    /// is refused. Null: only what `physical` lacks is, and the two below say what else is on.
     const VkPhysicalDeviceFeatures2* features = nullptr;
     /// shaderFloat64, multiDrawIndirect, drawIndirectFirstInstance and drawIndirectCount are on too.
     bool hasGpuDrivenFeatures = false;
@@ -104,7 +104,8 @@ class CDR_EXPORT Device {
     Device(const Instance& instance, const std::string& choice);
     /// Of handles that stay the caller's.
     /// @throws base::InputError for a null handle.
-    /// @throws base::InputError that names the features which BorrowedDevice::features leaves off.
+    /// @throws base::InputError that names the features which the physical device lacks or BorrowedDevice::features leaves
+    ///         off, and for a queue family that does not do graphics and compute.
     /// @throws base::InputError for a loader that is not the one in use, or knows not all of Vulkan 1.3.
     /// @throws base::RunError when there is no loader.
     /// @throws std::system_error for Vulkan's other errors.

@@ -1,0 +1,65 @@
+#include "host_loader.h"
+
+#include <cdr/base/error.h>
+#include <cdr/gpu/device.h>
+#include <cdr/gpu/vulkan_hpp.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace cdr::gpu;
+
+class BorrowedDevices : public testing::Test {
+  protected:
+    void TearDown() override { cdr::test::withheldFeatures().clear(); }
+
+    /// Without the structs that the device was created with.
+    BorrowedDevice lent() const {
+        return {.instance = m_instance.handle(),
+                .physical = m_device.physical(),
+                .device = m_device.handle(),
+                .queue = m_device.queue(),
+                .queueFamily = m_device.queueFamily()};
+    }
+    /// Why it is refused; empty where it is not.
+    static std::string refusalOf(const BorrowedDevice& borrowed) {
+        try {
+            const Device device(borrowed);
+            return {};
+        } catch (const cdr::base::InputError& error) {
+            return error.what();
+        }
+    }
+    const std::string& name() const { return m_device.info().name; }
+
+  private:
+    Instance m_instance;
+    Device m_device{m_instance, ""};
+};
+
+/// The host names no features, but the physical device is asked.
+TEST_F(BorrowedDevices, WhatThePhysicalDeviceLacksIsRefusedByItsName) {
+    EXPECT_EQ(refusalOf(lent()), "");
+    for (const char* feature : {"dynamicRendering", "synchronization2", "depthClamp", "shaderClipDistance"}) {
+        cdr::test::withheldFeatures() = {feature};
+        EXPECT_EQ(refusalOf(lent()), "the borrowed device " + name() + " lacks " + feature);
+    }
+    cdr::test::withheldFeatures() = {"shaderClipDistance", "synchronization2"};
+    EXPECT_EQ(refusalOf(lent()),
+              "the borrowed device " + name() + " lacks synchronization2, shaderClipDistance");
+    cdr::test::withheldFeatures() = {};
+    EXPECT_EQ(refusalOf(lent()), "");
+}
+
+TEST_F(BorrowedDevices, AQueueFamilyThatIsNotThereIsRefused) {
+    BorrowedDevice spoilt = lent();
+    spoilt.queueFamily = 1000;
+    EXPECT_EQ(refusalOf(spoilt),
+              "the borrowed device " + name() + " has no queue family 1000 that does graphics and compute");
+}
+
+} // namespace
