@@ -15,6 +15,10 @@
 //
 // View space is right-handed and looks down -z; the view distance is w = -z. `projected` is view-space x and y times
 // their entries of the projection matrix, 1 / (aspect tan(fovY / 2)) and -1 / tan(fovY / 2) where y points down.
+//
+// @units Distances are view distances in scene units; `ahead` is one less anchorView. Depths are of the depth buffer, which a
+//        clip position has as z / w.
+// @range Finite numbers. Behind the camera and beyond a cascade's planes too: clip distances cut what lies there.
 #ifndef CDR_DEPTH_GLSL
 #define CDR_DEPTH_GLSL
 
@@ -38,12 +42,14 @@ vec4 cdrClipPosition(vec2 projected, float ahead, CdrDepth depth) {
 
 // Logarithmic depth in [0, 1] of a view distance, for gl_FragDepth or a vertex. A vertex behind the camera has no
 // logarithm; its triangle needs depth per fragment, where w is positive, and the clamp only keeps the value a number.
+// @range distanceView: above 0 for a depth that means something; below 0 and above 1 beyond the cascade's planes.
 float cdrLogDepth(float distanceView, CdrDepth depth) {
     return log(max(distanceView * depth.scale, 1e-30)) * depth.offset;
 }
 
 // Clip position under log, set per vertex: right at vertices, and between them off by e^2 / 8 of the distance on a
 // triangle that spans the share e of it.
+// @range ahead: in front of the camera, as cdrLogDepth() says.
 vec4 cdrClipPositionLog(vec2 projected, float ahead, CdrDepth depth) {
     float distanceView = depth.anchorView + ahead;
     return vec4(projected, cdrLogDepth(distanceView, depth) * distanceView, distanceView);
@@ -53,6 +59,7 @@ vec4 cdrClipPositionLog(vec2 projected, float ahead, CdrDepth depth) {
 // touchView (> 0, best the draw's own distance). It is linear in 1 / w, so on screen, and never above log depth, which
 // is convex in 1 / w. Declare layout(depth_greater) out float gl_FragDepth, and devices that know it keep rejecting
 // fragments before they are shaded.
+// @range touchView: above 0.
 vec4 cdrClipPositionLogTangent(vec2 projected, float ahead, float touchView, CdrDepth depth) {
     const float kMargin = 2e-6; // covers the roundings of both sides
     float distanceView = depth.anchorView + ahead;
@@ -61,13 +68,16 @@ vec4 cdrClipPositionLogTangent(vec2 projected, float ahead, float touchView, Cdr
 }
 
 // Signed distances to the near and far plane of a cascade, positive inside, for gl_ClipDistance[0] and [1].
-// rangeAhead: the planes of cdr::depth::clipRange(), less anchorView, subtracted in float64.
+// rangeAhead: the planes of cdr::depth::clipRange(), less anchorView, subtracted in float64; the nearer first.
 vec2 cdrInside(float ahead, vec2 rangeAhead) { return vec2(ahead - rangeAhead.x, rangeAhead.y - ahead); }
 
 // The same for wide draws: triangles many times longer than their distance, which clip distances cut inexactly. It cuts only
 // what lies behind the camera. The fragment shader cuts the rest: it discards what cdrIsOutside() of its own `ahead`.
+// distanceView: of the vertex. nearView: of the near plane.
+// @range nearView: above 0.
 vec2 cdrInFront(float distanceView, float nearView) { return vec2(distanceView - 0.5 * nearView, 1.0); }
 
+// Whether a fragment of a wide draw is to be discarded. inside: cdrInside() of its own distance.
 bool cdrIsOutside(vec2 inside) { return inside.x < 0.0 || inside.y < 0.0; }
 
 // One cascade: cdr::depth::CascadeConstants. Two vec4, so that its 32 bytes are the same as push constants, in a uniform
@@ -77,6 +87,7 @@ struct CdrCascade {
     vec4 range; // nearAhead, farAhead, and what view-space x and y are multiplied by
 };
 
+// The mapping of a cascade, for the functions above.
 CdrDepth cdrDepthOf(CdrCascade cascade) {
     CdrDepth depth;
     depth.anchorView = cascade.terms.x;
@@ -86,11 +97,12 @@ CdrDepth cdrDepthOf(CdrCascade cascade) {
 }
 
 // Clip position of a point by its view-space x and y and what lies beyond the anchor, for mappings without a logarithm.
+// across: view space, not yet projected.
 vec4 cdrCascadePosition(vec2 across, float ahead, CdrCascade cascade) {
     return cdrClipPosition(across * vec2(cascade.range.z, cascade.range.w), ahead, cdrDepthOf(cascade));
 }
 
-// cdrInside() of a cascade.
+// cdrInside() of a cascade, for gl_ClipDistance[0] and [1].
 vec2 cdrInsideCascade(float ahead, CdrCascade cascade) { return cdrInside(ahead, vec2(cascade.range.x, cascade.range.y)); }
 
 // cdrInFront() of a cascade, for the vertex shader of a wide draw.

@@ -2,6 +2,9 @@
 // drew, and where objects lie that the device itself moves or culls. The CPU makes one CdrView a frame and one CdrCascade a
 // cascade; places of objects are pairs of floats, as cdr::depth::floatPair() makes them. This file needs GLSL 4.00 or newer,
 // or HLSL by cdr_view.hlsl, and what it includes.
+//
+// @units Places and distances are in scene units: world space for what an object and the eye are at, view distances else.
+// @range Places and distances up to 10^19 units, so that products of them stay below a float's greatest number.
 #ifndef CDR_VIEW_GLSL
 #define CDR_VIEW_GLSL
 
@@ -24,12 +27,14 @@ struct CdrView {
     vec4 forward, forwardRest;
 };
 
-// One coordinate of an object about the eye.
+// One coordinate of an object about the eye, along an axis of world space, as a pair. placeRest and eyeRest:
+// what `place` and `eye` leave out.
 vec2 cdrFromEye(float place, float placeRest, float eye, float eyeRest) {
     return cdrPairAdd(vec2(place, placeRest), vec2(-eye, -eyeRest));
 }
 
-// How far (x, y, z) reaches along an axis.
+// How far (x, y, z), pairs of world space, reaches along an axis, as a pair. axisRest: what `axis` leaves out.
+// @range axis: a unit vector.
 vec2 cdrAlong(vec2 x, vec2 y, vec2 z, vec4 axis, vec4 axisRest) {
     return cdrPairAdd(cdrPairAdd(cdrPairProduct(x, vec2(axis.x, axisRest.x)), cdrPairProduct(y, vec2(axis.y, axisRest.y))),
                       cdrPairProduct(z, vec2(axis.z, axisRest.z)));

@@ -34,6 +34,15 @@ export function runDoxygen() {
     }
 }
 
+/** Words of a comment that say the unit or the space of a number. */
+const kUnits = new RegExp(`\\b(${["units?", "metres?", "pixels?", "texels?", "radians?", "degrees?", "seconds?", "milliseconds?",
+    "microseconds?", "nanoseconds?", "shares?", "ratio", "view distances?", "(view|world|object) space", "depth buffer"].join("|")})\\b`, "i");
+/** A name that says it: nearView, zNdc, radiansOf. */
+const kNamesUnits = /(View|Ndc|Seconds|Ms|Ns)$|^(metres|radians|degrees|seconds|viewDistance|view|share)(Of|At)?$/;
+
+/** Whether names of numbers, or the comment on them, say the unit or the space. */
+export const saysUnits = (names, comment) => names.every((name) => kNamesUnits.test(name)) || kUnits.test(comment);
+
 export const hasDoxygen = process.env.PATH.split(":").some((folder) => existsSync(join(folder, "doxygen")));
 
 const kEntities = { lt: "<", gt: ">", amp: "&", quot: '"', apos: "'" };

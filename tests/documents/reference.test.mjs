@@ -4,15 +4,9 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { allOf, childOf, childrenOf, hasDoxygen, headers, runDoxygen, textOf } from "./reference.mjs";
+import { allOf, childOf, childrenOf, hasDoxygen, headers, runDoxygen, saysUnits, textOf } from "./reference.mjs";
 
 const skip = hasDoxygen ? false : "no doxygen; tools/setup.sh installs it";
-
-/** Words of a comment that say the unit or the space of a number. */
-const kUnits = new RegExp(`\\b(${["units?", "metres?", "pixels?", "texels?", "radians?", "degrees?", "seconds?", "milliseconds?",
-    "microseconds?", "nanoseconds?", "shares?", "ratio", "view distances?", "(view|world|object) space", "depth buffer"].join("|")})\\b`, "i");
-/** A name that says it: nearView, zNdc, radiansOf. */
-const kNamesUnits = /(View|Ndc|Seconds|Ms|Ns)$|^(metres|radians|degrees|seconds|viewDistance|view|share)(Of|At)?$/;
 
 const isNumber = (type) => /\b(double|float)\b/.test(type);
 const refers = (type) => /[&*]$|\b(span|string_view)\b|\b(vk::|Vk)(?!Format|Result)[A-Z]/.test(type);
@@ -67,7 +61,7 @@ function unsaid({ member, around, name }) {
     const asked = {
         threads: true,
         errors: !/\bnoexcept\b/.test(textIn(member, "argsstring")) && !name.startsWith("~"),
-        units: [...numbers, ...(isNumber(type) ? [name] : [])].some((word) => !kNamesUnits.test(word)) && !kUnits.test(own.text),
+        units: !saysUnits([...numbers, ...(isNumber(type) ? [name] : [])], own.text),
         lifetime: refers(type) && name !== "operator=",
     };
     return Object.keys(asked).filter((kind) => asked[kind] && !says(kind));
