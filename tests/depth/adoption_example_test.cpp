@@ -1,4 +1,4 @@
-#include "adoption_example.h"
+#include "../../src/examples/depth_only/draw_anchored.h"
 
 #include <gtest/gtest.h>
 

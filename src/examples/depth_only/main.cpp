@@ -1,37 +1,39 @@
-// What an engine computes each frame for anchored depth: cascades fitted to what is visible, and 32 bytes for the vertex
-// shader of each.
-#include <cdr/depth/cascade_constants.h>
-#include <cdr/depth/make_cascades.h>
+// An engine that draws by anchored depth. draw_anchored.cpp is all that it has of it on the CPU, and anchored.vert or .hlsl in
+// its vertex shader; what an engine has anyway stands in here, and prints instead of drawing.
+#include "draw_anchored.h"
+
 #include <cdr/version.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <vector>
+
+namespace {
+
+struct PrintingEngine final : adoption::Engine {
+    void clearDepth(float value) override { std::printf("clear depth to %g\n", value); }
+    void setCascade(const cdr::depth::CascadeConstants& constants) override {
+        std::printf("cascade: anchor %.9g, scale %.9g, offset %.9g, ahead %.9g to %.9g\n",
+                    constants.anchorView, constants.scale, constants.offset, constants.nearAhead,
+                    constants.farAhead);
+    }
+    void draw(const adoption::Object& object, float x, float y, float ahead) override {
+        std::printf("draw object %td at %g, %g, %.9g ahead\n", &object - visible.data(), x, y, ahead);
+    }
+};
+
+} // namespace
 
 int main() {
-    using namespace cdr::depth;
-
-    constexpr Projection kLens{.fovY = 1.0, .aspect = 16.0 / 9.0};
     constexpr double kPixelsHigh = 720.0;
-    // View distances of the nearest and farthest point of each visible object: a cockpit, and a moon.
-    std::vector<Interval> visible{{0.4, 2.5}, {384e6 - 1737e3, 384e6 + 1737e3}};
-
-    const auto cascades =
-        tryMakeCascades(SplitFitted{}, {.nearView = 0.1,
-                                        .farView = 1e9,
-                                        .model = {Mapping::anchored, DepthFormat::d32f},
-                                        .footprintSlope = 2.0 * std::tan(0.5 * kLens.fovY) / kPixelsHigh,
-                                        .visible = visible});
-    if (!cascades) {
-        std::fprintf(stderr, "%s\n", cascades.refusal().message.c_str());
-        return 2;
-    }
-    std::printf("cdr %s: %zu cascades, farthest first\n", CDR_VERSION_TEXT, cascades->size());
-    for (std::size_t i = cascades->size(); i-- > 0;) {
-        const CascadeConstants constants = cascadeConstants(Mapping::anchored, *cascades, i, kLens);
-        std::printf("anchor %.9g, scale %.9g, offset %.9g, ahead %.9g to %.9g\n", constants.anchorView,
-                    constants.scale, constants.offset, constants.nearAhead, constants.farAhead);
-    }
+    PrintingEngine engine;
+    engine.nearView = 0.1;
+    engine.farView = 1e9;
+    engine.projection = {.fovY = 1.0, .aspect = 16.0 / 9.0};
+    engine.footprintSlope = 2.0 * std::tan(0.5 * engine.projection.fovY) / kPixelsHigh;
+    engine.visible = {{{0.25, -0.5, -1.45}, 1.05}, {{2.5e5, 0.0, -384e6}, 1737e3}}; // a cockpit, and a moon
+    cdr::depth::Cascades cascades;
+    adoption::drawAnchored(engine, cascades);
+    std::printf("cdr %s: drawn in %zu cascades\n", CDR_VERSION_TEXT, cascades.size());
     return 0;
 }

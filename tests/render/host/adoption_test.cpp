@@ -1,4 +1,4 @@
-#include "../../depth/adoption_example.h"
+#include "../../../src/examples/depth_only/draw_anchored.h"
 #include "../fixture.h"
 #include "read_image.h"
 #include "read_spirv.h"

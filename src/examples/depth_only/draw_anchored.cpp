@@ -1,4 +1,4 @@
-#include "adoption_example.h"
+#include "draw_anchored.h"
 
 namespace adoption {
 
