@@ -1,47 +1,14 @@
 #!/usr/bin/env bash
 # Builds cdr::depth as an engine author does, without any other package, installs it, and builds and runs an example of it
-# outside the source tree: with and without exceptions, by CMake and by pkg-config, and for Windows where this machine has a
-# cross compiler. Then installs cdr::render from a build of all, compiles each installed header alone, and builds and runs the
-# examples of it as debug programs: from static libraries and from shared ones. The examples print what their page says.
+# outside the source tree: with and without exceptions, by CMake and by pkg-config. Then installs cdr::render from a build of
+# all, compiles each installed header alone, and builds and runs the examples as debug programs: from static libraries and from
+# shared ones. The examples print what their page says, and headers.txt names what is installed for an engine to include.
 # Usage: package_test.sh SOURCE_DIR [BUILD_DIR]
 set -euo pipefail
 
 source_dir=$(cd "$1" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-export CCACHE_BASEDIR=$work
-quiet() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2 && echo "failed: $*" >&2 && exit 1; }; }
-
-# No package can be found, so none can be needed.
-hidden=()
-for package in Vulkan fmt glm nlohmann_json OpenSSL OpenEXR CLI11 meshoptimizer PkgConfig Threads GTest; do
-    hidden+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=TRUE")
-done
-
-# install_cdr NAME [CMAKE_ARGUMENT...]: to $work/NAME/prefix, and the example to $work/NAME/example.
-install_cdr() {
-    local name=$1 at=$work/$1
-    shift
-    quiet cmake -G Ninja -S "$source_dir" -B "$at/build" -DCDR_BUILD_RENDER=OFF -DCDR_UNITY_BUILD=ON \
-        -DCDR_WARNINGS_AS_ERRORS=ON -DCMAKE_BUILD_TYPE=Debug "${hidden[@]}" "$@"
-    quiet cmake --build "$at/build"
-    quiet cmake --install "$at/build" --prefix "$at/prefix"
-    quiet cmake -G Ninja -S "$source_dir/src/examples/depth_only" -B "$at/example" -DCMAKE_BUILD_TYPE=Release \
-        -DCMAKE_PREFIX_PATH="$at/prefix" -DCMAKE_FIND_ROOT_PATH="$at/prefix" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@"
-    quiet cmake --build "$at/example"
-    echo "$name: built and installed"
-}
-
-# printed EXAMPLE: what the examples' page says that it prints.
-printed() {
-    awk -v heading="## What \`$1\` prints" '
-        $0 == heading { here = 1 } here && /^```$/ { exit } here && shown { print } here && /^```text$/ { shown = 1 }' \
-        "$source_dir/src/examples/README.md" | grep .
-}
-# expect_output TEXT: what depth_only prints.
-expect_output() {
-    diff <(printed depth_only) <(tr -d '\r' <<<"$1") >&2 || { echo "unexpected output of depth_only" >&2 && exit 1; }
-}
+# shellcheck source=tests/package/common.sh
+source "$source_dir/tests/package/common.sh"
 
 # refuse REASON [CMAKE_ARGUMENT...]: find_package() of an installed cdr ends with this reason.
 refuse() {
@@ -55,7 +22,7 @@ refuse() {
     rm -rf "$work/refused"
 }
 
-install_cdr plain
+install_cdr plain ""
 expect_output "$("$work/plain/example/depth_only")"
 if ldd "$work/plain/example/depth_only" | grep -E 'fmt|vulkan|crypto|json'; then
     echo "the example links more than the compiler's libraries" >&2
@@ -71,22 +38,11 @@ refuse "component scene is not in this package" "-DCMAKE_PREFIX_PATH=$work/plain
 
 pc_dir=$(dirname "$(find "$work/plain/prefix" -name cdr.pc)")
 read -ra flags < <(PKG_CONFIG_PATH=$pc_dir pkg-config --define-prefix --cflags --libs cdr)
-quiet c++ -std=c++20 "$source_dir/src/examples/depth_only/main.cpp" "${flags[@]}" -o "$work/by_pkg_config"
+quiet c++ -std=c++20 "-I$poison" "$source_dir/src/examples/depth_only/"{main,draw_anchored}.cpp "${flags[@]}" -o "$work/by_pkg_config"
 expect_output "$("$work/by_pkg_config")"
 
-install_cdr no-exceptions "-DCMAKE_CXX_FLAGS=-fno-exceptions -fno-rtti"
+install_cdr no-exceptions "-fno-exceptions -fno-rtti"
 expect_output "$("$work/no-exceptions/example/depth_only")"
-
-if cross=$(command -v x86_64-w64-mingw32-g++-posix || command -v x86_64-w64-mingw32-g++); then
-    install_cdr windows -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_CXX_COMPILER="$cross" -DCMAKE_EXE_LINKER_FLAGS=-static
-    if command -v wine >/dev/null; then
-        expect_output "$(WINEDEBUG=-all WINEPREFIX=$work/wine wine "$work/windows/example/depth_only.exe" 2>/dev/null)"
-    else
-        echo "windows: not run, there is no wine"
-    fi
-else
-    echo "windows: not built, there is no mingw-w64 cross compiler"
-fi
 
 if (($# < 2)); then
     echo "render: not installed, this build's libraries need more of the linker"
@@ -116,6 +72,16 @@ build_example() {
 }
 
 quiet cmake --install "$build_dir" --component cdr_static --prefix "$work/render"
+# expect_headers PREFIX: the headers and shaders that the list names are there and no other, so that a new one is installed
+# knowingly.
+expect_headers() {
+    local at
+    at=$(dirname "$(find "$1" -path '*/cdr/base')")
+    diff "$source_dir/tests/package/headers.txt" <(cd "$at" && find . -type f -printf '%P\n' | LC_ALL=C sort) >&2 ||
+        { echo "tests/package/headers.txt names what is installed; change it with what you install" >&2 && exit 1; }
+}
+expect_headers "$work/render"
+
 # Each installed header compiles alone, twice included, from what is installed.
 compile_alone() {
     printf '#include <%s>\n#include <%s>\n' "$1" "$1" |
@@ -193,6 +159,7 @@ echo "render: installed, examples built and run"
 quiet cmake --install "$build_dir" --component cdr_shared --prefix "$work/shared"
 libraries=$(dirname "$(find "$work/shared" -name libcdr_render.so)")
 headers=$(dirname "$(find "$work/shared" -path '*/cdr/base')")
+expect_headers "$work/shared"
 if [[ -n $(find "$work/shared" -name '*.a') ]]; then
     echo "the shared package holds static libraries" >&2
     exit 1
@@ -215,12 +182,14 @@ if [[ -n $unknown ]]; then
 fi
 build_example depth_only "$work/shared_depth_only" "$work/shared"
 expect_output "$("$work/shared_depth_only/depth_only")"
-build_example moving_world "$work/shared_moving_world" "$work/shared"
-expect_lines "$work/shared_moving_world/moving_world"
+for example in moving_world borrowed_device host_compositing; do
+    build_example "$example" "$work/shared_$example" "$work/shared"
+    expect_lines "$work/shared_$example/$example"
+    if [[ $(ldd "$work/shared_$example/$example") != *"$libraries/libcdr_render.so.1.0"* ]]; then
+        echo "$example does not use the shared library" >&2
+        exit 1
+    fi
+done
 build_example ../../tests/package/allocator "$work/shared_allocator" "$work/shared"
 expect_lines "$work/shared_allocator/allocator_host" "$work/allocator.txt"
-if [[ $(ldd "$work/shared_moving_world/moving_world") != *"$libraries/libcdr_render.so.1.0"* ]]; then
-    echo "moving_world does not use the shared library" >&2
-    exit 1
-fi
 echo "shared: installed, examples built and run"
