@@ -279,6 +279,24 @@ TEST(Commands, RenderWritesEveryOutputInEveryFormat) {
     }
 }
 
+/// Against the truth of where each frame puts 100,000 objects, from 1 to 10,000,000 units away.
+TEST(Commands, RenderDrawsTrafficWithoutAWrongPixel) {
+    const TemporaryFolder folder;
+    const auto count = [&](const std::string& arguments) {
+        const ProgramResult result = runProgram(
+            "render traffic --size 960x540 --aov wrong -o w.png --json r.json " + arguments, folder.path());
+        EXPECT_EQ(result.status, 0) << result.err;
+        return json::parse(readText(folder.path() / "r.json"))["results"][0];
+    };
+    for (const char* frame : {"3", "100"}) {
+        const json row = count("--technique anchored --frame " + std::string(frame));
+        EXPECT_GT(row["pixels"], 50'000);
+        EXPECT_GT(row["overlap_pixels"], 20'000);
+        EXPECT_EQ(row["wrong"], 0) << frame;
+    }
+    EXPECT_GT(count("--technique standard --frame 100")["wrong"], 20) << "what would be seen";
+}
+
 TEST(Commands, RenderCountsWrongPixelsAsPicturesDoes) {
     const TemporaryFolder folder;
     const ProgramResult rendered = runProgram(

@@ -76,6 +76,26 @@ TEST(TimingCommand, ReportsEveryModeOverStandard) {
     EXPECT_EQ(tracks.at("device"), 4 * 5);
 }
 
+/// 100,000 objects that are placed anew for each frame, in one process.
+TEST(TimingCommand, TimesTrafficThatMoves) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        runProgram("--validate timing --scene traffic --frames 3 --size 64x36 --threads 2 --modes "
+                   "anchored,cdr-2 --json t.json",
+                   folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json document = readJson(folder.path() / "t.json");
+    EXPECT_NE(document.at("options").at("scene").get<std::string>().find("100,000 cubes that move"),
+              std::string::npos);
+    std::vector<std::string> modes;
+    for (const json& row : document.at("results")) {
+        modes.push_back(row.at("mode"));
+        EXPECT_GT(row.at("median_us").get<double>(), 0.0);
+        EXPECT_GT(row.at("draws").get<double>(), 5'000.0);
+    }
+    EXPECT_EQ(modes, (std::vector<std::string>{"standard", "standard", "anchored", "cdr"}));
+}
+
 /// The program over itself: whatever the machine does meanwhile, the fields say so.
 TEST(TimingCommand, RunsTwoBuildsInTurns) {
     const TemporaryFolder folder;

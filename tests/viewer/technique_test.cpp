@@ -36,6 +36,27 @@ TEST_F(ViewerTest, ShowsWhatTheCommandLineRenders) {
     EXPECT_GT(difference(left, shown), 0.001);
 }
 
+/// Where the tour is stopped, its 100,000 objects are where the command puts them, and none is wrong.
+TEST_F(ViewerTest, ShowsTrafficWhereItsFramePutsIt) {
+    const RunResult run =
+        play(kSmall + "--technique anchored --play traffic",
+             "wait-frame 4\nkey space\nwait-state motion=free\nwait-frame\npicture shown.png\n"
+             "command\nkey V\nkey V\nkey V\nkey V\nwait-frame\nstate\nquit\n");
+    const auto commands = run.lines("cdr render");
+    ASSERT_EQ(commands.size(), 1u);
+    const std::size_t frame = commands[0].find("--frame=");
+    ASSERT_NE(frame, std::string::npos) << commands[0];
+    EXPECT_GT(std::stoi(commands[0].substr(frame + 8)), 0) << "the tour has begun";
+    const RunResult rendered = runShell("'" CDR_PROGRAM "'" + commands[0].substr(3), folder(), environment());
+    ASSERT_EQ(rendered.status, 0) << rendered.err;
+    EXPECT_GT(colors(picture("shown.png")), 100u);
+    EXPECT_EQ(picture("shown.png"), picture("view.png"));
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 1u);
+    EXPECT_EQ(valueOf(states[0], "view"), "wrong");
+    EXPECT_EQ(valueOf(states[0], "wrong"), "0");
+}
+
 TEST_F(ViewerTest, KeysPickThePresets) {
     std::string script = "key V\nkey V\nkey V\nkey V\nwait-frame\n"; // the view of wrong pixels
     for (std::size_t i = 0; i < kPresets.size(); ++i) {
