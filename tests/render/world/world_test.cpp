@@ -154,8 +154,10 @@ TEST_F(WorldTest, RenderersOfAnyOptionsShowAnyEdits) {
             scene::Camera camera = ahead();
             camera.position.x = std::uniform_real_distribution<double>(-30.0, 30.0)(random);
             for (int half = 0; half < 2; ++half) {
+                // What tables have read anew hides instances that were forgotten, so now and then none changes after these.
+                const bool sparesTables = half == 0 || batch % 2 == 0;
                 for (int i = 0; i < 125; ++i) {
-                    editor.edit(half == 0 ? Editor::Scope::instances : Editor::Scope::all);
+                    editor.edit(sparesTables ? Editor::Scope::instances : Editor::Scope::all);
                 }
                 for (const auto& renderer : renderers) {
                     renderer->submit(camera);
