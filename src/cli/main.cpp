@@ -69,7 +69,7 @@ void requireSameProgram(cdr::ranks::Ranks& ranks, int argc, char** argv) {
 
 int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
     requireSameProgram(ranks, argc, argv);
-    ranks.learnCpus();
+    ranks.learnMachine();
     CLI::App program("Cascaded deferred rendering: see far without z-fighting.", "cdr");
     program.require_subcommand(1);
     program.fallthrough(); // global options are found behind the command too
@@ -144,9 +144,9 @@ cdr::ranks::Ending outcomeOf(const std::function<int()>& program) {
     }
 }
 
-void printLine(const cdr::ranks::Ending& ending) {
-    if (!ending.line.empty()) {
-        cdr::host::printError("cdr: " + ending.line);
+void printLine(const std::string& line) {
+    if (!line.empty()) {
+        cdr::host::printError("cdr: " + line);
     }
 }
 
@@ -156,14 +156,14 @@ int main(int argc, char** argv) {
     cdr::host::removeUnfinishedFilesOnSignals();
     std::unique_ptr<cdr::ranks::Ranks> ranks;
     const cdr::ranks::Ending joining = outcomeOf([&] {
-        ranks = cdr::ranks::join(endingOf);
+        ranks = cdr::ranks::join(endingOf, printLine);
         return 0;
     });
     if (ranks == nullptr) {
-        printLine(joining);
+        printLine(joining.line);
         return joining.status;
     }
     const cdr::ranks::Ending ending = ranks->end(outcomeOf([&] { return run(argc, argv, *ranks); }));
-    printLine(ending);
+    printLine(ending.line);
     return ending.status;
 }

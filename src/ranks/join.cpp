@@ -24,8 +24,8 @@ bool isLaunched() {
 
 #ifdef CDR_HAS_MPI
 
-std::unique_ptr<Ranks> join(Explain explain) {
-    return isLaunched() ? makeMpiRanks(std::move(explain)) : std::make_unique<OneProcess>();
+std::unique_ptr<Ranks> join(Explain explain, Say say) {
+    return isLaunched() ? makeMpiRanks(std::move(explain), std::move(say)) : std::make_unique<OneProcess>();
 }
 
 std::string mpiLibrary() {
@@ -34,7 +34,7 @@ std::string mpiLibrary() {
 
 #else
 
-std::unique_ptr<Ranks> join(Explain) {
+std::unique_ptr<Ranks> join(Explain, Say) {
     const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
     const char* sizeOfMpich = std::getenv("PMI_SIZE");
     const std::string count = size != nullptr ? size : sizeOfMpich != nullptr ? sizeOfMpich : "1";

@@ -1,19 +1,20 @@
 #include <cdr/base/error.h>
-#include <cdr/host/thread_placement.h>
 
 #include <climits>
 #include <fmt/format.h>
 #include <mpi.h>
+#include <ranks/mpi_machine.h>
 #include <ranks/mpi_ranks.h>
+#include <ranks/rank_watch.h>
 #include <ranks/unit_order.h>
 
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -26,9 +27,6 @@ namespace {
 constexpr std::uint64_t kStop = std::uint64_t{1} << 40u;
 /// Between two looks at whether something has arrived. MPI's own waits keep a processor busy, which another rank may need.
 constexpr auto kPause = std::chrono::milliseconds(1);
-
-/// As many as sched_getaffinity() has numbers for; without an answer it gives none.
-constexpr std::size_t kMostCpus = 1024;
 
 enum Tag : int { kMadeTag = 1, kDoneTag = 2, kMergedTag = 3 };
 
@@ -43,58 +41,6 @@ Word wordOf(const Ending& ending, bool isLast) {
     Word word{.status = ending.status, .isLast = isLast ? 1 : 0};
     ending.line.copy(word.line.data(), word.line.size() - 1);
     return word;
-}
-
-std::string hostName() {
-    std::array<char, MPI_MAX_PROCESSOR_NAME> name{};
-    int length = 0;
-    MPI_Get_processor_name(name.data(), &length);
-    return {name.data(), static_cast<std::size_t>(length)};
-}
-
-/// The ranks of this rank's machine, to be freed.
-MPI_Comm splitByMachine() {
-    MPI_Comm node = MPI_COMM_NULL;
-    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
-    return node;
-}
-
-/// By rank of a machine, the CPUs that it may use.
-std::vector<Cpus> cpusOfRanks(MPI_Comm node, std::size_t count) {
-    std::bitset<kMostCpus> mine;
-    for (const std::size_t cpu : host::allowedCpus()) {
-        mine.set(cpu);
-    }
-    std::vector<std::bitset<kMostCpus>> all(count);
-    MPI_Allgather(&mine, sizeof mine, MPI_BYTE, all.data(), sizeof mine, MPI_BYTE, node);
-    std::vector<Cpus> cpus(count);
-    for (std::size_t rank = 0; rank < count; ++rank) {
-        for (std::size_t cpu = 0; cpu < kMostCpus; ++cpu) {
-            if (all[rank].test(cpu)) {
-                cpus[rank].push_back(cpu);
-            }
-        }
-    }
-    return cpus;
-}
-
-Place makePlace() {
-    const auto sizesOf = [](MPI_Comm ranks) {
-        int index = 0;
-        int count = 1;
-        MPI_Comm_rank(ranks, &index);
-        MPI_Comm_size(ranks, &count);
-        return std::pair(static_cast<std::size_t>(index), static_cast<std::size_t>(count));
-    };
-    MPI_Comm node = splitByMachine();
-    const auto [index, count] = sizesOf(MPI_COMM_WORLD);
-    const auto [indexOnNode, countOnNode] = sizesOf(node);
-    MPI_Comm_free(&node);
-    return {.index = index,
-            .count = count,
-            .indexOnNode = indexOnNode,
-            .countOnNode = countOnNode,
-            .node = hostName()};
 }
 
 /// MPI as long as it lives. MPI calls of one thread at a time.
@@ -144,10 +90,12 @@ class Counter {
 
 class MpiRanks final : public Ranks {
   public:
-    MpiRanks(std::unique_ptr<Session> session, Explain explain)
-        : Ranks(makePlace()),
+    MpiRanks(std::unique_ptr<HeldSignals> signals, std::unique_ptr<Session> session, Explain explain, Say say)
+        : Ranks(placeAmongAll()),
+          m_signals(std::move(signals)),
           m_session(std::move(session)),
-          m_explain(std::move(explain)) {}
+          m_explain(std::move(explain)),
+          m_say(std::move(say)) {}
 
     void requireSame(const std::string& text, const std::string& otherwise) override {
         const host::Bytes own(text.begin(), text.end());
@@ -155,11 +103,26 @@ class MpiRanks final : public Ranks {
         meet(first == own ? Ending{} : Ending{.status = 2, .line = otherwise});
     }
 
-    void learnCpus() override {
+    void learnMachine() override {
         meet({});
-        MPI_Comm node = splitByMachine();
-        setCpus(divideCpus(cpusOfRanks(node, place().countOnNode)));
-        MPI_Comm_free(&node);
+        m_machine.emplace();
+        setCpus(divideCpus(m_machine->cpusOfRanks()));
+        if (isAlone()) {
+            m_signals.reset();
+            return;
+        }
+        std::vector<std::string> names;
+        for (const std::size_t rank : m_machine->numbersOfRanks()) {
+            names.push_back(fmt::format("rank {} of {} on {}", rank, place().count, place().node));
+        }
+        m_watch.emplace(names, place().indexOnNode, m_machine->sharedLife(), m_machine->locks(), *m_signals,
+                        m_say);
+    }
+
+    void sayWhenKilled(const std::string& text) override {
+        if (m_watch) {
+            m_watch->append(text);
+        }
     }
 
     void forEachUnit(std::size_t count, const Make& make, const Take& take) override {
@@ -211,12 +174,17 @@ class MpiRanks final : public Ranks {
     }
 
     Ending end(const Ending& mine) override {
+        Ending ending{.status = m_status, .line = mine.line};
         if (!m_isOver) {
             const Word first = firstFailure(exchange(wordOf(named(mine), true)));
-            m_status = first.status;
-            return {.status = m_status, .line = isFirst() ? first.line.data() : ""};
+            ending = {.status = first.status, .line = first.line.data()};
         }
-        return {.status = m_status, .line = isFirst() ? mine.line : ""};
+        m_watch.reset();
+        MPI_Request request = MPI_REQUEST_NULL;
+        MPI_Ibarrier(MPI_COMM_WORLD, &request);
+        sleepUntilDone(request);
+        m_signals.reset();
+        return {.status = ending.status, .line = isFirst() ? ending.line : ""};
     }
 
   private:
@@ -433,8 +401,12 @@ class MpiRanks final : public Ranks {
         return kMadeTag;
     }
 
-    std::unique_ptr<Session> m_session; ///< ends after all below
+    std::unique_ptr<HeldSignals> m_signals; ///< until the end of the run
+    std::unique_ptr<Session> m_session;     ///< ends after all below
     Explain m_explain;
+    Say m_say;
+    std::optional<MpiMachine> m_machine;
+    std::optional<RankWatch> m_watch;
     Counter m_counter;
     std::mutex m_mpi;         ///< of the first rank, whose receiver calls MPI too
     std::exception_ptr m_own; ///< what ended the first rank's units
@@ -444,8 +416,11 @@ class MpiRanks final : public Ranks {
 
 } // namespace
 
-std::unique_ptr<Ranks> makeMpiRanks(Explain explain) {
-    return std::make_unique<MpiRanks>(std::make_unique<Session>(), std::move(explain));
+std::unique_ptr<Ranks> makeMpiRanks(Explain explain, Say say) {
+    auto signals = std::make_unique<HeldSignals>(); // before MPI, which may start threads
+    auto session = std::make_unique<Session>();
+    return std::make_unique<MpiRanks>(std::move(signals), std::move(session), std::move(explain),
+                                      std::move(say));
 }
 
 std::string mpiLibraryVersion() {

@@ -8,7 +8,7 @@
 namespace cdr::ranks {
 
 /// The ranks of an MPI run, which the process joins; it leaves when the object goes.
-std::unique_ptr<Ranks> makeMpiRanks(Explain explain);
+std::unique_ptr<Ranks> makeMpiRanks(Explain explain, Say say);
 
 /// The library's own name and version, as far as its first comma or line break.
 std::string mpiLibraryVersion();

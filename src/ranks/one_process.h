@@ -10,7 +10,8 @@ class OneProcess final : public Ranks {
     OneProcess() : Ranks({}) {}
 
     void requireSame(const std::string& text, const std::string& otherwise) override;
-    void learnCpus() override {}
+    void learnMachine() override {}
+    void sayWhenKilled(const std::string&) override {}
     void forEachUnit(std::size_t count, const Make& make, const Take& take) override;
     host::Bytes share(host::Bytes ofFirst) override;
     void merge(const std::function<host::Bytes()>& pack,

@@ -21,6 +21,9 @@ struct Ending {
 /// The ending that an error stands for.
 using Explain = std::function<Ending(const std::exception_ptr& error)>;
 
+/// Prints a line on standard error, from any thread.
+using Say = std::function<void(const std::string& line)>;
+
 /// Thrown where another rank has ended the run. The first rank says why.
 class EndedElsewhere : public std::exception {
   public:
@@ -35,7 +38,7 @@ struct Place {
     std::size_t countOnNode = 1;
     std::string node{}; ///< name of its machine; empty for a process that was started alone
     CpuDivision
-        cpus{}; ///< of its machine; nothing is known before learnCpus(), and for a process that was started alone
+        cpus{}; ///< of its machine; nothing is known before learnMachine(), and for a process that was started alone
 };
 
 /// The processes that one command was started as, its ranks; a process that was started alone is the first and only one.
@@ -62,8 +65,13 @@ class Ranks {
     /// @param otherwise what is said of a rank that gives another one than the first.
     virtual void requireSame(const std::string& text, const std::string& otherwise) = 0;
 
-    /// Fills place().cpus. After requireSame(): ranks of other versions may have another way to learn it.
-    virtual void learnCpus() = 0;
+    /// Fills place().cpus. From here on a rank that is killed is named by another one of its machine. After requireSame():
+    /// ranks of other versions may have another way to learn it.
+    virtual void learnMachine() = 0;
+
+    /// What the line ends with that names a killed rank, such as what of the run is kept; on every rank, after
+    /// learnMachine().
+    virtual void sayWhenKilled(const std::string& text) = 0;
 
     /// Makes each of `count` independent units on some rank; a rank is given units in ascending order. The first rank
     /// makes units too, and takes all results, in the order of the units.

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <functional>
 #include <string>
@@ -53,6 +54,18 @@ TEST_F(ChildProcessTest, ArgumentsArriveAsTheyAre) {
 }
 
 /// Each must see the end of its input while the others' is still open.
+/// Whoever starts it may hold signals back.
+TEST_F(ChildProcessTest, ASignalEndsAChildOfAParentThatHoldsItBack) {
+    sigset_t held;
+    sigset_t before;
+    ::sigemptyset(&held);
+    ::sigaddset(&held, SIGTERM);
+    ::pthread_sigmask(SIG_BLOCK, &held, &before);
+    ChildProcess child({"sh", "-c", "kill -TERM $$; exit 0"}, {.file = {}});
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    EXPECT_THROW(child.finish(), base::RunError);
+}
+
 TEST_F(ChildProcessTest, ChildrenDoNotHoldEachOthersInput) {
     ChildProcess first({"cat"}, {.file = file("1")});
     ChildProcess second({"cat"}, {.file = file("2")});

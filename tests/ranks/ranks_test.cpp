@@ -42,6 +42,11 @@ std::string whatOneProcessPrints(std::size_t count) {
     return runAs(0, std::to_string(count)).out;
 }
 
+/// MPICH's launcher kills all ranks when it sees one gone, so a busy machine may leave no time to say who it was.
+bool killsAtOnce() {
+    return mpiLibrary().starts_with("MPICH");
+}
+
 class LaunchedRanks : public testing::TestWithParam<int> {
   protected:
     void SetUp() override {
@@ -128,14 +133,64 @@ TEST_P(LaunchedRanks, EndWhereTheFirstCannotStart) {
     EXPECT_EQ(outcome.err, "cannot start\n");
 }
 
-/// The launcher itself says who died.
+/// The lines of standard error that are about one rank; MPI may add some of its own.
+std::vector<std::string> linesOnRanks(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+        if (line.starts_with("rank ")) {
+            lines.push_back(line);
+        }
+    }
+    return lines;
+}
+
+/// One of those that are left says who it was, where there is one.
 TEST_P(LaunchedRanks, EndWhereOneIsKilled) {
+    for (const int rank : {0, GetParam() / 2, GetParam() - 1}) {
+        const Outcome outcome = runAs(GetParam(), "60 die " + std::to_string(rank) + " 30");
+        EXPECT_NE(outcome.status, 0);
+        // MPICH's launcher puts a frame of "=" into what the ranks print.
+        const std::string out = outcome.out.substr(0, outcome.out.find("\n====="));
+        EXPECT_EQ(out, whatOneProcessPrints(60).substr(0, out.size()));
+        const std::vector<std::string> lines = linesOnRanks(outcome.err);
+        if (GetParam() == 1 || (killsAtOnce() && lines.empty())) {
+            EXPECT_TRUE(lines.empty()) << outcome.err;
+            continue;
+        }
+        ASSERT_EQ(lines.size(), 1u) << outcome.err;
+        EXPECT_TRUE(std::regex_match(
+            lines.front(), std::regex("rank " + std::to_string(rank) + " of " + std::to_string(GetParam()) +
+                                      " on .+ was killed or crashed; nothing is kept")))
+            << lines.front();
+    }
+}
+
+/// The one that was asked says so. Those that its launcher asks then do not.
+TEST_P(LaunchedRanks, EndWhereOneIsAskedTo) {
     const int last = GetParam() - 1;
-    const Outcome outcome = runAs(GetParam(), "60 die " + std::to_string(last) + " 30");
-    EXPECT_NE(outcome.status, 0);
-    // MPICH's launcher puts a frame of "=" into what the ranks print.
-    const std::string out = outcome.out.substr(0, outcome.out.find("\n====="));
-    EXPECT_EQ(out, whatOneProcessPrints(60).substr(0, out.size()));
+    for (const std::string signal : {"HUP", "INT", "TERM"}) {
+        const Outcome outcome = runAs(GetParam(), "3000 " + signal + " " + std::to_string(last) + " 30");
+        EXPECT_NE(outcome.status, 0);
+        const std::vector<std::string> lines = linesOnRanks(outcome.err);
+        if (last == 0) { // of one rank the launcher says it
+            EXPECT_TRUE(lines.empty()) << outcome.err;
+            continue;
+        }
+        ASSERT_EQ(lines.size(), 1u) << signal << ": " << outcome.err;
+        EXPECT_TRUE(std::regex_match(lines.front(), std::regex("rank " + std::to_string(last) +
+                                                               " of .+ on .+ was asked to end by SIG" +
+                                                               signal + "; nothing is kept")))
+            << lines.front();
+    }
+}
+
+/// As under nohup.
+TEST_P(LaunchedRanks, GoOnAfterASignalThatIsIgnored) {
+    const Outcome outcome = runAs(GetParam(), "60 ignore " + std::to_string(GetParam() - 1) + " 30");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.out, whatOneProcessPrints(60));
 }
 
 TEST(UnitOrder, WaitsForTheUnitThatIsMissing) {
@@ -157,7 +212,8 @@ TEST(UnitOrder, WaitsForTheUnitThatIsMissing) {
 }
 
 TEST(OneProcess, IsFirstAndAloneWithoutALauncher) {
-    const std::unique_ptr<Ranks> ranks = join([](const std::exception_ptr&) { return Ending{}; });
+    const std::unique_ptr<Ranks> ranks =
+        join([](const std::exception_ptr&) { return Ending{}; }, [](const std::string&) {});
     EXPECT_TRUE(ranks->isFirst());
     EXPECT_TRUE(ranks->isAlone());
     EXPECT_EQ(ranks->share({7}), host::Bytes{7});

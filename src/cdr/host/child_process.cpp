@@ -34,6 +34,26 @@ class FileActions {
     posix_spawn_file_actions_t m_actions{};
 };
 
+/// No signal is kept from the child, whichever its parent holds back.
+class SignalsLetThrough {
+  public:
+    SignalsLetThrough() {
+        sigset_t none;
+        ::sigemptyset(&none);
+        posix_spawnattr_init(&m_attributes);
+        posix_spawnattr_setsigmask(&m_attributes, &none);
+        posix_spawnattr_setflags(&m_attributes, POSIX_SPAWN_SETSIGMASK);
+    }
+    ~SignalsLetThrough() { posix_spawnattr_destroy(&m_attributes); }
+    SignalsLetThrough(const SignalsLetThrough&) = delete;
+    SignalsLetThrough& operator=(const SignalsLetThrough&) = delete;
+
+    const posix_spawnattr_t* get() const { return &m_attributes; }
+
+  private:
+    posix_spawnattr_t m_attributes{};
+};
+
 } // namespace
 
 ChildProcess::ChildProcess(std::vector<std::string> arguments, const Output& output)
@@ -56,7 +76,8 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments, const Output& out
         argv.push_back(argument.data());
     }
     argv.push_back(nullptr);
-    const int error = ::posix_spawnp(&m_child, argv[0], actions.get(), nullptr, argv.data(), environ);
+    const int error =
+        ::posix_spawnp(&m_child, argv[0], actions.get(), SignalsLetThrough().get(), argv.data(), environ);
     ::close(ends[1]);
     if (error != 0) {
         closeInput();

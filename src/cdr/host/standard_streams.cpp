@@ -32,8 +32,7 @@ void flushStandardOutput() {
 }
 
 void printError(const std::string& line) noexcept {
-    std::fputs(line.c_str(), stderr);
-    std::fputc('\n', stderr);
+    std::fprintf(stderr, "%s\n", line.c_str()); // one write, so that lines of several processes stay whole
 }
 
 } // namespace cdr::host

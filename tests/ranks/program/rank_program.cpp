@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 
 #include <ranks/join.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -52,6 +53,11 @@ void makeTrouble(const Ranks& ranks, const Trouble& trouble, std::size_t unit) {
     if (trouble.kind == "die") {
         std::raise(SIGKILL);
     }
+    const std::map<std::string, int> signals{
+        {"HUP", SIGHUP}, {"INT", SIGINT}, {"TERM", SIGTERM}, {"ignore", SIGHUP}};
+    if (signals.contains(trouble.kind)) {
+        ::kill(::getpid(), signals.at(trouble.kind));
+    }
 }
 
 void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
@@ -60,7 +66,8 @@ void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
         throw cdr::base::InputError("cannot start");
     }
     ranks.requireSame(trouble.kind == "differ" && isTheOne ? "otherwise" : "alike", "is not alike");
-    ranks.learnCpus();
+    ranks.learnMachine();
+    ranks.sayWhenKilled("; nothing is kept");
     const cdr::ranks::Place& place = ranks.place();
     if (!place.node.empty() &&
         (place.cpus.parts.size() != place.countOnNode || place.cpus.parts[place.indexOnNode].empty())) {
@@ -122,8 +129,12 @@ void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
 
 /// rank_program COUNT [KIND RANK UNIT]
 int main(int argc, char** argv) {
-    const std::unique_ptr<Ranks> ranks = cdr::ranks::join(endingOf);
     const Trouble trouble = argc > 4 ? Trouble{argv[2], std::stoul(argv[3]), std::stoul(argv[4])} : Trouble{};
+    if (trouble.kind == "ignore") {
+        std::signal(SIGHUP, SIG_IGN);
+    }
+    const std::unique_ptr<Ranks> ranks = cdr::ranks::join(
+        endingOf, [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); });
     Ending mine;
     try {
         run(*ranks, std::stoul(argv[1]), trouble);

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <pthread.h>
+
+#include <chrono>
+#include <thread>
+#include <vector>
+
+namespace cdr::ranks {
+
+/// A lock in memory that processes share. Who waits for it learns whether its holder let it go or ended with it, before the
+/// system closes that process' files or tells its parent.
+class LifeLock {
+  public:
+    LifeLock();
+    ~LifeLock() = default; ///< with the memory
+    LifeLock(const LifeLock&) = delete;
+    LifeLock& operator=(const LifeLock&) = delete;
+
+    /// For the process that it tells of. letGo() comes from the same thread, which ends no earlier.
+    void hold();
+    void letGo();
+    /// For one other process, after hold(): returns when it is held no more.
+    /// @return whether the holder ended without letting go.
+    bool waitForEnd();
+
+  private:
+    pthread_mutex_t m_mutex{};
+};
+
+/// Keeps signals that ask a process to end (SIGHUP, SIGINT, SIGTERM) from the calling thread, and from all that it starts from
+/// then on, until the object goes. One that the process ignores stays ignored.
+class HeldSignals {
+  public:
+    HeldSignals();
+    ~HeldSignals();
+    HeldSignals(const HeldSignals&) = delete;
+    HeldSignals& operator=(const HeldSignals&) = delete;
+
+    /// Waits for one of them: its number, or 0 where none came in time.
+    int wait(std::chrono::milliseconds atMost) const;
+    /// Ends the wait() of a thread early, unless all are ignored.
+    void wake(std::jthread& waiting) const;
+
+  private:
+    std::vector<int> m_numbers;
+};
+
+/// "SIGTERM" and the like, of those that HeldSignals takes.
+const char* nameOfSignal(int signal);
+
+/// Ends the process as the signal does where nobody holds it. 0 stands for SIGTERM.
+[[noreturn]] void endBySignal(int signal);
+
+} // namespace cdr::ranks
