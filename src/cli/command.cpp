@@ -55,7 +55,23 @@ void Command::sayRanks() const {
 
 void Command::reads(const std::filesystem::path& path) {
     m_files.reads(path);
+    m_read.push_back(path);
     experiments::requireSameFiles(ranks(), path);
+}
+
+void Command::sayKept(const std::filesystem::path& state) const {
+    ranks().sayWhenKilled(fmt::format("; what was finished stays in {}", state.string()));
+}
+
+nlohmann::ordered_json Command::digestsOfRead() const {
+    nlohmann::ordered_json digests = nlohmann::ordered_json::object();
+    for (const std::filesystem::path& path : m_read) {
+        digests[path.string()] = experiments::digestOfFiles(path);
+    }
+    if (!m_earth.empty()) {
+        digests["orbit"] = experiments::digestOfEarth(m_earth);
+    }
+    return digests;
 }
 
 scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_t seed,
@@ -64,7 +80,8 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
         reads(nameOrPath);
     } else if (nameOrPath == "orbit") {
         const scenes::OrbitFiles files = scenes::orbitFiles();
-        experiments::requireSameEarth(ranks(), files.folder);
+        m_earth = files.folder;
+        experiments::requireSameEarth(ranks(), m_earth);
         if (!files.model.empty()) {
             reads(files.model);
         }

@@ -41,6 +41,12 @@ class Command {
     /// cannot be read, and where the command writes it.
     void reads(const std::filesystem::path& path);
 
+    /// By name, the SHA-256 of each file that the command has read so far, with those that it refers to.
+    nlohmann::ordered_json digestsOfRead() const;
+
+    /// Notes where the work of a run stays that does not come to its end.
+    void sayKept(const std::filesystem::path& state) const;
+
     /// Opens a scene as scenes::openScene(), or of a glTF file what is chosen, and notes what of the file is
     /// not drawn. base::InputError when something is chosen of a scene that is no file.
     scene::SceneSetup openScene(const std::string& nameOrPath, std::uint64_t seed,
@@ -71,6 +77,8 @@ class Command {
     OutputOptions m_output;
     Console m_console;
     CommandFiles m_files;
+    std::vector<std::filesystem::path> m_read;
+    std::filesystem::path m_earth; ///< folder of the Earth's pictures; empty where it is not shown
     std::optional<std::vector<std::string>> m_notes; ///< none where no scene was opened
     std::string m_device;                            ///< of this rank, as gpu::Device takes it
     std::optional<OpenedDevice> m_opened;

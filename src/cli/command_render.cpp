@@ -58,6 +58,9 @@ void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, Comman
     if (!arguments.certify.empty()) {
         files.writes("--certify", arguments.certify);
     }
+    if (!arguments.state.empty()) {
+        files.writes("--state", arguments.state);
+    }
 }
 
 RenderPlan planOf(Command& command, const RenderArguments& arguments) {
@@ -81,6 +84,10 @@ RenderPlan planOf(Command& command, const RenderArguments& arguments) {
     }
     if (!arguments.trace.empty() && !command.ranks().isAlone()) {
         throw base::InputError("--trace is of one process: start it without mpirun");
+    }
+    if (!arguments.trace.empty() && !arguments.state.empty()) {
+        throw base::InputError(
+            "--trace is of all frames, and --state leaves out those that are kept: give one");
     }
     if (!arguments.certify.empty()) {
         experiments::requireCertifiable(plan.options);
@@ -138,7 +145,7 @@ std::string whatWasWritten(const RenderArguments& arguments, const RenderPlan& p
                                      plan.name.at(plan.cameras.first + frames - 1).string());
 }
 
-/// Draws all frames of the plan into the results.
+/// Draws all frames of the plan that no earlier run has made, into the results.
 void drawFrames(Command& command, const RenderPlan& plan, const scene::CameraPath& path,
                 const std::string& scene, FrameMaker& maker, RenderResults& results) {
     const std::uint32_t first = plan.cameras.first;
@@ -158,9 +165,9 @@ void drawFrames(Command& command, const RenderPlan& plan, const scene::CameraPat
         return results.describe(maker.finish(numberOf(frame), std::move(drawn)), frame == 0);
     };
     const auto take = [&](std::size_t frame, experiments::Json made) {
-        results.take(numberOf(frame), std::move(made));
+        results.take(frame, std::move(made));
     };
-    makeFrames(command.ranks(), plan.division, plan.cameras.frames,
+    makeFrames(command.ranks(), plan.division, results.missing(),
                {.draw = draw, .describe = describe, .take = take});
     command.endProgress();
 }
@@ -182,7 +189,7 @@ void runRender(Command& command, RenderArguments& arguments) {
     }
     FrameMaker maker(command.device(), moving ? moving->world().scene() : setup.scene,
                      moving ? &*moving : nullptr, plan.options, wanted, workers);
-    RenderResults results(command, arguments, plan.options, plan.name, plan.aov);
+    RenderResults results(command, arguments, plan.options, plan.name, plan.aov, plan.cameras);
     drawFrames(command, plan, setup.path, arguments.scene, maker, results);
     if (trace) {
         trace->write(arguments.trace);

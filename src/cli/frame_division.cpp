@@ -18,14 +18,16 @@ FrameDivision parseFrameDivision(std::string_view name) {
     return kNames.parse(name);
 }
 
-void makeFrames(ranks::Ranks& ranks, FrameDivision division, std::size_t count, const FrameSteps& steps) {
+void makeFrames(ranks::Ranks& ranks, FrameDivision division, const std::vector<std::size_t>& frames,
+                const FrameSteps& steps) {
     if (division == FrameDivision::frames) {
         experiments::forEachUnit(
-            ranks, count, [&](std::size_t frame) { return steps.describe(frame, steps.draw(frame)); },
-            steps.take);
+            ranks, frames.size(),
+            [&](std::size_t unit) { return steps.describe(frames[unit], steps.draw(frames[unit])); },
+            [&](std::size_t unit, experiments::Json made) { steps.take(frames[unit], std::move(made)); });
         return;
     }
-    for (std::size_t frame = 0; frame < count; ++frame) {
+    for (const std::size_t frame : frames) {
         render::Frame drawn = steps.draw(frame);
         std::size_t bytesSent = 0;
         experiments::mergeParts(ranks, drawn, bytesSent);

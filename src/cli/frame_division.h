@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <string_view>
+#include <vector>
 
 namespace cdr::cli {
 
@@ -29,7 +30,8 @@ struct FrameSteps {
     std::function<void(std::size_t frame, experiments::Json made)> take; ///< on the first rank, in order
 };
 
-/// Draws frames 0 to `count`. A rank is given frames in ascending order.
-void makeFrames(ranks::Ranks& ranks, FrameDivision division, std::size_t count, const FrameSteps& steps);
+/// Draws those frames, which ascend. A rank is given frames in ascending order.
+void makeFrames(ranks::Ranks& ranks, FrameDivision division, const std::vector<std::size_t>& frames,
+                const FrameSteps& steps);
 
 } // namespace cdr::cli

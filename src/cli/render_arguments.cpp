@@ -8,6 +8,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace cdr::cli {
 
 depth::NamedTechnique techniqueOf(const RenderArguments& arguments) {
@@ -64,6 +68,20 @@ nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth
     add("time", arguments.choice.seconds);
     add("fps", arguments.choice.framesPerSecond);
     return options;
+}
+
+std::string runText(const RenderArguments& arguments) {
+    constexpr std::array<std::string_view, 3> kLeftOut{"help", "json", "state"};
+    std::string text;
+    for (const CLI::Option* option : arguments.options->get_options()) {
+        const std::string name = option->get_single_name();
+        if (std::find(kLeftOut.begin(), kLeftOut.end(), name) == kLeftOut.end()) {
+            text += fmt::format("{}={}\n", name,
+                                option->count() > 0 ? fmt::format("{}", fmt::join(option->results(), " "))
+                                                    : option->get_default_str());
+        }
+    }
+    return text;
 }
 
 namespace {
@@ -146,6 +164,10 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     command.add_option(
         "--trace", arguments.trace,
         "Write workers, cascades and execute as a trace for ui.perfetto.dev or chrome://tracing");
+    command.add_option(
+        "--state", arguments.state,
+        "File that keeps what is made of each frame: started again, the run makes what is missing");
+    arguments.options = &command;
     command.add_flag("--hash", arguments.hash, "Print a SHA-256 of each output's values");
 }
 

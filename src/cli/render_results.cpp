@@ -1,7 +1,10 @@
 #include "render_results.h"
 
+#include <cdr/host/document.h>
 #include <cdr/host/file.h>
+#include <cdr/host/sha256.h>
 #include <experiments/frame_notes.h>
+#include <experiments/units.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -31,16 +34,30 @@ std::vector<std::string> notesOn(Command& command, bool isFirst, const FrameOutp
     return notes;
 }
 
+/// Of everything that the frames of a run depend on.
+std::string digestOf(const Command& command, const gpu::DeviceInfo& device,
+                     const RenderArguments& arguments) {
+    const host::BuildInfo build = host::buildInfo();
+    const nlohmann::ordered_json parts{{"version", build.version},
+                                       {"commit", build.commit},
+                                       {"device", {device.name, device.driver, device.api}},
+                                       {"options", runText(arguments)},
+                                       {"texture_memory", command.global().textureMiB.value_or(0)},
+                                       {"files", command.digestsOfRead()}};
+    return host::sha256Of(host::textOf(parts, -1));
+}
+
 } // namespace
 
 RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
                              const render::RenderOptions& options, const SequenceName& name,
-                             experiments::Aov aov)
+                             experiments::Aov aov, const experiments::FrameCameras& cameras)
     : m_command(command),
       m_arguments(arguments),
       m_options(options),
       m_name(name),
       m_aov(aov),
+      m_cameras(cameras),
       m_technique(techniqueOf(arguments).name),
       m_columns(renderColumns({.hash = arguments.hash, .certificate = !arguments.certify.empty()})),
       m_table(experiments::tableOf(m_columns, std::vector<RenderRow>())),
@@ -48,10 +65,42 @@ RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
     if (!arguments.certify.empty()) {
         m_certificates.emplace(arguments.certify, command, optionsJson(arguments, options.technique));
     }
+    if (arguments.state.empty()) {
+        return;
+    }
+    command.sayKept(arguments.state);
+    if (command.ranks().isFirst()) {
+        m_kept.emplace(
+            arguments.state,
+            experiments::UnitRun{.digest = digestOf(command, command.device().info(), arguments),
+                                 .units = cameras.frames},
+            KeptFrames::Shape{.cells = m_table.header.size(),
+                              .isCertified = m_certificates.has_value(),
+                              .picture = [this](std::size_t frame) { return m_name.at(numberOf(frame)); }});
+        if (m_kept->count() > 0) {
+            command.console().line(fmt::format("{} of {} frames are kept in {}", m_kept->count(),
+                                               cameras.frames, arguments.state.string()));
+        }
+    }
+}
+
+std::vector<std::size_t> RenderResults::missing() {
+    std::vector<std::uint32_t> frames;
+    for (std::uint32_t frame = 0; frame < m_cameras.frames; ++frame) {
+        if (!m_kept || !m_kept->has(frame)) {
+            frames.push_back(frame);
+        }
+    }
+    if (!m_arguments.state.empty()) { // which the first rank alone has read
+        frames = experiments::unpacked<std::uint32_t>(
+            experiments::Json::binary(m_command.ranks().share(experiments::packed(frames).get_binary())));
+    }
+    return {frames.begin(), frames.end()};
 }
 
 experiments::Json RenderResults::describe(const FrameOutput& made, bool isFirst) {
-    const std::string hash = m_arguments.hash || m_command.output().json ? made.hash(m_aov) : "";
+    const std::string hash =
+        m_arguments.hash || m_command.output().json || !m_arguments.state.empty() ? made.hash(m_aov) : "";
     const RenderRow row{made,        m_options, m_arguments.scene,
                         m_technique, hash,      scene::secondsAt(m_arguments.choice, made.number())};
     const auto& certified = made.certified();
@@ -67,21 +116,42 @@ experiments::Json RenderResults::describe(const FrameOutput& made, bool isFirst)
                            : experiments::Json()}};
 }
 
-void RenderResults::take(std::uint32_t number, experiments::Json made) {
+void RenderResults::take(std::size_t frame, experiments::Json made) {
+    addKept(frame);
+    if (!made.at("file").is_null()) {
+        host::writeFile(m_name.at(numberOf(frame)), made.at("file").get_binary());
+    }
+    if (m_kept) {
+        m_kept->keep(frame, made);
+    }
+    add(made);
+}
+
+std::uint32_t RenderResults::numberOf(std::size_t frame) const {
+    return m_cameras.first + static_cast<std::uint32_t>(frame);
+}
+
+void RenderResults::addKept(std::size_t before) {
+    for (; m_kept && m_added < before; ++m_added) {
+        if (m_kept->has(m_added)) {
+            add(m_kept->at(m_added));
+        }
+    }
+}
+
+void RenderResults::add(const experiments::Json& made) {
     for (const experiments::Json& note : made.at("notes")) {
         m_command.console().line(note.get<std::string>());
     }
     if (m_certificates) {
-        m_certificates->add(std::move(made.at("certificate")));
+        m_certificates->add(made.at("certificate"));
     }
-    if (!made.at("file").is_null()) {
-        host::writeFile(m_name.at(number), made.at("file").get_binary());
-    }
-    m_document["results"].push_back(std::move(made.at("row")));
+    m_document["results"].push_back(made.at("row"));
     m_table.rows.push_back(made.at("cells").get<std::vector<std::string>>());
 }
 
 void RenderResults::finish(const std::string& written) {
+    addKept(m_cameras.frames);
     const Console& console = m_command.console();
     console.table(m_table);
     console.line(m_command.opened().text());

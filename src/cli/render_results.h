@@ -3,45 +3,61 @@
 #include "certificate_file.h"
 #include "command.h"
 #include "frame_output.h"
+#include "kept_frames.h"
 #include "render_arguments.h"
 #include "sequence_name.h"
 
+#include <experiments/camera_options.h>
 #include <experiments/columns.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cdr::cli {
 
 /// What `render` gives out: pictures, rows of the table and of JSON, a certificate. Any rank describes a frame; the first
-/// takes what was described, in order.
+/// takes what was described, in order, and what earlier runs have kept of the frames between.
 class RenderResults {
   public:
     /// @param options as the frames are drawn. What is given by reference must outlive the results.
     RenderResults(Command& command, const RenderArguments& arguments, const render::RenderOptions& options,
-                  const SequenceName& name, experiments::Aov aov);
+                  const SequenceName& name, experiments::Aov aov, const experiments::FrameCameras& cameras);
+
+    /// The frames of the run, counted from its first, that are still to make; the same on all ranks, which all ask.
+    std::vector<std::size_t> missing();
 
     /// All of a frame that take() needs.
     /// @param isFirst whether it is the first frame of the run, which says what is drawn otherwise than asked.
     experiments::Json describe(const FrameOutput& made, bool isFirst);
     /// Writes the picture and keeps the rows.
-    void take(std::uint32_t number, experiments::Json made);
+    /// @param frame counted from the run's first.
+    void take(std::size_t frame, experiments::Json made);
     /// Prints the table and writes JSON and the certificate. ExitStatus::kFound where a frame was refused.
     /// @param written what became of the pictures, in words.
     void finish(const std::string& written);
 
   private:
+    std::uint32_t numberOf(std::size_t frame) const;
+    /// Those before a frame that no take() has brought yet.
+    void addKept(std::size_t before);
+    void add(const experiments::Json& made);
+
     Command& m_command;
     const RenderArguments& m_arguments;
     const render::RenderOptions& m_options;
     const SequenceName& m_name;
     experiments::Aov m_aov;
+    const experiments::FrameCameras& m_cameras;
     std::string m_technique;
     std::optional<CertificateFile> m_certificates;
     experiments::Columns<RenderRow> m_columns;
     experiments::Table m_table;
     nlohmann::ordered_json m_document;
+    std::optional<KeptFrames> m_kept; ///< on the first rank
+    std::size_t m_added = 0;          ///< frames
 };
 
 } // namespace cdr::cli

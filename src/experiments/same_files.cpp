@@ -39,6 +39,14 @@ std::vector<std::string> digestsOf(const std::vector<scene::GltfReference>& file
     return digests;
 }
 
+std::vector<scene::GltfReference> earthFiles(const std::filesystem::path& folder) {
+    std::vector<scene::GltfReference> files;
+    for (const char* name : {scenes::kEarthColor, scenes::kEarthTopography}) {
+        files.push_back({.uri = name, .path = folder / name});
+    }
+    return files;
+}
+
 /// @param what has these files, for the message.
 void requireAlike(ranks::Ranks& ranks, const std::string& what,
                   const std::vector<scene::GltfReference>& files) {
@@ -72,11 +80,20 @@ void requireSameEarth(ranks::Ranks& ranks, const std::filesystem::path& folder) 
     if (ranks.isAlone()) {
         return;
     }
-    std::vector<scene::GltfReference> files;
-    for (const char* name : {scenes::kEarthColor, scenes::kEarthTopography}) {
-        files.push_back({.uri = name, .path = folder / name});
+    requireAlike(ranks, "orbit", earthFiles(folder));
+}
+
+std::string digestOfFiles(const std::filesystem::path& path) {
+    std::vector<scene::GltfReference> files{{.uri = path.string(), .path = path}};
+    if (scene::isGltfPath(path)) {
+        const std::vector<scene::GltfReference> others = scene::gltfReferences(path);
+        files.insert(files.end(), others.begin(), others.end());
     }
-    requireAlike(ranks, "orbit", files);
+    return host::sha256Of(nlohmann::json(digestsOf(files)).dump());
+}
+
+std::string digestOfEarth(const std::filesystem::path& folder) {
+    return host::sha256Of(nlohmann::json(digestsOf(earthFiles(folder))).dump());
 }
 
 } // namespace cdr::experiments

@@ -3,6 +3,7 @@
 #include <ranks/ranks.h>
 
 #include <filesystem>
+#include <string>
 
 namespace cdr::experiments {
 
@@ -14,5 +15,10 @@ void requireSameFiles(ranks::Ranks& ranks, const std::filesystem::path& path);
 
 /// Of the pictures in that folder which the scene orbit shows; they may be missing, if on all ranks.
 void requireSameEarth(ranks::Ranks& ranks, const std::filesystem::path& folder);
+
+// Each: a SHA-256 of the same bytes. A file that cannot be read counts as such.
+
+std::string digestOfFiles(const std::filesystem::path& path);
+std::string digestOfEarth(const std::filesystem::path& folder);
 
 } // namespace cdr::experiments

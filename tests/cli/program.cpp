@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 namespace cdr::cli_test {
@@ -58,6 +59,23 @@ ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
     fs::remove(log + ".out");
     fs::remove(log + ".err");
     return result;
+}
+
+std::map<std::string, std::string> filesIn(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) {
+            const std::string text = readText(entry.path());
+            files[entry.path().lexically_relative(folder).string()] =
+                entry.path().extension() == ".json"
+                    ? std::regex_replace(text,
+                                         std::regex("(\"(?:[a-z_]+_ms|execute_speedup|ci95)\": )"
+                                                    "(?:\\[[^\\]]*\\]|[^,\n]+)"),
+                                         "$1")
+                    : text;
+        }
+    }
+    return files;
 }
 
 image::ImageRgba8 readPicture(const std::filesystem::path& path) {

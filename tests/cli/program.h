@@ -6,6 +6,7 @@
 #include <cdr/image/image.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace cdr::cli_test {
@@ -39,6 +40,9 @@ constexpr const char* kNoGpuDriven = "left out: gpu-driven submission, which the
 using test::TemporaryFolder;
 
 std::string readText(const std::filesystem::path& path);
+
+/// By name, every file of a folder; JSON without what measures time.
+std::map<std::string, std::string> filesIn(const std::filesystem::path& folder);
 
 image::ImageRgba8 readPicture(const std::filesystem::path& path);
 

@@ -9,7 +9,6 @@
 
 #include <cstdlib>
 #include <map>
-#include <random>
 #include <regex>
 #include <string>
 #include <vector>
@@ -32,24 +31,6 @@ class RanksCommand : public testing::Test {
         }
     }
 };
-
-/// Every file of a folder, without what measures time.
-std::map<std::string, std::string> filesIn(const fs::path& folder) {
-    std::map<std::string, std::string> files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file()) {
-            const std::string text = readText(entry.path());
-            files[entry.path().lexically_relative(folder).string()] =
-                entry.path().extension() == ".json"
-                    ? std::regex_replace(text,
-                                         std::regex("(\"(?:[a-z_]+_ms|execute_speedup|ci95)\": )"
-                                                    "(?:\\[[^\\]]*\\]|[^,\n]+)"),
-                                         "$1")
-                    : text;
-        }
-    }
-    return files;
-}
 
 /// Whether so many ranks leave the files that one process leaves.
 void expectSameFiles(const std::string& arguments, std::size_t fileCount,
@@ -404,56 +385,6 @@ TEST_F(RanksCommand, ADeviceLostAmongCascadesEndsAllInOneLine) {
 TEST_F(RanksCommand, DealOutTheDevicesOfAMachineUnderValidation) {
     expectSameFiles(
         "--device each --validate render cubes --size 64x36 --frames 3 -o f%d.png --json all.json", 4, {2});
-}
-
-/// For a shell: kills a rank once the state is another than before, and a random time more has passed.
-std::string killing(const std::string& victim, double seconds) {
-    return "{ { i=0; while [ $i -lt 500 ] && { [ ! -e state.json ] || cmp -s state.json before.json; }; do sleep 0.02; "
-           "i=$((i+1)); done; sleep " +
-           std::to_string(seconds) + "; kill -9 $(cat " + victim + "); } 2>kill.err & } && ";
-}
-
-/// Some rank is killed at some moment, again and again, and each start takes up what is missing with other ranks.
-TEST_F(RanksCommand, AFlickerRunThatIsKilledEndsAsOneThatIsNot) {
-    const bool isLong = std::getenv("CDR_ALL_CASES") != nullptr;
-    const std::string arguments =
-        "flicker --frames " + std::string(isLong ? "900" : "150") +
-        " --size 96x54 --near-object --techniques anchored --fitted-range --format d16 "
-        "--flip-every 4 --json all.json --state state.json";
-    const TemporaryFolder whole;
-    ASSERT_EQ(runProgram(arguments, whole.path()).status, 0);
-    const TemporaryFolder folder;
-    // A shell that says its number, and becomes the rank.
-    const std::string numbered = " sh -c 'echo $$ >pid.$OMPI_COMM_WORLD_RANK$PMI_RANK; exec \"$@\"' sh";
-    std::mt19937 random(2013);
-    int killed = 0;
-    const int kills = isLong ? 50 : 6;
-    const int attempts = isLong ? 10 * kills : kills;
-    for (int attempt = 0; attempt < attempts && killed < kills; ++attempt) {
-        const unsigned ranks = 1 + random() % 4;
-        const std::string victim = "pid." + std::to_string(random() % ranks);
-        const std::string environment = killing(victim, 0.01 * static_cast<double>(random() % 10)) +
-                                        test::launched(CDR_MPIEXEC, static_cast<int>(ranks)) + numbered;
-        const bool isWhole = runProgram(arguments, folder.path(), environment).status == 0;
-        killed += isWhole ? 0 : 1;
-        for (unsigned rank = 0; rank < ranks; ++rank) {
-            fs::remove(folder.path() / ("pid." + std::to_string(rank)));
-        }
-        if (isWhole) { // before the kill: the next run starts anew
-            EXPECT_EQ(readText(folder.path() / "all.json"), readText(whole.path() / "all.json"));
-            fs::remove(folder.path() / "state.json");
-            fs::remove(folder.path() / "before.json");
-        } else if (fs::exists(folder.path() / "state.json")) {
-            fs::copy_file(folder.path() / "state.json", folder.path() / "before.json",
-                          fs::copy_options::overwrite_existing);
-        }
-    }
-    std::printf("%d runs were killed\n", killed);
-    EXPECT_TRUE(!isLong || killed == kills) << killed;
-    const ProgramResult last = runAsRanks(3, arguments, folder.path());
-    EXPECT_EQ(last.status, 0) << last.err;
-    EXPECT_EQ(readText(folder.path() / "all.json"), readText(whole.path() / "all.json"));
-    EXPECT_EQ(readText(folder.path() / "state.json"), readText(whole.path() / "state.json"));
 }
 
 /// A job's scripts, as Slurm would start them.

@@ -148,6 +148,7 @@ void run(Command& command, FlickerArguments& arguments) {
     }
     if (options.state) {
         command.files().writes("--state", *options.state);
+        command.sayKept(*options.state);
     }
     const auto results = measure(command, arguments);
     if (!command.ranks().isFirst()) {

@@ -1,0 +1,78 @@
+#include "kept_frames.h"
+
+#include "certificate_file.h"
+
+#include <cdr/base/error.h>
+#include <cdr/host/file.h>
+#include <cdr/host/sha256.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace cdr::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using experiments::Json;
+
+bool isTexts(const Json& json) {
+    return json.is_array() &&
+           std::all_of(json.begin(), json.end(), [](const Json& text) { return text.is_string(); });
+}
+
+/// Whether RenderResults can take it. nlohmann::json::exception where a field is missing.
+bool isOfShape(const Json& made, const KeptFrames::Shape& shape) {
+    const Json& picture = made.at("picture");
+    const Json& certificate = made.at("certificate");
+    return isTexts(made.at("notes")) && made.at("row").is_object() && isTexts(made.at("cells")) &&
+           made.at("cells").size() == shape.cells && (picture.is_null() || picture.is_string()) &&
+           (shape.isCertified ? isCertificate(certificate) : certificate.is_null());
+}
+
+/// Whether the picture of a frame is there as it was written, if it has one.
+bool hasPicture(const Json& made, const fs::path& path) {
+    if (made.at("picture").is_null()) {
+        return true;
+    }
+    try {
+        const host::Bytes bytes = host::readFile(path, std::numeric_limits<std::uintmax_t>::max());
+        return host::sha256(bytes) == made.at("picture").get<std::string>();
+    } catch (const base::InputError&) {
+        return false;
+    }
+}
+
+} // namespace
+
+KeptFrames::KeptFrames(const fs::path& path, experiments::UnitRun run, const Shape& shape)
+    : m_file(path, std::move(run)),
+      m_made(m_file.made()) {
+    const auto isDamaged = [&](const Json& made) {
+        try {
+            return !isOfShape(made, shape);
+        } catch (const Json::exception&) {
+            return true;
+        }
+    };
+    for (const auto& [frame, made] : m_made) {
+        if (isDamaged(made)) {
+            throw base::InputError(
+                fmt::format("{}: holds no results of render; remove it or name another file", path.string()));
+        }
+    }
+    std::erase_if(m_made,
+                  [&](const auto& kept) { return !hasPicture(kept.second, shape.picture(kept.first)); });
+}
+
+void KeptFrames::keep(std::size_t frame, Json made) {
+    const Json& file = made.at("file");
+    made["picture"] = file.is_null() ? Json() : Json(host::sha256(file.get_binary()));
+    made.erase("file");
+    m_file.keep(frame, made);
+}
+
+} // namespace cdr::cli

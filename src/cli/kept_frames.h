@@ -1,0 +1,40 @@
+#pragma once
+
+#include <experiments/columns.h>
+#include <experiments/unit_state.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
+
+namespace cdr::cli {
+
+/// The frames that earlier runs of a `render --state` have made, counted from the first of the run: what
+/// RenderResults::describe() gave, but for the picture, which is in its file.
+class KeptFrames {
+  public:
+    /// What frames of the run are like.
+    struct Shape {
+        std::size_t cells = 0; ///< of a row of the table
+        bool isCertified = false;
+        std::function<std::filesystem::path(std::size_t frame)> picture{};
+    };
+
+    /// base::InputError where the file is the state of another run, damaged, or cannot be read or written.
+    KeptFrames(const std::filesystem::path& path, experiments::UnitRun run, const Shape& shape);
+
+    std::size_t count() const { return m_made.size(); }
+    bool has(std::size_t frame) const { return m_made.contains(frame); }
+    /// A frame that it has.
+    const experiments::Json& at(std::size_t frame) const { return m_made.at(frame); }
+    /// Keeps a frame whose picture is written.
+    /// @param made as RenderResults::describe() gave it.
+    void keep(std::size_t frame, experiments::Json made);
+
+  private:
+    experiments::UnitStateFile m_file;
+    std::map<std::size_t, experiments::Json>& m_made;
+};
+
+} // namespace cdr::cli

@@ -1,0 +1,144 @@
+#include "unit_state.h"
+
+#include <cdr/base/error.h>
+#include <cdr/host/file.h>
+#include <cdr/host/sha256.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace cdr::experiments {
+
+namespace {
+
+constexpr std::uintmax_t kMostStateBytes = std::uintmax_t{1} << 30u;
+constexpr std::string_view kStateName = "cdr state 1 ";
+constexpr std::size_t kDigits = 64; ///< of a SHA-256
+/// Of nested values; a writer of JSON goes down them by calls.
+constexpr int kDeepest = 8;
+
+bool isThere(const std::filesystem::path& path) {
+    std::error_code error; // readFile() says what is wrong with a file that may be there
+    return std::filesystem::status(path, error).type() != std::filesystem::file_type::not_found;
+}
+
+/// nlohmann::json::exception for what is no JSON.
+Json parseShallow(std::string_view text) {
+    return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
+        if (depth > kDeepest) {
+            throw base::InputError("is damaged");
+        }
+        return true;
+    });
+}
+
+/// A line of stateLineOf(), without its end.
+void readLine(std::string_view line, const UnitRun& run, UnitState& state) {
+    const std::string_view json = line.substr(std::min(line.size(), kDigits + 1));
+    if (json.empty() || line.substr(0, kDigits + 1) != host::sha256Of(json) + " ") {
+        throw base::InputError("is damaged");
+    }
+    Json record = parseShallow(json);
+    const Json& unit = record.at("unit");
+    if (!unit.is_number_unsigned() || unit.get<std::uint64_t>() >= run.units) {
+        throw base::InputError("holds what the run does not have");
+    }
+    state.made[unit.get<std::size_t>()] = std::move(record.at("made"));
+}
+
+UnitState parseState(std::string_view text, const UnitRun& run) {
+    UnitState state;
+    if (text.empty()) {
+        return state;
+    }
+    const std::string head = stateHeadOf(run);
+    if (!text.starts_with(kStateName)) {
+        throw base::InputError("is no state");
+    }
+    if (!text.starts_with(head)) {
+        throw base::InputError(
+            "is the state of a run with other options or files, another version or device");
+    }
+    state.bytes = head.size();
+    for (std::size_t end = 0; (end = text.find('\n', state.bytes)) != std::string_view::npos;
+         state.bytes = end + 1) {
+        readLine(text.substr(state.bytes, end - state.bytes), run, state);
+    }
+    return state;
+}
+
+} // namespace
+
+std::string stateHeadOf(const UnitRun& run) {
+    return fmt::format("{}{}\n", kStateName, run.digest);
+}
+
+std::string stateLineOf(std::size_t unit, const Json& made) {
+    const std::string json =
+        Json{{"unit", unit}, {"made", made}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return summed(json);
+}
+
+std::string summed(std::string_view text) {
+    return fmt::format("{} {}\n", host::sha256Of(text), text);
+}
+
+UnitState readUnitState(std::string_view text, const UnitRun& run, const std::string& name) {
+    std::string what;
+    try {
+        return parseState(text, run);
+    } catch (const nlohmann::json::exception&) {
+        what = "is damaged";
+    } catch (const base::InputError& error) {
+        what = error.what();
+    }
+    throw base::InputError(fmt::format("{}: {}; remove it or name another file", name, what));
+}
+
+UnitStateFile::UnitStateFile(std::filesystem::path path, UnitRun run)
+    : m_path(std::move(path)),
+      m_run(std::move(run)) {
+    if (!isThere(m_path)) {
+        host::requireWritable(m_path);
+        return;
+    }
+    const host::Bytes bytes = host::readFile(m_path, kMostStateBytes);
+    m_state =
+        readUnitState({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, m_run, m_path.string());
+    m_file.open(m_path, std::ios::binary | std::ios::app);
+    if (!m_file) {
+        throw base::InputError(m_path.string() + ": cannot be written");
+    }
+}
+
+void UnitStateFile::keep(std::size_t unit, const Json& result) {
+    if (!std::exchange(m_hasBegun, true)) {
+        begin();
+    }
+    errno = 0;
+    m_file << stateLineOf(unit, result) << std::flush;
+    if (!m_file) {
+        throw base::RunError(
+            fmt::format("{}: write failed: {}", m_path.string(), std::generic_category().message(errno)));
+    }
+}
+
+void UnitStateFile::begin() {
+    if (m_state.bytes == 0) {
+        m_file.close();
+        host::writeText(m_path, stateHeadOf(m_run)); // whole, so that there is no half a head
+        m_file.open(m_path, std::ios::binary | std::ios::app);
+        return;
+    }
+    std::error_code error;
+    std::filesystem::resize_file(m_path, m_state.bytes, error);
+    if (error) {
+        throw base::RunError(fmt::format("{}: write failed: {}", m_path.string(), error.message()));
+    }
+}
+
+} // namespace cdr::experiments

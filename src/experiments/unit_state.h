@@ -1,0 +1,59 @@
+#pragma once
+
+#include <experiments/columns.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace cdr::experiments {
+
+/// The run that a state belongs to.
+struct UnitRun {
+    std::string digest; ///< of everything that results depend on
+    std::size_t units = 0;
+};
+
+/// What a state holds.
+struct UnitState {
+    std::map<std::size_t, Json> made{}; ///< results by unit
+    std::uintmax_t bytes = 0;           ///< of the text; behind them lies what was cut off as it was written
+};
+
+// A state is lines of text: one that says of which run it is, and one for each result, which its SHA-256 stands in front of.
+std::string stateHeadOf(const UnitRun& run);
+std::string stateLineOf(std::size_t unit, const Json& made);
+/// A line of that text.
+std::string summed(std::string_view text);
+
+/// The state that a text holds; an empty text holds none of any run.
+/// @param name of the file, which a message begins with.
+/// base::InputError, in one line, for a damaged text or one of another run.
+UnitState readUnitState(std::string_view text, const UnitRun& run, const std::string& name);
+
+/// Keeps results of a run's units in a file, each as soon as it is there.
+class UnitStateFile {
+  public:
+    /// Takes up what an earlier run left. base::InputError as readUnitState(), and where the file cannot be read or written.
+    UnitStateFile(std::filesystem::path path, UnitRun run);
+
+    /// Those of earlier runs.
+    std::map<std::size_t, Json>& made() { return m_state.made; }
+    /// base::RunError where it cannot be written.
+    void keep(std::size_t unit, const Json& result);
+
+  private:
+    void begin();
+
+    std::filesystem::path m_path;
+    UnitRun m_run;
+    UnitState m_state;
+    std::ofstream m_file;
+    bool m_hasBegun = false; ///< to write
+};
+
+} // namespace cdr::experiments

@@ -1,0 +1,255 @@
+#include "../support/fault.h"
+#include "program.h"
+
+#include <cdr/host/file.h>
+#include <cdr/host/sha256.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cdr::cli_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> linesIn(const fs::path& path) {
+    std::vector<std::string> lines;
+    std::istringstream stream(readText(path));
+    for (std::string line; std::getline(stream, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+void writeLines(const fs::path& path, const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) {
+        text += line + "\n";
+    }
+    host::writeText(path, text);
+}
+
+/// A run that keeps its frames, and what it has left.
+class RenderState : public testing::Test {
+  protected:
+    static constexpr const char* kRender =
+        "render afc-near --depth standard --split fitted:1,max=2 --format d16 --size 96x54 --frame 3 --frames 5 "
+        "-o f%d.png --state s ";
+
+    fs::path at(const std::string& name) const { return m_folder.path() / name; }
+    ProgramResult run(const std::string& arguments, const std::string& environment = "") const {
+        return runProgram(arguments, m_folder.path(), environment);
+    }
+    auto files() const { return filesIn(m_folder.path()); }
+
+    /// The pictures that an action writes.
+    template <typename Action>
+    std::set<std::string> writtenBy(const Action& action) const {
+        std::map<std::string, fs::file_time_type> before;
+        for (const fs::directory_entry& entry : fs::directory_iterator(m_folder.path())) {
+            before[entry.path().filename().string()] = entry.last_write_time();
+        }
+        action();
+        std::set<std::string> written;
+        for (const fs::directory_entry& entry : fs::directory_iterator(m_folder.path())) {
+            const std::string name = entry.path().filename().string();
+            if (entry.path().extension() == ".png" &&
+                !(before.contains(name) && before.at(name) == entry.last_write_time())) {
+                written.insert(name);
+            }
+        }
+        return written;
+    }
+
+    void expectRefused(const std::string& arguments, const std::string& line) const {
+        const std::string state = readText(at("s"));
+        ProgramResult result;
+        EXPECT_TRUE(writtenBy([&] { result = run(arguments); }).empty());
+        EXPECT_EQ(result.status, 2) << arguments;
+        EXPECT_EQ(result.err, "cdr: " + line + "\n");
+        EXPECT_EQ(readText(at("s")), state);
+    }
+
+  private:
+    TemporaryFolder m_folder;
+};
+
+constexpr const char* kElsewhere = "; remove it or name another file";
+
+TEST_F(RenderState, MakesOnlyWhatIsMissing) {
+    const std::string render = std::string(kRender) + "--hash --json a.json";
+    ProgramResult first;
+    EXPECT_EQ(writtenBy([&] { first = run(render); }).size(), 5u);
+    ASSERT_EQ(first.status, 0) << first.err;
+    EXPECT_EQ(linesIn(at("s")).size(), 6u);
+    auto whole = files();
+    whole.erase("s");
+    const std::string table = first.out;
+
+    // All of it is there, times included.
+    const std::string json = readText(at("a.json"));
+    ProgramResult again;
+    EXPECT_TRUE(writtenBy([&] { again = run(render); }).empty());
+    EXPECT_EQ(again.out, "5 of 5 frames are kept in s\n" + table);
+    EXPECT_EQ(readText(at("a.json")), json);
+
+    // A picture that is gone, one that is another, one frame that was not kept and one that was cut off.
+    fs::remove(at("f3.png"));
+    std::string picture = readText(at("f5.png"));
+    picture[picture.size() / 2] = static_cast<char>(picture[picture.size() / 2] ^ 1);
+    host::writeText(at("f5.png"), picture);
+    std::vector<std::string> lines = linesIn(at("s"));
+    lines.erase(lines.begin() + 2);
+    writeLines(at("s"), lines);
+    fs::resize_file(at("s"), fs::file_size(at("s")) - 7);
+    fs::remove(at("a.json"));
+    EXPECT_EQ(writtenBy([&] { again = run(render); }),
+              (std::set<std::string>{"f3.png", "f4.png", "f5.png", "f7.png"}));
+    EXPECT_EQ(again.out.substr(0, again.out.find('\n')), "1 of 5 frames are kept in s");
+    auto files = this->files();
+    files.erase("s");
+    EXPECT_EQ(files, whole);
+    EXPECT_TRUE(writtenBy([&] { again = run(render); }).empty());
+}
+
+TEST_F(RenderState, IsOfOneRun) {
+    ASSERT_EQ(run(kRender).status, 0);
+    const std::string other =
+        std::string("s: is the state of a run with other options or files, another version or device") +
+        kElsewhere;
+    for (const char* option : {"--seed 7", "--threads 2", "--eye 0,0,1", "--snap-bits 8", "--hash",
+                               "--certify c.json", "--ranks cascades", "--aov id"}) {
+        expectRefused(std::string(kRender) + option, other);
+    }
+    expectRefused(std::string("--texture-memory 5 ") + kRender, other);
+    // What changes nothing of a frame.
+    for (const char* option : {"--json b.json", "--threads 1", "--aov color"}) {
+        EXPECT_EQ(run(std::string("--quiet --validate --bind ") + kRender + option).status, 0) << option;
+    }
+    EXPECT_EQ(linesIn(at("s")).size(), 6u);
+}
+
+/// The files that a model refers to, and those of a camera's path.
+TEST_F(RenderState, IsOfTheFilesThatWereRead) {
+    const fs::path assets = CDR_SOURCE_DIR "/tests/assets";
+    for (const char* name : {"well.gltf", "well.bin", "stone.jpg"}) {
+        fs::copy_file(assets / name, at(name));
+    }
+    const std::string render = "render well.gltf --size 32x18 --frames 2 -o f%d.png --state s";
+    ASSERT_EQ(run(render).status, 0);
+    EXPECT_EQ(run(render).out.substr(0, 11), "2 of 2 fram");
+    std::string buffer = readText(at("well.bin"));
+    buffer.back() = static_cast<char>(buffer.back() ^ 1);
+    host::writeText(at("well.bin"), buffer);
+    expectRefused(
+        render,
+        std::string("s: is the state of a run with other options or files, another version or device") +
+            kElsewhere);
+}
+
+TEST_F(RenderState, RefusesWhatIsNoStateOfItsOwn) {
+    ASSERT_EQ(run(kRender).status, 0);
+    const std::vector<std::string> lines = linesIn(at("s"));
+    const auto withRecord = [&](const nlohmann::ordered_json& made) {
+        const std::string json = nlohmann::ordered_json{{"unit", 1}, {"made", made}}.dump();
+        auto changed = lines;
+        changed.push_back(host::sha256Of(json) + " " + json);
+        writeLines(at("s"), changed);
+    };
+    const nlohmann::ordered_json good =
+        nlohmann::ordered_json::parse(lines[2].substr(lines[2].find(' '))).at("made");
+    withRecord(good);
+    EXPECT_EQ(run(kRender).status, 0);
+    for (const char* field : {"notes", "row", "cells", "certificate", "picture"}) {
+        auto made = good;
+        made[field] = 7;
+        withRecord(made);
+        expectRefused(kRender, std::string("s: holds no results of render") + kElsewhere);
+        made.erase(field);
+        withRecord(made);
+        expectRefused(kRender, std::string("s: holds no results of render") + kElsewhere);
+    }
+    auto made = good;
+    made["cells"].push_back("more");
+    withRecord(made);
+    expectRefused(kRender, std::string("s: holds no results of render") + kElsewhere);
+
+    auto damaged = lines;
+    damaged[3].back() = ' ';
+    writeLines(at("s"), damaged);
+    expectRefused(kRender, std::string("s: is damaged") + kElsewhere);
+    host::writeText(at("s"), "{}\n");
+    expectRefused(kRender, std::string("s: is no state") + kElsewhere);
+}
+
+TEST_F(RenderState, RefusesFilesThatItCannotKeep) {
+    const std::string render = "render cubes --size 32x18 -o f.png ";
+    for (const auto& [option, line] :
+         {std::pair("--state .", ".: names a folder, not a file to write"),
+          std::pair("--state no/s", "no/s: cannot be written, its folder is missing or read-only"),
+          std::pair("--state /dev/full", "/dev/full: not a regular file"),
+          std::pair("--state f.png", "f.png: both -o and --state would write it"),
+          std::pair("--state s --trace t.json",
+                    "--trace is of all frames, and --state leaves out those that are kept: give one")}) {
+        expectRefused(render + option, line);
+    }
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(RenderState, GoesOnWithACertificate) {
+    const std::string render =
+        "render afc --technique anchored --size 160x90 --frames 3 --aov wrong -o f%d.png --json a.json "
+        "--certify c.json --state s";
+    ASSERT_EQ(run(render).status, 0);
+    auto whole = files();
+    whole.erase("s");
+    for (const char* name : {"f1.png", "a.json", "c.json"}) {
+        fs::remove(at(name));
+    }
+    ProgramResult again;
+    EXPECT_EQ(writtenBy([&] { again = run(render); }), std::set<std::string>{"f1.png"});
+    EXPECT_EQ(again.status, 0) << again.err;
+    auto files = this->files();
+    files.erase("s");
+    EXPECT_EQ(files, whole);
+}
+
+/// A frame that was refused has no picture. It is not made again, and the run ends as it did.
+TEST_F(RenderState, KeepsThatAFrameWasRefused) {
+    const test::Fault beside{.call = "vkCmdSetViewport", .times = test::kForever, .result = 2};
+    const std::string render =
+        "--quiet render afc --technique anchored --size 160x90 -o f.png --certify c.json --state s";
+    const ProgramResult first = run(render, beside.environment());
+    ASSERT_EQ(first.status, 3) << first.err;
+    const std::string certificate = readText(at("c.json"));
+    fs::remove(at("c.json"));
+    const ProgramResult again = run(render, beside.environment());
+    EXPECT_EQ(again.status, 3);
+    EXPECT_EQ(again.err, first.err);
+    EXPECT_EQ(readText(at("c.json")), certificate);
+    EXPECT_EQ(linesIn(at("s")).size(), 2u);
+    EXPECT_FALSE(fs::exists(at("f.png")));
+}
+
+/// Before a device is lost, frames are kept, and the next run goes on from there.
+TEST_F(RenderState, GoesOnBehindALostDevice) {
+    const test::Fault lost{.call = "vkQueueSubmit2", .after = 4};
+    const ProgramResult first = run(kRender, lost.environment());
+    ASSERT_EQ(first.status, 1) << first.err;
+    const std::size_t kept = linesIn(at("s")).size() - 1;
+    ASSERT_GT(kept, 0u);
+    ASSERT_LT(kept, 5u);
+    ProgramResult again;
+    EXPECT_EQ(writtenBy([&] { again = run(kRender); }).size(), 5 - kept);
+    EXPECT_EQ(again.status, 0) << again.err;
+}
+
+} // namespace
+} // namespace cdr::cli_test

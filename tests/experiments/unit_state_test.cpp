@@ -1,0 +1,123 @@
+#include "../support/temporary_folder.h"
+
+#include <cdr/base/error.h>
+#include <cdr/host/file.h>
+#include <experiments/unit_state.h>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace cdr::experiments {
+namespace {
+
+const UnitRun kRun{.digest = std::string(64, 'a'), .units = 3};
+
+std::string wholeText() {
+    return stateHeadOf(kRun) + stateLineOf(2, {{"value", 0.1}}) + stateLineOf(0, "zero");
+}
+
+std::string refusalOf(const std::string& text) {
+    try {
+        readUnitState(text, kRun, "s");
+    } catch (const base::InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+std::string stateTextIn(const std::filesystem::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+TEST(UnitState, HoldsWhatWasKept) {
+    const UnitState state = readUnitState(wholeText(), kRun, "s");
+    ASSERT_EQ(state.made.size(), 2u);
+    EXPECT_EQ(state.made.at(2).at("value"), 0.1);
+    EXPECT_EQ(state.made.at(0), "zero");
+    EXPECT_EQ(state.bytes, wholeText().size());
+    EXPECT_TRUE(readUnitState("", kRun, "s").made.empty());
+}
+
+/// As a process that is killed leaves it. A head is written whole.
+TEST(UnitState, DropsALastLineThatWasCutOff) {
+    const std::string whole = wholeText();
+    const std::size_t head = stateHeadOf(kRun).size();
+    const std::size_t first = head + stateLineOf(2, {{"value", 0.1}}).size();
+    for (std::size_t size = head; size < whole.size(); ++size) {
+        const UnitState state = readUnitState(whole.substr(0, size), kRun, "s");
+        EXPECT_EQ(state.made.size(), size < first ? 0u : 1u) << size;
+        EXPECT_EQ(state.bytes, size < first ? head : first) << size;
+    }
+    for (std::size_t size = 1; size < head; ++size) {
+        EXPECT_NE(refusalOf(whole.substr(0, size)), "") << size;
+    }
+}
+
+TEST(UnitState, RefusesAnyByteThatIsAnother) {
+    const std::string whole = wholeText();
+    for (std::size_t i = 0; i + 1 < whole.size(); ++i) { // without the last line's end, that line was cut off
+        std::string damaged = whole;
+        damaged[i] = static_cast<char>(damaged[i] ^ 1);
+        EXPECT_NE(refusalOf(damaged), "") << i;
+    }
+}
+
+TEST(UnitState, SaysWhatIsWrong) {
+    const std::string head = stateHeadOf(kRun);
+    const std::string end = "; remove it or name another file";
+    EXPECT_EQ(refusalOf("{}"), "s: is no state" + end);
+    EXPECT_EQ(refusalOf(stateHeadOf({.digest = std::string(64, 'b'), .units = 3})),
+              "s: is the state of a run with other options or files, another version or device" + end);
+    EXPECT_EQ(refusalOf(head + stateLineOf(3, 1)), "s: holds what the run does not have" + end);
+    EXPECT_EQ(refusalOf(head + summed("{\"unit\":-1,\"made\":1}")),
+              "s: holds what the run does not have" + end);
+    for (const std::string text : {"", "{", "[]", "{\"unit\":0}", "{\"unit\":0,\"made\":1}}"}) {
+        EXPECT_EQ(refusalOf(head + summed(text)), "s: is damaged" + end) << text;
+    }
+    EXPECT_EQ(refusalOf(head + "\n"), "s: is damaged" + end);
+    const std::string deep(100'000, '[');
+    EXPECT_EQ(refusalOf(head + summed("{\"unit\":0,\"made\":" + deep + std::string(deep.size(), ']') + "}")),
+              "s: is damaged" + end);
+}
+
+TEST(UnitStateFile, GoesOnBehindWhatIsWhole) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "s";
+    {
+        UnitStateFile file(path, kRun);
+        EXPECT_FALSE(std::filesystem::exists(path)) << "nothing was kept yet";
+        file.keep(2, {{"value", 0.1}});
+    }
+    std::ofstream(path, std::ios::app) << "cut off";
+    {
+        UnitStateFile file(path, kRun);
+        EXPECT_EQ(file.made().size(), 1u);
+        file.keep(0, "zero");
+        EXPECT_EQ(stateTextIn(path), wholeText());
+    }
+    host::writeText(path, "");
+    UnitStateFile(path, kRun).keep(1, 1);
+    EXPECT_EQ(stateTextIn(path), stateHeadOf(kRun) + stateLineOf(1, 1));
+}
+
+/// A result that is kept again, since what it stands for was lost, replaces the one before.
+TEST(UnitStateFile, TakesTheLastOfAUnit) {
+    const UnitState state = readUnitState(wholeText() + stateLineOf(2, 7), kRun, "s");
+    EXPECT_EQ(state.made.at(2), 7);
+    EXPECT_EQ(state.made.size(), 2u);
+}
+
+TEST(UnitStateFile, RefusesWhatCannotBeWritten) {
+    const test::TemporaryFolder folder;
+    EXPECT_THROW(UnitStateFile(folder.path() / "missing/s", kRun), base::InputError);
+    EXPECT_THROW(UnitStateFile(folder.path(), kRun), base::InputError);
+    EXPECT_THROW(UnitStateFile("/dev/full", kRun), base::InputError);
+}
+
+} // namespace
+} // namespace cdr::experiments

@@ -1,0 +1,38 @@
+#include <cdr/base/error.h>
+#include <experiments/unit_state.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace {
+
+using namespace cdr::experiments;
+
+const UnitRun kRun{.digest = std::string(64, 'd'), .units = 4};
+
+void read(std::string_view text) {
+    try {
+        for (const auto& [unit, made] : readUnitState(text, kRun, "state").made) {
+            if (unit >= kRun.units || stateLineOf(unit, made).empty()) {
+                __builtin_trap();
+            }
+        }
+    } catch (const cdr::base::InputError& error) {
+        if (std::string_view(error.what()).find('\n') != std::string_view::npos) {
+            __builtin_trap();
+        }
+    }
+}
+
+} // namespace
+
+/// Any bytes are the state of a run, or are refused with base::InputError in one line. So is what has the right sums.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    read(text);
+    read(stateHeadOf(kRun) + std::string(text));
+    read(stateHeadOf(kRun) + summed(text));
+    return 0;
+}
