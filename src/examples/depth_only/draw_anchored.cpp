@@ -3,25 +3,26 @@
 namespace adoption {
 
 // quoted in src/cdr/README.md: begin
-using namespace cdr::depth;
+namespace depth = cdr::depth;
 
-void drawAnchored(Engine& engine, Cascades& cascades) { // keep `cascades` from frame to frame
-    std::vector<Interval> occupied;
+void drawAnchored(Engine& engine, depth::Cascades& cascades) { // keep `cascades` from frame to frame
+    std::vector<depth::Interval> occupied;
     for (const Object& object : engine.visible) {
         occupied.push_back({-object.centre.z - object.radius, -object.centre.z + object.radius});
     }
-    cascades =
-        makeCascades(SplitFitted{}, {.nearView = engine.nearView,
-                                     .farView = engine.farView,
-                                     .model = {Mapping::anchored, DepthFormat::d32f},
-                                     .footprintSlope = engine.footprintSlope, // 2 tan(fovY / 2) / height
-                                     .visible = occupied,
-                                     .previous = cascades});
+    cascades = depth::makeCascades(depth::SplitFitted{},
+                                   {.nearView = engine.nearView,
+                                    .farView = engine.farView,
+                                    .model = {depth::Mapping::anchored, depth::DepthFormat::d32f},
+                                    .footprintSlope = engine.footprintSlope, // 2 tan(fovY / 2) / height
+                                    .visible = occupied,
+                                    .previous = cascades});
     for (std::size_t i = cascades.size(); i-- > 0;) { // farthest first
-        const Cascade range = clipRange(Mapping::anchored, cascades, i);
-        const double anchorView = clipTerms(depthRange(Mapping::anchored, cascades, i)).anchorView;
+        const depth::Cascade range = depth::clipRange(depth::Mapping::anchored, cascades, i);
+        const double anchorView =
+            depth::clipTerms(depth::depthRange(depth::Mapping::anchored, cascades, i)).anchorView;
         engine.clearDepth(1.0f);
-        engine.setCascade(cascadeConstants(Mapping::anchored, cascades, i, engine.projection));
+        engine.setCascade(depth::cascadeConstants(depth::Mapping::anchored, cascades, i, engine.projection));
         for (const Object& object : engine.visible) {
             const double w = -object.centre.z;
             if (w + object.radius >= range.nearView && w - object.radius <= range.farView) {
