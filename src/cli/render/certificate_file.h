@@ -1,6 +1,6 @@
 #pragma once
 
-#include "command.h"
+#include "../command.h"
 
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/scene/camera.h>

@@ -1,6 +1,6 @@
 #include "certificate_file.h"
 
-#include "exit_status.h"
+#include "../exit_status.h"
 
 #include <cdr/host/document.h>
 

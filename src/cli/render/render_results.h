@@ -1,7 +1,7 @@
 #pragma once
 
+#include "../command.h"
 #include "certificate_file.h"
-#include "command.h"
 #include "frame_output.h"
 #include "kept_frames.h"
 #include "render_arguments.h"

@@ -1,5 +1,5 @@
-#include "command.h"
-#include "commands.h"
+#include "../command.h"
+#include "../commands.h"
 #include "frame_division.h"
 #include "frame_maker.h"
 #include "render_arguments.h"

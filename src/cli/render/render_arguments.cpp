@@ -1,6 +1,6 @@
 #include "render_arguments.h"
 
-#include "shared_options.h"
+#include "../shared_options.h"
 
 #include <cdr/base/error.h>
 #include <scenes/colours.h>
