@@ -112,6 +112,52 @@ TEST_F(SharedPipelinesTest, AddingToAWorldWhatItHasTheKindOfMakesNone) {
     }
 }
 
+/// What a renderer is prepared for comes without passes or pipelines of its own, but for those of its kind of draws.
+TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
+    for (const render::Submission submission : submissions()) {
+        scene::World world(boxScene());
+        const scene::MeshHandle mesh = world.mesh(0);
+        render::GpuScene onDevice(device(), world);
+        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+        options.submission = submission;
+        options.prepareFor = {.shine = true, .blended = true, .emission = true, .lights = 7};
+        render::Renderer renderer(device(), onDevice, options);
+        renderer.draw({});
+        const auto color = renderer.surfaces().color.image;
+        std::uint32_t object = 0;
+        for (const scene::Material& material :
+             {scene::Material{.shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f}},
+              scene::Material{.baseColorFactor = glm::vec4(0.5f), .alphaMode = scene::AlphaMode::blend},
+              scene::Material{.detail = {.emission = glm::vec3(0.5f)}}}) {
+            const scene::InstanceHandle instance =
+                world.addInstance({.mesh = mesh,
+                                   .material = world.addMaterial(material),
+                                   .object = object++,
+                                   .transform = {.position = {object - 2.0, 0.0, -4.0}}});
+            renderer.draw({});
+            EXPECT_EQ(renderer.surfaces().color.image, color) << nameOf(submission);
+            const std::uint64_t before = pipelinesMade(device());
+            world.removeInstance(instance);
+            renderer.draw({});
+            EXPECT_EQ(pipelinesMade(device()), before);
+        }
+        const std::uint64_t before = pipelinesMade(device());
+        for (int light = 0; light < 6; ++light) {
+            world.addLight({.position = {0.0, 5.0, 0.0}, .halfDistance = 10.0});
+            renderer.draw({});
+        }
+        EXPECT_EQ(pipelinesMade(device()), before);
+        EXPECT_EQ(renderer.surfaces().color.image, color);
+        EXPECT_EQ(hashOf(renderer.render({})), hashOf(draw(world.scene(), {}, options)));
+    }
+}
+
+TEST_F(SharedPipelinesTest, PreparingForTooManyLightsIsRefused) {
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    options.prepareFor.lights = render::kMostPreparedLights + 1;
+    EXPECT_THROW(draw(boxScene(), {}, options), base::InputError);
+}
+
 /// They share them, in whatever order they come and go.
 TEST_F(SharedPipelinesTest, ASecondRendererOfTheSameOptionsMakesNoPipelines) {
     const scene::SceneSetup setup = scenes::makeAfc(1);

@@ -21,14 +21,14 @@ const char* refusalOf(const DrawnScene& drawn, const RenderOptions& options) {
     if (options.focus.isOn()) {
         return "a lens with a focus reads the G-buffer";
     }
-    if (drawn.uploaded.hasBlended()) {
+    if (drawn.uploaded.hasBlended() || options.prepareFor.blended) {
         return "blended surfaces read the G-buffer";
+    }
+    if (drawn.uploaded.hasEmission() || options.prepareFor.emission) {
+        return "surfaces that emit light, or have an occlusion texture, read the G-buffer";
     }
     if (drawn.uploaded.hasLayers()) {
         return "materials with a layer set their depth per pixel";
-    }
-    if (drawn.uploaded.isLive()) {
-        return "its meshes are those of a scene that stays as it is";
     }
     return nullptr;
 }
@@ -43,16 +43,19 @@ std::optional<FacetMeshes> chooseFacets(const DrawnScene& drawn, const RenderOpt
     if (options.surface != SurfacePath::visibility) {
         return std::nullopt;
     }
+    FacetMeshes facets = FacetMeshes::of(drawn.scene, drawn.uploaded);
+    requireFacets(drawn, options, facets);
+    return facets;
+}
+
+void requireFacets(const DrawnScene& drawn, const RenderOptions& options, const FacetMeshes& facets) {
     if (const char* refusal = refusalOf(drawn, options)) {
         refuse(refusal);
     }
-    std::optional<FacetMeshes> facets = FacetMeshes::of(drawn.scene, drawn.uploaded);
-    if (!facets) {
+    if (!facets.suffice(drawn.scene, drawn.uploaded)) {
         refuse(
-            "a mesh is not made of a few plane faces of one colour, or a material is textured, masked, emits light or is "
-            "double-sided");
+            "a mesh is not made of a few plane faces of one colour, or a material is textured, masked or double-sided");
     }
-    return facets;
 }
 
 } // namespace cdr::render

@@ -12,4 +12,7 @@ namespace cdr::render {
 /// base::InputError, with the reason, where a visibility buffer is asked for and cannot be used.
 std::optional<FacetMeshes> chooseFacets(const DrawnScene& drawn, const RenderOptions& options);
 
+/// base::InputError, with the reason, where the scene has become one that facets do not do for.
+void requireFacets(const DrawnScene& drawn, const RenderOptions& options, const FacetMeshes& facets);
+
 } // namespace cdr::render

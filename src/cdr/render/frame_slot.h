@@ -67,8 +67,6 @@ struct Renderer::Passes {
     const gpu::Image& gbuffer() const { return resolve != nullptr ? resolve->gbuffer() : targets.gbuffer(); }
 
     vk::Extent2D extent;
-    bool lostShine;    ///< FrameStats::lostShine of every frame
-    bool lostEmission; ///< FrameStats::lostEmission of every frame
     Picture picture;
     OwnedTargets ownTargets;
     Targets& targets; ///< those

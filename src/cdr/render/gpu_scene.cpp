@@ -15,6 +15,7 @@
 #include <mutex>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace cdr::render {
 
@@ -54,11 +55,18 @@ class GpuScene::State {
         visibility::InstanceCells cells;
         bool isMade = false;
         std::uint64_t instances = 0; ///< of the world's changes
-        std::uint64_t tables = 0;    ///< m_tablesRevision
+        std::uint64_t readings = 0;  ///< m_readings
     };
 
     /// Mesh, material, mirrored.
     using KindKey = std::tuple<std::uint32_t, std::uint32_t, bool>;
+    /// What instances keep of their material.
+    struct SurfaceKind {
+        bool unlit = false;
+        bool blends = false;
+
+        bool operator==(const SurfaceKind&) const = default;
+    };
     /// How far the world's changes were followed.
     struct Followed {
         std::uint64_t instances = 0;
@@ -85,14 +93,18 @@ class GpuScene::State {
     Followed m_followed;
     std::uint64_t m_revision = 0;
     std::uint64_t m_tablesRevision = 0;
+    std::uint64_t m_meshesRevision = 0;
+    std::uint64_t m_readings = 0; ///< of all instances
     SceneMeshes m_meshes;
     SceneTextures m_textures;
     std::vector<MaterialWords> m_materials;
     bool m_isShiny = false;
     bool m_hasBlended = false;
     bool m_hasEmission = false;
-    std::vector<LayerPlace> m_layers; ///< by material
-    std::vector<DrawKind> m_kinds;    ///< only ever more
+    std::vector<SurfaceKind> m_surfaces; ///< by material
+    bool m_isEachInstanceStale = false;  ///< whether a material changed what instances keep of it
+    std::vector<LayerPlace> m_layers;    ///< by material
+    std::vector<DrawKind> m_kinds;       ///< only ever more
     std::vector<KindKey> m_kindKeys;
     std::map<KindKey, std::uint32_t> m_kindIndices;
     std::vector<DrawSource> m_sources;
@@ -169,6 +181,9 @@ std::uint64_t GpuScene::revision() const {
 std::uint64_t GpuScene::tablesRevision() const {
     return m_state->m_tablesRevision;
 }
+std::uint64_t GpuScene::meshesRevision() const {
+    return m_state->m_meshesRevision;
+}
 vk::Buffer GpuScene::vertices() const {
     return m_state->m_meshes.vertices().handle();
 }
@@ -243,17 +258,21 @@ void GpuScene::State::update() {
 
 void GpuScene::State::updateTables() {
     gpu::waitForQueue(m_device); // frames in flight read what is replaced
+    ++m_meshesRevision;
     const scene::World::Changes& changes = m_world->changes();
     if (m_followed.meshes != changes.meshes.end()) {
-        gpu::requireDeviceBytes(m_device, predictBytes(*m_scene), "scene " + m_scene->name);
-        m_meshes.upload(*m_scene);
+        m_meshes.follow(*m_scene, changes.meshes.since(m_followed.meshes));
     }
     followVertices();
     m_textures.follow(*m_scene, changes.textures.since(m_followed.textures));
     m_meshes.followDetails(*m_scene);
     readMaterials();
     readKinds();
-    readAllInstances();
+    if (m_isEachInstanceStale) {
+        readAllInstances();
+    } else {
+        updateInstances();
+    }
 }
 
 bool GpuScene::State::followVertices() {
@@ -272,6 +291,7 @@ bool GpuScene::State::followVertices() {
 
 void GpuScene::State::updateVertices() {
     gpu::waitForQueue(m_device); // frames in flight read what is replaced
+    ++m_meshesRevision;
     if (followVertices()) {
         readKinds();
     }
@@ -287,6 +307,7 @@ void GpuScene::State::readKinds() {
 void GpuScene::State::readMaterials() {
     m_materials.clear();
     m_layers = layerPlaces(m_scene->materials);
+    const std::vector<SurfaceKind> surfacesBefore = std::exchange(m_surfaces, {});
     m_isShiny = false;
     m_hasBlended = false;
     m_hasEmission = false;
@@ -296,7 +317,14 @@ void GpuScene::State::readMaterials() {
         m_isShiny = m_isShiny || (m_materials.back().cutoffAndShine & shaders::kShineMask) != 0;
         m_hasEmission = m_hasEmission || scene::hasEmission(material);
         m_hasBlended = m_hasBlended || material.alphaMode == scene::AlphaMode::blend;
+        m_surfaces.push_back(
+            {.unlit = material.unlit, .blends = material.alphaMode == scene::AlphaMode::blend});
     }
+    const std::size_t common = std::min(surfacesBefore.size(), m_surfaces.size());
+    m_isEachInstanceStale =
+        m_isEachInstanceStale ||
+        !std::equal(surfacesBefore.begin(), surfacesBefore.begin() + static_cast<std::ptrdiff_t>(common),
+                    m_surfaces.begin());
 }
 
 DrawKind GpuScene::State::kindOf(const KindKey& key) const {
@@ -342,6 +370,8 @@ void GpuScene::State::readAllInstances() {
         readInstance(i);
     }
     m_blended = visibility::blendedInstances(*m_scene);
+    m_isEachInstanceStale = false;
+    ++m_readings;
 }
 
 void GpuScene::State::updateInstances() {
@@ -369,9 +399,9 @@ const visibility::InstanceCells& GpuScene::State::cells(host::WorkerPool& worker
     if (!m_culled.isMade) {
         m_culled.cells.build(*m_scene, workers);
         m_culled.isMade = true;
-    } else if (m_culled.tables != m_tablesRevision || m_culled.instances != m_followed.instances) {
+    } else if (m_culled.readings != m_readings || m_culled.instances != m_followed.instances) {
         const auto changed = m_world->changes().instances.since(m_culled.instances);
-        if (changed && m_culled.tables == m_tablesRevision) {
+        if (changed && m_culled.readings == m_readings) {
             m_culled.cells.update(*m_scene, *changed, workers);
         } else {
             std::vector<std::uint32_t> all(m_scene->instances.size());
@@ -380,7 +410,7 @@ const visibility::InstanceCells& GpuScene::State::cells(host::WorkerPool& worker
         }
     }
     m_culled.instances = m_followed.instances;
-    m_culled.tables = m_tablesRevision;
+    m_culled.readings = m_readings;
     return m_culled.cells;
 }
 

@@ -74,6 +74,8 @@ class CDR_EXPORT GpuScene {
 
     /// Another number after each update() that changed more than instances: what a draw kind or a material says.
     std::uint64_t tablesRevision() const;
+    /// Another number after each update() that may have changed a mesh or a material.
+    std::uint64_t meshesRevision() const;
     /// Which instances changed.
     /// @lifetime That of the world, or the program's where there is none.
     const scene::ChangeLog& instanceChanges() const;

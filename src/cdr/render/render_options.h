@@ -20,6 +20,21 @@
 
 namespace cdr::render {
 
+/// What a world may come to hold, or what a scene without it is to be drawn as if it held. A first material that shines, blends
+/// or emits light has a renderer make its passes anew, and so does each further light the first time that there are as many. What
+/// is said here is made at the start instead, and costs time in each frame.
+struct PrepareFor {
+    bool shine = false;       ///< materials with scene::Material::shine
+    bool blended = false;     ///< materials of scene::AlphaMode::blend
+    bool emission = false;    ///< materials that emit light or have occlusion textures
+    std::uint32_t lights = 0; ///< so many point lights, at most kMostPreparedLights
+
+    bool operator==(const PrepareFor&) const = default;
+};
+
+/// Most PrepareFor::lights.
+inline constexpr std::uint32_t kMostPreparedLights = 65'536;
+
 /// What a renderer is made with.
 struct RenderOptions {
     std::uint32_t width = 1280;                        ///< of the picture in pixels
@@ -49,6 +64,7 @@ struct RenderOptions {
     /// Works out motion: how far each pixel's surface is from where it was in the last frame (Surfaces::motion,
     /// HostFrame::motion, Frame::motion). Each object must move as one. Not with a focus.
     bool motion = false;
+    PrepareFor prepareFor{}; ///< nothing but what the scene holds unless told
     /// Which cascades of each frame it draws; all unless told. What a frame counts is of all of them.
     CascadePart part{};
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for

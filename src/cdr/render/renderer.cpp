@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace cdr::render {
@@ -79,8 +80,6 @@ class Stopwatch {
 Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options,
                          const Needs& needs)
     : extent(checkedExtent(device, options, needs.blended)),
-      lostShine(losesShine(drawn.uploaded, options)),
-      lostEmission(losesEmission(drawn.uploaded, options)),
       picture(device, pictureOptions(extent, options, needs.blended, needs.sky)),
       ownTargets(makeOwnTargets(device, drawn, options, {needs.shiny, needs.emission}, picture)),
       targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),
@@ -98,7 +97,8 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
                .facets = drawsFacets(options),
                .marks = targets.marks(),
                .shadows = shadows != nullptr ? &shadows->mask() : nullptr,
-               .lights = static_cast<std::uint32_t>(drawn.scene.lights.size())}),
+               .lights = static_cast<std::uint32_t>(drawn.scene.lights.size()),
+               .preparedLights = options.prepareFor.lights}),
       resolve(drawsFacets(options) ? std::make_unique<ResolvePass>(device, targets.gbuffer()) : nullptr),
       translucent(needs.blended ? std::make_unique<TranslucentPass>(device, drawn, targets.gbuffer(),
                                                                     picture.lit(), options.translucency)
@@ -137,16 +137,9 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
     makePasses();
 }
 
-Renderer::Needs Renderer::needs() const {
-    return {.shiny = m_drawn.uploaded.isShiny() && !losesShine(m_drawn.uploaded, m_options),
-            .blended = m_drawn.uploaded.hasBlended(),
-            .emission = m_drawn.uploaded.hasEmission() && !losesEmission(m_drawn.uploaded, m_options),
-            .sky = m_drawn.scene.sky.has_value()};
-}
-
 void Renderer::makePasses() {
     auto made = std::make_unique<Passes>(m_device, m_drawn, m_options, m_needs);
-    made->lightRoom = m_drawn.scene.lights.size();
+    made->lightRoom = std::max<std::size_t>(m_drawn.scene.lights.size(), m_options.prepareFor.lights);
     if (m_options.occlusionCulling && m_options.submission == Submission::gpuDriven) {
         made->deviceOcclusion = m_paths->makeDeviceOcclusion(m_options.technique, made->extent);
     } else if (m_options.occlusionCulling) {
@@ -188,52 +181,6 @@ void Renderer::makeInputs(Slot& slot, std::size_t lightRoom) {
     if (m_passes->translucent != nullptr) {
         slot.translucent.emplace(m_passes->translucent->makeSlot(slot.shading));
     }
-}
-
-void Renderer::remake(const Needs& needs, const RenderOptions& options) {
-    const Needs needsBefore = std::exchange(m_needs, needs);
-    const RenderOptions optionsBefore = std::exchange(m_options, options);
-    // Pipelines that snap vertices do so for one size.
-    const bool snapsAnew = options.snapBits > 0 && options != optionsBefore;
-    std::unique_ptr<DrawPathFactory> paths;
-    try {
-        if (needs.shiny != needsBefore.shiny || needs.emission != needsBefore.emission || snapsAnew) {
-            paths = std::make_unique<DrawPathFactory>(m_device, m_drawn, chooseFacets(m_drawn, m_options),
-                                                      m_options, KeptSurfaces{needs.shiny, needs.emission});
-            std::swap(paths, m_paths);
-        }
-        makePasses();
-    } catch (...) { // all is as it was, and the next frame tries again
-        m_needs = needsBefore;
-        m_options = optionsBefore;
-        if (paths != nullptr) {
-            std::swap(paths, m_paths);
-        }
-        throw;
-    }
-}
-
-void Renderer::followScene() {
-    if (m_live != nullptr) {
-        m_live->update();
-    }
-    if (needs() != m_needs) {
-        finish();
-        remake(needs(), m_options);
-    }
-    if (m_revision != m_drawn.uploaded.revision()) {
-        m_paths->followKinds();
-    }
-    const std::size_t lights = m_drawn.scene.lights.size();
-    if (lights > m_passes->lightRoom) {
-        finish();
-        const std::size_t room = lights + lights / 2;
-        for (Slot& slot : m_passes->slots) {
-            makeInputs(slot, room);
-        }
-        m_passes->lightRoom = room;
-    }
-    m_revision = m_drawn.uploaded.revision();
 }
 
 Renderer::~Renderer() {
@@ -389,8 +336,8 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& deliv
         cull(slot.view);
     }
     slot.stats = {};
-    slot.stats.lostShine = m_passes->lostShine;
-    slot.stats.lostEmission = m_passes->lostEmission;
+    slot.stats.lostShine = m_drawn.uploaded.isShiny() && !keepsShine(m_options);
+    slot.stats.lostEmission = m_drawn.uploaded.hasEmission() && !keepsEmission(m_options);
     slot.stats.times.cullMs = watch.lap("cull");
     m_passes->cutter.cut(slot.view, *m_visible,
                          delivery.host != nullptr ? std::span<const depth::Interval>(delivery.host->occupied)

@@ -60,8 +60,9 @@ class CDR_EXPORT Renderer {
 
     /// Renders one frame, waits for it and copies it to the host; Frame::gbuffer stays empty unless asked
     /// for.
-    /// @throws base::InputError for an unusable camera or split, and with RenderOptions::motion where instances of one
-    ///         object moved apart since the last frame.
+    /// @throws base::InputError for an unusable camera or split, with RenderOptions::motion where instances of one
+    ///         object moved apart since the last frame, and with a visibility buffer where a world has come to hold what
+    ///         that cannot show: once it is gone, frames are drawn again.
     /// @throws base::RunError when what the frame draws has no room on the device.
     /// @throws std::system_error for Vulkan's other errors, a lost device among them.
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);
@@ -128,6 +129,13 @@ class CDR_EXPORT Renderer {
     enum class Destination { device, hostColor, host };
     Renderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene, GpuScene* live,
              const RenderOptions& options);
+    /// What facets were made from.
+    struct FacetsMadeFrom {
+        std::uint64_t meshesRevision = 0;
+        std::size_t kinds = 0;
+
+        bool operator==(const FacetsMadeFrom&) const = default;
+    };
     Needs needs() const;
     void makePasses();
     /// For what the scene needs, or for a picture of another size. Nothing may be in flight.
@@ -135,6 +143,7 @@ class CDR_EXPORT Renderer {
     void makeInputs(Slot& slot, std::size_t lightRoom);
     /// Takes over what changed in the scene.
     void followScene();
+    void followFacets();
     /// @param frame counted from 0, since the passes were made
     Slot& slotOf(std::size_t frame) const;
     Slot& nextSlot();
@@ -159,6 +168,7 @@ class CDR_EXPORT Renderer {
     host::WorkerPool m_workers;
     Needs m_needs;
     std::uint64_t m_revision = 0; ///< of the scene, as the passes know it
+    FacetsMadeFrom m_facetsMadeFrom;
     std::unique_ptr<DrawPathFactory> m_paths;
     std::unique_ptr<Passes> m_passes;
     std::unique_ptr<MotionHistory> m_motion; ///< where motion is worked out

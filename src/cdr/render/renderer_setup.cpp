@@ -82,15 +82,13 @@ TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const Rend
             .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0};
 }
 
-bool losesShine(const GpuScene& scene, const RenderOptions& options) {
+bool keepsShine(const RenderOptions& options) {
     const Occlusion& occlusion = options.effects.occlusion;
-    return scene.isShiny() && occlusion.radius > 0.0 && occlusion.perLayer;
+    return !(occlusion.radius > 0.0 && occlusion.perLayer);
 }
 
-bool losesEmission(const GpuScene& scene, const RenderOptions& options) {
-    const Occlusion& occlusion = options.effects.occlusion;
-    const bool hasOcclusionPerLayer = occlusion.radius > 0.0 && occlusion.perLayer;
-    return scene.hasEmission() && (hasOcclusionPerLayer || options.focus.isOn());
+bool keepsEmission(const RenderOptions& options) {
+    return keepsShine(options) && !options.focus.isOn();
 }
 
 std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
@@ -119,6 +117,10 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
     if (options.snapBits > kMaxSnapBits) {
         throw base::InputError(fmt::format("vertices are rounded to 0 (not) to {} sub-pixel bits, not {}",
                                            kMaxSnapBits, options.snapBits));
+    }
+    if (options.prepareFor.lights > kMostPreparedLights) {
+        throw base::InputError(fmt::format("a renderer is prepared for at most {} lights, not {}",
+                                           kMostPreparedLights, options.prepareFor.lights));
     }
     requireUsable(options.effects);
     if (options.part != CascadePart{}) {

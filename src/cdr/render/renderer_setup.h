@@ -24,11 +24,11 @@ PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options,
 TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options,
                               bool emission);
 
-/// FrameStats::lostShine of every frame.
-bool losesShine(const GpuScene& scene, const RenderOptions& options);
+/// Whether frames show how surfaces shine; else FrameStats::lostShine says so where a surface does.
+bool keepsShine(const RenderOptions& options);
 
-/// FrameStats::lostEmission of every frame.
-bool losesEmission(const GpuScene& scene, const RenderOptions& options);
+/// Whether frames show what surfaces emit; else FrameStats::lostEmission says so where a surface does.
+bool keepsEmission(const RenderOptions& options);
 
 /// To which vertices are rounded, by the device or by RenderOptions::snapBits.
 std::uint32_t subPixelBits(const gpu::Device& device, const RenderOptions& options);

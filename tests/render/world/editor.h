@@ -3,7 +3,9 @@
 #include <cdr/scene/world/world.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -23,7 +25,7 @@ struct Expected {
     };
     struct Look {
         scene::MaterialHandle handle;
-        scene::Material material; ///< its texture is a key of `textures`
+        scene::Material material; ///< its textures are keys of `textures`
     };
     std::vector<Object> objects;
     std::map<std::size_t, std::pair<scene::MeshHandle, scene::Mesh>> meshes;
@@ -48,9 +50,8 @@ struct Expected {
         for (const auto& [key, look] : materials) {
             materialAt[key] = static_cast<std::uint32_t>(made.materials.size());
             made.materials.push_back(look.material);
-            if (look.material.baseColorTexture) {
-                made.materials.back().baseColorTexture = textureAt.at(*look.material.baseColorTexture);
-            }
+            scene::forEachTexture(made.materials.back(),
+                                  [&](std::uint32_t& texture) { texture = textureAt.at(texture); });
         }
         std::vector<Object> ordered = objects;
         std::sort(ordered.begin(), ordered.end(),
@@ -69,7 +70,13 @@ struct Expected {
 /// Edits a world at random, and what is expected of it alike.
 class Editor {
   public:
-    Editor(std::uint64_t seed, World& world) : m_random(seed), m_world(world) {}
+    /// What meshes and materials are made: of all kinds, or such as a visibility buffer shows.
+    enum class Palette { any, facets };
+
+    Editor(std::uint64_t seed, World& world, Palette palette = Palette::any)
+        : m_random(seed),
+          m_world(world),
+          m_palette(palette) {}
 
     /// A world to begin with.
     void populate(std::size_t instances) {
@@ -89,8 +96,18 @@ class Editor {
     /// runs made anew, so what follows single changes is tried without.
     enum class Scope : std::size_t { moves = 600, instances = 985, all = 1000 };
 
-    void edit(Scope scope = Scope::all) {
-        const std::size_t kind = below(static_cast<std::size_t>(scope));
+    void edit(Scope scope = Scope::all) { edit(below(static_cast<std::size_t>(scope)), scope); }
+
+    /// Edits of each kind come as often.
+    void editEvenly() {
+        constexpr std::array<std::size_t, 7> kFirstOfKind{0, 600, 740, 890, 950, 965, 985};
+        edit(kFirstOfKind[below(kFirstOfKind.size())], Scope::all);
+    }
+
+    const Expected& expected() const { return m_expected; }
+
+  private:
+    void edit(std::size_t kind, Scope scope) {
         if (kind < 600) {
             move(1 + below(4), scope == Scope::moves);
         } else if (kind < 740) {
@@ -108,9 +125,6 @@ class Editor {
         }
     }
 
-    const Expected& expected() const { return m_expected; }
-
-  private:
     std::size_t below(std::size_t count) {
         return std::uniform_int_distribution<std::size_t>(0, count - 1)(m_random);
     }
@@ -150,11 +164,17 @@ class Editor {
         m_world.setTransforms(handles, transforms);
     }
 
+    /// Another one each time, in no order: each object is one that moves as a whole.
+    std::uint32_t nextObject() {
+        constexpr std::uint64_t kPrime = 1'000'003;
+        return static_cast<std::uint32_t>(++m_objects * 7919 % kPrime);
+    }
+
     void addInstance() {
         Expected::Object made{.handle = {},
                               .mesh = pick(m_expected.meshes)->first,
                               .material = pick(m_expected.materials)->first,
-                              .object = static_cast<std::uint32_t>(below(5000)),
+                              .object = nextObject(),
                               .transform = randomTransform()};
         made.handle = m_world.addInstance({.mesh = m_expected.meshes.at(made.mesh).first,
                                            .material = m_expected.materials.at(made.material).handle,
@@ -190,7 +210,12 @@ class Editor {
         }
         auto& [handle, mesh] = found->second;
         const bool hasFacets = below(2) == 0;
+        const auto scale = static_cast<float>(between(0.7, 1.4));
         for (scene::Vertex& vertex : mesh.vertices) {
+            if (m_palette == Palette::facets) {
+                vertex.position *= scale;
+                continue;
+            }
             vertex.position *= static_cast<float>(between(0.7, 1.4));
             vertex.normal = hasFacets ? glm::vec3(0.0f, 0.0f, 1.0f) : glm::normalize(vertex.position);
         }
@@ -224,9 +249,10 @@ class Editor {
 
     void addMesh() {
         scene::Mesh mesh = scene::makeBox({static_cast<float>(between(0.2, 1.0)), 0.5f, 0.4f});
-        if (below(2) == 0) {
+        if (m_palette == Palette::any && below(2) == 0) {
             for (scene::Vertex& vertex : mesh.vertices) {
                 vertex.normal = glm::normalize(vertex.position); // no facets
+                mesh.details.push_back({.tangent = {1.0f, 0.0f, 0.0f, 1.0f}, .uv = {vertex.normal}});
             }
             mesh.boxHalfSides.reset();
             // Half of it serves as a coarser level.
@@ -240,25 +266,41 @@ class Editor {
         scene::Material made{.name = "made",
                              .baseColorFactor = glm::vec4(static_cast<float>(between(0.1, 1.0)),
                                                           static_cast<float>(between(0.1, 1.0)), 0.5f, 0.6f)};
-        if (any) {
+        if (any && m_palette == Palette::any) {
             made.doubleSided = below(3) == 0;
             made.unlit = below(4) == 0;
             made.alphaMode = static_cast<scene::AlphaMode>(below(3));
             if (below(3) == 0) {
                 made.shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f};
             }
-            if (!m_expected.textures.empty() && below(2) == 0) {
-                made.baseColorTexture = static_cast<std::uint32_t>(pick(m_expected.textures)->first);
+            made.baseColorTexture = randomTexture();
+            if (below(3) == 0) {
+                made.detail.emission = glm::vec3(static_cast<float>(between(0.0, 0.5)));
+                made.detail.normal = randomUse();
+                made.detail.emissive = randomUse();
+                made.detail.occlusion = randomUse();
             }
         }
         return made;
     }
 
-    /// With the texture's place for its key.
-    scene::Material named(scene::Material material) const {
-        if (material.baseColorTexture) {
-            material.baseColorTexture = m_expected.textures.at(*material.baseColorTexture).first.index;
+    /// The key of one that is there, or none.
+    std::optional<std::uint32_t> randomTexture() {
+        if (m_expected.textures.empty() || below(2) == 0) {
+            return std::nullopt;
         }
+        return static_cast<std::uint32_t>(pick(m_expected.textures)->first);
+    }
+    std::optional<scene::TextureUse> randomUse() {
+        const std::optional<std::uint32_t> texture = randomTexture();
+        return texture ? std::optional(scene::TextureUse{.texture = *texture, .second = below(2) == 0})
+                       : std::nullopt;
+    }
+
+    /// With the textures' places for their keys.
+    scene::Material named(scene::Material material) const {
+        scene::forEachTexture(
+            material, [&](std::uint32_t& texture) { texture = m_expected.textures.at(texture).first.index; });
         return material;
     }
 
@@ -284,7 +326,10 @@ class Editor {
         case 3: {
             image::ImageRgba8 pixels(4, 4, {255, 255, 255, 255});
             pixels.pixels[below(16)] = {static_cast<std::uint8_t>(below(256)), 0, 0, 128};
-            const scene::Texture texture{.name = "made", .pixels = pixels, .repeatU = below(2) == 0};
+            const scene::Texture texture{.name = "made",
+                                         .pixels = pixels,
+                                         .repeatU = below(2) == 0,
+                                         .content = static_cast<scene::TextureContent>(below(2))};
             m_expected.textures[m_expected.nextKey++] = {m_world.addTexture(texture), texture};
             break;
         }
@@ -327,9 +372,19 @@ class Editor {
             return;
         }
         const auto removed = pick(m_expected.textures);
+        const auto drop = [&](auto& texture, std::size_t key) {
+            if (texture && key == removed->first) {
+                texture.reset();
+            }
+        };
         for (auto& [key, look] : m_expected.materials) {
-            if (look.material.baseColorTexture == removed->first) {
-                look.material.baseColorTexture.reset();
+            const scene::Material before = look.material;
+            scene::MaterialDetail& detail = look.material.detail;
+            drop(look.material.baseColorTexture, before.baseColorTexture.value_or(0));
+            for (auto* use : {&detail.normal, &detail.emissive, &detail.occlusion}) {
+                drop(*use, *use ? (*use)->texture : 0);
+            }
+            if (before.detail != detail || before.baseColorTexture != look.material.baseColorTexture) {
                 m_world.setMaterial(look.handle, named(look.material));
             }
         }
@@ -339,6 +394,8 @@ class Editor {
 
     std::mt19937_64 m_random;
     World& m_world;
+    Palette m_palette;
+    std::uint64_t m_objects = 0; ///< that got a number
     Expected m_expected;
 };
 

@@ -2,6 +2,7 @@
 #include "editor.h"
 
 #include <cdr/base/error.h>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <array>
 #include <cstdlib>
@@ -103,6 +104,26 @@ auto oneOf(std::mt19937_64& random, const Values& values) {
     return values[std::uniform_int_distribution<std::size_t>(0, std::size(values) - 1)(random)];
 }
 
+/// Shadows, a lens with a focus, motion and effects, as far as these go with the rest.
+void addEffects(std::mt19937_64& random, render::RenderOptions& options) {
+    const auto isDrawn = [&](int outOf) { return std::uniform_int_distribution<int>(1, outOf)(random) == 1; };
+    options.effects.antialias = oneOf(random, render::kAntialiases);
+    options.effects.fog.visibility = isDrawn(2) ? 500.0 : 0.0;
+    if (isDrawn(4)) {
+        options.targets = TargetsKind::layers;
+        options.occlusionCulling = false;
+        options.focus = {.distance = 20.0, .aperture = 0.2};
+        return;
+    }
+    options.motion = isDrawn(2);
+    options.effects.occlusion.radius = isDrawn(2) ? 2.0 : 0.0;
+    options.effects.occlusion.perLayer = render::hasLayers(options.targets.kind) && isDrawn(2);
+    if (isDrawn(2)) {
+        options.detail = {};
+        options.shadows = {.method = render::ShadowMethod::anchored, .mostTexels = 64};
+    }
+}
+
 /// Options by lot, of those that may go together.
 render::RenderOptions randomOptions(std::mt19937_64& random, const std::vector<Submission>& submissions) {
     constexpr std::array kTechniques{"standard", "cdr", "logcdr", "reversed", "anchored"};
@@ -116,9 +137,9 @@ render::RenderOptions randomOptions(std::mt19937_64& random, const std::vector<S
     options.translucency = {.method = oneOf(random, render::kTranslucencies), .countsFragments = true};
     options.occlusionCulling = oneOf(random, kYesOrNo);
     if (oneOf(random, kYesOrNo)) {
-        options.detail = {};
-        options.shadows = {.method = render::ShadowMethod::anchored, .mostTexels = 64};
+        options.detail.mode = visibility::DetailMode::perCascade;
     }
+    addEffects(random, options);
     return options;
 }
 
@@ -130,9 +151,12 @@ std::string describe(const render::RenderOptions& options) {
           render::nameOf(options.shadows.method)}) {
         text.append(", ").append(name);
     }
-    return text + (options.occlusionCulling ? ", occlusion culling, " : ", ") +
-           std::to_string(options.threads) + " threads, " + std::to_string(options.framesInFlight) +
-           " in flight";
+    const auto said = [](bool is, const char* what) { return is ? what : ""; };
+    return text + said(options.occlusionCulling, ", occlusion culling") + said(options.motion, ", motion") +
+           said(options.focus.isOn(), ", focus") +
+           said(options.effects.occlusion.radius > 0.0, ", ambient occlusion") +
+           said(options.effects.occlusion.perLayer, " per layer") + ", " + std::to_string(options.threads) +
+           " threads, " + std::to_string(options.framesInFlight) + " in flight";
 }
 
 /// The same rule for renderers of options by lot, seen from changing places. CDR_ALL_CASES takes more seeds.
@@ -171,10 +195,114 @@ TEST_F(WorldTest, RenderersOfAnyOptionsShowAnyEdits) {
                 ASSERT_EQ(hashOf(frame), hashOf(wanted))
                     << "seed " << seed << ", batch " << batch << ": " << describe(renderer->options());
                 ASSERT_EQ(frame.fragmentCounts.pixels, wanted.fragmentCounts.pixels);
+                ASSERT_EQ(frame.motion.pixels, wanted.motion.pixels);
+                ASSERT_EQ(frame.reached.pixels, wanted.reached.pixels);
             }
             ASSERT_EQ(messageCount(), 0u);
         }
     }
+}
+
+/// After every single edit, of which half change meshes, materials, textures or lights.
+TEST_F(WorldTest, EachEditIsShownAtOnce) {
+    for (const Submission submission : submissions()) {
+        World world;
+        Editor editor(77, world);
+        editor.populate(40);
+        render::GpuScene onDevice(device(), world);
+        const render::RenderOptions options = optionsFor("anchored", submission, TargetsKind::single, 2, 2);
+        render::Renderer renderer(device(), onDevice, options);
+        for (int edit = 0; edit < 150; ++edit) {
+            editor.editEvenly();
+            renderer.forgetFrames();
+            ASSERT_EQ(hashOf(renderer.render(ahead())),
+                      hashOf(draw(editor.expected().build(), ahead(), options)))
+                << "edit " << edit << ", " << nameOf(submission);
+        }
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// A visibility buffer shows worlds of what it can show.
+TEST_F(WorldTest, AVisibilityBufferFollowsEdits) {
+    World world;
+    Editor editor(5, world, Editor::Palette::facets);
+    editor.populate(100);
+    render::GpuScene onDevice(device(), world);
+    std::vector<std::unique_ptr<render::Renderer>> renderers;
+    for (render::RenderOptions options :
+         {optionsFor("anchored", Submission::secondaries, TargetsKind::single, 1, 1),
+          optionsFor("cdr", Submission::primaries, TargetsKind::layers, 4, 3)}) {
+        options.surface = render::SurfacePath::visibility;
+        options.occlusionCulling = options.threads == 1;
+        renderers.push_back(std::make_unique<render::Renderer>(device(), onDevice, options));
+    }
+    for (int batch = 0; batch < 40; ++batch) {
+        for (int half = 0; half < 2; ++half) {
+            for (int i = 0; i < batch; ++i) {
+                editor.editEvenly();
+            }
+            for (const auto& renderer : renderers) {
+                renderer->submit(ahead());
+            }
+        }
+        const scene::Scene built = editor.expected().build();
+        for (const auto& renderer : renderers) {
+            renderer->forgetFrames();
+            ASSERT_EQ(hashOf(renderer->render(ahead())), hashOf(draw(built, ahead(), renderer->options())))
+                << "batch " << batch << ", " << nameOf(renderer->options().submission);
+        }
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// What it cannot show is refused in each frame until it is gone, and nothing else is lost.
+TEST_F(WorldTest, AVisibilityBufferRefusesWhatItCannotShow) {
+    scene::Scene scene = boxScene();
+    addBox(scene, {0.0, 0.0, -5.0});
+    World world(scene);
+    render::GpuScene onDevice(device(), world);
+    render::RenderOptions options =
+        optionsFor("anchored", Submission::secondaries, TargetsKind::single, 1, 2);
+    options.surface = render::SurfacePath::visibility;
+    render::Renderer renderer(device(), onDevice, options);
+    const std::string before = hashOf(renderer.render(ahead()));
+    scene::Mesh bent = scene::makeBox(glm::vec3(0.5f));
+    for (scene::Vertex& vertex : bent.vertices) {
+        vertex.normal = glm::normalize(vertex.position);
+    }
+    const scene::MeshHandle mesh = world.addMesh(bent);
+    for (const scene::Material& material :
+         {scene::Material{.name = "plain"}, scene::Material{.alphaMode = scene::AlphaMode::blend},
+          scene::Material{.detail = {.emission = glm::vec3(1.0f)}}, scene::Material{.layer = 1.0f}}) {
+        const scene::MaterialHandle look = world.addMaterial(material);
+        const scene::InstanceHandle instance = world.addInstance(
+            {.mesh = mesh, .material = look, .object = 1, .transform = {.position = {1.0, 0.0, -4.0}}});
+        EXPECT_THROW(renderer.render(ahead()), base::InputError);
+        EXPECT_THROW(renderer.submit(ahead()), base::InputError);
+        world.removeInstance(instance);
+        world.removeMaterial(look);
+        EXPECT_EQ(hashOf(renderer.render(ahead())), before);
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// A further mesh goes behind those that are there.
+TEST_F(WorldTest, AddingAMeshSeldomUploadsTheOthers) {
+    World world(boxScene());
+    render::GpuScene onDevice(device(), world);
+    int uploads = 0;
+    for (int i = 0; i < 200; ++i) {
+        const vk::Buffer vertices = onDevice.vertices();
+        const scene::MeshHandle mesh = world.addMesh(scene::makeBox(glm::vec3(1.0f)));
+        onDevice.update();
+        uploads += onDevice.vertices() == vertices ? 0 : 1;
+        if (i % 2 == 0) {
+            world.removeMesh(mesh);
+        }
+    }
+    EXPECT_GE(uploads, 1);
+    EXPECT_LE(uploads, 9); // each makes twice the room that is needed
 }
 
 /// The truth reads the world's scene itself: what was removed is not in it, and what is drawn is.

@@ -2,42 +2,63 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace cdr::render {
 
-std::optional<FacetMeshes> FacetMeshes::of(const scene::Scene& scene, const GpuScene& gpuScene) {
+std::uint32_t FacetMeshes::add(const scene::Mesh& mesh) {
+    std::vector<FacetSolid> solids;
+    const auto make = [&](const std::vector<std::uint32_t>& indices) {
+        std::optional<FacetSolid> solid = FacetSolid::of(mesh, indices);
+        if (solid) {
+            solids.push_back(std::move(*solid));
+        }
+        return solid.has_value();
+    };
+    const auto makeLevel = [&](const scene::MeshLevel& level) { return make(level.indices); };
+    if (!make(mesh.indices) || !std::all_of(mesh.levels.begin(), mesh.levels.end(), makeLevel)) {
+        return kNone;
+    }
+    const auto first = static_cast<std::uint32_t>(m_solids.size());
+    for (FacetSolid& solid : solids) {
+        const FacetPattern& whole = solid.whole();
+        m_most.vertices = std::max(m_most.vertices, static_cast<std::uint32_t>(whole.vertices.size()));
+        m_most.indices = std::max(m_most.indices, static_cast<std::uint32_t>(whole.indices.size()));
+        m_most.facets = std::max(m_most.facets, static_cast<std::uint32_t>(whole.facets.size()));
+        m_solids.push_back(std::move(solid));
+    }
+    return first;
+}
+
+FacetMeshes FacetMeshes::of(const scene::Scene& scene, const GpuScene& gpuScene) {
     FacetMeshes meshes;
     std::map<std::uint32_t, std::uint32_t> firstOfMesh;
-    const auto add = [&](const scene::Mesh& mesh, const std::vector<std::uint32_t>& indices) {
-        std::optional<FacetSolid> solid = FacetSolid::of(mesh, indices);
-        if (!solid) {
-            return false;
-        }
-        const FacetPattern& whole = solid->whole();
-        FacetCounts& most = meshes.m_most;
-        most.vertices = std::max(most.vertices, static_cast<std::uint32_t>(whole.vertices.size()));
-        most.indices = std::max(most.indices, static_cast<std::uint32_t>(whole.indices.size()));
-        most.facets = std::max(most.facets, static_cast<std::uint32_t>(whole.facets.size()));
-        meshes.m_solids.push_back(std::move(*solid));
-        return true;
-    };
     for (const DrawKind& kind : gpuScene.kinds()) {
-        const auto [first, isNew] =
-            firstOfMesh.try_emplace(kind.meshIndex, static_cast<std::uint32_t>(meshes.m_solids.size()));
-        meshes.m_firstOfKind.push_back(first->second);
         if (kind.variant != kFacetedVariant) {
-            return std::nullopt;
-        }
-        if (!isNew) {
+            meshes.m_firstOfKind.push_back(kNone);
             continue;
         }
-        const scene::Mesh& mesh = scene.meshes[kind.meshIndex];
-        const auto addLevel = [&](const scene::MeshLevel& level) { return add(mesh, level.indices); };
-        if (!add(mesh, mesh.indices) || !std::all_of(mesh.levels.begin(), mesh.levels.end(), addLevel)) {
-            return std::nullopt;
+        const auto [first, isNew] = firstOfMesh.try_emplace(kind.meshIndex, kNone);
+        if (isNew) {
+            first->second = meshes.add(scene.meshes[kind.meshIndex]);
         }
+        meshes.m_firstOfKind.push_back(first->second);
     }
     return meshes;
+}
+
+bool FacetMeshes::suffice(const scene::Scene& scene, const GpuScene& gpuScene) const {
+    if (std::find(m_firstOfKind.begin(), m_firstOfKind.end(), kNone) == m_firstOfKind.end()) {
+        return true;
+    }
+    for (std::size_t i = 0; i < gpuScene.sources().size(); ++i) {
+        const bool isThere = scene.instances.radius[i] != scene::kNoRadius;
+        if (isThere && m_firstOfKind[gpuScene.sources()[i].kind] == kNone) {
+            return false;
+        }
+    }
+    return true;
 }
 
 std::uint64_t bytesPerDraw(const FacetCounts& most) {

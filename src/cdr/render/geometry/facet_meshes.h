@@ -6,7 +6,6 @@
 #include <cdr/scene/scene.h>
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace cdr::render {
@@ -14,9 +13,12 @@ namespace cdr::render {
 /// The meshes of a scene whose every instance is drawn by facets.
 class FacetMeshes {
   public:
-    /// Empty where the scene has an opaque instance that is not: textured, masked, double-sided or blended, or of
-    /// a mesh that is no FacetSolid at one of its levels.
-    static std::optional<FacetMeshes> of(const scene::Scene& scene, const GpuScene& gpuScene);
+    /// Of the kinds of draws that the scene has.
+    static FacetMeshes of(const scene::Scene& scene, const GpuScene& gpuScene);
+
+    /// Whether every instance can be drawn by facets: none is textured, masked, double-sided or blended, or of a mesh
+    /// that is no FacetSolid at one of its levels. Takes time by the number of instances where some kind cannot.
+    bool suffice(const scene::Scene& scene, const GpuScene& gpuScene) const;
 
     /// @param kind into GpuScene::kinds(). @param level of detail, 0 for the mesh itself.
     const FacetSolid& solid(std::uint32_t kind, std::uint32_t level) const {
@@ -26,8 +28,12 @@ class FacetMeshes {
     const FacetCounts& most() const { return m_most; }
 
   private:
+    static constexpr std::uint32_t kNone = ~0u;
+    /// A mesh and its levels; kNone where one of them is no FacetSolid.
+    std::uint32_t add(const scene::Mesh& mesh);
+
     std::vector<FacetSolid> m_solids;         ///< mesh by mesh, level by level
-    std::vector<std::uint32_t> m_firstOfKind; ///< into m_solids
+    std::vector<std::uint32_t> m_firstOfKind; ///< into m_solids; kNone where facets do not do
     FacetCounts m_most;
 };
 

@@ -7,6 +7,8 @@
 #include <cdr/render/geometry/facet_meshes.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
 
+#include <utility>
+
 namespace cdr::render {
 
 /// How the draws of one technique are recorded into a visibility buffer.
@@ -30,6 +32,8 @@ class FacetPass {
     void record(vk::CommandBuffer commands, const DrawJob& job, const Recording& recording) const;
 
     const FacetMeshes& meshes() const { return m_meshes; }
+    /// Draws a scene of a world with other meshes from the next frame on.
+    void setMeshes(FacetMeshes meshes) { m_meshes = std::move(meshes); }
     vk::Format depthFormat() const { return m_depthFormat; }
     /// Of the colour attachment; eUndefined where there is none.
     vk::Format surfaceFormat() const;

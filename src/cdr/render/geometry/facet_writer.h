@@ -19,6 +19,8 @@ struct FacetCounts {
     std::uint32_t vertices = 0;
     std::uint32_t indices = 0;
     std::uint32_t facets = 0;
+
+    bool operator==(const FacetCounts&) const = default;
 };
 
 /// Where a writer writes, mapped and with room for all that it is given.

@@ -117,6 +117,12 @@ ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, c
                       : nullptr),
       m_options(options) {
     passFor(options.lights);
+    if (options.preparedLights > 0) {
+        for (std::uint32_t lights = 0; lights <= std::min(options.preparedLights, shaders::kFlatLights + 1);
+             ++lights) {
+            passFor(lights);
+        }
+    }
 }
 
 FullscreenPass& ShadingPass::passFor(std::uint32_t lights) {

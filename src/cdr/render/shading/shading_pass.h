@@ -54,6 +54,7 @@ struct ShadingOptions {
     const gpu::Image* marks = nullptr;   ///< Targets::marks()
     const gpu::Image* shadows = nullptr; ///< ShadowPass::mask(); null: lights reach everything
     std::uint32_t lights = 0; ///< as many as the scene has at first; up to shaders::kFlatLights cost least
+    std::uint32_t preparedLights = 0; ///< PrepareFor::lights
 };
 
 /// Deferred shading: reads the final G-buffer, sums ambient and point lights, less what occlusion and fog

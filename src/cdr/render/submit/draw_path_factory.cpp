@@ -80,6 +80,18 @@ void DrawPathFactory::followKinds() {
     }
 }
 
+void DrawPathFactory::setFacets(const FacetMeshes& facets) {
+    for (const HostPasses* passes : {&m_surfaces, &m_occluders}) {
+        if (passes->facets != nullptr) {
+            passes->facets->setMeshes(facets);
+        }
+    }
+}
+
+const FacetMeshes* DrawPathFactory::facets() const {
+    return m_surfaces.facets != nullptr ? &m_surfaces.facets->meshes() : nullptr;
+}
+
 std::unique_ptr<HostDraws> DrawPathFactory::makeOccluders(host::WorkerPool& workers) const {
     return makeDraws(m_occluders, workers);
 }

@@ -44,6 +44,10 @@ class DrawPathFactory {
 
     /// Makes the pipelines of draw kinds that came to the scene; those that are there stay.
     void followKinds();
+    /// What a visibility buffer is drawn from is now this.
+    void setFacets(const FacetMeshes& facets);
+    /// The same, as it is; null for a G-buffer.
+    const FacetMeshes* facets() const;
 
   private:
     /// What draws of the CPU are recorded with: one of both.

@@ -19,10 +19,10 @@ gpu::Buffer makeStream(const gpu::Device& device, std::size_t bytes, vk::BufferU
 } // namespace
 
 void FacetDraws::makeRoom(std::size_t draws) {
-    if (m_room > 0 && draws <= m_room) {
+    const FacetCounts& most = m_pass.meshes().most();
+    if (m_room > 0 && draws <= m_room && most == m_most) {
         return;
     }
-    const FacetCounts& most = m_pass.meshes().most();
     const std::uint64_t mostTexels = device().physical().getProperties().limits.maxTexelBufferElements;
     const std::uint64_t texels = draws * most.facets * kTexelsPerFacet;
     if (texels > mostTexels) {
@@ -34,6 +34,7 @@ void FacetDraws::makeRoom(std::size_t draws) {
     gpu::requireDeviceBytes(device(), room * bytesPerDraw(most),
                             fmt::format("the facets of {} draws", draws));
     using Usage = vk::BufferUsageFlagBits;
+    m_room = 0; // until all is there
     m_vertices = makeStream(device(), room * most.vertices * sizeof(shaders::FacetVertex),
                             Usage::eVertexBuffer, "facet vertices");
     m_indices = makeStream(device(), room * most.indices * sizeof(std::uint32_t), Usage::eIndexBuffer,
@@ -45,6 +46,7 @@ void FacetDraws::makeRoom(std::size_t draws) {
     m_facetTexels = device().handle().createBufferViewUnique(
         {.buffer = m_facets.handle(), .format = vk::Format::eR32G32B32A32Uint, .range = VK_WHOLE_SIZE});
     m_room = room;
+    m_most = most;
 }
 
 void FacetDraws::record(vk::CommandBuffer commands, const DrawJob& job, const FrameView& view) const {

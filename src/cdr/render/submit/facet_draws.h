@@ -23,6 +23,7 @@ class FacetDraws final : public HostDraws {
   private:
     const FacetPass& m_pass;
     std::size_t m_room = 0; ///< draws
+    FacetCounts m_most;     ///< of a draw
     gpu::Buffer m_vertices;
     gpu::Buffer m_indices;
     gpu::Buffer m_facets;

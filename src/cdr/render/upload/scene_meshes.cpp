@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <set>
 
 namespace cdr::render {
@@ -14,10 +13,6 @@ namespace {
 bool hasDetail(const scene::Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(),
                        [](const scene::Material& material) { return scene::hasDetail(material); });
-}
-
-PackedVertex packedVertex(const scene::Vertex& vertex) {
-    return packed(vertex);
 }
 
 bool areFaceted(const std::vector<scene::Vertex>& vertices, const std::vector<std::uint32_t>& indices) {
@@ -40,36 +35,132 @@ bool isFaceted(const scene::Mesh& mesh) {
            });
 }
 
+template <typename T>
+gpu::BufferPart partOf(std::size_t first, const std::vector<T>& values) {
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(values));
+    return {.offset = first * sizeof(T), .bytes = {bytes.begin(), bytes.end()}};
+}
+
+std::vector<PackedVertex> verticesOf(const scene::Mesh& mesh) {
+    std::vector<PackedVertex> vertices(mesh.vertices.size());
+    std::transform(mesh.vertices.begin(), mesh.vertices.end(), vertices.begin(),
+                   [](const scene::Vertex& vertex) { return packed(vertex); });
+    return vertices;
+}
+
+std::vector<PackedDetail> detailsOf(const scene::Mesh& mesh) {
+    std::vector<PackedDetail> details(mesh.vertices.size(), packed(scene::VertexDetail{}));
+    std::transform(mesh.details.begin(), mesh.details.end(), details.begin(),
+                   [](const scene::VertexDetail& detail) { return packed(detail); });
+    return details;
+}
+
 } // namespace
 
-void SceneMeshes::upload(const scene::Scene& scene) {
-    m_ranges.clear();
-    m_levels.clear();
+/// On their way into the buffers.
+struct SceneMeshes::Packed {
     std::vector<PackedVertex> vertices;
     std::vector<std::uint32_t> indices;
-    for (const scene::Mesh& mesh : scene.meshes) {
-        m_ranges.push_back({.firstIndex = static_cast<std::uint32_t>(indices.size()),
-                            .indexCount = static_cast<std::uint32_t>(mesh.indices.size()),
-                            .vertexOffset = static_cast<std::int32_t>(vertices.size()),
-                            .firstLevel = static_cast<std::uint32_t>(m_levels.size()),
-                            .levelCount = static_cast<std::uint32_t>(mesh.levels.size()),
-                            .boundingRadius = mesh.boundingRadius,
-                            .isFaceted = isFaceted(mesh)});
-        indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
-        for (const scene::MeshLevel& level : mesh.levels) {
-            m_levels.push_back({.firstIndex = static_cast<std::uint32_t>(indices.size()),
-                                .indexCount = static_cast<std::uint32_t>(level.indices.size()),
-                                .error = level.error});
-            indices.insert(indices.end(), level.indices.begin(), level.indices.end());
-        }
-        std::transform(mesh.vertices.begin(), mesh.vertices.end(), std::back_inserter(vertices),
-                       packedVertex);
+};
+
+SceneMeshes::Counts SceneMeshes::countsOf(const scene::Mesh& mesh) {
+    Counts counts{.vertices = mesh.vertices.size(), .indices = mesh.indices.size()};
+    for (const scene::MeshLevel& level : mesh.levels) {
+        counts.indices += level.indices.size();
     }
-    m_vertices = gpu::uploadBuffer(m_device, std::as_bytes(std::span(vertices)),
+    return counts;
+}
+
+SceneMeshes::Counts SceneMeshes::countsOf(const scene::Scene& scene) {
+    Counts counts;
+    for (const scene::Mesh& mesh : scene.meshes) {
+        const Counts more = countsOf(mesh);
+        counts.vertices += more.vertices;
+        counts.indices += more.indices;
+    }
+    return counts;
+}
+
+MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
+    const auto placeIndices = [&](const std::vector<std::uint32_t>& indices) {
+        const auto first = static_cast<std::uint32_t>(m_used.indices);
+        into.indices.insert(into.indices.end(), indices.begin(), indices.end());
+        m_used.indices += indices.size();
+        return first;
+    };
+    const MeshRange range{.firstIndex = placeIndices(mesh.indices),
+                          .indexCount = static_cast<std::uint32_t>(mesh.indices.size()),
+                          .vertexOffset = static_cast<std::int32_t>(m_used.vertices),
+                          .firstLevel = static_cast<std::uint32_t>(m_levels.size()),
+                          .levelCount = static_cast<std::uint32_t>(mesh.levels.size()),
+                          .boundingRadius = mesh.boundingRadius,
+                          .isFaceted = isFaceted(mesh)};
+    for (const scene::MeshLevel& level : mesh.levels) {
+        m_levels.push_back({.firstIndex = placeIndices(level.indices),
+                            .indexCount = static_cast<std::uint32_t>(level.indices.size()),
+                            .error = level.error});
+    }
+    const std::vector<PackedVertex> vertices = verticesOf(mesh);
+    into.vertices.insert(into.vertices.end(), vertices.begin(), vertices.end());
+    m_used.vertices += mesh.vertices.size();
+    return range;
+}
+
+void SceneMeshes::upload(const scene::Scene& scene, const Counts& room) {
+    m_room = {}; // until all is there
+    m_used = {};
+    m_ranges.clear();
+    m_levels.clear();
+    Packed packed;
+    for (const scene::Mesh& mesh : scene.meshes) {
+        m_ranges.push_back(place(mesh, packed));
+    }
+    packed.vertices.resize(room.vertices);
+    packed.indices.resize(room.indices);
+    m_vertices = gpu::uploadBuffer(m_device, std::as_bytes(std::span(packed.vertices)),
                                    vk::BufferUsageFlagBits::eVertexBuffer, "scene vertices");
-    m_indices = gpu::uploadBuffer(m_device, std::as_bytes(std::span(indices)),
+    m_indices = gpu::uploadBuffer(m_device, std::as_bytes(std::span(packed.indices)),
                                   vk::BufferUsageFlagBits::eIndexBuffer, "scene indices");
+    m_room = room;
     uploadDetails(scene);
+}
+
+void SceneMeshes::follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed) {
+    if (changed && append(scene, {changed->begin(), changed->end()})) {
+        return;
+    }
+    const std::uint64_t bytes = predictBytes(scene);
+    gpu::requireDeviceBytes(m_device, bytes, "the meshes of scene " + scene.name);
+    const std::size_t times = 2 * bytes <= gpu::freeDeviceBytes(m_device) ? 2 : 1;
+    const Counts needed = countsOf(scene);
+    upload(scene, {.vertices = times * needed.vertices, .indices = times * needed.indices});
+}
+
+bool SceneMeshes::append(const scene::Scene& scene, const std::set<std::uint32_t>& changed) {
+    const Counts before = m_used;
+    Counts after = before;
+    for (const std::uint32_t mesh : changed) {
+        const Counts added = countsOf(scene.meshes[mesh]);
+        after.vertices += added.vertices;
+        after.indices += added.indices;
+    }
+    if (after.vertices > m_room.vertices || after.indices > m_room.indices) {
+        return false;
+    }
+    Packed packed;
+    std::vector<PackedDetail> details;
+    m_ranges.resize(scene.meshes.size());
+    for (const std::uint32_t mesh : changed) {
+        m_ranges[mesh] = place(scene.meshes[mesh], packed);
+        const std::vector<PackedDetail> more = detailsOf(scene.meshes[mesh]);
+        details.insert(details.end(), more.begin(), more.end());
+    }
+    gpu::writeBuffer(m_device, m_vertices, {{partOf(before.vertices, packed.vertices)}});
+    gpu::writeBuffer(m_device, m_indices, {{partOf(before.indices, packed.indices)}});
+    if (m_details.size() != 0) {
+        gpu::writeBuffer(m_device, m_details, {{partOf(before.vertices, details)}});
+    }
+    return true;
 }
 
 void SceneMeshes::uploadDetails(const scene::Scene& scene) {
@@ -77,11 +168,10 @@ void SceneMeshes::uploadDetails(const scene::Scene& scene) {
     if (!hasDetail(scene)) {
         return;
     }
-    std::vector<PackedDetail> details;
-    for (const scene::Mesh& mesh : scene.meshes) {
-        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-            details.push_back(packed(mesh.details.empty() ? scene::VertexDetail{} : mesh.details[i]));
-        }
+    std::vector<PackedDetail> details(m_room.vertices);
+    for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+        const std::vector<PackedDetail> more = detailsOf(scene.meshes[mesh]);
+        std::copy(more.begin(), more.end(), details.begin() + m_ranges[mesh].vertexOffset);
     }
     m_details = gpu::uploadBuffer(m_device, std::as_bytes(std::span(details)),
                                   vk::BufferUsageFlagBits::eVertexBuffer, "scene vertex details");
@@ -99,11 +189,7 @@ bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std:
     for (const std::uint32_t i : std::set<std::uint32_t>(changed.begin(), changed.end())) {
         const scene::Mesh& mesh = scene.meshes[i];
         MeshRange& range = m_ranges[i];
-        std::vector<PackedVertex> vertices(mesh.vertices.size());
-        std::transform(mesh.vertices.begin(), mesh.vertices.end(), vertices.begin(), packedVertex);
-        const std::span<const std::byte> bytes = std::as_bytes(std::span(vertices));
-        parts.push_back({.offset = static_cast<std::size_t>(range.vertexOffset) * sizeof(PackedVertex),
-                         .bytes = {bytes.begin(), bytes.end()}});
+        parts.push_back(partOf(static_cast<std::size_t>(range.vertexOffset), verticesOf(mesh)));
         range.boundingRadius = mesh.boundingRadius;
         changesPipeline = changesPipeline || range.isFaceted != isFaceted(mesh);
         range.isFaceted = isFaceted(mesh);
@@ -113,15 +199,9 @@ bool SceneMeshes::followVertices(const scene::Scene& scene, std::span<const std:
 }
 
 std::uint64_t SceneMeshes::predictBytes(const scene::Scene& scene) {
-    std::uint64_t bytes = 0;
-    const std::size_t vertexBytes = sizeof(PackedVertex) + (hasDetail(scene) ? sizeof(PackedDetail) : 0);
-    for (const scene::Mesh& mesh : scene.meshes) {
-        bytes += mesh.vertices.size() * vertexBytes + mesh.indices.size() * sizeof(std::uint32_t);
-        for (const scene::MeshLevel& level : mesh.levels) {
-            bytes += level.indices.size() * sizeof(std::uint32_t);
-        }
-    }
-    return bytes;
+    const Counts counts = countsOf(scene);
+    return counts.vertices * (sizeof(PackedVertex) + (hasDetail(scene) ? sizeof(PackedDetail) : 0)) +
+           counts.indices * sizeof(std::uint32_t);
 }
 
 } // namespace cdr::render

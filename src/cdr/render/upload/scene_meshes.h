@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -17,7 +19,14 @@ class SceneMeshes {
     explicit SceneMeshes(const gpu::Device& device) : m_device(device) {}
 
     /// Uploads all, and waits.
-    void upload(const scene::Scene& scene);
+    void upload(const scene::Scene& scene) { upload(scene, countsOf(scene)); }
+
+    /// Follows meshes that came, went or are others now, and waits. Nothing that was submitted may still read meshes.
+    /// Takes time by the size of those that changed: they go behind those that are there. Where they find no room, all
+    /// are uploaded again into twice the room that they need.
+    /// @param changed places, repeats allowed; nothing where all may have changed.
+    /// base::RunError, with both figures, when the device's memory does not suffice.
+    void follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed);
 
     /// Follows meshes that have other vertices, as many as before, and waits. Nothing that was submitted may still read
     /// the vertices. Whether a mesh became faceted or ceased to be, which takes another pipeline.
@@ -33,19 +42,34 @@ class SceneMeshes {
     const gpu::Buffer& indices() const { return m_indices; }
     /// By mesh of the scene.
     const std::vector<MeshRange>& ranges() const { return m_ranges; }
-    /// The coarser levels of all meshes, mesh by mesh.
+    /// The coarser levels of each mesh, one after another.
     const std::vector<LevelRange>& levels() const { return m_levels; }
 
     /// Device memory that upload() takes.
     static std::uint64_t predictBytes(const scene::Scene& scene);
 
   private:
+    /// Those of coarser levels among them.
+    struct Counts {
+        std::size_t vertices = 0;
+        std::size_t indices = 0;
+    };
+    struct Packed;
+    static Counts countsOf(const scene::Mesh& mesh);
+    static Counts countsOf(const scene::Scene& scene);
+    void upload(const scene::Scene& scene, const Counts& room);
+    /// Whether there was room.
+    bool append(const scene::Scene& scene, const std::set<std::uint32_t>& changed);
+    /// Puts a mesh behind what is used.
+    MeshRange place(const scene::Mesh& mesh, Packed& into);
     void uploadDetails(const scene::Scene& scene);
 
     const gpu::Device& m_device;
     gpu::Buffer m_vertices;
     gpu::Buffer m_details;
     gpu::Buffer m_indices;
+    Counts m_room;
+    Counts m_used; ///< of it, from the start on; what meshes that went have left is among it
     std::vector<MeshRange> m_ranges;
     std::vector<LevelRange> m_levels;
 };

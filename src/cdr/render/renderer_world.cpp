@@ -1,0 +1,80 @@
+#include "frame_slot.h"
+
+#include <cdr/render/choose_facets.h>
+#include <cdr/render/renderer_setup.h>
+
+#include <utility>
+
+namespace cdr::render {
+
+Renderer::Needs Renderer::needs() const {
+    const GpuScene& uploaded = m_drawn.uploaded;
+    const PrepareFor& prepared = m_options.prepareFor;
+    return {.shiny = (uploaded.isShiny() || prepared.shine) && keepsShine(m_options),
+            .blended = uploaded.hasBlended() || prepared.blended,
+            .emission = (uploaded.hasEmission() || prepared.emission) && keepsEmission(m_options),
+            .sky = m_drawn.scene.sky.has_value()};
+}
+
+void Renderer::remake(const Needs& needs, const RenderOptions& options) {
+    const Needs needsBefore = std::exchange(m_needs, needs);
+    const RenderOptions optionsBefore = std::exchange(m_options, options);
+    // Pipelines that snap vertices do so for one size.
+    const bool snapsAnew = options.snapBits > 0 && options != optionsBefore;
+    std::unique_ptr<DrawPathFactory> paths;
+    try {
+        if (needs.shiny != needsBefore.shiny || needs.emission != needsBefore.emission || snapsAnew) {
+            paths = std::make_unique<DrawPathFactory>(m_device, m_drawn, chooseFacets(m_drawn, m_options),
+                                                      m_options, KeptSurfaces{needs.shiny, needs.emission});
+            std::swap(paths, m_paths);
+        }
+        makePasses();
+    } catch (...) { // all is as it was, and the next frame tries again
+        m_needs = needsBefore;
+        m_options = optionsBefore;
+        if (paths != nullptr) {
+            std::swap(paths, m_paths);
+        }
+        throw;
+    }
+}
+
+void Renderer::followScene() {
+    if (m_live != nullptr) {
+        m_live->update();
+    }
+    const std::uint64_t revision = m_drawn.uploaded.revision();
+    if (m_revision != revision && m_paths->facets() != nullptr) {
+        followFacets();
+    }
+    if (needs() != m_needs) {
+        finish();
+        remake(needs(), m_options);
+    }
+    if (m_revision != revision) {
+        m_paths->followKinds();
+    }
+    const std::size_t lights = m_drawn.scene.lights.size();
+    if (lights > m_passes->lightRoom) {
+        finish();
+        const std::size_t room = lights + lights / 2;
+        for (Slot& slot : m_passes->slots) {
+            makeInputs(slot, room);
+        }
+        m_passes->lightRoom = room;
+    }
+    m_revision = revision;
+}
+
+void Renderer::followFacets() {
+    const GpuScene& uploaded = m_drawn.uploaded;
+    const FacetsMadeFrom now{uploaded.meshesRevision(), uploaded.kinds().size()};
+    if (m_facetsMadeFrom == now) {
+        requireFacets(m_drawn, m_options, *m_paths->facets());
+        return;
+    }
+    m_paths->setFacets(*chooseFacets(m_drawn, m_options));
+    m_facetsMadeFrom = now;
+}
+
+} // namespace cdr::render
