@@ -1,8 +1,6 @@
 #include "command.h"
 #include "commands.h"
 
-#include <cdr/base/enum_names.h>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -14,9 +12,6 @@ namespace {
 
 struct NoArguments {};
 
-constexpr base::EnumNames<gpu::DeviceKind, 5> kKindNames{
-    "kind", {"discrete", "integrated", "virtual", "cpu", "other"}};
-
 const experiments::Columns<gpu::DeviceInfo>& deviceColumns() {
     using Info = gpu::DeviceInfo;
     static const experiments::Columns<Info> kColumns{
@@ -27,7 +22,7 @@ const experiments::Columns<gpu::DeviceInfo>& deviceColumns() {
         {.key = "driver", .value = &Info::driver, .heading = "driver"},
         {.key = "api", .value = &Info::api, .heading = "Vulkan"},
         {.key = "kind",
-         .value = [](const Info& info) { return kKindNames.nameOf(info.kind); },
+         .value = [](const Info& info) { return gpu::nameOf(info.kind); },
          .heading = "kind",
          .before = "driver"},
         {.key = "usable", .value = [](const Info& info) { return info.missing.empty(); }},

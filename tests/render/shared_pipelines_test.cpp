@@ -43,16 +43,20 @@ std::vector<render::RenderOptions> optionsOfAllPasses() {
     return all;
 }
 
-/// A scene that blends and shines, as far as the surfaces are kept in a G-buffer.
+/// A scene that blends, with and without detail, and shines, as far as the surfaces are kept in a G-buffer.
 scene::Scene withGlass(scene::Scene scene) {
-    scene.materials.push_back({.name = "glass",
-                               .baseColorFactor = glm::vec4(0.5f),
-                               .shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f},
-                               .alphaMode = scene::AlphaMode::blend});
+    const scene::Material glass{.name = "glass",
+                                .baseColorFactor = glm::vec4(0.5f),
+                                .shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f},
+                                .alphaMode = scene::AlphaMode::blend};
     const glm::dvec3 where =
         scene.instances.size() > 0 ? scene.instances.position(0) : glm::dvec3(0.0, 0.0, -5.0);
-    scene::addInstance(scene, 0, static_cast<std::uint32_t>(scene.materials.size() - 1), 0, where,
-                       glm::mat3(1.0f));
+    for (const float glow : {0.0f, 0.5f}) {
+        scene.materials.push_back(glass);
+        scene.materials.back().detail.emission = glm::vec3(glow);
+        scene::addInstance(scene, 0, static_cast<std::uint32_t>(scene.materials.size() - 1), 0, where,
+                           glm::mat3(1.0f));
+    }
     return scene;
 }
 
@@ -128,6 +132,8 @@ TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
         for (const scene::Material& material :
              {scene::Material{.shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f}},
               scene::Material{.baseColorFactor = glm::vec4(0.5f), .alphaMode = scene::AlphaMode::blend},
+              scene::Material{.shine = scene::Shine{.metallic = 0.9f, .roughness = 0.2f},
+              .alphaMode = scene::AlphaMode::blend},
               scene::Material{.detail = {.emission = glm::vec3(0.5f)}}}) {
             const scene::InstanceHandle instance =
                 world.addInstance({.mesh = mesh,
@@ -136,6 +142,7 @@ TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
                                    .transform = {.position = {object - 2.0, 0.0, -4.0}}});
             renderer.draw({});
             EXPECT_EQ(renderer.surfaces().color.image, color) << nameOf(submission);
+            EXPECT_EQ(hashOf(renderer.render({})), hashOf(draw(world.scene(), {}, options)));
             const std::uint64_t before = pipelinesMade(device());
             world.removeInstance(instance);
             renderer.draw({});

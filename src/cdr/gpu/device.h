@@ -6,10 +6,12 @@
 
 #include <vulkan/vulkan_core.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 struct VmaAllocator_T;
@@ -38,6 +40,15 @@ enum class DeviceKind : std::uint8_t {
     cpu,        ///< a software driver
     other,      ///< what the driver does not say
 };
+
+/// All of them.
+inline constexpr std::array kDeviceKinds{DeviceKind::discrete, DeviceKind::integrated, DeviceKind::virtualGpu,
+                                         DeviceKind::cpu, DeviceKind::other};
+
+/// "discrete", "integrated", "virtual", "cpu" or "other".
+/// @errors None.
+/// @lifetime That of the program.
+CDR_EXPORT std::string_view nameOf(DeviceKind kind);
 
 /// What a device is, and whether cdr can use it.
 struct DeviceInfo {
@@ -82,7 +93,8 @@ struct BorrowedDevice {
     bool hasGpuDrivenFeatures = false;
     bool hasFragmentStores = false; ///< fragmentStoresAndAtomics is on too
     /// The owner's VmaAllocator of this device, which is then used and stays; null: one of its own is made. Made by the
-    /// version of Vulkan Memory Allocator that cdr was built with, and it must outlive the gpu::Device.
+    /// version of Vulkan Memory Allocator that cdr was built with, compiled with the same settings, and it must outlive the
+    /// gpu::Device.
     VmaAllocator_T* allocator = nullptr;
     /// Takes the place of vkQueueSubmit2() on `queue`, for a queue that others submit to as well: it takes their lock.
     std::function<VkResult(const VkSubmitInfo2& submission, VkFence done)> submit{};
@@ -134,7 +146,7 @@ class CDR_EXPORT Device {
     VmaAllocator_T* allocator() const;
     /// Pipelines that renderers of one device share are compiled once.
     vk::PipelineCache pipelineCache() const;
-    /// Layouts and pipelines that renderers of this device share while they are there.
+    /// Layouts and pipelines that renderers of this device share while they are there; for the renderers' own use.
     PipelineObjects& pipelineObjects() const;
     /// What listDevices() says of it.
     const DeviceInfo& info() const;

@@ -1,5 +1,6 @@
 #include "device_query.h"
 
+#include <cdr/base/enum_names.h>
 #include <cdr/gpu/vulkan_hpp.h>
 
 #include <fmt/format.h>
@@ -23,6 +24,9 @@ constexpr std::array<std::array<vk::Format, 2>, depth::kDepthFormats.size()> kVu
     {vk::Format::eX8D24UnormPack32, vk::Format::eD24UnormS8Uint},
     {vk::Format::eD32Sfloat, vk::Format::eUndefined},
 }};
+
+constexpr base::EnumNames<DeviceKind, kDeviceKinds.size()> kKindNames{
+    "kind", {"discrete", "integrated", "virtual", "cpu", "other"}};
 
 DeviceKind kindOf(vk::PhysicalDeviceType type) {
     switch (type) {
@@ -97,6 +101,10 @@ std::vector<std::string> missingForGpuDriven(vk::PhysicalDevice physical) {
 }
 
 } // namespace
+
+std::string_view nameOf(DeviceKind kind) {
+    return kKindNames.nameOf(kind);
+}
 
 std::optional<std::uint32_t> findQueueFamily(vk::PhysicalDevice physical) {
     constexpr auto kNeeded = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;

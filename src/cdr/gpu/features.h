@@ -14,6 +14,7 @@ namespace cdr::gpu {
 /// @param instance of the device.
 /// @param features whose pNext chain holds VkPhysicalDeviceVulkan12Features and VkPhysicalDeviceVulkan13Features.
 /// @param loader as BorrowedDevice::loader.
+/// @throws base::InputError for a null instance or physical device.
 /// @throws base::InputError that names a feature which the device lacks, or a struct that the chain lacks.
 /// @throws base::InputError and base::RunError for the loader, as Device(const BorrowedDevice&).
 CDR_EXPORT void enableFeatures(VkInstance instance, VkPhysicalDevice physical,

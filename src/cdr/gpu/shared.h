@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cdr/gpu/vulkan_hpp.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -33,7 +31,7 @@ class Shared {
 };
 
 /// Finds objects, of one type and one device, by what they were made from, as long as somebody has them. Any thread may
-/// ask at any time.
+/// ask at any time, and waits while another makes one.
 /// @tparam Options with operator==. They are kept as long as the object, so what they refer to is there as long.
 template <typename Options, typename Unique>
 class SharedObjects {

@@ -40,7 +40,7 @@ struct MeshRange;
 class CDR_EXPORT GpuScene {
   public:
     /// Of a scene that stays as it is. Uploads and waits. The device and the scene must outlive this.
-    /// @throws base::InputError as scene::requireUsable().
+    /// @throws base::InputError as scene::requireUsable(), and for a texture larger than the device's images.
     /// @throws base::RunError with both figures when the device has too little memory.
     /// @throws std::system_error for Vulkan's other errors, a lost device among them.
     GpuScene(const gpu::Device& device, const scene::Scene& scene);
@@ -57,7 +57,8 @@ class CDR_EXPORT GpuScene {
 
     /// Follows the world's edits since the last call; renderers call it at the start of a frame. Instances take time
     /// by the number that changed. Meshes, materials and textures wait for all that the queue was given before.
-    /// @errors base::RunError and std::system_error as the constructors.
+    /// @errors base::InputError for a texture larger than the device's images: once it is gone, the next call follows.
+    ///         base::RunError and std::system_error as the constructors.
     void update();
 
     /// What it was made of, as it is now.

@@ -62,7 +62,7 @@ class CDR_EXPORT Renderer {
     /// for.
     /// @throws base::InputError for an unusable camera or split, with RenderOptions::motion where instances of one
     ///         object moved apart since the last frame, and with a visibility buffer where a world has come to hold what
-    ///         that cannot show: once it is gone, frames are drawn again.
+    ///         that cannot show: once it is gone, frames are drawn again. So for what GpuScene::update() refuses.
     /// @throws base::RunError when what the frame draws has no room on the device.
     /// @throws std::system_error for Vulkan's other errors, a lost device among them.
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);

@@ -287,6 +287,35 @@ TEST_F(WorldTest, AVisibilityBufferRefusesWhatItCannotShow) {
     EXPECT_EQ(messageCount(), 0u);
 }
 
+/// Draws of a larger mesh write more.
+TEST_F(WorldTest, AVisibilityBufferMakesRoomForLargerMeshes) {
+    scene::Scene scene = boxScene();
+    scene.meshes[0].indices.resize(6); // one face
+    scene.meshes[0].boxHalfSides.reset();
+    for (int i = 0; i < 50; ++i) {
+        addBox(scene, {0.1 * i - 2.5, 0.0, -5.0});
+    }
+    World world(scene);
+    render::GpuScene onDevice(device(), world);
+    render::RenderOptions options =
+        optionsFor("anchored", Submission::secondaries, TargetsKind::single, 1, 1);
+    options.surface = render::SurfacePath::visibility;
+    render::Renderer renderer(device(), onDevice, options);
+    renderer.draw(ahead());
+    const scene::MeshHandle box = world.addMesh(scene::makeBox(glm::vec3(0.04f)));
+    for (std::size_t i = 0; i < 50; ++i) {
+        const scene::InstanceHandle there = world.instance(i);
+        world.addInstance({.mesh = box,
+                           .material = world.material(0),
+                           .object = static_cast<std::uint32_t>(i),
+                           .transform = {.position = world.scene().instances.position(i)}});
+        world.removeInstance(there);
+    }
+    renderer.forgetFrames();
+    EXPECT_EQ(hashOf(renderer.render(ahead())), hashOf(draw(world.scene(), ahead(), options)));
+    EXPECT_EQ(messageCount(), 0u);
+}
+
 /// A further mesh goes behind those that are there.
 TEST_F(WorldTest, AddingAMeshSeldomUploadsTheOthers) {
     World world(boxScene());

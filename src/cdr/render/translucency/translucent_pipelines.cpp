@@ -42,9 +42,14 @@ std::vector<vk::VertexInputAttributeDescription> attributes(bool isDetailed) {
     return all;
 }
 
-/// What of a kind decides its pipeline: whether it is textured, and the parts of its detail.
-std::uint32_t keyOf(const DrawKind& kind) {
-    return (kind.variant & kTexturedVariant) + kind.variant / kDetailStep * kDetailStep;
+/// In a key: some material of the scene shines.
+constexpr std::uint32_t kShinyKey = 2;
+static_assert((kTexturedVariant & kShinyKey) == 0 && kShinyKey < kDetailStep);
+
+/// What decides the pipeline of a kind: whether it is textured, whether anything shines, and the parts of its detail.
+std::uint32_t keyOf(const DrawKind& kind, const GpuScene& scene) {
+    return (kind.variant & kTexturedVariant) + (scene.isShiny() ? kShinyKey : 0u) +
+           kind.variant / kDetailStep * kDetailStep;
 }
 
 } // namespace
@@ -61,8 +66,8 @@ TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const GpuS
     m_layout = gpu::makePipelineLayout(
         device, {sets, {{.stageFlags = kStages, .size = sizeof(shaders::TranslucentPush)}}},
         options.name + " layout");
-    for (const std::uint32_t key : {0u, kTexturedVariant}) {
-        m_pipelines.try_emplace(key, make(key));
+    for (const std::uint32_t instance : scene.blended()) {
+        pipeline(scene.kinds()[scene.sources()[instance].kind]);
     }
 }
 
@@ -73,8 +78,8 @@ gpu::Pipeline TranslucentPipelines::make(std::uint32_t key) const {
         {.name = m_options.name,
          .vertexSpirv = isDetailed ? gpu::Spirv(kTranslucentDetailedVert) : gpu::Spirv(kTranslucentVert),
          .fragmentSpirv = isDetailed ? m_options.detailedSpirv : m_options.fragmentSpirv,
-         .constants = {key & kTexturedVariant, m_scene.isShiny() ? 1u : 0u, m_scene.scene().sky ? 1u : 0u,
-                       key / kDetailStep},
+         .constants = {key & kTexturedVariant, (key & kShinyKey) != 0 ? 1u : 0u,
+                       m_scene.scene().sky ? 1u : 0u, key / kDetailStep},
          .layout = m_layout,
          .bindings = bindings(isDetailed),
          .attributes = attributes(isDetailed),
@@ -83,7 +88,7 @@ gpu::Pipeline TranslucentPipelines::make(std::uint32_t key) const {
 }
 
 vk::Pipeline TranslucentPipelines::pipeline(const DrawKind& kind) const {
-    const std::uint32_t key = keyOf(kind);
+    const std::uint32_t key = keyOf(kind, m_scene);
     const auto found = m_pipelines.find(key);
     return found != m_pipelines.end() ? *found->second
                                       : *m_pipelines.try_emplace(key, make(key)).first->second;

@@ -28,7 +28,7 @@ class TranslucentPipelines {
                          const TranslucentPipelinesOptions& options);
 
     vk::PipelineLayout layout() const { return *m_layout; }
-    /// Of a kind that the scene had when this was made, or was told of since.
+    /// Those of the blended instances that the scene had at first are there; any other is made when first asked for.
     vk::Pipeline pipeline(const DrawKind& kind) const;
     /// Which set DrawKind::detailSet is.
     std::uint32_t detailSet() const { return m_detailSet; }

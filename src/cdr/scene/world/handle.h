@@ -8,7 +8,7 @@
 
 namespace cdr::scene {
 
-/// Names one thing in one World for as long as it is there. Its place in the scene's arrays is `index`; a later thing at
+/// Names one thing in one World, or a copy that was made since, for as long as it is there. Its place in the scene's arrays is `index`; a later thing at
 /// the same place has another generation.
 template <typename Kind>
 struct Handle {

@@ -23,7 +23,8 @@ struct InstanceOptions {
 /// A scene that changes while it is drawn. It is the one owner of what it holds; a render::GpuScene made from it follows
 /// at the start of each frame, so all that draws sees an edit in the same frame.
 ///
-/// A copy takes the handles of the world that it is copied from.
+/// A copy takes the handles of the world that it is copied from. Handles that either gives after that are not told apart by
+/// the other, and may name another thing there.
 ///
 /// Instances are drawn in the order of their places (Handle::index). A new one takes the place given back last. A place
 /// that is free keeps an instance without size, which no picture and no truth shows.
