@@ -98,9 +98,10 @@ class Editor {
 
     void edit(Scope scope = Scope::all) { edit(below(static_cast<std::size_t>(scope)), scope); }
 
-    /// Edits of each kind come as often.
+    /// Half of the edits change meshes, materials or textures.
     void editEvenly() {
-        constexpr std::array<std::size_t, 7> kFirstOfKind{0, 600, 740, 890, 950, 965, 985};
+        constexpr std::array<std::size_t, 12> kFirstOfKind{0,   600, 740, 890, 950, 965,
+                                                           985, 985, 985, 985, 985, 985};
         edit(kFirstOfKind[below(kFirstOfKind.size())], Scope::all);
     }
 
@@ -274,7 +275,7 @@ class Editor {
                 made.shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f};
             }
             made.baseColorTexture = randomTexture();
-            if (below(3) == 0) {
+            if (below(2) == 0) {
                 made.detail.emission = glm::vec3(static_cast<float>(between(0.0, 0.5)));
                 made.detail.normal = randomUse();
                 made.detail.emissive = randomUse();
@@ -325,7 +326,10 @@ class Editor {
         }
         case 3: {
             image::ImageRgba8 pixels(4, 4, {255, 255, 255, 255});
-            pixels.pixels[below(16)] = {static_cast<std::uint8_t>(below(256)), 0, 0, 128};
+            for (image::Rgba8& pixel : pixels.pixels) {
+                pixel[0] = static_cast<std::uint8_t>(below(256));
+                pixel[3] = static_cast<std::uint8_t>(128 + below(128));
+            }
             const scene::Texture texture{.name = "made",
                                          .pixels = pixels,
                                          .repeatU = below(2) == 0,

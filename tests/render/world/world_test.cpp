@@ -292,8 +292,9 @@ TEST_F(WorldTest, AVisibilityBufferMakesRoomForLargerMeshes) {
     scene::Scene scene = boxScene();
     scene.meshes[0].indices.resize(6); // one face
     scene.meshes[0].boxHalfSides.reset();
-    for (int i = 0; i < 50; ++i) {
-        addBox(scene, {0.1 * i - 2.5, 0.0, -5.0});
+    constexpr int kBoxes = 600; // far more than there is room for at least
+    for (int i = 0; i < kBoxes; ++i) {
+        addBox(scene, {0.1 * (i % 30) - 1.5, 0.1 * (i / 30) - 1.0, -3.0});
     }
     World world(scene);
     render::GpuScene onDevice(device(), world);
@@ -303,7 +304,7 @@ TEST_F(WorldTest, AVisibilityBufferMakesRoomForLargerMeshes) {
     render::Renderer renderer(device(), onDevice, options);
     renderer.draw(ahead());
     const scene::MeshHandle box = world.addMesh(scene::makeBox(glm::vec3(0.04f)));
-    for (std::size_t i = 0; i < 50; ++i) {
+    for (std::size_t i = 0; i < kBoxes; ++i) {
         const scene::InstanceHandle there = world.instance(i);
         world.addInstance({.mesh = box,
                            .material = world.material(0),
@@ -313,6 +314,36 @@ TEST_F(WorldTest, AVisibilityBufferMakesRoomForLargerMeshes) {
     }
     renderer.forgetFrames();
     EXPECT_EQ(hashOf(renderer.render(ahead())), hashOf(draw(world.scene(), ahead(), options)));
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+/// What its vertices have beside themselves comes along, whether there was room for it or not.
+TEST_F(WorldTest, AnAddedMeshHasItsDetails) {
+    scene::Scene scene = boxScene();
+    image::ImageRgba8 pixels(16, 1, {0, 0, 0, 255});
+    for (std::size_t x = 0; x < 16; ++x) {
+        pixels.pixels[x][0] = static_cast<std::uint8_t>(16 * x);
+    }
+    scene.textures.push_back({.name = "ramp", .pixels = pixels});
+    scene.materials.push_back({.name = "glows",
+                               .detail = {.emissive = scene::TextureUse{.texture = 0, .second = true},
+                                          .emission = glm::vec3(1.0f)}});
+    scene::addInstance(scene, 0, 1, 0, {0.0, -1.0, -6.0}, glm::mat3(1.0f));
+    World world(scene);
+    render::GpuScene onDevice(device(), world);
+    const render::RenderOptions options =
+        optionsFor("anchored", Submission::secondaries, TargetsKind::single, 1, 1);
+    render::Renderer renderer(device(), onDevice, options);
+    for (std::uint32_t i = 1; i < 8; ++i) {
+        scene::Mesh mesh = scene::makeBox(glm::vec3(0.3f));
+        mesh.details.assign(mesh.vertices.size(), {.uv = glm::vec2(static_cast<float>(i) / 8.0f, 0.5f)});
+        world.addInstance({.mesh = world.addMesh(mesh),
+                           .material = world.material(1),
+                           .object = i,
+                           .transform = {.position = {0.7 * i - 3.0, 0.5, -5.0}}});
+        renderer.forgetFrames();
+        ASSERT_EQ(hashOf(renderer.render(ahead())), hashOf(draw(world.scene(), ahead(), options))) << i;
+    }
     EXPECT_EQ(messageCount(), 0u);
 }
 
