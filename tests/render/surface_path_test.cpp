@@ -38,7 +38,7 @@ class SurfacePathTest : public RenderTest {
     /// Whether the device reads as many facets of boxes, two texels each.
     bool readsFacetsOf(const scene::Scene& scene) const {
         return scene.instances.size() * 6 * 2 <=
-               device().physical().getProperties().limits.maxTexelBufferElements;
+               vk::PhysicalDevice(device().physical()).getProperties().limits.maxTexelBufferElements;
     }
 };
 

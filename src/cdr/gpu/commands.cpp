@@ -51,15 +51,16 @@ void waitForQueue(const Device& device) {
 
 void waitAndReset(const Device& device, vk::Fence done) {
     const vk::Result result =
-        device.handle().waitForFences(done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+        vk::Device(device.handle()).waitForFences(done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
     vk::resultCheck(result, "vkWaitForFences");
-    device.handle().resetFences(done);
+    vk::Device(device.handle()).resetFences(done);
 }
 
 void waitForTimeline(const Device& device, vk::Semaphore timeline, std::uint64_t value) {
     const vk::Result result =
-        device.handle().waitSemaphores({.semaphoreCount = 1, .pSemaphores = &timeline, .pValues = &value},
-                                       std::numeric_limits<std::uint64_t>::max());
+        vk::Device(device.handle())
+            .waitSemaphores({.semaphoreCount = 1, .pSemaphores = &timeline, .pValues = &value},
+                            std::numeric_limits<std::uint64_t>::max());
     vk::resultCheck(result, "vkWaitSemaphores");
 }
 
@@ -69,7 +70,7 @@ void runOnce(const Device& device, const std::function<void(vk::CommandBuffer)>&
     commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     record(commands);
     commands.end();
-    const vk::UniqueFence done = device.handle().createFenceUnique({});
+    const vk::UniqueFence done = vk::Device(device.handle()).createFenceUnique({});
     submit(device, {&commands, 1}, *done);
     waitAndReset(device, *done);
 }

@@ -156,15 +156,15 @@ Device::~Device() = default;
 Device::Device(Device&&) noexcept = default;
 Device& Device::operator=(Device&&) noexcept = default;
 
-vk::Device Device::handle() const {
+VkDevice Device::handle() const {
     return m_handles->device;
 }
 
-vk::PhysicalDevice Device::physical() const {
+VkPhysicalDevice Device::physical() const {
     return m_handles->physical;
 }
 
-vk::Queue Device::queue() const {
+VkQueue Device::queue() const {
     return m_handles->queue;
 }
 
@@ -183,7 +183,7 @@ VmaAllocator_T* Device::allocator() const {
     return m_handles->allocator;
 }
 
-vk::PipelineCache Device::pipelineCache() const {
+VkPipelineCache Device::pipelineCache() const {
     return *m_handles->pipelineCache;
 }
 
@@ -197,7 +197,7 @@ const DeviceInfo& Device::info() const {
 
 Device::Device(const Instance& instance, const std::string& choice) : m_handles(std::make_unique<Handles>()) {
     const std::uint32_t index = chooseDevice(listDevices(instance), choice);
-    m_handles->physical = instance.handle().enumeratePhysicalDevices()[index];
+    m_handles->physical = vk::Instance(instance.handle()).enumeratePhysicalDevices()[index];
     m_handles->info = describe(m_handles->physical, index);
     m_handles->queueFamily = findQueueFamily(m_handles->physical).value();
     m_handles->owned = makeDevice(m_handles->physical, m_handles->queueFamily, m_handles->info);
@@ -267,21 +267,21 @@ void Device::finish(VkInstance instance, bool hasDebugNames) {
     m_handles->ownedAllocator.reset(m_handles->allocator);
 }
 
-vk::Format Device::depthFormat(depth::DepthFormat format) const {
+VkFormat Device::depthFormat(depth::DepthFormat format) const {
     const auto found = findDepthFormat(m_handles->physical, format);
     if (!found) {
         throw base::InputError(fmt::format("{} has no {}-bit depth buffer; it has {}", m_handles->info.name,
                                            traitsOf(format).bits,
                                            fmt::join(depth::namesOf(m_handles->info.depthFormats), ", ")));
     }
-    return *found;
+    return static_cast<VkFormat>(*found);
 }
 
-void Device::setObjectName(vk::ObjectType type, std::uint64_t handle, const std::string& name) const {
+void Device::setObjectName(VkObjectType type, std::uint64_t handle, const std::string& name) const {
     if (m_handles->setName != nullptr) {
         const VkDebugUtilsObjectNameInfoEXT info{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
                                                  .pNext = nullptr,
-                                                 .objectType = static_cast<VkObjectType>(type),
+                                                 .objectType = type,
                                                  .objectHandle = handle,
                                                  .pObjectName = name.c_str()};
         vk::resultCheck(static_cast<vk::Result>(m_handles->setName(m_handles->device, &info)),
@@ -289,7 +289,7 @@ void Device::setObjectName(vk::ObjectType type, std::uint64_t handle, const std:
     }
 }
 
-void Device::beginLabel(vk::CommandBuffer commands, const char* label) const {
+void Device::beginLabel(VkCommandBuffer commands, const char* label) const {
     if (m_handles->beginLabel != nullptr) {
         const VkDebugUtilsLabelEXT info{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT,
                                         .pNext = nullptr,
@@ -299,7 +299,7 @@ void Device::beginLabel(vk::CommandBuffer commands, const char* label) const {
     }
 }
 
-void Device::endLabel(vk::CommandBuffer commands) const {
+void Device::endLabel(VkCommandBuffer commands) const {
     if (m_handles->endLabel != nullptr) {
         m_handles->endLabel(commands);
     }

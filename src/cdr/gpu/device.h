@@ -16,16 +16,6 @@
 
 struct VmaAllocator_T;
 
-namespace vk {
-class CommandBuffer;
-class Device;
-class PhysicalDevice;
-class PipelineCache;
-class Queue;
-enum class Format;
-enum class ObjectType;
-} // namespace vk
-
 /// Vulkan instances and devices, made or lent.
 /// @threads Functions may be called by many threads at once, each with structs of its own.
 namespace cdr::gpu {
@@ -131,11 +121,11 @@ class CDR_EXPORT Device {
     Device& operator=(Device&&) noexcept;
 
     /// For calls beside cdr's.
-    vk::Device handle() const;
+    VkDevice handle() const;
     /// What the device was made of.
-    vk::PhysicalDevice physical() const;
+    VkPhysicalDevice physical() const;
     /// The one queue; submit() is how cdr reaches it.
-    vk::Queue queue() const;
+    VkQueue queue() const;
     /// Of queue().
     std::uint32_t queueFamily() const;
     /// vkQueueSubmit2() on queue(), or what takes its place.
@@ -145,7 +135,7 @@ class CDR_EXPORT Device {
     /// Of all memory that cdr takes; lent, or one of its own.
     VmaAllocator_T* allocator() const;
     /// Pipelines that renderers of one device share are compiled once.
-    vk::PipelineCache pipelineCache() const;
+    VkPipelineCache pipelineCache() const;
     /// Layouts and pipelines that renderers of this device share while they are there; for the renderers' own use.
     PipelineObjects& pipelineObjects() const;
     /// What listDevices() says of it.
@@ -153,25 +143,26 @@ class CDR_EXPORT Device {
 
     /// The Vulkan format of optimally tiled depth attachments for `format`.
     /// @throws base::InputError that names what the device has, when it lacks one.
-    vk::Format depthFormat(depth::DepthFormat format) const;
+    VkFormat depthFormat(depth::DepthFormat format) const;
 
     /// Names an object for captures and validation messages; does nothing without VK_EXT_debug_utils.
+    /// @tparam Handle of vulkan.hpp
     /// @throws std::system_error when memory does not suffice.
     template <typename Handle>
     void setName(Handle handle, const std::string& name) const {
-        setObjectName(Handle::objectType, reinterpret_cast<std::uint64_t>(typename Handle::CType(handle)),
-                      name);
+        setObjectName(static_cast<VkObjectType>(Handle::objectType),
+                      reinterpret_cast<std::uint64_t>(typename Handle::CType(handle)), name);
     }
     /// Opens a labelled region in a command buffer, for captures.
     /// @param label is copied.
-    void beginLabel(vk::CommandBuffer commands, const char* label) const;
+    void beginLabel(VkCommandBuffer commands, const char* label) const;
     /// Closes what beginLabel() opened.
-    void endLabel(vk::CommandBuffer commands) const;
+    void endLabel(VkCommandBuffer commands) const;
 
   private:
     struct Handles;
     void finish(VkInstance instance, bool hasDebugNames);
-    void setObjectName(vk::ObjectType type, std::uint64_t handle, const std::string& name) const;
+    void setObjectName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
 
     std::unique_ptr<Handles> m_handles;
 };

@@ -156,7 +156,7 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
 
 std::vector<DeviceInfo> listDevices(const Instance& instance) {
     std::vector<DeviceInfo> infos;
-    for (const vk::PhysicalDevice physical : instance.handle().enumeratePhysicalDevices()) {
+    for (const vk::PhysicalDevice physical : vk::Instance(instance.handle()).enumeratePhysicalDevices()) {
         infos.push_back(describe(physical, static_cast<std::uint32_t>(infos.size())));
     }
     return infos;

@@ -76,7 +76,7 @@ Instance::~Instance() = default;
 Instance::Instance(Instance&&) noexcept = default;
 Instance& Instance::operator=(Instance&&) noexcept = default;
 
-vk::Instance Instance::handle() const {
+VkInstance Instance::handle() const {
     return *m_handles->instance;
 }
 

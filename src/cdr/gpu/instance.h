@@ -2,15 +2,13 @@
 
 #include <cdr/base/export.h>
 
+#include <vulkan/vulkan_core.h>
+
 #include <cstddef>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
-
-namespace vk {
-class Instance;
-}
 
 namespace cdr::gpu {
 
@@ -59,7 +57,7 @@ class CDR_EXPORT Instance {
     Instance& operator=(Instance&&) noexcept;
 
     /// For calls beside cdr's.
-    vk::Instance handle() const;
+    VkInstance handle() const;
     /// Whether it has VK_EXT_debug_utils, so that objects can be named.
     bool hasDebugNames() const { return m_hasDebugUtils; }
     /// Empty unless validation is on and reported something.

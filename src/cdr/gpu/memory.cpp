@@ -126,10 +126,11 @@ Image::Image(const Device& device, const ImageOptions& options, const std::strin
                          &image, &allocation, nullptr),
           "vmaCreateImage", name, bytes);
     m_image = {image, AllocationDeleter{device.allocator(), allocation}};
-    m_view = device.handle().createImageViewUnique({.image = image,
-                                                    .viewType = vk::ImageViewType::e2D,
-                                                    .format = options.format,
-                                                    .subresourceRange = range()});
+    m_view = vk::Device(device.handle())
+                 .createImageViewUnique({.image = image,
+                                         .viewType = vk::ImageViewType::e2D,
+                                         .format = options.format,
+                                         .subresourceRange = range()});
     device.setName(handle(), name);
     device.setName(*m_view, name + " view");
 }
@@ -137,7 +138,8 @@ Image::Image(const Device& device, const ImageOptions& options, const std::strin
 std::uint64_t predictBytes(const Device& device, const ImageOptions& options) {
     const vk::ImageCreateInfo info = createInfo(options);
     const vk::MemoryRequirements2 needed =
-        device.handle().getImageMemoryRequirements(vk::DeviceImageMemoryRequirements{.pCreateInfo = &info});
+        vk::Device(device.handle())
+            .getImageMemoryRequirements(vk::DeviceImageMemoryRequirements{.pCreateInfo = &info});
     // lavapipe says 0 for an image that it could not make.
     return std::max<std::uint64_t>(needed.memoryRequirements.size, bytesOfPixels(options));
 }

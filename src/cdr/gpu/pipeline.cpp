@@ -8,8 +8,9 @@ namespace cdr::gpu {
 namespace {
 
 vk::UniqueShaderModule makeModule(const Device& device, const Spirv& spirv) {
-    return device.handle().createShaderModuleUnique(
-        {.codeSize = spirv.words.size() * sizeof(std::uint32_t), .pCode = spirv.words.data()});
+    return vk::Device(device.handle())
+        .createShaderModuleUnique(
+            {.codeSize = spirv.words.size() * sizeof(std::uint32_t), .pCode = spirv.words.data()});
 }
 
 /// Constants 0, 1, ... laid out one after the other.
@@ -121,19 +122,20 @@ vk::UniquePipeline createGraphicsPipeline(const Device& device, const GraphicsPi
         .pColorAttachmentFormats = options.colorFormats.data(),
         .depthAttachmentFormat = attachesDepth ? options.depthFormat : vk::Format::eUndefined,
         .stencilAttachmentFormat = hasStencil ? options.depthFormat : vk::Format::eUndefined};
-    auto [result, pipeline] = device.handle().createGraphicsPipelineUnique(device.pipelineCache(),
-                                                                           {.pNext = &rendering,
-                                                                            .stageCount = isShaded ? 2u : 1u,
-                                                                            .pStages = stages.data(),
-                                                                            .pVertexInputState = &vertexInput,
-                                                                            .pInputAssemblyState = &assembly,
-                                                                            .pViewportState = &viewport,
-                                                                            .pRasterizationState = &raster,
-                                                                            .pMultisampleState = &multisample,
-                                                                            .pDepthStencilState = &depth,
-                                                                            .pColorBlendState = &blend,
-                                                                            .pDynamicState = &dynamic,
-                                                                            .layout = *options.layout});
+    auto [result, pipeline] =
+        vk::Device(device.handle())
+            .createGraphicsPipelineUnique(device.pipelineCache(), {.pNext = &rendering,
+                                                                   .stageCount = isShaded ? 2u : 1u,
+                                                                   .pStages = stages.data(),
+                                                                   .pVertexInputState = &vertexInput,
+                                                                   .pInputAssemblyState = &assembly,
+                                                                   .pViewportState = &viewport,
+                                                                   .pRasterizationState = &raster,
+                                                                   .pMultisampleState = &multisample,
+                                                                   .pDepthStencilState = &depth,
+                                                                   .pColorBlendState = &blend,
+                                                                   .pDynamicState = &dynamic,
+                                                                   .layout = *options.layout});
     vk::resultCheck(result, "vkCreateGraphicsPipelines");
     device.setName(*pipeline, options.name);
     return std::move(pipeline);
@@ -141,10 +143,12 @@ vk::UniquePipeline createGraphicsPipeline(const Device& device, const GraphicsPi
 
 vk::UniquePipeline createComputePipeline(const Device& device, const ComputePipelineOptions& options) {
     const vk::UniqueShaderModule shader = makeModule(device, options.spirv);
-    auto [result, pipeline] = device.handle().createComputePipelineUnique(
-        device.pipelineCache(),
-        {.stage = {.stage = vk::ShaderStageFlagBits::eCompute, .module = *shader, .pName = "main"},
-         .layout = *options.layout});
+    auto [result, pipeline] =
+        vk::Device(device.handle())
+            .createComputePipelineUnique(
+                device.pipelineCache(),
+                {.stage = {.stage = vk::ShaderStageFlagBits::eCompute, .module = *shader, .pName = "main"},
+                 .layout = *options.layout});
     vk::resultCheck(result, "vkCreateComputePipelines");
     device.setName(*pipeline, options.name);
     return std::move(pipeline);
@@ -155,11 +159,12 @@ vk::UniquePipelineLayout createPipelineLayout(const Device& device, const Pipeli
     for (const SetLayout& set : options.sets) {
         sets.push_back(*set);
     }
-    return device.handle().createPipelineLayoutUnique(
-        {.setLayoutCount = static_cast<std::uint32_t>(sets.size()),
-         .pSetLayouts = sets.data(),
-         .pushConstantRangeCount = static_cast<std::uint32_t>(options.constants.size()),
-         .pPushConstantRanges = options.constants.data()});
+    return vk::Device(device.handle())
+        .createPipelineLayoutUnique(
+            {.setLayoutCount = static_cast<std::uint32_t>(sets.size()),
+             .pSetLayouts = sets.data(),
+             .pushConstantRangeCount = static_cast<std::uint32_t>(options.constants.size()),
+             .pPushConstantRanges = options.constants.data()});
 }
 
 vk::UniqueDescriptorSetLayout createSetLayout(const Device& device, const SetLayoutOptions& options) {
@@ -170,8 +175,9 @@ vk::UniqueDescriptorSetLayout createSetLayout(const Device& device, const SetLay
                             .descriptorCount = 1,
                             .stageFlags = options.stages});
     }
-    return device.handle().createDescriptorSetLayoutUnique(
-        {.bindingCount = static_cast<std::uint32_t>(bindings.size()), .pBindings = bindings.data()});
+    return vk::Device(device.handle())
+        .createDescriptorSetLayoutUnique(
+            {.bindingCount = static_cast<std::uint32_t>(bindings.size()), .pBindings = bindings.data()});
 }
 
 } // namespace
@@ -218,14 +224,14 @@ vk::UniqueDescriptorPool makeDescriptorPool(const Device& device, std::uint32_t 
     for (const vk::DescriptorType type : types) {
         sizes.push_back({.type = type, .descriptorCount = sets * perSet});
     }
-    return device.handle().createDescriptorPoolUnique(
-        {.maxSets = sets,
-         .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
-         .pPoolSizes = sizes.data()});
+    return vk::Device(device.handle())
+        .createDescriptorPoolUnique({.maxSets = sets,
+                                     .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
+                                     .pPoolSizes = sizes.data()});
 }
 
 vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, vk::DescriptorSetLayout layout) {
-    return device.handle()
+    return vk::Device(device.handle())
         .allocateDescriptorSets({.descriptorPool = pool, .descriptorSetCount = 1, .pSetLayouts = &layout})
         .front();
 }
@@ -233,34 +239,37 @@ vk::DescriptorSet allocateSet(const Device& device, vk::DescriptorPool pool, vk:
 void writeBufferBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
                         vk::DescriptorType type, vk::Buffer buffer) {
     const vk::DescriptorBufferInfo info{.buffer = buffer, .range = VK_WHOLE_SIZE};
-    device.handle().updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
-                                                                .dstBinding = binding,
-                                                                .descriptorCount = 1,
-                                                                .descriptorType = type,
-                                                                .pBufferInfo = &info},
-                                         {});
+    vk::Device(device.handle())
+        .updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
+                                                     .dstBinding = binding,
+                                                     .descriptorCount = 1,
+                                                     .descriptorType = type,
+                                                     .pBufferInfo = &info},
+                              {});
 }
 
 void writeTexelBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
                        vk::DescriptorType type, vk::BufferView texels) {
-    device.handle().updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
-                                                                .dstBinding = binding,
-                                                                .descriptorCount = 1,
-                                                                .descriptorType = type,
-                                                                .pTexelBufferView = &texels},
-                                         {});
+    vk::Device(device.handle())
+        .updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
+                                                     .dstBinding = binding,
+                                                     .descriptorCount = 1,
+                                                     .descriptorType = type,
+                                                     .pTexelBufferView = &texels},
+                              {});
 }
 
 void writeImageBinding(const Device& device, vk::DescriptorSet set, std::uint32_t binding,
                        vk::DescriptorType type, vk::ImageView view, vk::Sampler sampler) {
     const vk::DescriptorImageInfo info{
         .sampler = sampler, .imageView = view, .imageLayout = vk::ImageLayout::eShaderReadOnlyOptimal};
-    device.handle().updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
-                                                                .dstBinding = binding,
-                                                                .descriptorCount = 1,
-                                                                .descriptorType = type,
-                                                                .pImageInfo = &info},
-                                         {});
+    vk::Device(device.handle())
+        .updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
+                                                     .dstBinding = binding,
+                                                     .descriptorCount = 1,
+                                                     .descriptorType = type,
+                                                     .pImageInfo = &info},
+                              {});
 }
 
 } // namespace cdr::gpu

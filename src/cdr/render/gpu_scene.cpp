@@ -184,10 +184,10 @@ std::uint64_t GpuScene::tablesRevision() const {
 std::uint64_t GpuScene::meshesRevision() const {
     return m_state->m_meshesRevision;
 }
-vk::Buffer GpuScene::vertices() const {
+VkBuffer GpuScene::vertices() const {
     return m_state->m_meshes.vertices().handle();
 }
-vk::Buffer GpuScene::indices() const {
+VkBuffer GpuScene::indices() const {
     return m_state->m_meshes.indices().handle();
 }
 const gpu::SetLayout& GpuScene::textureLayout() const {
@@ -196,7 +196,7 @@ const gpu::SetLayout& GpuScene::textureLayout() const {
 const gpu::SetLayout& GpuScene::detailLayout() const {
     return m_state->m_textures.detailLayout();
 }
-vk::Buffer GpuScene::details() const {
+VkBuffer GpuScene::details() const {
     return m_state->m_meshes.details().handle();
 }
 const std::vector<MaterialWords>& GpuScene::materials() const {

@@ -10,10 +10,6 @@
 #include <span>
 #include <vector>
 
-namespace vk {
-class Buffer;
-} // namespace vk
-
 namespace cdr::gpu {
 struct SetLayout;
 }
@@ -83,15 +79,15 @@ class CDR_EXPORT GpuScene {
     /// Tells apart the instances that were at one place of a world one after the other; 0 while none is there.
     std::uint32_t generation(std::size_t instance) const;
     /// Of all meshes, one after another.
-    vk::Buffer vertices() const;
+    VkBuffer vertices() const;
     /// Of all meshes and their levels.
-    vk::Buffer indices() const;
+    VkBuffer indices() const;
     /// Of the set that DrawKind::textureSet is.
     const gpu::SetLayout& textureLayout() const;
     /// Of the set that DrawKind::detailSet is.
     const gpu::SetLayout& detailLayout() const;
     /// What vertices have beside vertices(), of all meshes; null where no material has detail.
-    vk::Buffer details() const;
+    VkBuffer details() const;
     /// The part of a draw record that the material decides, by material.
     const std::vector<MaterialWords>& materials() const;
     /// Whether any material shines; a scene without is drawn by pipelines that know matt surfaces alone.

@@ -153,7 +153,7 @@ void Renderer::makePasses() {
             Slot& begun = m_passes->slots.emplace_back();
             begun.path =
                 m_paths->make(m_workers, m_passes->deviceOcclusion.get(), fmt::format("frame slot {}", slot));
-            begun.done = m_device.handle().createFenceUnique({});
+            begun.done = vk::Device(m_device.handle()).createFenceUnique({});
             makeInputs(begun, m_passes->lightRoom);
         }
     } catch (...) {

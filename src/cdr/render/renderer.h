@@ -12,10 +12,6 @@
 #include <cstdint>
 #include <memory>
 
-namespace vk {
-class CommandBuffer;
-}
-
 namespace cdr::visibility {
 struct VisibleCells;
 }
@@ -158,7 +154,7 @@ class CDR_EXPORT Renderer {
     void settle(Slot& slot);
     void waitFor(Slot& slot);
     Slot& run(const scene::Camera& camera, const Delivery& delivery);
-    void recordReadback(vk::CommandBuffer primary, Destination destination) const;
+    void recordReadback(VkCommandBuffer commands, Destination destination) const;
     Frame fetch(const Slot& slot) const;
 
     const gpu::Device& m_device;

@@ -72,7 +72,8 @@ void Renderer::recordOutputs(Slot& slot, const HostFrame& host) {
     }
 }
 
-void Renderer::recordReadback(vk::CommandBuffer primary, Destination destination) const {
+void Renderer::recordReadback(VkCommandBuffer commands, Destination destination) const {
+    const vk::CommandBuffer primary(commands);
     const gpu::Image& gbuffer = m_passes->gbuffer();
     m_device.beginLabel(primary, "read-back");
     m_passes->colorCopy.record(primary, m_passes->picture.encoded());

@@ -13,11 +13,13 @@ namespace gpu = cdr::gpu;
 
 vk::UniqueDeviceMemory allocate(const gpu::Device& device, const vk::MemoryRequirements& needs,
                                 vk::MemoryPropertyFlags wanted) {
-    const vk::PhysicalDeviceMemoryProperties memory = device.physical().getMemoryProperties();
+    const vk::PhysicalDeviceMemoryProperties memory =
+        vk::PhysicalDevice(device.physical()).getMemoryProperties();
     for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
         if ((needs.memoryTypeBits >> i & 1u) != 0 &&
             (memory.memoryTypes[i].propertyFlags & wanted) == wanted) {
-            return device.handle().allocateMemoryUnique({.allocationSize = needs.size, .memoryTypeIndex = i});
+            return vk::Device(device.handle())
+                .allocateMemoryUnique({.allocationSize = needs.size, .memoryTypeIndex = i});
         }
     }
     throw std::runtime_error("no memory of this type");
@@ -26,18 +28,20 @@ vk::UniqueDeviceMemory allocate(const gpu::Device& device, const vk::MemoryRequi
 HostImage makeImage(const gpu::Device& device, vk::Extent2D extent, vk::Format format,
                     vk::ImageUsageFlags usage, vk::ImageAspectFlags aspect) {
     HostImage made;
-    made.image = device.handle().createImageUnique({.imageType = vk::ImageType::e2D,
-                                                    .format = format,
-                                                    .extent = {extent.width, extent.height, 1},
-                                                    .mipLevels = 1,
-                                                    .arrayLayers = 1,
-                                                    .usage = usage});
-    made.memory = allocate(device, device.handle().getImageMemoryRequirements(*made.image), {});
-    device.handle().bindImageMemory(*made.image, *made.memory, 0);
-    made.view = device.handle().createImageViewUnique({.image = *made.image,
-                                                       .viewType = vk::ImageViewType::e2D,
-                                                       .format = format,
-                                                       .subresourceRange = {aspect, 0, 1, 0, 1}});
+    made.image = vk::Device(device.handle())
+                     .createImageUnique({.imageType = vk::ImageType::e2D,
+                                         .format = format,
+                                         .extent = {extent.width, extent.height, 1},
+                                         .mipLevels = 1,
+                                         .arrayLayers = 1,
+                                         .usage = usage});
+    made.memory = allocate(device, vk::Device(device.handle()).getImageMemoryRequirements(*made.image), {});
+    vk::Device(device.handle()).bindImageMemory(*made.image, *made.memory, 0);
+    made.view = vk::Device(device.handle())
+                    .createImageViewUnique({.image = *made.image,
+                                            .viewType = vk::ImageViewType::e2D,
+                                            .format = format,
+                                            .subresourceRange = {aspect, 0, 1, 0, 1}});
     return made;
 }
 

@@ -67,15 +67,18 @@ int main() try {
         makeImage(device, kExtent, vk::Format::eD32Sfloat,
                   Usage::eDepthStencilAttachment | Usage::eTransferSrc, vk::ImageAspectFlagBits::eDepth);
     const vk::PushConstantRange pushed{.stageFlags = kStages, .size = sizeof(Push)};
-    const vk::UniquePipelineLayout layout = device.handle().createPipelineLayoutUnique(
-        {.pushConstantRangeCount = 1, .pPushConstantRanges = &pushed});
+    const vk::UniquePipelineLayout layout =
+        vk::Device(device.handle())
+            .createPipelineLayoutUnique({.pushConstantRangeCount = 1, .pPushConstantRanges = &pushed});
     const vk::UniquePipeline surface = makePipeline(device.handle(), *layout);
     const vk::UniqueCommandPool pool =
-        device.handle().createCommandPoolUnique({.queueFamilyIndex = device.queueFamily()});
+        vk::Device(device.handle()).createCommandPoolUnique({.queueFamilyIndex = device.queueFamily()});
     const vk::CommandBuffer commands =
-        device.handle().allocateCommandBuffers({.commandPool = *pool, .commandBufferCount = 1}).front();
+        vk::Device(device.handle())
+            .allocateCommandBuffers({.commandPool = *pool, .commandBufferCount = 1})
+            .front();
     const vk::SemaphoreTypeCreateInfo timeline{.semaphoreType = vk::SemaphoreType::eTimeline};
-    const vk::UniqueSemaphore done = device.handle().createSemaphoreUnique({.pNext = &timeline});
+    const vk::UniqueSemaphore done = vk::Device(device.handle()).createSemaphoreUnique({.pNext = &timeline});
     const scene::Scene boxes = twoBoxes();
     const render::GpuScene onDevice(device, boxes);
     render::Renderer renderer(
@@ -117,13 +120,15 @@ int main() try {
 
     const std::array points{-1.0, -0.6, 1.0, 2.5, 0.0};
     const double pixelsPerUnit = kExtent.height / (2.0 * kFaceView * std::tan(0.5 * kCamera.fovY));
-    const vk::UniqueBuffer buffer = device.handle().createBufferUnique(
-        {.size = points.size() * sizeof(Shown), .usage = vk::BufferUsageFlagBits::eTransferDst});
+    const vk::UniqueBuffer buffer = vk::Device(device.handle())
+                                        .createBufferUnique({.size = points.size() * sizeof(Shown),
+                                                             .usage = vk::BufferUsageFlagBits::eTransferDst});
     const vk::UniqueDeviceMemory memory =
-        allocate(device, device.handle().getBufferMemoryRequirements(*buffer),
+        allocate(device, vk::Device(device.handle()).getBufferMemoryRequirements(*buffer),
                  vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent);
-    device.handle().bindBufferMemory(*buffer, *memory, 0);
-    const auto* shown = static_cast<const Shown*>(device.handle().mapMemory(*memory, 0, VK_WHOLE_SIZE));
+    vk::Device(device.handle()).bindBufferMemory(*buffer, *memory, 0);
+    const auto* shown =
+        static_cast<const Shown*>(vk::Device(device.handle()).mapMemory(*memory, 0, VK_WHOLE_SIZE));
     const render::SurfaceImage gbuffer = renderer.surfaces().gbuffer;
     const vk::ImageMemoryBarrier2 readable{.srcStageMask = vk::PipelineStageFlagBits2::eAllCommands,
                                            .srcAccessMask = vk::AccessFlagBits2::eMemoryWrite,
@@ -154,10 +159,11 @@ int main() try {
     const vk::CommandBufferSubmitInfo submitted{.commandBuffer = commands};
     const vk::SemaphoreSubmitInfo signal{
         .semaphore = *done, .value = 1, .stageMask = vk::PipelineStageFlagBits2::eAllCommands};
-    device.queue().submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1,
-                                           .pCommandBufferInfos = &submitted,
-                                           .signalSemaphoreInfoCount = 1,
-                                           .pSignalSemaphoreInfos = &signal});
+    vk::Queue(device.queue())
+        .submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1,
+                                 .pCommandBufferInfos = &submitted,
+                                 .signalSemaphoreInfoCount = 1,
+                                 .pSignalSemaphoreInfos = &signal});
     renderer.finish();
     for (std::size_t i = 0; i < points.size(); ++i) {
         std::printf("at %4.1f: id %u, depth %.1e\n", points[i], shown[i].surface.id(), shown[i].depth);

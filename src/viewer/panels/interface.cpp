@@ -71,11 +71,12 @@ Interface::Interface(const UiDevice& ui, Window& window, const Presenter& presen
     constexpr std::uint32_t kSets = 8;
     const vk::DescriptorPoolSize size{vk::DescriptorType::eCombinedImageSampler, kSets};
     // Back ends since 1.89 give their sets back one by one.
-    m_descriptors = m_device.handle().createDescriptorPoolUnique(
-        {.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
-         .maxSets = kSets,
-         .poolSizeCount = 1,
-         .pPoolSizes = &size});
+    m_descriptors =
+        vk::Device(m_device.handle())
+            .createDescriptorPoolUnique({.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
+                                         .maxSets = kSets,
+                                         .poolSizeCount = 1,
+                                         .pPoolSizes = &size});
     ImGui_ImplGlfw_InitForVulkan(window.handle(), false);
     initVulkan(initInfo(ui, *m_descriptors), presenter.renderPass());
     uploadFont();
@@ -83,7 +84,7 @@ Interface::Interface(const UiDevice& ui, Window& window, const Presenter& presen
 
 Interface::~Interface() {
     try {
-        m_device.handle().waitIdle(); // frames in flight read what goes now
+        vk::Device(m_device.handle()).waitIdle(); // frames in flight read what goes now
     } catch (const vk::Error&) {
         // Reported where somebody waits for a frame.
     }

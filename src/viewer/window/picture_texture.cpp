@@ -27,7 +27,7 @@ void PictureTexture::forget() {
     if (isEmpty()) {
         return;
     }
-    m_device.handle().waitIdle(); // a frame in flight may still read it
+    vk::Device(m_device.handle()).waitIdle(); // a frame in flight may still read it
     m_image = {};
     for (gpu::Buffer& staging : m_staging) {
         staging = {};

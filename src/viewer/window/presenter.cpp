@@ -39,19 +39,21 @@ Presenter::Presenter(UiDevice& ui, const Window& window, bool waitsForDisplay)
       m_waitsForDisplay(waitsForDisplay),
       m_pictures{std::make_unique<PictureTexture>(m_device, kFramesInFlight, "left picture"),
                  std::make_unique<PictureTexture>(m_device, kFramesInFlight, "right picture")},
-      m_format(chooseSurfaceFormat(m_device.physical().getSurfaceFormatsKHR(ui.surface()))),
+      m_format(
+          chooseSurfaceFormat(vk::PhysicalDevice(m_device.physical()).getSurfaceFormatsKHR(ui.surface()))),
       m_renderPass(makeWindowPass(m_device.handle(), m_format.format)) {
     for (Slot& slot : m_slots) {
         slot.pool =
             std::make_unique<gpu::CommandPool>(m_device, vk::CommandBufferLevel::ePrimary, "interface");
-        slot.done = m_device.handle().createFenceUnique({.flags = vk::FenceCreateFlagBits::eSignaled});
-        slot.imageReady = m_device.handle().createSemaphoreUnique({});
+        slot.done =
+            vk::Device(m_device.handle()).createFenceUnique({.flags = vk::FenceCreateFlagBits::eSignaled});
+        slot.imageReady = vk::Device(m_device.handle()).createSemaphoreUnique({});
     }
 }
 
 Presenter::~Presenter() {
     try {
-        m_device.handle().waitIdle();
+        vk::Device(m_device.handle()).waitIdle();
     } catch (const vk::Error&) {
         // Reported where somebody waits for a frame.
     }
@@ -68,7 +70,7 @@ bool Presenter::isStale() const {
 }
 
 bool Presenter::renew() {
-    m_device.handle().waitIdle();
+    vk::Device(m_device.handle()).waitIdle();
     m_wanted = m_window.extent();
     try {
         if (m_isSurfaceLost) {
@@ -113,7 +115,8 @@ bool Presenter::draw(const PictureLayout& layout, ImDrawData* interface, image::
     const std::size_t index = m_frames % kFramesInFlight;
     Slot& slot = m_slots[index];
     const vk::Result waited =
-        m_device.handle().waitForFences(*slot.done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+        vk::Device(m_device.handle())
+            .waitForFences(*slot.done, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
     vk::resultCheck(waited, "vkWaitForFences");
     if (layout.pictures < m_pictures.size()) {
         m_pictures.back()->forget();
@@ -121,7 +124,7 @@ bool Presenter::draw(const PictureLayout& layout, ImDrawData* interface, image::
     const std::optional<std::uint32_t> image = m_swapchain->acquire(*slot.imageReady);
     if (image) {
         ++m_frames;
-        m_device.handle().resetFences(*slot.done);
+        vk::Device(m_device.handle()).resetFences(*slot.done);
         slot.pool->reset();
         const vk::CommandBuffer commands = slot.pool->next();
         commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
@@ -141,7 +144,7 @@ bool Presenter::draw(const PictureLayout& layout, ImDrawData* interface, image::
     }
     m_surfacesLost = 0;
     if (reader) {
-        m_device.handle().waitIdle();
+        vk::Device(m_device.handle()).waitIdle();
         *capture = reader->fetch();
     }
     return true;
@@ -182,13 +185,14 @@ void Presenter::submit(vk::CommandBuffer commands, const Slot& slot, const Swapc
     const vk::SemaphoreSubmitInfo signal{.semaphore = *target.drawn,
                                          .stageMask = vk::PipelineStageFlagBits2::eAllCommands};
     const vk::CommandBufferSubmitInfo buffer{.commandBuffer = commands};
-    m_device.queue().submit2(vk::SubmitInfo2{.waitSemaphoreInfoCount = 1,
-                                             .pWaitSemaphoreInfos = &wait,
-                                             .commandBufferInfoCount = 1,
-                                             .pCommandBufferInfos = &buffer,
-                                             .signalSemaphoreInfoCount = 1,
-                                             .pSignalSemaphoreInfos = &signal},
-                             *slot.done);
+    vk::Queue(m_device.queue())
+        .submit2(vk::SubmitInfo2{.waitSemaphoreInfoCount = 1,
+                                 .pWaitSemaphoreInfos = &wait,
+                                 .commandBufferInfoCount = 1,
+                                 .pCommandBufferInfos = &buffer,
+                                 .signalSemaphoreInfoCount = 1,
+                                 .pSignalSemaphoreInfos = &signal},
+                 *slot.done);
 }
 
 } // namespace cdr::viewer

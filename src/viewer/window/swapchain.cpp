@@ -105,7 +105,8 @@ void Swapchain::present(vk::Queue queue, std::uint32_t image) {
 }
 
 bool Swapchain::isOutgrown(const gpu::Device& device, vk::SurfaceKHR surface, vk::Extent2D wanted) const {
-    const vk::SurfaceCapabilitiesKHR now = device.physical().getSurfaceCapabilitiesKHR(surface);
+    const vk::SurfaceCapabilitiesKHR now =
+        vk::PhysicalDevice(device.physical()).getSurfaceCapabilitiesKHR(surface);
     return chooseSurfaceExtent(now, wanted) != m_extent || now.currentTransform != m_transform;
 }
 

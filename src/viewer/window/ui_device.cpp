@@ -45,7 +45,7 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t family) {
 UiDevice::UiDevice(const WindowSystem& system, const Window& window, const std::string& choice, bool validate)
     : m_instance({.validate = validate, .extensions = system.instanceExtensions()}),
       m_surface(window.makeSurface(m_instance.handle())) {
-    const auto devices = m_instance.handle().enumeratePhysicalDevices();
+    const auto devices = vk::Instance(m_instance.handle()).enumeratePhysicalDevices();
     // The one that renders first; the choice itself is checked by whoever makes that device.
     std::vector<std::uint32_t> order;
     try {

@@ -21,7 +21,7 @@ constexpr auto kRectangleStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderS
 
 vk::UniqueSemaphore makeTimeline(const gpu::Device& device) {
     const vk::SemaphoreTypeCreateInfo type{.semaphoreType = vk::SemaphoreType::eTimeline, .initialValue = 0};
-    return device.handle().createSemaphoreUnique({.pNext = &type});
+    return vk::Device(device.handle()).createSemaphoreUnique({.pNext = &type});
 }
 
 } // namespace

@@ -142,7 +142,8 @@ TEST_F(RecordTest, HlslDrawsWhatGlslDraws) {
     std::vector<std::vector<image::Rgba8>> pictures;
     std::vector<std::vector<render::GBufferPixel>> surfaces;
     for (const HostShaders& shaders : {kSquare, kSquareHlsl}) {
-        const HostRectangles squares(device(), device().depthFormat(depth::DepthFormat::d32f), shaders);
+        const HostRectangles squares(device(), vk::Format(device().depthFormat(depth::DepthFormat::d32f)),
+                                     shaders);
         HostSide host(device(), extentOf(options));
         render::Renderer renderer(device(), scene, gpuScene, options);
         render::HostFrame frame = host.begin();
@@ -178,7 +179,8 @@ TEST_F(RecordTest, GroundOfAHostsIsCutWhereCascadesMeet) {
     const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/ratio:4"));
     std::vector<std::vector<render::GBufferPixel>> surfaces;
     for (const HostShaders& shaders : {kGround, kGroundHlsl}) {
-        const HostRectangles ground(device(), device().depthFormat(depth::DepthFormat::d32f), shaders);
+        const HostRectangles ground(device(), vk::Format(device().depthFormat(depth::DepthFormat::d32f)),
+                                    shaders);
         HostSide host(device(), extentOf(options));
         render::Renderer renderer(device(), scene, gpuScene, options);
         render::HostFrame frame = host.begin();
@@ -237,7 +239,7 @@ TEST_F(RecordTest, AHostsObjectsShareTheDepthOfEachCascade) {
                                                       {-1.5, 0.5 * kFaceView, 0.25, 12},
                                                       {1.5, 2.0 * kFaceView, 1.0, 13}};
     const scene::Camera camera{.fovY = 4e-6, .nearView = 1.0, .farView = 1e8};
-    const HostRectangles host(device(), device().depthFormat(depth::DepthFormat::d32f));
+    const HostRectangles host(device(), vk::Format(device().depthFormat(depth::DepthFormat::d32f)));
     const render::GpuScene gpuScene(device(), scene);
     for (const render::TargetsKind targets : render::kTargetsKinds) {
         for (const render::Submission submission : recordable()) {

@@ -122,7 +122,7 @@ TEST_F(OcclusionCullingTest, HoldsForAllTargetsThreadsSubmissionsAndSurfaces) {
 
 TEST_F(OcclusionCullingTest, HoldsForAVisibilityBuffer) {
     const std::uint64_t texels = m_city.scene.instances.size() * 6 * 2;
-    if (texels > device().physical().getProperties().limits.maxTexelBufferElements) {
+    if (texels > vk::PhysicalDevice(device().physical()).getProperties().limits.maxTexelBufferElements) {
         GTEST_SKIP() << "the device reads too few facets";
     }
     RenderOptions options = smallOptions(depth::parseTechnique("anchored"));

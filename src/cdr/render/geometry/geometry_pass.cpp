@@ -15,7 +15,7 @@ constexpr std::size_t kPrefetchDraws = 8;
 
 template <typename Function>
 Function deviceFunction(const gpu::Device& device, const char* name) {
-    return reinterpret_cast<Function>(device.handle().getProcAddr(name));
+    return reinterpret_cast<Function>(vk::Device(device.handle()).getProcAddr(name));
 }
 
 } // namespace

@@ -147,8 +147,9 @@ Batching parseBatching(std::string_view name) {
 GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& scene,
                                      const GeometryOptions& options)
     : m_options(options),
-      m_depthFormat(options.output == GeometryOutput::depth ? kOccluderFormat
-                                                            : device.depthFormat(options.technique.format)),
+      m_depthFormat(options.output == GeometryOutput::depth
+                        ? kOccluderFormat
+                        : vk::Format(device.depthFormat(options.technique.format))),
       m_layout(gpu::makePipelineLayout(
           device, {{scene.textureLayout(), scene.detailLayout()}, {pushRange(options.batching)}},
           "geometry layout")) {

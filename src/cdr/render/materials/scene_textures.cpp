@@ -45,14 +45,15 @@ vk::UniqueSampler makeSampler(const gpu::Device& device, const scene::Texture& t
         }
         return mirror ? vk::SamplerAddressMode::eMirroredRepeat : vk::SamplerAddressMode::eRepeat;
     };
-    return device.handle().createSamplerUnique(
-        {.magFilter = filterOf(texture.nearest),
-         .minFilter = filterOf(texture.nearestSmall),
-         .mipmapMode = texture.levels == scene::TextureLevels::blended ? vk::SamplerMipmapMode::eLinear
-                                                                       : vk::SamplerMipmapMode::eNearest,
-         .addressModeU = mode(texture.repeatU, texture.mirrorU),
-         .addressModeV = mode(texture.repeatV, texture.mirrorV),
-         .maxLod = texture.levels == scene::TextureLevels::none ? kFirstLevelAlone : VK_LOD_CLAMP_NONE});
+    return vk::Device(device.handle())
+        .createSamplerUnique(
+            {.magFilter = filterOf(texture.nearest),
+             .minFilter = filterOf(texture.nearestSmall),
+             .mipmapMode = texture.levels == scene::TextureLevels::blended ? vk::SamplerMipmapMode::eLinear
+                                                                           : vk::SamplerMipmapMode::eNearest,
+             .addressModeU = mode(texture.repeatU, texture.mirrorU),
+             .addressModeV = mode(texture.repeatV, texture.mirrorV),
+             .maxLod = texture.levels == scene::TextureLevels::none ? kFirstLevelAlone : VK_LOD_CLAMP_NONE});
 }
 
 /// Levels that a device has of a texture.

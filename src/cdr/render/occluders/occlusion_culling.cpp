@@ -21,7 +21,7 @@ OcclusionCulling::OcclusionCulling(const gpu::Device& device, const DrawnScene& 
       m_depth(device, occluderDepthOptions(extent), "occluder depth"),
       m_copy(device, occluderCopyBytes(extent), vk::BufferUsageFlagBits::eTransferDst,
              gpu::MemoryUse::hostReads, "occluder depth copy"),
-      m_done(device.handle().createFenceUnique({})),
+      m_done(vk::Device(device.handle()).createFenceUnique({})),
       m_tiles(extent.width, extent.height) {}
 
 std::uint64_t OcclusionCulling::predictBytes(const gpu::Device& device, vk::Extent2D extent) {

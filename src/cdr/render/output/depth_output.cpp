@@ -40,7 +40,7 @@ vk::ImageMemoryBarrier2 depthBarrier(vk::Image image, vk::PipelineStageFlags2 sr
 
 DepthOutput::DepthOutput(const gpu::Device& device)
     : m_device(device),
-      m_sampler(device.handle().createSamplerUnique({})),
+      m_sampler(vk::Device(device.handle()).createSamplerUnique({})),
       m_setLayout(gpu::makeSetLayout(device, {depthBindings(), kDepthStage}, "host depth set")),
       m_layout(gpu::makePipelineLayout(
           device, {{m_setLayout}, {{.stageFlags = kDepthStage, .size = sizeof(shaders::HostDepthPush)}}},

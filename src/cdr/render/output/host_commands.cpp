@@ -35,7 +35,7 @@ void requireImage(const SurfaceImage& image, const RenderOptions& options, const
 /// Whether vkCmdBlitImage() writes a picture of colours to it.
 bool takesColors(const gpu::Device& device, vk::Format format) {
     if (format == vk::Format::eUndefined ||
-        !(device.physical().getFormatProperties(format).optimalTilingFeatures &
+        !(vk::PhysicalDevice(device.physical()).getFormatProperties(format).optimalTilingFeatures &
           vk::FormatFeatureFlagBits::eBlitDst)) {
         return false;
     }
@@ -96,7 +96,7 @@ HostCascade hostCascadeOf(const gpu::Device& device, const RenderOptions& option
                           .farAhead = push.farAhead,
                           .projectionX = push.projectionX,
                           .projectionY = push.projectionY},
-            .depthFormat = static_cast<VkFormat>(device.depthFormat(options.technique.format)),
+            .depthFormat = device.depthFormat(options.technique.format),
             .depthCompare = static_cast<VkCompareOp>(depthCompareOf(options.technique.mapping))};
 }
 

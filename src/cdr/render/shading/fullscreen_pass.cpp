@@ -35,10 +35,11 @@ void PassInputs::setTexels(std::uint32_t binding, vk::BufferView texels) {
 FullscreenPass::FullscreenPass(const gpu::Device& device, const FullscreenPassOptions& options)
     : m_device(device),
       m_bindings(options.bindings),
-      m_sampler(device.handle().createSamplerUnique({.magFilter = options.filter,
-                                                     .minFilter = options.filter,
-                                                     .addressModeU = vk::SamplerAddressMode::eClampToEdge,
-                                                     .addressModeV = vk::SamplerAddressMode::eClampToEdge})),
+      m_sampler(vk::Device(device.handle())
+                    .createSamplerUnique({.magFilter = options.filter,
+                                          .minFilter = options.filter,
+                                          .addressModeU = vk::SamplerAddressMode::eClampToEdge,
+                                          .addressModeV = vk::SamplerAddressMode::eClampToEdge})),
       m_setLayout(gpu::makeSetLayout(device, {options.bindings, kSetStages}, options.name + " set")),
       m_layout(gpu::makePipelineLayout(device, {{m_setLayout}, pushRanges(options.pushBytes)},
                                        options.name + " layout")),

@@ -104,7 +104,8 @@ void BinningPass::groupInstances() {
     const GpuScene& gpuScene = m_drawn.uploaded;
     const std::vector<DrawKind>& kinds = gpuScene.kinds();
     const std::size_t mostCommands = std::min<std::size_t>(
-        kMostRunsPerGroup, m_device.physical().getProperties().limits.maxDrawIndirectCount);
+        kMostRunsPerGroup,
+        vk::PhysicalDevice(m_device.physical()).getProperties().limits.maxDrawIndirectCount);
     m_tables = gpuScene.tablesRevision();
     m_followed = gpuScene.instanceChanges().end();
     m_groups.clear();

@@ -23,7 +23,8 @@ void FacetDraws::makeRoom(std::size_t draws) {
     if (m_room > 0 && draws <= m_room && most == m_most) {
         return;
     }
-    const std::uint64_t mostTexels = device().physical().getProperties().limits.maxTexelBufferElements;
+    const std::uint64_t mostTexels =
+        vk::PhysicalDevice(device().physical()).getProperties().limits.maxTexelBufferElements;
     const std::uint64_t texels = draws * most.facets * kTexelsPerFacet;
     if (texels > mostTexels) {
         throw base::RunError(fmt::format("{} draws have facets of {} texels, {} reads {}", draws, texels,
@@ -43,8 +44,10 @@ void FacetDraws::makeRoom(std::size_t draws) {
     m_facets =
         makeStream(device(), std::max<std::size_t>(room * most.facets, 1) * sizeof(shaders::FacetRecord),
                    Usage::eUniformTexelBuffer, "facets");
-    m_facetTexels = device().handle().createBufferViewUnique(
-        {.buffer = m_facets.handle(), .format = vk::Format::eR32G32B32A32Uint, .range = VK_WHOLE_SIZE});
+    m_facetTexels = vk::Device(device().handle())
+                        .createBufferViewUnique({.buffer = m_facets.handle(),
+                                                 .format = vk::Format::eR32G32B32A32Uint,
+                                                 .range = VK_WHOLE_SIZE});
     m_room = room;
     m_most = most;
 }

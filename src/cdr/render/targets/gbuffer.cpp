@@ -37,9 +37,10 @@ gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std
 
 vk::Format depthAttachmentFormat(const gpu::Device& device, depth::DepthFormat format, vk::Format surfaces) {
     const vk::Format marking = kStencilFormats[static_cast<std::size_t>(format)];
-    const bool isAttachment(device.physical().getFormatProperties(marking).optimalTilingFeatures &
-                            vk::FormatFeatureFlagBits::eDepthStencilAttachment);
-    return surfaces == kVisibilityFormat && isAttachment ? marking : device.depthFormat(format);
+    const bool isAttachment(
+        vk::PhysicalDevice(device.physical()).getFormatProperties(marking).optimalTilingFeatures &
+        vk::FormatFeatureFlagBits::eDepthStencilAttachment);
+    return surfaces == kVisibilityFormat && isAttachment ? marking : vk::Format(device.depthFormat(format));
 }
 
 bool hasStencil(vk::Format depthAttachment) {

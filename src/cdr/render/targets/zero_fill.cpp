@@ -20,18 +20,20 @@ std::vector<vk::Format> surfaceFormats(const TargetsOptions& options) {
 ZeroFill::ZeroFill(const gpu::Device& device, const TargetsOptions& options)
     : m_extent(options.extent),
       m_layout(gpu::makePipelineLayout(device, {}, "zero fill layout")),
-      m_pipeline(gpu::makeGraphicsPipeline(device, {.name = "zero fill",
-                                                    .vertexSpirv = kFullscreenVert,
-                                                    .fragmentSpirv = kZeroFillFrag,
-                                                    .constants = {},
-                                                    .layout = m_layout,
-                                                    .bindings = {},
-                                                    .attributes = {},
-                                                    .colorFormats = surfaceFormats(options),
-                                                    .depthFormat = device.depthFormat(options.depthFormat),
-                                                    .usesDepth = false})),
-      m_pool(device.handle().createCommandPoolUnique({.queueFamilyIndex = device.queueFamily()})) {
-    m_secondary = std::move(device.handle()
+      m_pipeline(gpu::makeGraphicsPipeline(
+          device, {.name = "zero fill",
+                   .vertexSpirv = kFullscreenVert,
+                   .fragmentSpirv = kZeroFillFrag,
+                   .constants = {},
+                   .layout = m_layout,
+                   .bindings = {},
+                   .attributes = {},
+                   .colorFormats = surfaceFormats(options),
+                   .depthFormat = vk::Format(device.depthFormat(options.depthFormat)),
+                   .usesDepth = false})),
+      m_pool(
+          vk::Device(device.handle()).createCommandPoolUnique({.queueFamilyIndex = device.queueFamily()})) {
+    m_secondary = std::move(vk::Device(device.handle())
                                 .allocateCommandBuffersUnique({.commandPool = *m_pool,
                                                                .level = vk::CommandBufferLevel::eSecondary,
                                                                .commandBufferCount = 1})
@@ -40,7 +42,7 @@ ZeroFill::ZeroFill(const gpu::Device& device, const TargetsOptions& options)
     const vk::CommandBufferInheritanceRenderingInfo rendering{
         .colorAttachmentCount = static_cast<std::uint32_t>(formats.size()),
         .pColorAttachmentFormats = formats.data(),
-        .depthAttachmentFormat = device.depthFormat(options.depthFormat),
+        .depthAttachmentFormat = vk::Format(device.depthFormat(options.depthFormat)),
         .rasterizationSamples = vk::SampleCountFlagBits::e1};
     const vk::CommandBufferInheritanceInfo inheritance{.pNext = &rendering};
     // Frames in flight, and the layers of one frame, execute it again.

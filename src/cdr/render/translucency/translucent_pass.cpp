@@ -32,7 +32,7 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const DrawnScene& sc
       m_gbuffer(gbuffer),
       m_lit(lit),
       m_options(options),
-      m_sampler(device.handle().createSamplerUnique({})),
+      m_sampler(vk::Device(device.handle()).createSamplerUnique({})),
       m_surroundingsLayout(gpu::makeSetLayout(
           device, {{kImage, vk::DescriptorType::eStorageBuffer}, vk::ShaderStageFlagBits::eFragment},
           "translucent surroundings")),
