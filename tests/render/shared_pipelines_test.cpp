@@ -130,8 +130,8 @@ TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
         const auto color = renderer.surfaces().color.image;
         std::uint32_t object = 0;
         for (const scene::Material& material :
-             {scene::Material{.shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f}},
-              scene::Material{.baseColorFactor = glm::vec4(0.5f), .alphaMode = scene::AlphaMode::blend},
+             {scene::Material{.baseColorFactor = glm::vec4(0.5f), .alphaMode = scene::AlphaMode::blend},
+              scene::Material{.shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f}},
               scene::Material{.shine = scene::Shine{.metallic = 0.9f, .roughness = 0.2f},
               .alphaMode = scene::AlphaMode::blend},
               scene::Material{.detail = {.emission = glm::vec3(0.5f)}}}) {
