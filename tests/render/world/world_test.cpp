@@ -2,7 +2,6 @@
 #include "editor.h"
 
 #include <cdr/base/error.h>
-#include <cdr/gpu/vulkan_hpp.h>
 
 #include <array>
 #include <cstdlib>
@@ -353,7 +352,7 @@ TEST_F(WorldTest, AddingAMeshSeldomUploadsTheOthers) {
     render::GpuScene onDevice(device(), world);
     int uploads = 0;
     for (int i = 0; i < 200; ++i) {
-        const vk::Buffer vertices = onDevice.vertices();
+        const VkBuffer vertices = onDevice.vertices();
         const scene::MeshHandle mesh = world.addMesh(scene::makeBox(glm::vec3(1.0f)));
         onDevice.update();
         uploads += onDevice.vertices() == vertices ? 0 : 1;
