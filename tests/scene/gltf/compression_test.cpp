@@ -107,24 +107,25 @@ TEST_F(GltfCompression, OfMeshoptTheUncompressedCopyIsDrawn) {
     for (const std::string extension : kMeshopt) {
         const GltfImport import = load(withMeshopt(extension.c_str()));
         expectIsTheSquare(import);
-        EXPECT_EQ(import.ignored, std::vector<std::string>{extension + ": extension not used"});
+        EXPECT_EQ(import.ignored, extension == kMeshopt[0]
+                                      ? std::vector<std::string>{}
+                                      : std::vector<std::string>{extension + ": extension not used"});
     }
 }
 
-TEST_F(GltfCompression, WhatOnlyMeshoptHoldsIsRefused) {
-    for (const std::string extension : kMeshopt) {
-        Document document = withMeshopt(extension.c_str());
-        // As gltfpack has it: what is compressed in the BIN chunk, a buffer without bytes for what it
-        // becomes.
-        std::swap(document.root["buffers"][0], document.root["buffers"][1]);
-        document.root["buffers"][0].erase("uri");
-        document.root["buffers"][1]["extensions"][extension] = {{"fallback", true}};
-        for (json& view : document.root["bufferViews"]) {
-            view["buffer"] = 1;
-            view["extensions"][extension]["buffer"] = 0;
-        }
-        expectSays(refusal(document), "is there only as " + extension + ", which is not supported");
+TEST_F(GltfCompression, WhatOnlyTheLaterMeshoptHoldsIsRefused) {
+    const std::string extension = kMeshopt[1];
+    Document document = withMeshopt(extension.c_str());
+    // As gltfpack has it: what is compressed in the BIN chunk, a buffer without bytes for what it
+    // becomes.
+    std::swap(document.root["buffers"][0], document.root["buffers"][1]);
+    document.root["buffers"][0].erase("uri");
+    document.root["buffers"][1]["extensions"][extension] = {{"fallback", true}};
+    for (json& view : document.root["bufferViews"]) {
+        view["buffer"] = 1;
+        view["extensions"][extension]["buffer"] = 0;
     }
+    expectSays(refusal(document), "is there only as " + extension + ", which is not supported");
 }
 
 TEST_F(GltfCompression, BytesThatAreMeshoptsAreNotRead) {
@@ -137,9 +138,7 @@ TEST_F(GltfCompression, BytesThatAreMeshoptsAreNotRead) {
         compressed["buffer"] = 0;
         for (const int touching : {begin - 7, begin, end - 1}) {
             compressed["byteOffset"] = touching;
-            EXPECT_EQ(refusal(document),
-                      "buffer view 1 is there only as " + extension + ", which is not supported")
-                << touching;
+            EXPECT_NE(refusal(document), "loaded") << touching; // they are no sound ones
         }
         for (const int beside : {begin - 8, end}) {
             compressed["byteOffset"] = beside;

@@ -55,7 +55,8 @@ std::vector<Transform> transformsAt(const Moved& moved, std::uint32_t frame) {
     transforms.reserve(moved.carried.size() + moved.deformed.size());
     for (const std::size_t i : moved.carried) {
         const CarriedInstance& instance = moved.all->carried[i];
-        const glm::dmat4& toWorld = pose.toWorld[instance.node];
+        const glm::dmat4& ofNode = pose.toWorld[instance.node];
+        const glm::dmat4 toWorld = instance.toNode ? ofNode * *instance.toNode : ofNode;
         transforms.push_back(
             transformOf(glm::dvec3(toWorld * glm::dvec4(instance.origin, 1.0)), glm::dmat3(toWorld)));
     }

@@ -23,8 +23,9 @@ struct Skin {
 /// An instance that goes with a node.
 struct CarriedInstance {
     std::uint32_t instance = 0;
-    std::size_t node = 0;   ///< into Rig::nodes
-    glm::dvec3 origin{0.0}; ///< of its mesh, in the node's space
+    std::size_t node = 0;               ///< into Rig::nodes
+    glm::dvec3 origin{0.0};             ///< of its mesh, in the node's space, or in that of a copy
+    std::optional<glm::dmat4> toNode{}; ///< of a copy
 };
 
 /// An instance whose mesh is its own and deforms.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "files.h"
+#include "bytes/files.h"
 
 #include <glm/glm.hpp>
 

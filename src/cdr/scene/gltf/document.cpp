@@ -2,7 +2,9 @@
 
 #include "cameras.h"
 #include "checks.h"
+#include "instancing.h"
 #include "json.h"
+#include "bytes/meshopt.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,8 +17,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 4> kSupportedExtensions{"KHR_materials_emissive_strength",
-                                                               "KHR_materials_unlit", "KHR_mesh_quantization",
+constexpr std::array<std::string_view, 6> kSupportedExtensions{kInstancing,
+                                                               kMeshopt,
+                                                               "KHR_materials_emissive_strength",
+                                                               "KHR_materials_unlit",
+                                                               "KHR_mesh_quantization",
                                                                "KHR_texture_transform"};
 
 bool isSupported(const std::string& extension) {

@@ -1,8 +1,9 @@
 #include "animation/moving_parts.h"
 #include "cameras.h"
 #include "checks.h"
-#include "container.h"
+#include "bytes/container.h"
 #include "import.h"
+#include "instancing.h"
 #include "json.h"
 #include "material.h"
 #include "memory.h"
@@ -13,8 +14,11 @@
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/lod/mesh_pieces.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -24,6 +28,8 @@ namespace cdr::scene {
 namespace gltf {
 
 namespace {
+
+using nlohmann::json;
 
 /// A mesh of the file whose primitives are in the scene.
 struct PlacedPrimitive {
@@ -39,6 +45,9 @@ bool isFlat(const glm::dmat3& linear, const glm::mat3& basis) {
     return !(std::abs(glm::determinant(linear)) > kLeastRelativeVolume * volume) ||
            !(std::abs(glm::determinant(glm::dmat3(basis))) > 0.0);
 }
+
+/// What a copy of a mesh takes beside its instances: a name, and where it moves its place.
+constexpr std::uint64_t kCopyBytes = sizeof(std::string) + kMaxNameLength + 3 * sizeof(CarriedInstance);
 
 /// The longest column: by how much a transform stretches, within a factor of 1.74.
 double stretchOf(const glm::dmat4& matrix) {
@@ -59,13 +68,15 @@ class Importer {
 
     void run(const PlacedNodes& nodes, GltfImport& result) {
         m_moving.emplace(m_sources.document.root, nodes, m_accessors, m_memory, m_sources.notes);
+        readCopies(nodes.meshes);
         requireBounded(nodes.meshes);
         for (const MeshNode& node : nodes.meshes) {
             double& stretch = m_stretch[node.mesh];
-            stretch = std::max(stretch, stretchOf(node.toWorld));
+            forEachCopy(node,
+                        [&](const MeshNode& copy) { stretch = std::max(stretch, stretchOf(copy.toWorld)); });
         }
         for (const MeshNode& node : nodes.meshes) {
-            addObject(node);
+            addNode(node);
         }
         m_materials.decodeTextures(m_limits);
         result.animation = m_moving->finish(m_scene);
@@ -77,8 +88,14 @@ class Importer {
     void requireBounded(const std::vector<MeshNode>& nodes);
     /// Reads a mesh and adds what its parts take; returns its triangles.
     std::uint64_t readBounded(int mesh);
-    void addObject(const MeshNode& node);
-    void addRigid(const MeshNode& node, std::size_t index, std::uint32_t object, const std::string& name);
+    void addNode(const MeshNode& node);
+    void addObject(const MeshNode& node, std::string name);
+    /// Reads where the nodes' meshes are copied to; bounds the objects.
+    void readCopies(const std::vector<MeshNode>& nodes);
+    std::uint64_t countOf(const MeshNode& node) const;
+    void addRigid(const MeshNode& node, std::size_t index, std::uint32_t object);
+    /// A node as each of its copies stands, or as it is where it has none.
+    void forEachCopy(const MeshNode& node, const std::function<void(const MeshNode&)>& add);
     void addDeformed(const MeshNode& node, std::size_t index, std::uint32_t object);
     const std::optional<PlacedPrimitive>& use(int meshIndex, std::size_t index);
     /// A material of the scene in the layer of a node, if the node has one.
@@ -93,16 +110,50 @@ class Importer {
     MaterialImporter m_materials;
     std::optional<MovingParts> m_moving;      ///< while it runs
     std::map<int, MeshSource> m_sourceMeshes; ///< by mesh, those of the scene
+    std::map<int, MeshCopies> m_copies;       ///< by node, where it has some
     std::map<std::pair<int, std::size_t>, std::optional<PlacedPrimitive>>
         m_imported;                                                     ///< by mesh and primitive
     std::map<std::pair<std::uint32_t, float>, std::uint32_t> m_layered; ///< by material and layer
     std::map<int, double> m_stretch;                                    ///< by mesh, the largest of its nodes
 };
 
-void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
-    if (nodes.size() > kMaxObjects) {
-        refuse("{} objects are over the limit of {}", nodes.size(), kMaxObjects);
+void Importer::forEachCopy(const MeshNode& node, const std::function<void(const MeshNode&)>& add) {
+    const auto found = m_copies.find(node.node);
+    if (found == m_copies.end()) {
+        add(node);
+        return;
     }
+    MeshNode copy = node;
+    for (std::size_t i = 0; i < found->second.count(); ++i) {
+        copy.toNode = found->second.toNode(i);
+        copy.toWorld = node.toWorld * *copy.toNode;
+        add(copy);
+    }
+}
+
+std::uint64_t Importer::countOf(const MeshNode& node) const {
+    const auto found = m_copies.find(node.node);
+    return found == m_copies.end() ? 1 : found->second.count();
+}
+
+void Importer::readCopies(const std::vector<MeshNode>& nodes) {
+    std::uint64_t objects = 0;
+    for (const MeshNode& node : nodes) {
+        const json& source = itemAt(m_sources.document.root, "nodes", node.node, "node");
+        if (const json* extension = extensionOf(source, kInstancing)) {
+            const auto copies =
+                m_copies.try_emplace(node.node, *extension, m_accessors, fmt::format("node {}", node.node));
+            m_memory.add({.kept = copies.first->second.count() * kCopyBytes, .passing = 0},
+                         "copies of a mesh");
+        }
+        objects += countOf(node);
+    }
+    if (objects > kMaxObjects) {
+        refuse("{} objects are over the limit of {}", objects, kMaxObjects);
+    }
+}
+
+void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
     std::map<int, std::uint64_t> trianglesOf;
     std::uint64_t triangles = 0;
     std::uint64_t instances = 0;
@@ -116,8 +167,12 @@ void Importer::requireBounded(const std::vector<MeshNode>& nodes) {
                 m_memory.add(predictDeformer(primitive, m_accessors), fmt::format("node {}", node.node));
             }
         }
-        triangles += found->second;
-        instances += m_sourceMeshes.at(node.mesh).primitives.size();
+        const std::uint64_t copies = countOf(node);
+        if (found->second > 0 && copies > m_limits.maxTriangles / found->second) {
+            refuse("its triangles, repeats counted, are over the limit of {}", m_limits.maxTriangles);
+        }
+        triangles += copies * found->second;
+        instances += copies * m_sourceMeshes.at(node.mesh).primitives.size();
         if (triangles > m_limits.maxTriangles) {
             refuse("its triangles, repeats counted, are over the limit of {}", m_limits.maxTriangles);
         }
@@ -139,25 +194,35 @@ std::uint64_t Importer::readBounded(int mesh) {
     return triangles;
 }
 
-void Importer::addObject(const MeshNode& node) {
-    const std::string name = fullNameOf(itemAt(m_sources.document.root, "nodes", node.node, "node"));
+void Importer::addNode(const MeshNode& node) {
+    const std::string nodeName = fullNameOf(itemAt(m_sources.document.root, "nodes", node.node, "node"));
     const std::string& meshName = m_sourceMeshes.at(node.mesh).name;
+    const std::string name = !nodeName.empty()   ? nodeName
+                             : !meshName.empty() ? meshName
+                                                 : fmt::format("node {}", node.node);
+    std::size_t copies = 0;
+    forEachCopy(node, [&](const MeshNode& copy) {
+        addObject(copy, copy.toNode ? fmt::format("{} {}", oneLine(name, kMaxNameLength), copies++) : name);
+    });
+}
+
+void Importer::addObject(const MeshNode& node, std::string name) {
     const auto object = static_cast<std::uint32_t>(m_scene.objectNames.size());
-    m_scene.objectNames.push_back(!name.empty()       ? name
-                                  : !meshName.empty() ? meshName
-                                                      : fmt::format("node {}", node.node));
+    m_scene.objectNames.push_back(std::move(name));
     const std::vector<Primitive>& primitives = m_sourceMeshes.at(node.mesh).primitives;
     for (std::size_t i = 0; i < primitives.size(); ++i) {
-        if (m_moving->deforms(node, primitives[i])) {
+        if (!m_moving->deforms(node, primitives[i])) {
+            addRigid(node, i, object);
+        } else if (!node.toNode) {
             addDeformed(node, i, object);
         } else {
-            addRigid(node, i, object, name);
+            m_sources.notes.add("copies of a mesh that deforms are not drawn",
+                                fmt::format("node {}", node.node));
         }
     }
 }
 
-void Importer::addRigid(const MeshNode& node, std::size_t index, std::uint32_t object,
-                        const std::string& name) {
+void Importer::addRigid(const MeshNode& node, std::size_t index, std::uint32_t object) {
     const glm::dmat3 linear(node.toWorld);
     const bool flat = isFlat(linear, glm::mat3(linear));
     if (flat && !m_moving->moves(node)) {
@@ -175,7 +240,7 @@ void Importer::addRigid(const MeshNode& node, std::size_t index, std::uint32_t o
         const glm::dvec3 position = m_scene.instances.position(i);
         if (!std::isfinite(m_scene.instances.radius[i]) || !std::isfinite(glm::dot(position, position))) {
             refuse("node {} '{}': its size or place is over what can be drawn", node.node,
-                   oneLine(name, kMaxNameLength));
+                   oneLine(m_scene.objectNames[object], kMaxNameLength));
         }
         m_moving->carry(node, static_cast<std::uint32_t>(i), primitive->pieces.origins[i - first]);
     }
@@ -233,7 +298,7 @@ GltfImport importParts(std::span<const std::uint8_t> file, const std::filesystem
     Notes notes;
     const Document document = parseDocument(container.json, limits, notes);
     Files files(path.parent_path(), limits);
-    const Buffers buffers(document.root, container.bin, files);
+    const Buffers buffers(document.root, container.bin, files, limits);
     GltfImport result;
     const PlacedNodes nodes = placeNodes(document.root, limits, scene, notes);
     Importer({document, buffers, files, notes}, limits).run(nodes, result);

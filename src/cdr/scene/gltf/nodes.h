@@ -19,9 +19,10 @@ namespace cdr::scene::gltf {
 struct MeshNode {
     int node = 0;
     int mesh = 0;
-    glm::dmat4 toWorld{1.0};
+    glm::dmat4 toWorld{1.0};      ///< of the node, or of one of its copies
     std::optional<float> layer{}; ///< of all that it draws, instead of its materials' own
     std::optional<int> skin{};
+    std::optional<glm::dmat4> toNode{}; ///< of a copy
 };
 
 /// A node with a camera.

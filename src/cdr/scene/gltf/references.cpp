@@ -1,5 +1,5 @@
-#include "container.h"
-#include "files.h"
+#include "bytes/container.h"
+#include "bytes/files.h"
 #include "json.h"
 
 #include <cdr/base/error.h>

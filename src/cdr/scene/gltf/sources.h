@@ -1,7 +1,7 @@
 #pragma once
 
 #include "document.h"
-#include "files.h"
+#include "bytes/files.h"
 #include "notes.h"
 
 namespace cdr::scene::gltf {

@@ -75,7 +75,8 @@ bool MovingParts::deforms(const MeshNode& node, const Primitive& primitive) cons
 void MovingParts::carry(const MeshNode& node, std::uint32_t instance, const glm::dvec3& origin) {
     if (moves(node)) {
         const std::size_t rigNode = m_rig.nodeOf[static_cast<std::size_t>(node.node)].value();
-        m_made->carried.push_back({.instance = instance, .node = rigNode, .origin = origin});
+        m_made->carried.push_back(
+            {.instance = instance, .node = rigNode, .origin = origin, .toNode = node.toNode});
     }
 }
 

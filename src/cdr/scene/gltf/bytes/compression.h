@@ -7,9 +7,9 @@
 
 namespace cdr::scene::gltf {
 
-// Extensions that compress geometry are not supported. A file that uses one without requiring it has the same
-// geometry uncompressed as well, which is what we read; what is missing there would read as zeros, or as
-// bytes that mean something else.
+// Of the extensions that compress geometry EXT_meshopt_compression is supported (meshopt.h). A file that uses another one
+// without requiring it has the same geometry uncompressed as well, which is what we read; what is missing there would read
+// as zeros, or as bytes that mean something else.
 
 /// Refuses a primitive of which KHR_draco_mesh_compression holds what no buffer view does.
 /// @param root of the document.
@@ -23,10 +23,11 @@ struct BufferRange {
     std::size_t length = 0;
 };
 
-/// Refuses a buffer view whose bytes EXT_ or KHR_meshopt_compression holds and nothing else.
+/// The EXT_meshopt_compression of a buffer view whose bytes it holds and nothing else; null for another view. Refuses one
+/// of KHR_meshopt_compression.
 /// @param range that the view covers.
 /// @param hasBuffer whether there are bytes of the buffer that the view is in.
-void requireUncompressed(const nlohmann::json& view, const BufferRange& range, const std::string& where,
-                         bool hasBuffer);
+const nlohmann::json* meshoptOf(const nlohmann::json& view, const BufferRange& range,
+                                const std::string& where, bool hasBuffer);
 
 } // namespace cdr::scene::gltf

@@ -1,7 +1,8 @@
 #include "compression.h"
 
-#include "checks.h"
-#include "json.h"
+#include "../checks.h"
+#include "../json.h"
+#include "meshopt.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
+constexpr const char* kLaterMeshopt = "KHR_meshopt_compression";
 
 /// Refuses an accessor that no buffer view backs; sparse elements over others that are compressed are no way
 /// out. What is no accessor is refused where it is used.
@@ -58,14 +60,17 @@ void requireUncompressed(const json& root, const json& primitive, const std::str
     }
 }
 
-void requireUncompressed(const json& view, const BufferRange& range, const std::string& where,
-                         bool hasBuffer) {
-    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
-        const json* compressed = extensionOf(view, name);
-        if (compressed != nullptr && (!hasBuffer || isOverCompressed(range, *compressed))) {
-            refuse("{} is there only as {}, which is not supported", where, name);
-        }
+const json* meshoptOf(const json& view, const BufferRange& range, const std::string& where, bool hasBuffer) {
+    const auto isAlone = [&](const json* compressed) {
+        return compressed != nullptr && (!hasBuffer || isOverCompressed(range, *compressed));
+    };
+    if (const json* compressed = extensionOf(view, kMeshopt); isAlone(compressed)) {
+        return compressed;
     }
+    if (isAlone(extensionOf(view, kLaterMeshopt))) {
+        refuse("{} is there only as {}, which is not supported", where, kLaterMeshopt);
+    }
+    return nullptr;
 }
 
 } // namespace cdr::scene::gltf

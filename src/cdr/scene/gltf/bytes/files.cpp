@@ -1,9 +1,10 @@
 #include "files.h"
 
-#include "checks.h"
+#include "../checks.h"
+#include "../json.h"
 #include "compression.h"
 #include "data_uri.h"
-#include "json.h"
+#include "meshopt.h"
 
 #include <nlohmann/json.hpp>
 
@@ -103,8 +104,10 @@ fs::path Files::resolve(const std::string& uri) const {
     return path;
 }
 
-Buffers::Buffers(const nlohmann::json& root, std::optional<std::span<const std::uint8_t>> bin, Files& files)
-    : m_root(root) {
+Buffers::Buffers(const nlohmann::json& root, std::optional<std::span<const std::uint8_t>> bin, Files& files,
+                 const GltfLimits& limits)
+    : m_root(root),
+      m_decodableBytes(limits.maxFileBytes) {
     for (const nlohmann::json& buffer : arrayMember(root, "buffers")) {
         const std::size_t number = m_buffers.size();
         const auto byteLength = static_cast<std::size_t>(indexMember(buffer, "byteLength").value_or(0));
@@ -137,9 +140,17 @@ BufferView Buffers::view(int index) const {
     if (stride > kMaxStride || stride % 4 != 0) {
         refuse("{}: its byteStride is {}, not a multiple of 4 up to {}", where, stride, kMaxStride);
     }
+    const bool hasBuffer = itemAt(m_buffers, buffer, "buffer").has_value();
+    const nlohmann::json* compressed =
+        meshoptOf(view, {.buffer = buffer, .offset = offset, .length = length}, where, hasBuffer);
+    return {compressed != nullptr ? decoded(index, *compressed, length, where)
+                                  : range(buffer, offset, length, where),
+            stride};
+}
+
+std::span<const std::uint8_t> Buffers::range(int buffer, std::size_t offset, std::size_t length,
+                                             const std::string& where) const {
     const auto& bytes = itemAt(m_buffers, buffer, "buffer");
-    requireUncompressed(view, {.buffer = buffer, .offset = offset, .length = length}, where,
-                        bytes.has_value());
     if (!bytes) {
         refuse("buffer {} has neither a URI nor a BIN chunk", buffer);
     }
@@ -147,7 +158,21 @@ BufferView Buffers::view(int index) const {
         refuse("{} covers {} bytes from {} but buffer {} has {}", where, length, offset, buffer,
                bytes->size());
     }
-    return {bytes->subspan(offset, length), stride};
+    return bytes->subspan(offset, length);
+}
+
+std::span<const std::uint8_t> Buffers::decoded(int index, const nlohmann::json& compressed,
+                                               std::size_t length, const std::string& where) const {
+    if (const auto found = m_decoded.find(index); found != m_decoded.end()) {
+        return found->second;
+    }
+    const MeshoptView view = readMeshoptView(compressed, length, where);
+    const std::span<const std::uint8_t> bytes = range(view.buffer, view.offset, view.length, where);
+    if (length > m_decodableBytes) {
+        refuse("{}: with it, decoded buffer views are over the limit of bytes", where);
+    }
+    m_decodableBytes -= length;
+    return m_decoded.emplace(index, decodeMeshopt(view, bytes, where)).first->second;
 }
 
 } // namespace cdr::scene::gltf

@@ -1,6 +1,6 @@
 #include "container.h"
 
-#include "checks.h"
+#include "../checks.h"
 
 #include <cstddef>
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,14 +45,22 @@ class Buffers {
   public:
     /// @param root of the document; must outlive this.
     /// @param bin the BIN chunk, if any; must outlive this.
-    Buffers(const nlohmann::json& root, std::optional<std::span<const std::uint8_t>> bin, Files& files);
+    Buffers(const nlohmann::json& root, std::optional<std::span<const std::uint8_t>> bin, Files& files,
+            const GltfLimits& limits);
 
     /// Refuses a view in a buffer that has no bytes: only those that are used must, since extensions may hold
-    /// the rest.
+    /// the rest. What EXT_meshopt_compression holds is decoded when first asked for, and kept.
     BufferView view(int index) const;
 
   private:
+    std::span<const std::uint8_t> decoded(int index, const nlohmann::json& compressed, std::size_t length,
+                                          const std::string& where) const;
+    std::span<const std::uint8_t> range(int buffer, std::size_t offset, std::size_t length,
+                                        const std::string& where) const;
+
     const nlohmann::json& m_root;
+    mutable std::map<int, host::Bytes> m_decoded; ///< by view
+    mutable std::uintmax_t m_decodableBytes;      ///< that are left, of all views together
     std::vector<host::Bytes> m_owned;
     std::vector<std::optional<std::span<const std::uint8_t>>> m_buffers; ///< none where the file has no bytes
 };

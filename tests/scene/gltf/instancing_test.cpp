@@ -1,0 +1,146 @@
+#include "fixture.h"
+
+#include <cdr/scene/gltf/open_gltf.h>
+
+#include <cmath>
+
+namespace cdr::scene::test {
+namespace {
+
+using GltfInstancing = GltfFolder;
+
+constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
+
+/// The square of 2 by 4, copied to three places.
+Document copied() {
+    Document document = square();
+    const int translation =
+        document.addAccessor(std::vector<float>{0, 0, 0, 10, 0, 0, 0, 20, 0}, "VEC3", kFloat);
+    const float half = std::sqrt(0.5f); // the last one is turned by 90 degrees about z
+    const int rotation =
+        document.addAccessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, half, half}, "VEC4", kFloat);
+    const int scale = document.addAccessor(std::vector<float>{1, 1, 1, 2, 2, 2, 1, 1, 1}, "VEC3", kFloat);
+    json& node = document.root["nodes"][0];
+    node["name"] = "tile";
+    node["translation"] = {100, 0, 0};
+    node["extensions"][kInstancing]["attributes"] = {
+        {"TRANSLATION", translation}, {"ROTATION", rotation}, {"SCALE", scale}};
+    document.root["extensionsUsed"] = {kInstancing};
+    document.root["extensionsRequired"] = {kInstancing};
+    return document;
+}
+
+json& attributesOf(Document& document) {
+    return document.root["nodes"][0]["extensions"][kInstancing]["attributes"];
+}
+
+TEST_F(GltfInstancing, EachCopyIsAnObject) {
+    const GltfImport import = load(copied());
+    EXPECT_TRUE(import.ignored.empty());
+    const Instances& instances = import.scene.instances;
+    ASSERT_EQ(instances.size(), 3u);
+    EXPECT_EQ(import.scene.meshes.size(), 1u);
+    EXPECT_EQ(import.scene.objectNames, (std::vector<std::string>{"tile 0", "tile 1", "tile 2"}));
+    EXPECT_EQ(instances.object, (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(instances.position(0), glm::dvec3(101, 2, 0)); // of the square's centre
+    EXPECT_EQ(instances.position(1), glm::dvec3(112, 4, 0));
+    EXPECT_NEAR(instances.x[2], 98.0, 1e-6);
+    EXPECT_NEAR(instances.y[2], 21.0, 1e-6);
+    EXPECT_EQ(instances.basis[1], glm::mat3(2.0f));
+    EXPECT_NEAR(instances.basis[2][0].y, 1.0f, 1e-6f);
+}
+
+TEST_F(GltfInstancing, AttributesMayBeMissing) {
+    Document document = copied();
+    attributesOf(document).erase("ROTATION");
+    attributesOf(document).erase("TRANSLATION");
+    EXPECT_EQ(load(document).scene.instances.basis[1], glm::mat3(2.0f));
+    attributesOf(document)["_ID"] = document.addAccessor(std::vector<float>{7, 8, 9}, "SCALAR", kFloat);
+    attributesOf(document).erase("SCALE");
+    EXPECT_EQ(load(document).scene.instances.size(), 3u);
+    attributesOf(document).erase("_ID");
+    expectSays(refusal(document), "has no attributes");
+}
+
+TEST_F(GltfInstancing, UnsoundOnesAreRefused) {
+    const auto with = [&](const char* name, const json& value) {
+        Document document = copied();
+        attributesOf(document)[name] = value;
+        return refusal(document);
+    };
+    expectSays(with("SCALE", 99), "accessor 99 does not exist");
+    expectSays(with("SCALE", "x"), "'SCALE' is \"x\"");
+    Document document = copied();
+    attributesOf(document)["SCALE"] = document.addAccessor(std::vector<float>{1, 1, 1}, "VEC3", kFloat);
+    expectSays(refusal(document), "have 3 and 1 elements");
+    document = copied();
+    attributesOf(document)["SCALE"] = attributesOf(document)["ROTATION"];
+    expectSays(refusal(document), "SCALE of EXT_mesh_gpu_instancing has 4 components");
+    document = copied();
+    document.root["nodes"][0]["extensions"][kInstancing] = {{"attributes", 5}};
+    EXPECT_NE(refusal(document), "loaded");
+    document = copied();
+    attributesOf(document)["ROTATION"] = document.addAccessor(std::vector<float>(12, 0.0f), "VEC4", kFloat);
+    expectSays(refusal(document), "the rotation of its copy 0 has no direction");
+    document = copied();
+    attributesOf(document)["TRANSLATION"] =
+        document.addAccessor(std::vector<float>{0, 0, 0, 0, 0, 0, NAN, 0, 0}, "VEC3", kFloat);
+    expectSays(refusal(document), "the place of its copy 2 is not finite");
+}
+
+/// A few bytes can name many copies: elements without bytes are zeros.
+TEST_F(GltfInstancing, CopiesAreBoundedBeforeTheyAreMade) {
+    Document document = copied();
+    for (const auto& [name, index] : attributesOf(document).items()) {
+        json& accessor = document.root["accessors"][index.get<std::size_t>()];
+        accessor.erase("bufferView");
+        accessor["count"] = 2'000'000'000;
+    }
+    EXPECT_NE(refusal(document), "loaded");
+    for (const auto& [name, index] : attributesOf(document).items()) {
+        document.root["accessors"][index.get<std::size_t>()]["count"] = 10'000'000;
+    }
+    GltfLimits limits;
+    limits.maxBytes = 1u << 20;
+    expectSays(refusal(document, limits), "the import would take");
+    limits = {};
+    limits.maxTriangles = 5; // three copies of two triangles
+    expectSays(refusal(copied(), limits), "repeats counted");
+}
+
+TEST_F(GltfInstancing, NoneAreNone) {
+    Document document = copied();
+    for (const auto& [name, index] : attributesOf(document).items()) {
+        document.root["accessors"][index.get<std::size_t>()]["count"] = 0;
+    }
+    EXPECT_EQ(load(document).scene.instances.size(), 0u);
+}
+
+TEST_F(GltfInstancing, CopiesGoWithTheirNode) {
+    Document document = copied();
+    const int times = document.addAccessor(std::vector<float>{0, 2}, "SCALAR", kFloat);
+    const int places = document.addAccessor(std::vector<float>{0, 0, 0, 0, 0, 50}, "VEC3", kFloat);
+    document.root["animations"] = {
+        {{"samplers", {{{"input", times}, {"output", places}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+    GltfChoice choice;
+    choice.seconds = 2.0;
+    const Scene scene = openGltf(write("a.glb", document.glb()), choice).setup.scene;
+    ASSERT_EQ(scene.instances.size(), 3u);
+    EXPECT_EQ(scene.instances.position(1), glm::dvec3(12, 4, 50));
+    EXPECT_EQ(scene.instances.basis[1], glm::mat3(2.0f));
+    EXPECT_NEAR(scene.instances.basis[2][0].y, 1.0f, 1e-6f);
+}
+
+TEST_F(GltfInstancing, CopiesOfWhatDeformsAreNoted) {
+    Document document = copied();
+    document.primitive()["targets"] = {
+        {{"POSITION", document.addAccessor(std::vector<float>(12, 1.0f), "VEC3", kFloat)}}};
+    document.root["meshes"][0]["weights"] = {1.0};
+    const GltfImport import = load(document);
+    EXPECT_TRUE(anySays(import.ignored, "copies of a mesh that deforms are not drawn"));
+    EXPECT_EQ(import.scene.instances.size(), 0u);
+}
+
+} // namespace
+} // namespace cdr::scene::test
