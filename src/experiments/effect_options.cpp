@@ -64,7 +64,8 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments) {
     command.add_option("--exposure", arguments.exposure, "Stops by which the picture is brighter, -16 to 16")
         ->check(CLI::Range(-render::kMostExposure, render::kMostExposure))
         ->capture_default_str();
-    command.add_option("--light", arguments.light, "Of a glTF file: sky (a computed one, default) or lamps");
+    command.add_option("--light", arguments.light,
+                       "Of a glTF file: sky (a computed one, default), lamps or file (its own lights)");
     command.add_option(
         "--focus", arguments.focus,
         "A lens sharp at view distance DISTANCE, as DISTANCE:APERTURE in scene units: cascades "

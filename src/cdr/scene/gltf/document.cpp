@@ -1,10 +1,11 @@
 #include "document.h"
 
+#include "bytes/meshopt.h"
 #include "cameras.h"
 #include "checks.h"
 #include "instancing.h"
 #include "json.h"
-#include "bytes/meshopt.h"
+#include "lights.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,7 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 6> kSupportedExtensions{kInstancing,
+constexpr std::array<std::string_view, 7> kSupportedExtensions{kInstancing,
+                                                               kLights,
                                                                kMeshopt,
                                                                "KHR_materials_emissive_strength",
                                                                "KHR_materials_unlit",

@@ -1,10 +1,11 @@
 #include "animation/moving_parts.h"
+#include "bytes/container.h"
 #include "cameras.h"
 #include "checks.h"
-#include "bytes/container.h"
 #include "import.h"
 #include "instancing.h"
 #include "json.h"
+#include "lights.h"
 #include "material.h"
 #include "memory.h"
 #include "nodes.h"
@@ -303,6 +304,7 @@ GltfImport importParts(std::span<const std::uint8_t> file, const std::filesystem
     const PlacedNodes nodes = placeNodes(document.root, limits, scene, notes);
     Importer({document, buffers, files, notes}, limits).run(nodes, result);
     result.cameras = placeCameras(nodes.cameras, document, notes);
+    result.lights = placeLights(nodes.lights, document.root, notes);
     result.scene.name = path.stem().string();
     if (result.scene.instances.size() == 0) {
         notes.add("nothing of it is drawn", "the scene");

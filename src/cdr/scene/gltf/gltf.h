@@ -42,11 +42,22 @@ struct GltfCamera {
 };
 inline constexpr double kGltfFarRatio = 1e7;
 
+/// A light of a file (KHR_lights_punctual), in world space.
+struct GltfLight {
+    std::string name;
+    glm::dvec3 position{0.0};
+    std::optional<glm::dvec3>
+        direction{};        ///< that it shines in, of length one, from infinitely far; none: everywhere
+    glm::vec3 color{1.0f};  ///< linear
+    double intensity = 1.0; ///< candela, or lux with a direction
+};
+
 /// A glTF file as a scene. Objects are the nodes that carry a mesh, in the order of the file's node array;
-/// the primitives of one node share its object. No lights are added.
+/// the primitives of one node share its object. The scene has no lights.
 struct GltfImport {
     Scene scene;
-    std::vector<GltfCamera> cameras;  ///< of the scene's nodes, in the order of the file's node array
+    std::vector<GltfCamera> cameras; ///< of the scene's nodes, in the order of the file's node array
+    std::vector<GltfLight> lights;   ///< of the scene's nodes, at rest, in the order of the file's node array
     std::vector<std::string> ignored; ///< one line per feature of the file that was not used
     /// What nodes move; the scene is as it is at rest. Null where nothing of it can move.
     std::shared_ptr<const SceneAnimation> animation;

@@ -3,6 +3,7 @@
 #include "checks.h"
 #include "json.h"
 #include "layer.h"
+#include "lights.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
@@ -33,8 +34,14 @@ struct NodeSource {
     std::vector<int> children;
     int mesh = -1;   ///< or none
     int camera = -1; ///< or none
+    int light = -1;  ///< or none
     std::optional<int> skin{};
 };
+
+int lightOf(const json& node) {
+    const json* extension = extensionOf(node, kLights);
+    return extension == nullptr ? -1 : indexMember(*extension, "light").value_or(-1);
+}
 
 std::vector<NodeSource> readNodes(const json& root) {
     std::vector<NodeSource> nodes;
@@ -44,6 +51,7 @@ std::vector<NodeSource> readNodes(const json& root) {
         nodes.push_back({.children = indicesMember(node, "children"),
                          .mesh = indexMember(node, "mesh").value_or(-1),
                          .camera = indexMember(node, "camera").value_or(-1),
+                         .light = lightOf(node),
                          .skin = indexMember(node, "skin")});
     }
     return nodes;
@@ -205,6 +213,9 @@ PlacedNodes placeNodes(const json& root, const GltfLimits& limits, std::optional
         }
         if (placements[i].inScene && sources[i].camera >= 0) {
             nodes.cameras.push_back({static_cast<int>(i), sources[i].camera, placements[i].toWorld});
+        }
+        if (placements[i].inScene && sources[i].light >= 0) {
+            nodes.lights.push_back({static_cast<int>(i), sources[i].light, placements[i].toWorld});
         }
     }
     return nodes;

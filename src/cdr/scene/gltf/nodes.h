@@ -32,6 +32,13 @@ struct CameraNode {
     glm::dmat4 toWorld{1.0};
 };
 
+/// A node with a light.
+struct LightNode {
+    int node = 0;
+    int light = 0;
+    glm::dmat4 toWorld{1.0};
+};
+
 /// Where a node of the file stands.
 struct PlacedNode {
     std::optional<std::size_t> parent{};
@@ -54,6 +61,7 @@ struct PlacedNodes {
     std::vector<std::size_t> order; ///< all of them, parents first
     std::vector<MeshNode> meshes;
     std::vector<CameraNode> cameras;
+    std::vector<LightNode> lights;
 };
 
 /// The nodes of a document's scene, or without one of the default scene that carry something. Without a default scene

@@ -1,3 +1,5 @@
+#include "lights.h"
+
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/host/worker_pool.h>
@@ -12,6 +14,7 @@
 #include <cctype>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +35,9 @@ struct Sphere {
 constexpr Sky kModelSky{
     .zenith = {0.42f, 0.6f, 0.95f}, .horizon = {1.05f, 1.08f, 1.1f}, .ground = {0.32f, 0.29f, 0.26f}};
 
+constexpr glm::vec3 kModelBackground{0.03f, 0.035f, 0.045f};
+constexpr float kAmbientBesideOwn = 0.03f;
+
 /// A sphere around every instance, about the middle of their bounding box.
 Sphere boundingSphere(const Instances& instances) {
     if (instances.size() == 0) {
@@ -51,19 +57,22 @@ Sphere boundingSphere(const Instances& instances) {
     return sphere;
 }
 
-/// Lights a model from the front left above, and from behind, and looks at it from the front, a little from
-/// above, or through a camera of its own.
-SceneSetup setUpModel(Scene scene, const std::optional<Camera>& own, ModelLight light) {
-    const Sphere bounds = boundingSphere(scene.instances);
-    if (bounds.radius <= 0.0 || !std::isfinite(bounds.radius)) {
-        throw base::InputError(scene.name + ": the scene has no extent to look at");
+/// Lights a model from the front left above, and from behind, or as its file says.
+void addLights(Scene& scene, const Sphere& bounds, ModelLight light, std::span<const GltfLight> ownLights) {
+    if (light == ModelLight::file) {
+        for (const GltfLight& own : ownLights) {
+            scene.lights.push_back(gltf::pointLightOf(own, bounds.centre, bounds.radius));
+        }
+        scene.ambient = glm::vec3(kAmbientBesideOwn);
+        scene.background = kModelBackground;
+        return;
     }
     const auto at = [&](double x, double y, double z) {
         return bounds.centre + bounds.radius * glm::dvec3(x, y, z);
     };
     const double reach = 6.0 * bounds.radius;
     scene.lights.push_back({.position = at(-2.0, 2.5, 3.0), .color = glm::vec3(1.3f), .halfDistance = reach});
-    scene.background = glm::vec3(0.03f, 0.035f, 0.045f);
+    scene.background = kModelBackground;
     if (light == ModelLight::sky) {
         scene.sky = kModelSky;
         scene.background = glm::vec3(0.07f, 0.075f, 0.085f); // tone mapping darkens it to the other one
@@ -71,6 +80,16 @@ SceneSetup setUpModel(Scene scene, const std::optional<Camera>& own, ModelLight 
         scene.lights.push_back(
             {.position = at(2.5, 1.0, -2.0), .color = {0.5f, 0.55f, 0.7f}, .halfDistance = reach});
     }
+}
+
+/// Lights a model, and looks at it from the front, a little from above, or through a camera of its own.
+SceneSetup setUpModel(Scene scene, const std::optional<Camera>& own, ModelLight light,
+                      std::span<const GltfLight> ownLights) {
+    const Sphere bounds = boundingSphere(scene.instances);
+    if (bounds.radius <= 0.0 || !std::isfinite(bounds.radius)) {
+        throw base::InputError(scene.name + ": the scene has no extent to look at");
+    }
+    addLights(scene, bounds, light, ownLights);
     if (own) {
         return {.scene = std::move(scene), .path = stillPath(*own)};
     }
@@ -100,7 +119,8 @@ std::optional<GltfCamera> chosenCamera(const std::filesystem::path& path, const 
                                        *choice, import.cameras.size(), names));
 }
 
-constexpr base::EnumNames<ModelLight, kModelLights.size()> kLightNames{"light", {"lamps", "sky"}};
+constexpr base::EnumNames<ModelLight, kModelLights.size()> kLightNames{"light", {"lamps", "sky", "file"}};
+
 bool isPlayed(const GltfChoice& choice) {
     return choice.animation || choice.seconds || choice.framesPerSecond;
 }
@@ -162,6 +182,19 @@ std::string animationsNote(const std::vector<Animation>& animations) {
                              animations.size() - 1);
 }
 
+/// Says what of a file's lights is not shown. Without any, ModelLight::file would show next to nothing.
+void noteLights(const std::filesystem::path& path, GltfImport& import, std::optional<ModelLight> light) {
+    if (light == ModelLight::file && import.lights.empty()) {
+        throw base::InputError(path.string() + ": it has no lights of its own, which --light file shows");
+    }
+    if (light != ModelLight::file && !import.lights.empty()) {
+        import.ignored.push_back(
+            import.lights.size() == 1
+                ? "its light, which --light file shows"
+                : fmt::format("its {} lights, which --light file shows", import.lights.size()));
+    }
+}
+
 /// A camera where its node is at each frame. Where a frame flattens it, it stays as it is at rest.
 CameraPath carriedPath(const GltfImport& import, const GltfCamera& camera, std::size_t chosen,
                        const GltfChoice& choice) {
@@ -212,6 +245,7 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
                                      : fmt::format("its {} cameras, which --camera 0 to {} looks through",
                                                    import.cameras.size(), import.cameras.size() - 1));
     }
+    noteLights(path, import, choice.light);
     OpenedScene opened;
     const auto chosen = chosenAnimation(path, import, choice);
     SceneMotion motion;
@@ -228,7 +262,7 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
         }
     }
     opened.setup = setUpModel(std::move(import.scene), camera ? std::optional(camera->camera) : std::nullopt,
-                              choice.light.value_or(ModelLight::lamps));
+                              choice.light.value_or(ModelLight::lamps), import.lights);
     if (chosen && camera && import.rigNodeOf[static_cast<std::size_t>(camera->node)]) {
         opened.setup.path = carriedPath(import, *camera, *chosen, choice);
     }

@@ -15,16 +15,17 @@
 
 namespace cdr::scene {
 
-/// What lights a model beside the lamps that stand around it.
+/// What lights a model, beside the lamps that stand around it.
 enum class ModelLight : std::uint8_t {
     lamps, ///< the same light from everywhere, and more of the lamps
     sky,   ///< a clear sky
+    file,  ///< none of the lamps, but the file's own lights, and a little light from everywhere
 };
 
 /// All of them.
-inline constexpr std::array kModelLights{ModelLight::lamps, ModelLight::sky};
+inline constexpr std::array kModelLights{ModelLight::lamps, ModelLight::sky, ModelLight::file};
 
-/// "lamps" or "sky".
+/// "lamps", "sky" or "file".
 /// @lifetime The program's.
 CDR_EXPORT std::string_view nameOf(ModelLight light);
 /// @throws base::InputError with a suggestion for an unknown name.

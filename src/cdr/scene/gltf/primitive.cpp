@@ -1,7 +1,7 @@
 #include "primitive.h"
 
-#include "checks.h"
 #include "bytes/compression.h"
+#include "checks.h"
 #include "json.h"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "document.h"
 #include "bytes/files.h"
+#include "document.h"
 #include "notes.h"
 
 namespace cdr::scene::gltf {

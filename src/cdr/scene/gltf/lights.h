@@ -1,0 +1,29 @@
+#pragma once
+
+#include "nodes.h"
+#include "notes.h"
+
+#include <cdr/scene/gltf/gltf.h>
+#include <cdr/scene/scene.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <span>
+#include <vector>
+
+namespace cdr::scene::gltf {
+
+inline constexpr const char* kLights = "KHR_lights_punctual";
+
+/// The point and directional lights of a scene's nodes. Others are noted. Refuses a light that is not as the extension has
+/// it.
+/// @param root of the document.
+std::vector<GltfLight> placeLights(std::span<const LightNode> nodes, const nlohmann::json& root,
+                                   Notes& notes);
+
+/// A light for a scene within a sphere. What falls as the square of the distance does so to 1 % from a hundredth of the
+/// sphere's radius on; nearer it is weaker. A directional light stands a million radii away.
+/// @param radius above 0. base::InputError for a light that is too strong for float32.
+PointLight pointLightOf(const GltfLight& light, const glm::dvec3& centre, double radius);
+
+} // namespace cdr::scene::gltf

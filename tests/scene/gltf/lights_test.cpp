@@ -1,0 +1,125 @@
+#include "fixture.h"
+
+#include <cdr/scene/gltf/open_gltf.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace cdr::scene::test {
+namespace {
+
+using GltfLights = GltfFolder;
+
+constexpr const char* kLights = "KHR_lights_punctual";
+
+/// The square of radius sqrt(5) about (1, 2, 0), a point light and a directional one that shines down.
+Document lit() {
+    Document document = square();
+    document.root["extensions"][kLights]["lights"] = {
+        {{"type", "point"}, {"name", "bulb"}, {"intensity", 40.0}, {"color", {1.0, 0.5, 0.25}}},
+        {{"type", "directional"}, {"intensity", 3.0}}};
+    document.root["nodes"].push_back(
+        {{"translation", {1, 2, 9}}, {"extensions", {{kLights, {{"light", 0}}}}}});
+    const double half = std::sqrt(0.5); // -z turned to -y
+    document.root["nodes"].push_back(
+        {{"rotation", {-half, 0, 0, half}}, {"extensions", {{kLights, {{"light", 1}}}}}});
+    document.root["scenes"][0]["nodes"] = {0, 1, 2};
+    document.root["extensionsUsed"] = {kLights};
+    return document;
+}
+
+json& lightOf(Document& document, std::size_t light) {
+    return document.root["extensions"][kLights]["lights"][light];
+}
+
+GltfChoice byFile() {
+    GltfChoice choice;
+    choice.light = ModelLight::file;
+    return choice;
+}
+
+/// What reaches a point, as shading has it.
+glm::dvec3 arriving(const PointLight& light, const glm::dvec3& at) {
+    const double ratio = glm::distance(light.position, at) / light.halfDistance;
+    return glm::dvec3(light.color) / (1.0 + ratio * ratio);
+}
+
+TEST_F(GltfLights, AreShownWhenAskedFor) {
+    const std::filesystem::path path = write("a.glb", lit().glb());
+    const OpenedScene without = openGltf(path);
+    EXPECT_TRUE(anySays(without.notes, "its 2 lights, which --light file shows"));
+    const OpenedScene opened = openGltf(path, byFile());
+    EXPECT_TRUE(opened.notes.empty());
+    const std::vector<PointLight>& lights = opened.setup.scene.lights;
+    ASSERT_EQ(lights.size(), 2u);
+    for (const double distance : {1.0, 9.0, 500.0}) {
+        const glm::dvec3 there = arriving(lights[0], {1.0, 2.0, 9.0 - distance});
+        const glm::dvec3 wanted =
+            glm::dvec3(1.0, 0.5, 0.25) * 40.0 / std::numbers::pi / (distance * distance);
+        EXPECT_NEAR(there.x, wanted.x, 0.01 * wanted.x) << distance;
+        EXPECT_NEAR(there.z, wanted.z, 0.01 * wanted.z) << distance;
+    }
+    for (const glm::dvec3& at : {glm::dvec3(0.0), glm::dvec3(2.0, 4.0, 0.0)}) {
+        EXPECT_NEAR(arriving(lights[1], at).y, 3.0 / std::numbers::pi, 1e-3);
+        const glm::dvec3 from = glm::normalize(lights[1].position - at);
+        EXPECT_NEAR(from.y, 1.0, 1e-5);
+    }
+}
+
+TEST_F(GltfLights, WhatIsNotUsedIsNoted) {
+    Document document = lit();
+    lightOf(document, 0)["type"] = "spot";
+    lightOf(document, 1)["range"] = 5.0;
+    const GltfImport import = load(document);
+    EXPECT_EQ(import.lights.size(), 1u);
+    EXPECT_TRUE(anySays(import.ignored, "spot lights are not used"));
+    EXPECT_TRUE(anySays(import.ignored, "the range of a light is not used"));
+    document = lit();
+    document.root["nodes"][2]["scale"] = {1, 1, 0};
+    EXPECT_TRUE(anySays(load(document).ignored, "a light is not used, its transform flattens it"));
+}
+
+TEST_F(GltfLights, UnsoundOnesAreRefused) {
+    const auto with = [&](const char* key, const json& value) {
+        Document document = lit();
+        lightOf(document, 0)[key] = value;
+        return refusal(document);
+    };
+    expectSays(with("type", "laser"), "type 'laser' does not exist");
+    expectSays(with("intensity", -1), "its intensity is -1");
+    expectSays(with("intensity", "x"), "its intensity is");
+    expectSays(with("color", {1, -1, 1}), "its colour must be 0 or more");
+    EXPECT_NE(with("color", {1, 1}), "loaded");
+    Document document = lit();
+    document.root["nodes"][1]["extensions"][kLights]["light"] = 7;
+    expectSays(refusal(document), "light 7 does not exist, the file has 2");
+    document.root.erase("extensions");
+    expectSays(refusal(document), "the file has no KHR_lights_punctual");
+}
+
+TEST_F(GltfLights, AFileWithoutIsRefused) {
+    const std::filesystem::path path = write("a.glb", square().glb());
+    try {
+        openGltf(path, byFile());
+        ADD_FAILURE();
+    } catch (const base::InputError& error) {
+        expectSays(error.what(), "it has no lights of its own");
+    }
+    Document document = lit();
+    lightOf(document, 0)["intensity"] = 1e300;
+    EXPECT_THROW(openGltf(write("b.glb", document.glb()), byFile()), base::InputError);
+}
+
+TEST_F(GltfLights, ManyAreBounded) {
+    Document document = lit();
+    for (int i = 0; i < 300; ++i) {
+        document.root["scenes"][0]["nodes"].push_back(document.root["nodes"].size());
+        document.root["nodes"].push_back({{"extensions", {{kLights, {{"light", 0}}}}}});
+    }
+    const GltfImport import = load(document);
+    EXPECT_EQ(import.lights.size(), 256u);
+    EXPECT_TRUE(anySays(import.ignored, "lights beyond the first 256 are not used"));
+}
+
+} // namespace
+} // namespace cdr::scene::test
