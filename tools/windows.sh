@@ -21,5 +21,5 @@ if ! command -v wine >/dev/null; then
     echo "tools/windows.sh: compiled, but not run: there is no wine (wine64, wine)"
     exit
 fi
-WINEDEBUG=-all WINEPREFIX=$PWD/build/windows/wine wine build/windows/test_windows.exe --gtest_brief=1
+WINEDEBUG=-all WINEPREFIX=$PWD/build/windows/wine wine build/windows/test_windows.exe --gtest_brief=1 || exit 1 # 3, which a crash ends with, says that a tool is missing
 echo "tools/windows.sh: compiled by $($compiler -dumpmachine) GCC $($compiler -dumpversion), run by $(wine --version 2>/dev/null)"
