@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
+#include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -14,6 +14,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace cdr::cli_test {
@@ -31,17 +32,33 @@ class RankKills : public testing::Test {
     }
 
     /// @param ranks 0 for one process that no launcher starts.
-    ProgramResult run(unsigned ranks, const std::string& arguments, const std::string& before = "") const {
-        return runProgram(arguments, m_folder.path(),
-                          before + test::launched(CDR_MPIEXEC, static_cast<int>(ranks)) +
-                              " sh -c 'echo $$ >pid.$OMPI_COMM_WORLD_RANK$PMI_RANK; exec \"$@\"' sh");
+    /// @param signalling as the function of that name says; empty for a run that is left alone.
+    ProgramResult run(unsigned ranks, const std::string& arguments,
+                      const std::string& signalling = "") const {
+        const ProgramResult result =
+            runProgram(arguments, m_folder.path(),
+                       signalling + test::launched(CDR_MPIEXEC, static_cast<int>(ranks)) +
+                           " sh -c 'echo $$ >pid.$OMPI_COMM_WORLD_RANK$PMI_RANK; exec \"$@\"' sh");
+        if (!signalling.empty()) { // what signals must not live on into the next run
+            host::writeText(at("over"), "");
+            while (!fs::exists(at("signalled"))) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            }
+        }
+        for (const char* name :
+             {"pid.", "pid.0", "pid.1", "pid.2", "pid.3", "over", "signalled", "kill.err"}) {
+            fs::remove(at(name));
+        }
+        return result;
     }
 
-    /// For a shell: sends a signal once a condition of the shell's holds, and a time more has passed.
+    /// For a shell: sends a signal once a condition of the shell's holds and a time more has passed, unless the run is over.
     static std::string signalling(const std::string& signal, const std::string& victim,
                                   const std::string& condition, double seconds) {
-        return "{ { i=0; until " + condition + " || [ $i -gt 500 ]; do sleep 0.02; i=$((i+1)); done; sleep " +
-               std::to_string(seconds) + "; kill -" + signal + " $(cat " + victim + "); } 2>kill.err & } && ";
+        return "{ { i=0; until " + condition +
+               " || [ -e over ] || [ $i -gt 500 ]; do sleep 0.02; i=$((i+1)); done; sleep " +
+               std::to_string(seconds) + "; [ -e over ] || kill -" + signal + " $(cat " + victim +
+               "); echo >signalled; } 2>kill.err & } && ";
     }
 
     const TemporaryFolder& folder() const { return m_folder; }
@@ -128,9 +145,6 @@ class KilledAgainAndAgain : public RankKills {
                     signalling("KILL", victim, "{ [ -e state ] && ! cmp -s state before; }",
                                0.01 * static_cast<double>(random() % 10)));
             killed += result.status != 0 ? 1 : 0;
-            for (const std::string name : {"pid.", "pid.0", "pid.1", "pid.2", "pid.3", "kill.err"}) {
-                fs::remove(at(name));
-            }
             afterEach(result);
         }
         fs::remove(at("before"));
@@ -225,10 +239,8 @@ class KilledRender : public KilledAgainAndAgain {
     void expectSamePictures(const TemporaryFolder& whole) const {
         const auto visible = [](const fs::path& in) {
             auto files = filesIn(in);
-            std::erase_if(files, [](const auto& file) {
-                return file.first == "state" || file.first == "kill.err" || file.first.starts_with('.') ||
-                       file.first.starts_with("pid.");
-            });
+            std::erase_if(
+                files, [](const auto& file) { return file.first == "state" || file.first.starts_with('.'); });
             return files;
         };
         const auto expected = visible(whole.path());

@@ -170,6 +170,9 @@ TEST_P(LaunchedRanks, EndWhereOneIsKilled) {
 TEST_P(LaunchedRanks, EndWhereOneIsAskedTo) {
     const int last = GetParam() - 1;
     for (const std::string signal : {"HUP", "INT", "TERM"}) {
+        if (last == 0 && signal == "HUP") {
+            continue; // a rank that is alone leaves signals to MPI, and MPICH's takes this one
+        }
         const Outcome outcome = runAs(GetParam(), "3000 " + signal + " " + std::to_string(last) + " 30");
         EXPECT_NE(outcome.status, 0);
         const std::vector<std::string> lines = linesOnRanks(outcome.err);
