@@ -1,5 +1,7 @@
 #include "program.h"
 
+#include "../support/launched.h"
+
 #include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 
@@ -55,7 +57,7 @@ ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
     const int status = std::system(command.c_str());
     ProgramResult result{.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
                          .out = readText(log + ".out"),
-                         .err = readText(log + ".err")};
+                         .err = test::withoutWarningsOfEvents(readText(log + ".err"))};
     fs::remove(log + ".out");
     fs::remove(log + ".err");
     return result;

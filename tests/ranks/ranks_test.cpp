@@ -35,7 +35,9 @@ Outcome runAs(int ranks, const std::string& arguments) {
         std::system(("timeout 100 env " + test::launched(CDR_MPIEXEC, ranks) + " '" RANK_PROGRAM "' " +
                      arguments + " >'" + out + "' 2>'" + err + "' </dev/null")
                         .c_str());
-    return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .out = textIn(out), .err = textIn(err)};
+    return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+            .out = textIn(out),
+            .err = test::withoutWarningsOfEvents(textIn(err))};
 }
 
 std::string whatOneProcessPrints(std::size_t count) {
@@ -194,6 +196,16 @@ TEST_P(LaunchedRanks, GoOnAfterASignalThatIsIgnored) {
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     EXPECT_EQ(outcome.out, whatOneProcessPrints(60));
+}
+
+TEST(WhatRanksSay, IsAllButTheWarningsOfEvents) {
+    const std::string warning =
+        "[warn] Epoll MOD(1) on fd 25 failed. Old events were 6; read change was 0 (none): Bad file descriptor\n";
+    EXPECT_EQ(
+        test::withoutWarningsOfEvents(warning + "rank 2: a\n" + warning + warning + "[warn] other\nend"),
+        "rank 2: a\n[warn] other\nend");
+    EXPECT_EQ(test::withoutWarningsOfEvents("\n\n"), "\n\n");
+    EXPECT_EQ(test::withoutWarningsOfEvents(warning), "");
 }
 
 TEST(UnitOrder, WaitsForTheUnitThatIsMissing) {

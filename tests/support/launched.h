@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sstream>
 #include <string>
 
 namespace cdr::test {
@@ -16,6 +17,19 @@ inline std::string launched(const std::string& launcher, int ranks) {
            "OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_orte_execute_quiet=1 "
            "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_default_binding_policy=none '" +
            launcher + "' -n " + std::to_string(ranks);
+}
+
+/// Standard error of what was launched, without the lines that libevent adds to it within Open MPI when a pipe goes that it
+/// looks at. They come beside whatever the program says, on a busy machine.
+inline std::string withoutWarningsOfEvents(const std::string& text) {
+    std::string kept;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+        if (!line.starts_with("[warn] Epoll")) {
+            kept += line + (stream.eof() ? "" : "\n");
+        }
+    }
+    return kept;
 }
 
 } // namespace cdr::test
