@@ -82,12 +82,18 @@ std::vector<std::string> missingForGpuDriven(vk::PhysicalDevice physical) {
         physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
     const auto& core = features.get<vk::PhysicalDeviceFeatures2>().features;
     const auto& v12 = features.get<vk::PhysicalDeviceVulkan12Features>();
+    const auto v12Properties =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan12Properties>()
+            .get<vk::PhysicalDeviceVulkan12Properties>();
     const vk::PhysicalDeviceLimits& limits = properties.limits;
     std::vector<std::string> missing;
-    for (const auto& [has, name] : {std::pair{core.shaderFloat64, "shaderFloat64"},
-                                    std::pair{core.multiDrawIndirect, "multiDrawIndirect"},
-                                    std::pair{core.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
-                                    std::pair{v12.drawIndirectCount, "drawIndirectCount"}}) {
+    for (const auto& [has, name] :
+         {std::pair{core.shaderFloat64, "shaderFloat64"},
+          std::pair{core.multiDrawIndirect, "multiDrawIndirect"},
+          std::pair{core.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
+          std::pair{v12.drawIndirectCount, "drawIndirectCount"},
+          std::pair{v12Properties.shaderRoundingModeRTEFloat32, "shaderRoundingModeRTEFloat32"},
+          std::pair{v12Properties.shaderRoundingModeRTEFloat64, "shaderRoundingModeRTEFloat64"}}) {
         if (!has) {
             missing.emplace_back(name);
         }

@@ -1,6 +1,7 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/pipeline.h>
+#include <cdr/gpu/rounding.h>
 #include <cdr/render/submit/binning_pass.h>
 #include <cdr/shaders/bin_commands_comp.h>
 #include <cdr/shaders/bin_count_comp.h>
@@ -97,7 +98,8 @@ BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, vis
 }
 
 gpu::Pipeline BinningPass::makePipeline(const gpu::Spirv& spirv, const char* name) const {
-    return gpu::makeComputePipeline(m_device, {name, spirv, m_layout});
+    // It culls and bins as the CPU does, to the bit.
+    return gpu::makeComputePipeline(m_device, {name, gpu::roundingToNearestEven(spirv), m_layout});
 }
 
 void BinningPass::groupInstances() {
