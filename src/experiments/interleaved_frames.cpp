@@ -17,6 +17,7 @@ FrameSample timed(const std::function<render::FrameStats()>& draw) {
             .cullAndBinMs = stats.times.cullMs + stats.times.binMs,
             .recordMs = stats.times.recordMs,
             .executeMs = stats.times.executeMs,
+            .deviceMs = stats.times.deviceMs.value_or(FrameSample{}.deviceMs),
             .draws = static_cast<double>(stats.draws)};
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace cdr::experiments {
@@ -17,6 +18,7 @@ struct FrameSample {
     double cullAndBinMs = 0.0;
     double recordMs = 0.0;
     double executeMs = 0.0;
+    double deviceMs = std::numeric_limits<double>::quiet_NaN(); ///< where frames are timed by the device
     double draws = 0.0;
 };
 

@@ -61,6 +61,10 @@ TEST(TimingCommand, ReportsEveryModeOverStandard) {
         EXPECT_GT(row.at("median_us").get<double>(), 0.0);
         EXPECT_GT(row.at("record_us").get<double>(), 0.0);
         EXPECT_GT(row.at("execute_us").get<double>(), 0.0);
+        if (!row.at("device_us").is_null()) { // a device that has a clock
+            EXPECT_GT(row.at("device_us").get<double>(), 0.0);
+            EXPECT_LE(row.at("device_us").get<double>(), row.at("median_us").get<double>());
+        }
         EXPECT_GT(row.at("draws").get<double>(), 1000.0);
     }
     EXPECT_EQ(modes,
@@ -260,6 +264,7 @@ TEST(TimingCommand, TimesThroughputAndModesThatAreNoFigures) {
     for (const json& row : document.at("results")) {
         modes.emplace_back(row.at("name"), row.at("submission"), row.at("batching"));
         EXPECT_GT(row.at("median_us").get<double>(), 0.0);
+        EXPECT_TRUE(row.at("device_us").is_null());
         EXPECT_TRUE(row.at("execute_us").is_null()); // frames that overlap have no parts of their own
     }
     EXPECT_EQ(modes, (std::vector<std::tuple<std::string, std::string, std::string>>{

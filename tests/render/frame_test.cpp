@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
+#include <cdr/gpu/device_clock.h>
 #include <cdr/gpu/features.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/host/sha256.h>
@@ -37,6 +38,22 @@ TEST_F(FrameTest, HoldsIdDistanceNormalAndColor) {
     EXPECT_TRUE(std::isinf(frame.distanceView(0, 0)));
     EXPECT_EQ(frame.color.at(0, 0), (image::Rgba8{0, 0, 0, 255}));
     EXPECT_EQ(frame.stats.draws, 1u);
+}
+
+TEST_F(FrameTest, IsTimedByTheDevicesClockWhereThatIsAsked) {
+    scene::Scene scene = boxScene();
+    addBox(scene, glm::dvec3(0.0, 0.0, -10.0));
+    render::RenderOptions options = smallOptions(depth::parseTechnique("reversed"));
+    EXPECT_FALSE(draw(scene, {.fovY = 0.2}, options).stats.times.deviceMs);
+    if (!gpu::DeviceClock::isThere(device())) {
+        leaveOut("timestamps");
+        return;
+    }
+    options.deviceClock = true;
+    const render::FrameTimes times = draw(scene, {.fovY = 0.2}, options).stats.times;
+    ASSERT_TRUE(times.deviceMs);
+    EXPECT_GT(*times.deviceMs, 0.0);
+    EXPECT_LE(*times.deviceMs, times.executeMs);
 }
 
 TEST_F(FrameTest, IsUprightAndNotMirrored) {

@@ -30,6 +30,9 @@ struct FrameTimes {
     double shadowsMs = 0.0;     ///< CPU, finding what casts shadows
     double recordMs = 0.0;      ///< CPU writing commands
     double executeMs = 0.0;     ///< from submit until the device has finished
+    /// From the beginning to the end of the frame's commands by the device's own clock. Empty without
+    /// RenderOptions::deviceClock, where the queue has no timestamps, and of frames that a host records.
+    std::optional<double> deviceMs{};
 };
 
 /// What occlusion culling came to.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/gpu/device_clock.h>
 #include <cdr/render/frame_cutter.h>
 #include <cdr/render/frame_view.h>
 #include <cdr/render/occluders/device_occlusion.h>
@@ -34,6 +35,7 @@ struct Renderer::Slot {
     std::optional<DepthOutput::Inputs> depthOutput;   ///< once a host asked for depth
     std::optional<MotionPass::Inputs> motion;         ///< where it is worked out
     vk::UniqueFence done;
+    std::optional<gpu::DeviceClock> clock; ///< where frames are timed by it
     /// A host's timeline semaphore and the value that says that the frame is done, in place of `done`.
     struct Recorded {
         vk::Semaphore timeline;

@@ -67,6 +67,7 @@ struct RenderOptions {
     PrepareFor prepareFor{}; ///< nothing but what the scene holds unless told
     /// Which cascades of each frame it draws; all unless told. What a frame counts is of all of them.
     CascadePart part{};
+    bool deviceClock = false; ///< times frames by the device's own clock too (FrameTimes::deviceMs)
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
     /// none.
     host::Trace* trace = nullptr;

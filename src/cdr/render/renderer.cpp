@@ -154,6 +154,9 @@ void Renderer::makePasses() {
             begun.path =
                 m_paths->make(m_workers, m_passes->deviceOcclusion.get(), fmt::format("frame slot {}", slot));
             begun.done = vk::Device(m_device.handle()).createFenceUnique({});
+            if (m_options.deviceClock && gpu::DeviceClock::isThere(m_device)) {
+                begun.clock.emplace(m_device, fmt::format("frame slot {}", slot));
+            }
             makeInputs(begun, m_passes->lightRoom);
         }
     } catch (...) {
@@ -262,7 +265,9 @@ void Renderer::launch(Slot& slot, const Delivery& delivery) {
     slot.stats.times.recordMs = watch.lap("record");
     slot.submitted = host::Trace::Clock::now();
     if (delivery.host == nullptr) {
-        gpu::submit(m_device, commands, *slot.done, delivery.sync.waits, delivery.sync.signals);
+        const auto timed = slot.clock ? slot.clock->around(commands)
+                                      : std::vector<vk::CommandBuffer>(commands.begin(), commands.end());
+        gpu::submit(m_device, timed, *slot.done, delivery.sync.waits, delivery.sync.signals);
     }
     slot.isPending = true;
 }
@@ -413,6 +418,9 @@ void Renderer::waitFor(Slot& slot) {
     settle(slot);
     const auto done = host::Trace::Clock::now();
     slot.stats.times.executeMs = millisecondsBetween(slot.submitted, done);
+    if (slot.clock) {
+        slot.stats.times.deviceMs = slot.clock->lastMs();
+    }
     if (m_options.trace != nullptr) {
         m_options.trace->addStage("execute", slot.submitted, done);
     }

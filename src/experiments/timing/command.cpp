@@ -49,6 +49,11 @@ auto partOf(double experiments::TimingParts::*part) {
     };
 }
 
+/// The device's own time; null where it has no clock, and for frames in flight.
+experiments::Json deviceTimeOf(const experiments::TimingResult& result) {
+    return experiments::finiteOrNull(result.parts ? result.parts->deviceUs : std::nullopt);
+}
+
 experiments::Columns<experiments::TimingResult> timingColumns() {
     using Result = experiments::TimingResult;
     using Parts = experiments::TimingParts;
@@ -74,6 +79,7 @@ experiments::Columns<experiments::TimingResult> timingColumns() {
          .format = micros},
         {.key = "record_us", .value = partOf(&Parts::recordUs), .heading = "record us", .format = micros},
         {.key = "execute_us", .value = partOf(&Parts::executeUs), .heading = "execute us", .format = micros},
+        {.key = "device_us", .value = deviceTimeOf},
         {.key = "draws", .value = partOf(&Parts::draws)},
         {.key = "overhead_pct",
          .value = &Result::overheadPercent,
@@ -104,7 +110,8 @@ void writeCsv(const std::filesystem::path& path, const experiments::Json& rows) 
                                               "overhead_pct",
                                               {"ci95_low", "/ci95/0"},
                                               {"ci95_high", "/ci95/1"},
-                                              "thesis_pct"},
+                                              "thesis_pct",
+                                              "device_us"},
                                              rows));
 }
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 namespace cdr::experiments {
@@ -165,6 +166,7 @@ class Race {
                                             .surface = mode.surface,
                                             .occlusionCulling = mode.occlusionCulling,
                                             .framesInFlight = m_options.framesInFlight,
+                                            .deviceClock = m_options.framesInFlight <= 1,
                                             .trace = m_options.trace};
         if (m_moving != nullptr) {
             return std::make_unique<render::Renderer>(device, m_gpuScene, options);
@@ -182,6 +184,13 @@ class Race {
         return kUsPerMs * m_frames.median(mode, part);
     }
 
+    std::optional<double> deviceUs(std::size_t mode) const {
+        const std::vector<double> deviceMs = m_frames.samples(mode, &FrameSample::deviceMs);
+        const bool isTimed =
+            std::none_of(deviceMs.begin(), deviceMs.end(), [](double ms) { return std::isnan(ms); });
+        return isTimed ? std::optional(kUsPerMs * measure::median(deviceMs)) : std::nullopt;
+    }
+
     TimingResult summarise(std::size_t mode) const {
         std::vector<double> overheads = m_frames.ratios(mode, 0, &FrameSample::frameMs);
         std::transform(overheads.begin(), overheads.end(), overheads.begin(),
@@ -196,6 +205,7 @@ class Race {
             result.parts = TimingParts{.cullAndBinUs = medianUs(mode, &FrameSample::cullAndBinMs),
                                        .recordUs = medianUs(mode, &FrameSample::recordMs),
                                        .executeUs = medianUs(mode, &FrameSample::executeMs),
+                                       .deviceUs = deviceUs(mode),
                                        .draws = m_frames.median(mode, &FrameSample::draws)};
         }
         result.overheadPercent = measure::median(overheads);

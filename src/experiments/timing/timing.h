@@ -93,6 +93,7 @@ struct TimingParts {
     double cullAndBinUs = 0.0;
     double recordUs = 0.0;
     double executeUs = 0.0;
+    std::optional<double> deviceUs; ///< by the device's own clock, where it has one
     double draws = 0.0;
 };
 
