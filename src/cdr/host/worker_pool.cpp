@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/host/schedule.h>
 #include <cdr/host/worker_pool.h>
 
 #include <atomic>
@@ -23,15 +24,19 @@ struct WorkerPool::Batch {
 
     void work(std::size_t worker) {
         for (std::size_t job = next++; job < jobs; job = next++) {
-            const JobSpan span(trace, worker, job);
-            try {
-                body(job, worker);
-            } catch (...) {
-                const std::lock_guard lock(errorMutex);
-                if (job < errorJob) {
-                    errorJob = job;
-                    error = std::current_exception();
-                }
+            runJob(job, worker);
+        }
+    }
+
+    void runJob(std::size_t job, std::size_t worker) {
+        const JobSpan span(trace, worker, job);
+        try {
+            body(job, worker);
+        } catch (...) {
+            const std::lock_guard lock(errorMutex);
+            if (job < errorJob) {
+                errorJob = job;
+                error = std::current_exception();
             }
         }
     }
@@ -58,7 +63,7 @@ WorkerPool::~WorkerPool() = default;
 void WorkerPool::run(std::size_t jobs, const Job& body) {
     Batch batch(body, jobs, m_trace);
     // One job needs no second thread.
-    const bool shared = jobs > 1 && !m_threads.empty();
+    const bool shared = jobs > 1 && !m_threads.empty() && !m_schedule;
     if (shared) {
         {
             const std::lock_guard lock(m_mutex);
@@ -69,7 +74,13 @@ void WorkerPool::run(std::size_t jobs, const Job& body) {
         // After the lock is released, since workers that wake need it.
         m_batchPosted.notify_all();
     }
-    batch.work(0);
+    if (m_schedule) {
+        for (const ScheduledJob& each : scheduleOf(*m_schedule, jobs, threads())) {
+            batch.runJob(each.job, each.worker);
+        }
+    } else {
+        batch.work(0);
+    }
     if (shared) {
         std::unique_lock lock(m_mutex);
         m_workersIdle.wait(lock, [this] { return m_busyWorkers == 0; });

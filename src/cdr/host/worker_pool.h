@@ -6,8 +6,10 @@
 
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -44,6 +46,11 @@ class CDR_EXPORT WorkerPool {
     /// @param trace with a track per worker. It must live until another takes its place, or as long as the pool.
     void setTrace(Trace* trace) { m_trace = trace; }
 
+    /// For tests of what depends on no order: from now on the calling thread runs the jobs of each batch one after the
+    /// other, in one of all possible orders, and in the name of any worker. Between batches only.
+    /// @param number of the order, any; 0 is the order of the jobs on worker 0.
+    void setSchedule(std::uint64_t number) { m_schedule = number; }
+
     /// Workers, the caller included.
     std::size_t threads() const { return m_threads.size() + 1; }
 
@@ -54,6 +61,7 @@ class CDR_EXPORT WorkerPool {
     void serve(const std::stop_token& stop, std::size_t worker);
 
     Trace* m_trace = nullptr;
+    std::optional<std::uint64_t> m_schedule;
     std::mutex m_mutex;
     std::condition_variable_any m_batchPosted;
     std::condition_variable m_workersIdle;

@@ -17,6 +17,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace cdr::render {
 
@@ -68,6 +69,8 @@ struct RenderOptions {
     /// Which cascades of each frame it draws; all unless told. What a frame counts is of all of them.
     CascadePart part{};
     bool deviceClock = false; ///< times frames by the device's own clock too (FrameTimes::deviceMs)
+    /// For tests: host::WorkerPool::setSchedule() with this number; empty: threads take jobs as they can.
+    std::optional<std::uint64_t> schedule{};
     /// Receives every frame's stages and jobs; must have `threads` tracks and outlive the renderer. Null for
     /// none.
     host::Trace* trace = nullptr;

@@ -131,6 +131,9 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
       m_motion(options.motion ? std::make_unique<MotionHistory>() : nullptr),
       m_visible(std::make_unique<visibility::VisibleCells>()) {
     m_workers.setTrace(options.trace);
+    if (options.schedule) {
+        m_workers.setSchedule(*options.schedule);
+    }
     checkedExtent(device, options, m_needs.blended);
     m_paths = std::make_unique<DrawPathFactory>(device, m_drawn, chooseFacets(m_drawn, options), options,
                                                 KeptSurfaces{m_needs.shiny, m_needs.emission});
