@@ -1,0 +1,176 @@
+#include "../fixture.h"
+
+#include <cdr/gpu/allocated_bytes.h>
+#include <cdr/scene/world/world.h>
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+namespace cdr::render_test {
+
+namespace {
+
+using scene::World;
+
+constexpr std::size_t kMovers = 20;
+constexpr std::size_t kFramesOfCycle = 8;
+
+struct Memory {
+    std::uint64_t host = 0;
+    std::uint64_t device = 0;
+};
+
+Memory memoryOf(const gpu::Device& device) {
+    const struct mallinfo2 info = mallinfo2();
+    return {.host = info.uordblks + info.hblkhd, .device = gpu::allocatedBytes(device)};
+}
+
+/// Edits of a world that comes back to what it was: each kind of thing is added, changed and removed.
+class Cycle {
+  public:
+    explicit Cycle(World& world) : m_world(world) {}
+
+    /// What is done in front of a frame of the cycle.
+    void edit(std::size_t frame) {
+        switch (frame) {
+        case 0:
+            addLooks();
+            break;
+        case 1:
+            addMovers();
+            break;
+        case 2:
+        case 3:
+        case 4:
+            move(static_cast<double>(frame));
+            break;
+        case 5:
+            change();
+            break;
+        case 6:
+            removeMovers();
+            break;
+        default:
+            removeLooks();
+        }
+    }
+
+  private:
+    void addLooks() {
+        scene::Mesh mesh = scene::makeBox(glm::vec3(0.25f));
+        m_vertices = mesh.vertices;
+        m_mesh = m_world.addMesh(std::move(mesh));
+        const image::Rgba8 grey{128, 128, 128, 255};
+        m_texture = m_world.addTexture({.name = "grey", .pixels = {4, 4, std::vector(16, grey)}});
+        m_material = m_world.addMaterial({.name = "soaked", .baseColorTexture = m_texture.index});
+        m_light = m_world.addLight({.position = glm::dvec3(0.0, 3.0, 0.0), .halfDistance = 5.0});
+    }
+    void addMovers() {
+        for (std::uint32_t i = 0; i < kMovers; ++i) {
+            m_movers.push_back(
+                m_world.addInstance({.mesh = m_mesh, .material = m_material, .object = 10 + i}));
+        }
+    }
+    void move(double frame) {
+        std::vector<scene::Transform> transforms(m_movers.size());
+        for (std::size_t i = 0; i < transforms.size(); ++i) {
+            transforms[i].position = {0.2 * static_cast<double>(i) - 2.0, 0.3 * frame - 1.0, -3.0 * frame};
+        }
+        m_world.setTransforms(m_movers, transforms);
+    }
+    void change() {
+        std::vector<scene::Vertex> larger = m_vertices;
+        for (scene::Vertex& vertex : larger) {
+            vertex.position *= 1.5f;
+        }
+        m_world.setVertices(m_mesh, std::move(larger));
+        scene::Material white{.name = "soaked"};
+        m_world.setMaterial(m_material, white);
+        m_world.setLight(m_light, {.position = glm::dvec3(1.0, 3.0, 0.0), .halfDistance = 9.0});
+    }
+    void removeMovers() {
+        for (const scene::InstanceHandle mover : m_movers) {
+            m_world.removeInstance(mover);
+        }
+        m_movers.clear();
+    }
+    void removeLooks() {
+        m_world.removeMaterial(m_material);
+        m_world.removeTexture(m_texture);
+        m_world.removeMesh(m_mesh);
+        m_world.removeLight(m_light);
+    }
+
+    World& m_world;
+    std::vector<scene::Vertex> m_vertices;
+    scene::MeshHandle m_mesh;
+    scene::TextureHandle m_texture;
+    scene::MaterialHandle m_material;
+    scene::LightHandle m_light;
+    std::vector<scene::InstanceHandle> m_movers;
+};
+
+class WorldSoakTest : public RenderTest {
+  protected:
+    render::RenderOptions options(render::Submission submission) {
+        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/count:3"));
+        options.width = 32;
+        options.height = 18;
+        options.submission = submission;
+        options.threads = 2;
+        options.framesInFlight = 3;
+        options.prepareFor.lights = 2;
+        return options;
+    }
+};
+
+/// A world that is edited in front of each frame takes no more memory at the end than after the first tenth, within 1 %.
+/// CDR_ALL_CASES draws 100,000 frames instead of 1,600.
+TEST_F(WorldSoakTest, EditsLeaveNoMemoryBehind) {
+    const std::size_t cycles = (std::getenv("CDR_ALL_CASES") != nullptr ? 100'000 : 1'600) / kFramesOfCycle;
+    scene::Scene scene = boxScene();
+    addBox(scene, glm::dvec3(0.0, 0.0, -10.0));
+    World world(std::move(scene));
+    render::GpuScene onDevice(device(), world);
+    std::vector<std::unique_ptr<render::Renderer>> renderers;
+    for (const render::Submission submission : submissions()) {
+        renderers.push_back(std::make_unique<render::Renderer>(device(), onDevice, options(submission)));
+    }
+    Cycle cycle(world);
+    std::vector<Memory> memory;
+    for (std::size_t done = 0; done < cycles; ++done) {
+        for (std::size_t frame = 0; frame < kFramesOfCycle; ++frame) {
+            cycle.edit(frame);
+            renderers[(done + frame) % renderers.size()]->submit({.fovY = 1.0});
+        }
+        for (const auto& renderer : renderers) {
+            renderer->finish();
+        }
+        memory.push_back(memoryOf(device()));
+    }
+    // The least of several, since what is measured goes up and down within the driver.
+    const auto least = [&](std::size_t from, std::uint64_t Memory::*bytes) {
+        const auto first = memory.begin() + static_cast<std::ptrdiff_t>(from);
+        const auto found =
+            std::min_element(first, first + static_cast<std::ptrdiff_t>(cycles / 10),
+                             [bytes](const Memory& a, const Memory& b) { return a.*bytes < b.*bytes; });
+        return static_cast<double>((*found).*bytes);
+    };
+    for (std::uint64_t Memory::*bytes : {&Memory::host, &Memory::device}) {
+        const double before = least(cycles / 10, bytes);
+        const double after = least(cycles - cycles / 10, bytes);
+        EXPECT_LE(after, 1.01 * before) << (bytes == &Memory::host ? "host" : "device");
+        RecordProperty(bytes == &Memory::host ? "host_growth_pct" : "device_growth_pct",
+                       std::to_string(before > 0.0 ? 100.0 * (after / before - 1.0) : 0.0));
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test
