@@ -20,7 +20,7 @@ namespace {
 constexpr std::chrono::seconds kLongestWait{280};
 
 void savePicture(const std::filesystem::path& file, const ViewerModel& model) {
-    const image::ImageRgba8 picture = shownPicture(model);
+    const image::ImageRgba8 picture = shownPicture(model.picture.shown.get(), model.settings.divider);
     if (!picture.pixels.empty()) {
         image::writeImage(file, picture);
     }
@@ -97,7 +97,10 @@ void ScriptPlayer::play(const ScriptStep& step, const DrivenViewer& viewer) {
                               printLine(fmt::format("{} {:.0f} {:.0f}", print.name, place.x, place.y));
                           },
                           [&](const PrintState&) { printLine(stateLine(viewer.model)); },
-                          [&](const PrintCommand&) { printLine(commandLinesOf(viewer.model)); },
+                          [&](const PrintCommand&) {
+                              printLine(commandLinesOf(viewer.model.picture.shown.get(),
+                                                       viewer.model.camera.ofScene));
+                          },
                           [&](const Minimise&) {
                               window.minimise();
                               window.inject(ResizeInput{0, 0}); // as other window systems report it

@@ -54,19 +54,19 @@ void Soak::play(const DrivenViewer& viewer) {
     }
     // The pointer runs over the interface too.
     window.inject(MoveInput{step.input.cursor.x, step.input.cursor.y});
-    model.orbits = step.orbits;
+    model.camera.orbits = step.orbits;
     CameraInput input = step.input;
     if (step.zooms) {
         input.lens = std::exchange(input.scroll, 0.0);
     }
-    CameraControl::steer(input, model);
+    CameraControl::steer(input, model.picture.shown.get(), model.camera);
     if (step.click) {
         const PictureExtent& extent = viewer.area.extent;
         viewer.session.click({std::min<double>(step.click->x, extent.width - 1.0),
                               std::min<double>(step.click->y, extent.height - 1.0)});
     }
     if (step.screenshot) {
-        const image::ImageRgba8 picture = shownPicture(model);
+        const image::ImageRgba8 picture = shownPicture(model.picture.shown.get(), model.settings.divider);
         if (!picture.pixels.empty()) {
             image::encodePng(picture);
         }
@@ -88,15 +88,15 @@ void Soak::rest(Window& window, const Session& session, ViewerModel& model) {
     window.resize(m_home->size.width, m_home->size.height);
     window.inject(window.currentSize());
     model.settings = m_home->settings;
-    model.orbits = false;
-    model.motion = Motion::free;
+    model.camera.orbits = false;
+    model.camera.motion = Motion::free;
     model.actions.push_back(Action::sceneCamera);
 }
 
 void Soak::measure(Window& window, Session& session, ViewerModel& model) {
     window.inject(window.currentSize());
-    model.rendersAlways = session.results() < m_results + kRestPictures;
-    if (model.rendersAlways || !session.isSettled() || ++m_restedFrames < kRestFrames) {
+    model.performance.rendersAlways = session.results() < m_results + kRestPictures;
+    if (model.performance.rendersAlways || !session.isSettled() || ++m_restedFrames < kRestFrames) {
         return;
     }
     returnFreeMemory();
@@ -128,7 +128,7 @@ DriverState Soak::step(const DrivenViewer& viewer) {
     }
     if (m_phase != Phase::playing) {
         measure(window, session, model);
-    } else if (session.isReady() && model.shown != nullptr) {
+    } else if (session.isReady() && model.picture.shown != nullptr) {
         if (m_done >= stepsBeforeRest()) {
             rest(window, session, model);
         } else {

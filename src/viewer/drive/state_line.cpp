@@ -21,12 +21,12 @@ std::string stateLine(const ViewerModel& model) {
         "motion={} colours={} eye={}",
         settings.scene, techniqueName(settings.technique),
         settings.second ? techniqueName(*settings.second) : "none", nameOf(settings.view),
-        nameOf(settings.targets), settings.threads, settings.divider, scene::degreesOf(model.camera.fovY),
-        model.orbits ? 1 : 0, kMotions.nameOf(model.motion), nameOf(settings.colours),
-        exactText(model.camera.position));
-    if (model.shown != nullptr && !model.shown->sides.empty()) {
-        const SideResult& side = model.shown->sides.front();
-        line += fmt::format(" shown={} size={}x{} cascades={} draws={}", model.shown->sceneName,
+        nameOf(settings.targets), settings.threads, settings.divider, scene::degreesOf(model.camera.now.fovY),
+        model.camera.orbits ? 1 : 0, kMotions.nameOf(model.camera.motion), nameOf(settings.colours),
+        exactText(model.camera.now.position));
+    if (model.picture.shown != nullptr && !model.picture.shown->sides.empty()) {
+        const SideResult& side = model.picture.shown->sides.front();
+        line += fmt::format(" shown={} size={}x{} cascades={} draws={}", model.picture.shown->sceneName,
                             side.options.width, side.options.height, side.frame->cascades.size(),
                             side.frame->stats.draws);
         if (side.wrong) {
@@ -36,25 +36,26 @@ std::string stateLine(const ViewerModel& model) {
             line += fmt::format(" flips={} flipped={}", *side.flipsNow, side.flippedPixels);
         }
     }
-    if (const auto& clicked = model.clickedCamera) {
+    if (const auto& clicked = model.picture.clickedCamera) {
         line += fmt::format(" clicked-from={} clicked-along={}", exactText(clicked->position),
                             exactText(-clicked->back));
     }
-    line += fmt::format(" pivot={}", exactText(model.pivot));
-    if (const auto& point = model.underCursor.front()) {
-        line += fmt::format(" under=\"{}\"", describe(*point, model.unit));
+    line += fmt::format(" pivot={}", exactText(model.camera.pivot));
+    if (const auto& point = model.picture.underCursor.front()) {
+        line += fmt::format(" under=\"{}\"", describe(*point, model.interface.unit));
     }
-    if (const auto& picked = model.measuring.first()) {
-        line += fmt::format(" picked=\"{}\" picked-at={}", describe(*picked, model.unit),
+    if (const auto& picked = model.picture.measuring.first()) {
+        line += fmt::format(" picked=\"{}\" picked-at={}", describe(*picked, model.interface.unit),
                             exactText(picked->position));
     }
-    if (model.measuring.second()) {
-        line += fmt::format(" measured=\"{}\"", describe(*model.measuring.span(), model.unit));
+    if (model.picture.measuring.second()) {
+        line +=
+            fmt::format(" measured=\"{}\"", describe(*model.picture.measuring.span(), model.interface.unit));
     }
-    if (model.showsHelp) {
-        line += fmt::format(" hidden-help={}", model.hiddenHelp);
+    if (model.interface.showsHelp) {
+        line += fmt::format(" hidden-help={}", model.interface.hiddenHelp);
     }
-    return line + fmt::format(" notice=\"{}\"", model.notice.text);
+    return line + fmt::format(" notice=\"{}\"", model.interface.notice.text);
 }
 
 } // namespace cdr::viewer

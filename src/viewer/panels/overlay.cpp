@@ -75,15 +75,16 @@ std::string countText(ViewKind view, const SideResult& side) {
     return {};
 }
 
-void drawLabel(const Canvas& canvas, const ViewerModel& model, std::size_t index, float divider) {
-    const SideResult& side = model.shown->sides[index];
+void drawLabel(const Canvas& canvas, const PictureModel& picture, base::LengthUnit unit, std::size_t index,
+               float divider) {
+    const SideResult& side = picture.shown->sides[index];
     const std::string title = techniqueName(side.options.technique);
-    std::string text = countText(model.shown->settings.view, side);
-    if (const auto& point = model.underCursor.at(index)) {
+    std::string text = countText(picture.shown->settings.view, side);
+    if (const auto& point = picture.underCursor.at(index)) {
         text += fmt::format("{}{}", text.empty() ? "" : "\n",
-                            resolvesText(point->stepView, point->distanceView, model.unit));
+                            resolvesText(point->stepView, point->distanceView, unit));
     }
-    const bool isSplit = model.shown->sides.size() > 1;
+    const bool isSplit = picture.shown->sides.size() > 1;
     const float y = canvas.low.y + gap();
     if (index == 0) {
         const float room = isSplit ? divider - canvas.low.x - 2.0f * gap() : canvas.width() - 2.0f * gap();
@@ -131,20 +132,20 @@ std::optional<ImVec2> onCanvas(const Canvas& canvas, const scene::Camera& camera
                   canvas.low.y + static_cast<float>((1.0 - y) / 2.0) * (canvas.high.y - canvas.low.y));
 }
 
-void drawMeasuring(const Canvas& canvas, const ViewerModel& model) {
-    const auto& first = model.measuring.first();
-    if (!first || model.shown == nullptr) {
+void drawMeasuring(const Canvas& canvas, const PictureModel& picture) {
+    const auto& first = picture.measuring.first();
+    if (!first || picture.shown == nullptr) {
         return;
     }
     const auto mark = [&](const PickedPoint& point) {
-        const auto at = onCanvas(canvas, model.shown->camera, point.position);
+        const auto at = onCanvas(canvas, picture.shown->camera, point.position);
         if (at) {
             canvas.draw.AddCircle(*at, ImGui::GetFontSize() * 0.4f, kMarkInk, 0, 2.0f);
         }
         return at;
     };
     const auto from = mark(*first);
-    const auto& second = model.measuring.second();
+    const auto& second = picture.measuring.second();
     const auto to = second ? mark(*second) : std::nullopt;
     if (from && to) {
         canvas.draw.AddLine(*from, *to, kMarkInk, 1.5f);
@@ -170,26 +171,27 @@ void drawLines(const Canvas& canvas, const ViewerModel& model) {
             low = drawLine(canvas, low, ink, text) - 0.5f * gap();
         }
     };
-    if (const auto& first = model.measuring.first()) {
-        const auto span = model.measuring.span();
-        add(kInk, span ? fmt::format("{}\n{}", describe(*first, model.unit), describe(*span, model.unit))
-                       : describe(*first, model.unit));
+    if (const auto& first = model.picture.measuring.first()) {
+        const auto span = model.picture.measuring.span();
+        add(kInk, span ? fmt::format("{}\n{}", describe(*first, model.interface.unit),
+                                     describe(*span, model.interface.unit))
+                       : describe(*first, model.interface.unit));
     }
-    add(model.isWrongCurrent ? kInk : kQuietInk, wrongText(model.wrong));
-    add(kQuietInk, lagText(model.lagSeconds));
+    add(model.picture.isWrongCurrent ? kInk : kQuietInk, wrongText(model.picture.wrong));
+    add(kQuietInk, lagText(model.performance.lagSeconds));
     if (model.video) {
         add(kProblem, fmt::format("recording a video, {} s; F11 ends it",
                                   base::quantityText(std::floor(model.video->seconds()))));
     }
-    if (model.motion == Motion::tour) {
-        add(kInk, std::string(tourCaption(scene::degreesOf(model.camera.fovY))));
-    } else if (const auto step = model.firstSteps.text()) {
+    if (model.camera.motion == Motion::tour) {
+        add(kInk, std::string(tourCaption(scene::degreesOf(model.camera.now.fovY))));
+    } else if (const auto step = model.interface.firstSteps.text()) {
         add(kMarkInk, std::string(*step));
     }
-    if (model.seesNothing) {
+    if (model.picture.seesNothing) {
         add(kProblem, "Nothing is in view. Home brings the scene's own camera back.");
     }
-    const Notice& notice = model.notice;
+    const Notice& notice = model.interface.notice;
     if (std::chrono::steady_clock::now() <= notice.until) {
         add(notice.isProblem ? kProblem : kInk, notice.text);
     }
@@ -202,15 +204,15 @@ void drawOverlay(const PictureArea& area, const ViewerModel& model) {
     if (canvas.width() < ImGui::GetFontSize() * 8.0f) {
         return;
     }
-    if (model.shown != nullptr) {
+    if (model.picture.shown != nullptr) {
         const float divider = canvas.low.x + static_cast<float>(model.settings.divider) * canvas.width();
-        if (model.shown->sides.size() > 1) {
+        if (model.picture.shown->sides.size() > 1) {
             drawDivider(canvas, divider);
         }
-        for (std::size_t side = 0; side < model.shown->sides.size(); ++side) {
-            drawLabel(canvas, model, side, divider);
+        for (std::size_t side = 0; side < model.picture.shown->sides.size(); ++side) {
+            drawLabel(canvas, model.picture, model.interface.unit, side, divider);
         }
-        drawMeasuring(canvas, model);
+        drawMeasuring(canvas, model.picture);
     }
     drawLines(canvas, model);
 }

@@ -18,8 +18,9 @@ std::string titleOf(const scene::OpenedScene& scene, int number) {
     return name.empty() ? "animation " + std::to_string(number) : name;
 }
 
-void chooseAnimation(const Widgets& widgets, ViewerModel& model, const scene::OpenedScene& scene) {
-    const int chosen = chosenNumber(model.settings.choice, scene);
+void chooseAnimation(const Widgets& widgets, const scene::OpenedScene& scene, scene::GltfChoice& choice,
+                     Playback& playback) {
+    const int chosen = chosenNumber(choice, scene);
     const std::size_t count = scene.animations.size() + 1;
     std::string title; // that the combo's view refers to
     const std::size_t picked =
@@ -28,9 +29,9 @@ void chooseAnimation(const Widgets& widgets, ViewerModel& model, const scene::Op
             return title;
         });
     if (picked < count && static_cast<int>(picked) - 1 != chosen) {
-        model.settings.choice = withAnimation(model.settings.choice, static_cast<int>(picked) - 1);
-        model.playback.seconds = 0.0;
-        model.playback.isPlaying = picked > 0;
+        choice = withAnimation(choice, static_cast<int>(picked) - 1);
+        playback.seconds = 0.0;
+        playback.isPlaying = picked > 0;
     }
 }
 
@@ -54,21 +55,20 @@ bool slide(const char* name, double& value, double low, double high, const char*
 
 } // namespace
 
-void drawAnimationPanel(const Widgets& widgets, ViewerModel& model) {
-    if (model.shown == nullptr || model.shown->scene->animations.empty() ||
-        model.shown->sceneName != model.settings.scene) {
+void drawAnimationPanel(const Widgets& widgets, const RenderResult* result, ViewSettings& settings,
+                        Playback& playback) {
+    if (result == nullptr || result->scene->animations.empty() || result->sceneName != settings.scene) {
         return;
     }
     constexpr double kSlowest = 0.1;
     constexpr double kFastest = 10.0;
-    const scene::OpenedScene& scene = *model.shown->scene;
+    const scene::OpenedScene& scene = *result->scene;
     widgets.heading("Animation");
-    chooseAnimation(widgets, model, scene);
-    const double length = playableSeconds(model.settings.choice, scene);
+    chooseAnimation(widgets, scene, settings.choice, playback);
+    const double length = playableSeconds(settings.choice, scene);
     if (length <= 0.0) {
         return;
     }
-    Playback& playback = model.playback;
     if (widgets.button(playback.isPlaying ? "pause" : "play animation", playback.isPlaying)) {
         playback.isPlaying = !playback.isPlaying;
     }

@@ -24,40 +24,40 @@ std::string_view unitTitle(base::LengthUnit unit) {
     return kTitles.at(static_cast<std::size_t>(unit));
 }
 
-void sayCopied(ViewerModel& model, const std::string& full) {
-    model.say("copied " + full);
+void sayCopied(InterfaceModel& interface, const std::string& full) {
+    interface.say("copied " + full);
 }
 
 /// A place, of which a click copies what --eye takes.
-void showPlace(const Widgets& widgets, ViewerModel& model, const glm::dvec3& place) {
-    const auto text = [&](double value) { return base::quantityText(value, model.unit); };
+void showPlace(const Widgets& widgets, InterfaceModel& interface, const glm::dvec3& place) {
+    const auto text = [&](double value) { return base::quantityText(value, interface.unit); };
     const std::string full = exactText(place);
     if (widgets.copied("position", fmt::format("{}, {}, {}", text(place.x), text(place.y), text(place.z)),
                        full)) {
-        sayCopied(model, full);
+        sayCopied(interface, full);
     }
 }
 
 /// A length, of which a click copies all digits, in scene units.
-void showLength(const Widgets& widgets, ViewerModel& model, std::string_view name, double metres) {
+void showLength(const Widgets& widgets, InterfaceModel& interface, std::string_view name, double metres) {
     const std::string full = base::shortest(metres);
-    if (widgets.copied(name, base::quantityText(metres, model.unit), full)) {
-        sayCopied(model, full);
+    if (widgets.copied(name, base::quantityText(metres, interface.unit), full)) {
+        sayCopied(interface, full);
     }
 }
 
 void chooseMotion(const Widgets& widgets, ViewerModel& model) {
-    if (widgets.button("scene's path", model.motion == Motion::scenePath)) {
-        model.motion = model.motion == Motion::scenePath ? Motion::free : Motion::scenePath;
+    if (widgets.button("scene's path", model.camera.motion == Motion::scenePath)) {
+        model.camera.motion = model.camera.motion == Motion::scenePath ? Motion::free : Motion::scenePath;
     }
     widgets.beside();
-    const bool isRecording = model.recorder.isRecording();
+    const bool isRecording = model.camera.recorder.isRecording();
     if (widgets.button(isRecording ? "stop recording" : "record", isRecording)) {
         model.actions.push_back(Action::record);
     }
-    if (!model.recorder.recording().cameras.empty() && !isRecording) {
+    if (!model.camera.recorder.recording().cameras.empty() && !isRecording) {
         widgets.beside();
-        if (widgets.button("play", model.motion == Motion::recording)) {
+        if (widgets.button("play", model.camera.motion == Motion::recording)) {
             model.actions.push_back(Action::playRecording);
         }
     }
@@ -85,38 +85,40 @@ void chooseMotion(const Widgets& widgets, ViewerModel& model) {
 
 void drawCameraPanel(const Widgets& widgets, ViewerModel& model) {
     widgets.heading("Camera");
-    if (widgets.button("fly", !model.orbits)) {
-        setOrbiting(model, false);
+    if (widgets.button("fly", !model.camera.orbits)) {
+        setOrbiting(model.camera, model.picture.measuring, false);
     }
     widgets.beside();
-    if (widgets.button("orbit", model.orbits)) {
-        setOrbiting(model, true);
+    if (widgets.button("orbit", model.camera.orbits)) {
+        setOrbiting(model.camera, model.picture.measuring, true);
     }
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("lens");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0f);
-    auto degrees = static_cast<float>(scene::degreesOf(model.camera.fovY));
+    auto degrees = static_cast<float>(scene::degreesOf(model.camera.now.fovY));
     if (ImGui::SliderFloat("##lens", &degrees, static_cast<float>(kNarrowestDegrees),
                            static_cast<float>(kWidestDegrees), "%.4g degrees",
                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp) &&
-        model.hasCamera) {
-        model.camera = scene::canonical(setLens(model.camera, degrees));
+        model.camera.isThere) {
+        model.camera.now = scene::canonical(setLens(model.camera.now, degrees));
     }
-    showPlace(widgets, model, model.camera.position);
-    widgets.value("range", fmt::format("{} to {}", base::quantityText(model.camera.nearView, model.unit),
-                                       base::quantityText(model.camera.farView, model.unit)));
-    const std::size_t unit = widgets.combo("lengths in", unitTitle(model.unit), base::kLengthUnits.size(),
-                                           [](std::size_t i) { return unitTitle(base::kLengthUnits[i]); });
+    showPlace(widgets, model.interface, model.camera.now.position);
+    widgets.value("range",
+                  fmt::format("{} to {}", base::quantityText(model.camera.now.nearView, model.interface.unit),
+                              base::quantityText(model.camera.now.farView, model.interface.unit)));
+    const std::size_t unit =
+        widgets.combo("lengths in", unitTitle(model.interface.unit), base::kLengthUnits.size(),
+                      [](std::size_t i) { return unitTitle(base::kLengthUnits[i]); });
     if (unit < base::kLengthUnits.size()) {
-        model.unit = base::kLengthUnits[unit];
+        model.interface.unit = base::kLengthUnits[unit];
     }
     chooseMotion(widgets, model);
 }
 
 void drawMeasuringPanel(const Widgets& widgets, ViewerModel& model) {
     widgets.heading("Picked");
-    const auto& first = model.measuring.first();
+    const auto& first = model.picture.measuring.first();
     if (!first) {
         widgets.sentence(
             "Click an object to see what it is and where; click another to measure between them.");
@@ -124,19 +126,19 @@ void drawMeasuringPanel(const Widgets& widgets, ViewerModel& model) {
     }
     const auto show = [&](const PickedPoint& point) {
         widgets.value("object", point.name);
-        showPlace(widgets, model, point.position);
-        showLength(widgets, model, "distance", point.distanceView);
-        showLength(widgets, model, "step", point.stepView);
+        showPlace(widgets, model.interface, point.position);
+        showLength(widgets, model.interface, "distance", point.distanceView);
+        showLength(widgets, model.interface, "step", point.stepView);
     };
     show(*first);
-    if (const auto& second = model.measuring.second()) {
+    if (const auto& second = model.picture.measuring.second()) {
         ImGui::Separator();
         show(*second);
         ImGui::Separator();
-        const Span span = *model.measuring.span();
-        showLength(widgets, model, "between", span.length);
-        showLength(widgets, model, "along view", span.alongView);
-        showLength(widgets, model, "to within", span.uncertainty);
+        const Span span = *model.picture.measuring.span();
+        showLength(widgets, model.interface, "between", span.length);
+        showLength(widgets, model.interface, "along view", span.alongView);
+        showLength(widgets, model.interface, "to within", span.uncertainty);
     }
     if (widgets.button("forget")) {
         model.actions.push_back(Action::forgetMeasuring);

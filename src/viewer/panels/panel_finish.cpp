@@ -33,9 +33,9 @@ void chooseLength(const Widgets& widgets, std::string_view name, double& length)
 
 } // namespace
 
-void drawFinishPanel(const Widgets& widgets, ViewerModel& model) {
+void drawFinishPanel(const Widgets& widgets, ViewSettings& settings) {
     widgets.heading("Finish");
-    Finish& finish = model.settings.finish;
+    Finish& finish = settings.finish;
     const std::size_t detail =
         widgets.combo("detail", nameOf(finish.detail), visibility::kDetailModes.size(),
                       [](std::size_t i) { return nameOf(visibility::kDetailModes[i]); });
@@ -72,13 +72,13 @@ void drawFinishPanel(const Widgets& widgets, ViewerModel& model) {
     }
     widgets.sentence(explain(finish.effects.finish.toneMap));
     chooseLength(widgets, "occlusion", finish.effects.occlusion.radius);
-    if (hasLayers(model.settings.targets.kind)) {
+    if (hasLayers(settings.targets.kind)) {
         widgets.checkbox("on each layer alone", finish.effects.occlusion.perLayer);
     }
     widgets.sentence(explain(finish.effects.occlusion));
     chooseLength(widgets, "fog", finish.effects.fog.visibility);
     widgets.sentence(explain(finish.effects.fog));
-    if (model.settings.targets.kind == render::TargetsKind::layers) {
+    if (settings.targets.kind == render::TargetsKind::layers) {
         chooseLength(widgets, "focus", finish.focus.distance);
         chooseLength(widgets, "aperture", finish.focus.aperture);
         widgets.checkbox("fade between cascades", finish.focus.blend);

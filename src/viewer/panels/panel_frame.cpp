@@ -130,29 +130,30 @@ void drawTracks(const WorkerTimeline& timeline) {
 
 } // namespace
 
-void drawFrameGraph(const Widgets& widgets, const ViewerModel& model) {
+void drawFrameGraph(const Widgets& widgets, const PerformanceModel& performance) {
     widgets.heading("Frame");
-    const StageSummary total = model.statistics.total();
-    widgets.value("rendered", fmt::format("{} frames a second, {}", base::quantityText(model.framesPerSecond),
-                                          millisecondsText(static_cast<double>(total.last))));
-    widgets.value("interface", millisecondsText(model.uiFrameMs) + " a frame");
+    const StageSummary total = performance.statistics.total();
+    widgets.value("rendered",
+                  fmt::format("{} frames a second, {}", base::quantityText(performance.framesPerSecond),
+                              millisecondsText(static_cast<double>(total.last))));
+    widgets.value("interface", millisecondsText(performance.uiFrameMs) + " a frame");
     const float mostMs = std::max(total.max, 1.0f);
     widgets.value("highest", millisecondsText(static_cast<double>(mostMs)));
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, letters(kGraphHeight)};
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + size.y},
                                               ImGui::GetColorU32(ImGuiCol_FrameBg), 4.0f);
-    drawBars(model.statistics, low, size, mostMs);
+    drawBars(performance.statistics, low, size, mostMs);
     ImGui::Dummy(size);
-    drawStageTable(model.statistics);
+    drawStageTable(performance.statistics);
 }
 
-void drawTimeline(const Widgets& widgets, const ViewerModel& model) {
+void drawTimeline(const Widgets& widgets, const RenderResult* result) {
     widgets.heading("Who recorded what");
-    if (model.shown == nullptr) {
+    if (result == nullptr) {
         return;
     }
-    for (const SideResult& side : model.shown->sides) {
+    for (const SideResult& side : result->sides) {
         widgets.sentence(fmt::format("{}, {}; jobs in their cascades' colours",
                                      nameOf(side.options.technique),
                                      millisecondsText(side.timeline.lengthMs)));

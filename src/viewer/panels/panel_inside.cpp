@@ -64,36 +64,37 @@ std::string megabytes(std::uint64_t bytes) {
 
 } // namespace
 
-void drawCascadesPanel(const Widgets& widgets, const ViewerModel& model) {
+void drawCascadesPanel(const Widgets& widgets, const RenderResult* result, base::LengthUnit unit) {
     widgets.heading("Cascades");
-    if (model.shown == nullptr) {
+    if (result == nullptr) {
         return;
     }
-    for (const SideResult& side : model.shown->sides) {
+    for (const SideResult& side : result->sides) {
         const render::FrameStats& stats = side.frame->stats;
         widgets.sentence(fmt::format("{}: {} visible, {}, {} for each", nameOf(side.options.technique),
                                      base::quantityText(static_cast<double>(stats.visible)),
                                      counted(stats.draws, "draw"), base::quantityText(stats.duplication)));
         ImGui::PushID(&side);
-        drawCascades(side, model.unit);
+        drawCascades(side, unit);
         ImGui::PopID();
     }
 }
 
-void drawMemoryPanel(const Widgets& widgets, const ViewerModel& model) {
+void drawMemoryPanel(const Widgets& widgets, const RenderResult* result,
+                     const PerformanceModel& performance) {
     widgets.heading("Memory");
     if (const auto resident = residentBytes()) {
         widgets.value("program", megabytes(*resident));
     }
-    if (model.shown != nullptr && !model.shown->sides.empty()) {
-        const render::RenderOptions& options = model.shown->sides.front().options;
+    if (result != nullptr && !result->sides.empty()) {
+        const render::RenderOptions& options = result->sides.front().options;
         const std::uint64_t pixels = std::uint64_t{options.width} * options.height;
         widgets.value("a G-buffer", megabytes(pixels * sizeof(render::GBufferPixel)));
-        widgets.value("device", megabytes(model.shown->freeDeviceBytes) + " free");
+        widgets.value("device", megabytes(result->freeDeviceBytes) + " free");
     }
     widgets.heading("Devices");
-    widgets.value("renders", model.device);
-    widgets.value("shows", model.uiDevice);
+    widgets.value("renders", performance.device);
+    widgets.value("shows", performance.uiDevice);
 }
 
 } // namespace cdr::viewer

@@ -62,21 +62,21 @@ void chooseTechnique(const Widgets& widgets, std::string_view prefix, depth::Tec
 
 } // namespace
 
-void drawScenePanel(const Widgets& widgets, ViewerModel& model) {
+void drawScenePanel(const Widgets& widgets, const RenderResult* result, ViewSettings& settings) {
     widgets.heading("Scene");
-    const std::string shown = std::filesystem::path(model.settings.scene).filename().string();
+    const std::string shown = std::filesystem::path(settings.scene).filename().string();
     const std::span<const std::string_view> scenes = scenes::generatedScenes();
     const std::size_t chosen = widgets.combo(
         "scene", shown, scenes.size(), [&](std::size_t i) { return scenes[i]; }, drawThumbnail);
     if (chosen < scenes.size()) {
-        model.settings.scene = scenes[chosen];
-        model.settings.choice = {};
+        settings.scene = scenes[chosen];
+        settings.choice = {};
     }
-    if (model.shown != nullptr && model.shown->scene != nullptr) {
-        const scene::OpenedScene& opened = *model.shown->scene;
-        bool isBright = model.settings.colours == scenes::Colours::bright;
+    if (result != nullptr && result->scene != nullptr) {
+        const scene::OpenedScene& opened = *result->scene;
+        bool isBright = settings.colours == scenes::Colours::bright;
         if (scenes::isGreyInThesis(opened.setup.scene) && widgets.checkbox("bright colours", isBright)) {
-            model.settings.colours = isBright ? scenes::Colours::bright : scenes::Colours::thesis;
+            settings.colours = isBright ? scenes::Colours::bright : scenes::Colours::thesis;
         }
         widgets.sentence(fmt::format("{}, {}. Drop a .gltf or .glb file to open it.",
                                      counted(opened.setup.scene.objectCount(), "object"),
@@ -87,45 +87,44 @@ void drawScenePanel(const Widgets& widgets, ViewerModel& model) {
     }
 }
 
-void drawTechniquePanel(const Widgets& widgets, ViewerModel& model) {
+void drawTechniquePanel(const Widgets& widgets, ViewSettings& settings) {
     widgets.heading("Technique");
-    bool compares = model.settings.second.has_value();
+    bool compares = settings.second.has_value();
     if (widgets.checkbox("compare two", compares)) {
-        model.settings.second.reset();
+        settings.second.reset();
         if (compares) {
-            model.settings.second = depth::parseTechnique("anchored");
+            settings.second = depth::parseTechnique("anchored");
         }
     }
-    if (!model.settings.second) {
-        chooseTechnique(widgets, "technique", model.settings.technique);
+    if (!settings.second) {
+        chooseTechnique(widgets, "technique", settings.technique);
         return;
     }
     if (ImGui::BeginTabBar("sides")) {
         if (ImGui::BeginTabItem("left of the divider")) {
-            chooseTechnique(widgets, "left", model.settings.technique);
+            chooseTechnique(widgets, "left", settings.technique);
             ImGui::EndTabItem();
         }
         if (ImGui::BeginTabItem("right")) {
-            chooseTechnique(widgets, "right", *model.settings.second);
+            chooseTechnique(widgets, "right", *settings.second);
             ImGui::EndTabItem();
         }
         ImGui::EndTabBar();
     }
 }
 
-void drawViewPanel(const Widgets& widgets, ViewerModel& model) {
+void drawViewPanel(const Widgets& widgets, ViewSettings& settings) {
     widgets.heading("View");
-    const std::size_t view = widgets.combo("view", nameOf(model.settings.view), kViewKinds.size(),
+    const std::size_t view = widgets.combo("view", nameOf(settings.view), kViewKinds.size(),
                                            [](std::size_t i) { return nameOf(kViewKinds[i]); });
     if (view < kViewKinds.size()) {
-        model.settings.view = kViewKinds[view];
+        settings.view = kViewKinds[view];
     }
-    widgets.sentence(explain(model.settings.view));
+    widgets.sentence(explain(settings.view));
 }
 
-void drawRenderingPanel(const Widgets& widgets, ViewerModel& model) {
+void drawRenderingPanel(const Widgets& widgets, ViewSettings& settings) {
     widgets.heading("Rendering");
-    ViewSettings& settings = model.settings;
     const std::size_t targets =
         widgets.combo("targets", nameOf(settings.targets.kind), render::kTargetsKinds.size(),
                       [](std::size_t i) { return nameOf(render::kTargetsKinds[i]); });

@@ -21,14 +21,15 @@ void stepView(ViewSettings& settings, std::size_t steps) {
     settings.view = kViewKinds[(now + steps) % kViewKinds.size()];
 }
 
-void toggleMotion(ViewerModel& model, Motion motion) {
-    model.motion = model.motion == motion ? Motion::free : motion;
+void toggleMotion(CameraModel& camera, Motion motion) {
+    camera.motion = camera.motion == motion ? Motion::free : motion;
 }
 
 void toggleAnimation(ViewerModel& model) {
-    model.playback.isPlaying = !model.playback.isPlaying;
-    const bool hasAny = model.shown != nullptr && model.shown->sceneName == model.settings.scene &&
-                        !model.shown->scene->animations.empty();
+    model.camera.playback.isPlaying = !model.camera.playback.isPlaying;
+    const bool hasAny = model.picture.shown != nullptr &&
+                        model.picture.shown->sceneName == model.settings.scene &&
+                        !model.picture.shown->scene->animations.empty();
     if (hasAny && !model.settings.choice.framesPerSecond) {
         model.settings.choice = withAnimation(model.settings.choice, 0);
     }
@@ -36,17 +37,17 @@ void toggleAnimation(ViewerModel& model) {
 
 } // namespace
 
-void aimPivot(ViewerModel& model) {
-    if (!model.measuring.first() && model.surfaceView > 0.0) {
-        model.pivot = model.camera.position - model.camera.back * model.surfaceView;
+void aimPivot(CameraModel& camera, const Measuring& measuring) {
+    if (!measuring.first() && camera.surfaceView > 0.0) {
+        camera.pivot = camera.now.position - camera.now.back * camera.surfaceView;
     }
 }
 
-void setOrbiting(ViewerModel& model, bool orbits) {
-    if (orbits && !model.orbits) {
-        aimPivot(model);
+void setOrbiting(CameraModel& camera, const Measuring& measuring, bool orbits) {
+    if (orbits && !camera.orbits) {
+        aimPivot(camera, measuring);
     }
-    model.orbits = orbits;
+    camera.orbits = orbits;
 }
 
 bool isForEveryPlace(const KeyInput& key) {
@@ -66,24 +67,24 @@ void applyShortcut(const KeyInput& key, ViewerModel& model) {
         return;
     }
     if (key.key >= GLFW_KEY_F2 && key.key < GLFW_KEY_F2 + static_cast<int>(kPanels.size())) {
-        model.panelKeys = PanelKeys{.panel = static_cast<std::size_t>(key.key - GLFW_KEY_F2)};
-        model.showsPanel = true;
+        model.interface.panelKeys = PanelKeys{.panel = static_cast<std::size_t>(key.key - GLFW_KEY_F2)};
+        model.interface.showsPanel = true;
         return;
     }
     switch (key.key) {
     case GLFW_KEY_F1:
-        model.showsHelp = !model.showsHelp;
+        model.interface.showsHelp = !model.interface.showsHelp;
         break;
     case GLFW_KEY_ESCAPE:
-        if (model.panelKeys) {
-            model.panelKeys.reset();
+        if (model.interface.panelKeys) {
+            model.interface.panelKeys.reset();
         } else {
-            model.showsHelp = false;
-            model.firstSteps.end();
+            model.interface.showsHelp = false;
+            model.interface.firstSteps.end();
         }
         break;
     case GLFW_KEY_TAB:
-        model.showsPanel = !model.showsPanel;
+        model.interface.showsPanel = !model.interface.showsPanel;
         break;
     case GLFW_KEY_C:
         if (control) {
@@ -101,10 +102,10 @@ void applyShortcut(const KeyInput& key, ViewerModel& model) {
         stepView(model.settings, shift ? kViewKinds.size() - 1 : 1);
         break;
     case GLFW_KEY_O:
-        setOrbiting(model, !model.orbits);
+        setOrbiting(model.camera, model.picture.measuring, !model.camera.orbits);
         break;
     case GLFW_KEY_SPACE:
-        toggleMotion(model, Motion::scenePath);
+        toggleMotion(model.camera, Motion::scenePath);
         break;
     case GLFW_KEY_K:
         toggleAnimation(model);

@@ -12,8 +12,8 @@ void applyShortcut(const KeyInput& key, ViewerModel& model);
 bool isForEveryPlace(const KeyInput& key);
 
 /// Where nothing was clicked, what the camera looks at becomes what it goes round.
-void aimPivot(ViewerModel& model);
+void aimPivot(CameraModel& camera, const Measuring& measuring);
 /// Orbits what was clicked, or else what the camera looks at; or flies.
-void setOrbiting(ViewerModel& model, bool orbits);
+void setOrbiting(CameraModel& camera, const Measuring& measuring, bool orbits);
 
 } // namespace cdr::viewer

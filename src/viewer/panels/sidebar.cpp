@@ -21,9 +21,10 @@ bool beginPanel(const char* name) {
 #endif
 }
 
-void drawTab(std::size_t panel, ItemPlaces& places, ViewerModel& model, const std::function<void()>& body) {
+void drawTab(std::size_t panel, ItemPlaces& places, std::optional<PanelKeys>& keys,
+             const std::function<void()>& body) {
     const char* name = kPanels.at(panel);
-    const bool isAsked = model.panelKeys && model.panelKeys->panel == panel && !model.panelKeys->isOpened;
+    const bool isAsked = keys && keys->panel == panel && !keys->isOpened;
     const bool isOpen =
         ImGui::BeginTabItem(name, nullptr, isAsked ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
     places.note(name);
@@ -32,7 +33,7 @@ void drawTab(std::size_t panel, ItemPlaces& places, ViewerModel& model, const st
     }
     if (isAsked) {
         ImGui::SetNextWindowFocus();
-        model.panelKeys->isOpened = true;
+        keys->isOpened = true;
     }
     beginPanel(name);
     body();
@@ -49,36 +50,38 @@ void drawSidebar(const Widgets& widgets, ItemPlaces& places, float width, Viewer
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
+    const RenderResult* result = model.picture.shown.get();
+    std::optional<PanelKeys>& keys = model.interface.panelKeys;
     if (ImGui::BeginTabBar("tabs")) {
-        drawTab(0, places, model, [&] {
-            drawScenePanel(widgets, model);
-            drawTechniquePanel(widgets, model);
-            drawViewPanel(widgets, model);
+        drawTab(0, places, keys, [&] {
+            drawScenePanel(widgets, result, model.settings);
+            drawTechniquePanel(widgets, model.settings);
+            drawViewPanel(widgets, model.settings);
         });
-        drawTab(1, places, model, [&] {
-            drawAnimationPanel(widgets, model);
+        drawTab(1, places, keys, [&] {
+            drawAnimationPanel(widgets, result, model.settings, model.camera.playback);
             drawCameraPanel(widgets, model);
             drawMeasuringPanel(widgets, model);
         });
-        drawTab(2, places, model, [&] {
-            drawRenderingPanel(widgets, model);
-            drawFinishPanel(widgets, model);
+        drawTab(2, places, keys, [&] {
+            drawRenderingPanel(widgets, model.settings);
+            drawFinishPanel(widgets, model.settings);
         });
-        drawTab(3, places, model, [&] {
-            drawFrameGraph(widgets, model);
-            widgets.checkbox("render though nothing changes", model.rendersAlways);
-            drawTimeline(widgets, model);
+        drawTab(3, places, keys, [&] {
+            drawFrameGraph(widgets, model.performance);
+            widgets.checkbox("render though nothing changes", model.performance.rendersAlways);
+            drawTimeline(widgets, result);
         });
-        drawTab(4, places, model, [&] {
-            drawCascadesPanel(widgets, model);
-            drawMemoryPanel(widgets, model);
+        drawTab(4, places, keys, [&] {
+            drawCascadesPanel(widgets, result, model.interface.unit);
+            drawMemoryPanel(widgets, result, model.performance);
         });
         ImGui::EndTabBar();
     }
     ImGui::End();
 }
 
-void drawHelp(ViewerModel& model) {
+void drawHelp(InterfaceModel& interface) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({window.x / 2.0f, window.y / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {window.x * 0.9f, window.y * 0.9f});
@@ -86,7 +89,7 @@ void drawHelp(ViewerModel& model) {
     // All lines fit a window of 720 rows.
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         {ImGui::GetStyle().ItemSpacing.x, 0.05f * ImGui::GetFontSize()});
-    ImGui::Begin("Help", &model.showsHelp,
+    ImGui::Begin("Help", &interface.showsHelp,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings);
     ImGui::PushTextWrapPos(0.9f * window.x - 2.0f * ImGui::GetFontSize() - ImGui::GetStyle().ScrollbarSize);
@@ -100,7 +103,7 @@ void drawHelp(ViewerModel& model) {
         }
     }
     ImGui::PopTextWrapPos();
-    model.hiddenHelp = ImGui::GetScrollMaxY();
+    interface.hiddenHelp = ImGui::GetScrollMaxY();
     ImGui::End();
     ImGui::PopStyleVar(2);
 }

@@ -52,8 +52,8 @@ Application::Application(const Arguments& arguments, Driver* driver)
       m_presenter(m_ui, m_window, arguments.waitsForDisplay),
       m_interface(m_ui, m_window, m_presenter, arguments.uiScale),
       m_session(m_renderDevice, m_model) {
-    m_model.device = describe(m_renderDevice.device().info());
-    m_model.uiDevice = describe(m_ui.device().info());
+    m_model.performance.device = describe(m_renderDevice.device().info());
+    m_model.performance.uiDevice = describe(m_ui.device().info());
 }
 
 bool Application::goesOn() const {
@@ -100,22 +100,23 @@ void Application::handleInput() {
         if (const auto* drop = std::get_if<DropInput>(&event)) {
             dropFiles(*drop);
         } else if (const auto* key = std::get_if<KeyInput>(&event)) {
-            const bool isTyped = m_interface.wantsKeys() || (m_model.panelKeys && !isForEveryPlace(*key));
+            const bool isTyped =
+                m_interface.wantsKeys() || (m_model.interface.panelKeys && !isForEveryPlace(*key));
             if (!isTyped) {
                 applyShortcut(*key, m_model);
             }
-            m_control.handle(event, area, !isTyped && !m_model.panelKeys, m_model);
+            m_control.handle(event, area, !isTyped && !m_model.interface.panelKeys, m_model);
         } else {
             if (free && std::holds_alternative<ButtonInput>(event) && area.contains(m_control.cursor())) {
-                m_model.panelKeys.reset(); // whoever takes the picture takes the keys along
+                m_model.interface.panelKeys.reset(); // whoever takes the picture takes the keys along
             }
             m_control.handle(event, area, free, m_model);
         }
     }
     if (const auto click = m_control.takeClick()) {
         if (click->isDouble) {
-            m_model.measuring.clear(); // no way from a point to itself
-            setOrbiting(m_model, true);
+            m_model.picture.measuring.clear(); // no way from a point to itself
+            setOrbiting(m_model.camera, m_model.picture.measuring, true);
         }
         m_session.click(click->pixel);
     }
@@ -124,7 +125,8 @@ void Application::handleInput() {
 float Application::sidebarWidth() const {
     const float width = kSidebarWidth * m_interface.scale();
     const float window = static_cast<float>(m_window.extent().width / m_window.pixelsPerUnit());
-    return m_model.showsPanel && window >= width + kLeastPicture * m_interface.scale() ? width : 0.0f;
+    return m_model.interface.showsPanel && window >= width + kLeastPicture * m_interface.scale() ? width
+                                                                                                 : 0.0f;
 }
 
 PictureArea Application::pictureArea() const {
@@ -137,8 +139,9 @@ PictureArea Application::pictureArea() const {
 }
 
 bool Application::isMoving() const {
-    return m_model.motion != Motion::free || m_model.playback.isPlaying || m_model.rendersAlways ||
-           m_model.video != nullptr || m_isMissed || m_arguments.frames || !m_session.isSettled();
+    return m_model.camera.motion != Motion::free || m_model.camera.playback.isPlaying ||
+           m_model.performance.rendersAlways || m_model.video != nullptr || m_isMissed ||
+           m_arguments.frames || !m_session.isSettled();
 }
 
 bool Application::isRedrawDue() const {
@@ -149,20 +152,21 @@ void Application::layOut() {
     if (const float width = sidebarWidth(); width > 0.0f) {
         drawSidebar(m_widgets, m_places, width, m_model);
     }
-    if (m_model.showsHelp) {
-        drawHelp(m_model);
+    if (m_model.interface.showsHelp) {
+        drawHelp(m_model.interface);
     }
     drawOverlay(pictureArea(), m_model);
 }
 
 void Application::present(image::ImageRgba8* capture, ImDrawData* drawn) {
     const PictureArea area = pictureArea();
-    const PictureLayout layout{.area = {{area.x, area.y}, {area.extent.width, area.extent.height}},
-                               .divider = m_model.settings.divider,
-                               .pictures = m_model.shown != nullptr ? m_model.shown->sides.size() : 1};
+    const PictureLayout layout{
+        .area = {{area.x, area.y}, {area.extent.width, area.extent.height}},
+        .divider = m_model.settings.divider,
+        .pictures = m_model.picture.shown != nullptr ? m_model.picture.shown->sides.size() : 1};
     const auto begin = Clock::now();
     m_isMissed = !m_presenter.draw(layout, drawn, capture);
-    m_model.presentMs = 1000.0 * secondsSince(begin);
+    m_model.performance.presentMs = 1000.0 * secondsSince(begin);
 }
 
 void Application::drawFrame() {
@@ -177,7 +181,8 @@ void Application::drawFrame() {
     }
     m_lastFrame = begin;
     m_places.beginFrame();
-    m_interface.begin(m_driver != nullptr ? Driver::kStepSeconds : interval, m_model.panelKeys.has_value());
+    m_interface.begin(m_driver != nullptr ? Driver::kStepSeconds : interval,
+                      m_model.interface.panelKeys.has_value());
     layOut();
     ImDrawData* drawn = m_interface.end();
     image::ImageRgba8 pixels;
@@ -185,7 +190,7 @@ void Application::drawFrame() {
     if (m_capture && !pixels.pixels.empty()) {
         image::writeImage(*std::exchange(m_capture, std::nullopt), pixels);
     }
-    m_model.uiFrameMs = 1000.0 * secondsSince(begin);
+    m_model.performance.uiFrameMs = 1000.0 * secondsSince(begin);
     m_redraws = std::max(m_redraws - 1, 0);
     ++m_uiFrames;
 }
@@ -203,15 +208,15 @@ void Application::run() {
             m_redraws = kSettleFrames;
         }
         if (m_session.takeResult()) {
-            for (std::size_t side = 0; side < m_model.shown->sides.size(); ++side) {
-                m_presenter.picture(side).set(m_model.shown->sides[side].picture);
+            for (std::size_t side = 0; side < m_model.picture.shown->sides.size(); ++side) {
+                m_presenter.picture(side).set(m_model.picture.shown->sides[side].picture);
             }
             m_redraws = std::max(m_redraws, 1);
         }
         const double seconds = secondsOfUpdate();
         recordVideo(seconds);
         m_control.apply(pictureArea(), seconds, m_model);
-        m_model.firstSteps.see(m_model.settings, m_model.camera);
+        m_model.interface.firstSteps.see(m_model.settings, m_model.camera.now);
         if (m_window.extent().width > 0 && m_window.extent().height > 0) {
             m_session.update(pictureArea(), m_control.cursor(), seconds, m_control.isActive());
         }
@@ -220,7 +225,8 @@ void Application::run() {
         }
     }
     if (m_arguments.statistics) {
-        host::printOutput(statisticsReport(m_model, m_session.results(), secondsSince(began), m_uiIntervals));
+        host::printOutput(
+            statisticsReport(m_model.performance, m_session.results(), secondsSince(began), m_uiIntervals));
     }
     finish();
 }

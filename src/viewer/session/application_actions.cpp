@@ -21,37 +21,38 @@ namespace cdr::viewer {
 void Application::dropFiles(const DropInput& drop) {
     const auto found = std::find_if(drop.paths.begin(), drop.paths.end(), scene::isGltfPath);
     if (found == drop.paths.end()) {
-        m_model.say(drop.paths.empty() ? "nothing that is a file was dropped"
-                                       : fmt::format("{} is no scene: drop a .gltf or .glb file",
-                                                     drop.paths.front().filename().string()),
-                    true);
+        m_model.interface.sayProblem(drop.paths.empty()
+                                         ? "nothing that is a file was dropped"
+                                         : fmt::format("{} is no scene: drop a .gltf or .glb file",
+                                                       drop.paths.front().filename().string()));
         return;
     }
     m_model.settings.scene = found->string();
     m_model.settings.choice = {};
-    m_model.say(drop.paths.size() == 1 ? fmt::format("opening {}", found->filename().string())
-                                       : fmt::format("opening {}, of {} files that were dropped",
-                                                     found->filename().string(), drop.paths.size()));
+    m_model.interface.say(drop.paths.size() == 1
+                              ? fmt::format("opening {}", found->filename().string())
+                              : fmt::format("opening {}, of {} files that were dropped",
+                                            found->filename().string(), drop.paths.size()));
 }
 
 void Application::toggleRecording() {
-    PathRecorder& recorder = m_model.recorder;
+    PathRecorder& recorder = m_model.camera.recorder;
     if (recorder.isRecording()) {
         recorder.end();
         const std::size_t cameras = recorder.recording().cameras.size();
         if (cameras == 0) {
-            m_model.say("nothing was recorded", true);
+            m_model.interface.sayProblem("nothing was recorded");
             return;
         }
         const std::filesystem::path file = freeName("camera-path", ".json");
         scene::writeRecording(file, recorder.recording());
-        m_model.say(fmt::format("{} holds {}", file.string(), counted(cameras, "camera")));
-    } else if (m_model.hasCamera) {
-        if (m_model.motion == Motion::recording) {
-            m_model.motion = Motion::free; // what it plays goes
+        m_model.interface.say(fmt::format("{} holds {}", file.string(), counted(cameras, "camera")));
+    } else if (m_model.camera.isThere) {
+        if (m_model.camera.motion == Motion::recording) {
+            m_model.camera.motion = Motion::free; // what it plays goes
         }
         recorder.begin(m_model.settings.scene);
-        m_model.say("recording the camera; R ends it");
+        m_model.interface.say("recording the camera; R ends it");
     }
 }
 
@@ -59,10 +60,11 @@ void Application::toggleVideo() {
     if (m_model.video != nullptr) {
         const auto video = std::exchange(m_model.video, nullptr);
         video->finish();
-        m_model.say(fmt::format("{} holds {}, {} s", video->file().string(),
-                                counted(video->pictures(), "picture"), base::quantityText(video->seconds())));
-    } else if (m_model.shown != nullptr) {
-        const std::vector<SideResult>& sides = m_model.shown->sides;
+        m_model.interface.say(fmt::format("{} holds {}, {} s", video->file().string(),
+                                          counted(video->pictures(), "picture"),
+                                          base::quantityText(video->seconds())));
+    } else if (m_model.picture.shown != nullptr) {
+        const std::vector<SideResult>& sides = m_model.picture.shown->sides;
         const image::ImageRgba8& first = *sides.front().picture;
         m_model.video = std::make_unique<VideoRecording>(freeName("cdr-video", ".mp4"), sides.size(),
                                                          first.width, first.height);
@@ -73,7 +75,7 @@ void Application::recordVideo(double seconds) {
     if (m_model.video == nullptr) {
         return;
     }
-    const std::vector<SideResult>& sides = m_model.shown->sides;
+    const std::vector<SideResult>& sides = m_model.picture.shown->sides;
     const image::ImageRgba8* right = sides.size() > 1 ? sides[1].picture.get() : nullptr;
     try {
         if (!m_model.video->add(*sides.front().picture, right, seconds)) {
@@ -81,15 +83,15 @@ void Application::recordVideo(double seconds) {
         }
     } catch (const base::RunError& error) {
         m_model.video.reset();
-        m_model.say(error.what(), true);
+        m_model.interface.sayProblem(error.what());
     }
 }
 
 void Application::savePicture(const std::filesystem::path& file) {
-    const image::ImageRgba8 picture = shownPicture(m_model);
+    const image::ImageRgba8 picture = shownPicture(m_model.picture.shown.get(), m_model.settings.divider);
     if (!picture.pixels.empty()) {
         image::writeImage(file, picture);
-        m_model.say(fmt::format("{} written", file.string()));
+        m_model.interface.say(fmt::format("{} written", file.string()));
     }
 }
 
@@ -103,49 +105,50 @@ void Application::captureWindow() {
 }
 
 void Application::copyCommandLines() {
-    const std::string lines = commandLinesOf(m_model);
+    const std::string lines = commandLinesOf(m_model.picture.shown.get(), m_model.camera.ofScene);
     if (lines.empty()) {
-        m_model.say("nothing is shown yet", true);
+        m_model.interface.sayProblem("nothing is shown yet");
         return;
     }
     m_window.copyToClipboard(lines);
-    m_model.say(fmt::format("copied: {}", lines));
+    m_model.interface.say(fmt::format("copied: {}", lines));
 }
 
 void Application::frameSelected() {
-    const auto& last = m_model.measuring.second() ? m_model.measuring.second() : m_model.measuring.first();
-    if (!last || m_model.shown == nullptr) {
-        m_model.say("nothing is selected: click an object first", true);
+    const auto& last = m_model.picture.measuring.second() ? m_model.picture.measuring.second()
+                                                          : m_model.picture.measuring.first();
+    if (!last || m_model.picture.shown == nullptr) {
+        m_model.interface.sayProblem("nothing is selected: click an object first");
         return;
     }
     const double aspect = pictureArea().extent.aspect();
-    const Ball ball = ballOf(m_model.shown->scene->setup.scene.instances, last->object);
-    m_model.motion = Motion::free;
-    m_model.camera = scene::canonical(framed(m_model.camera, ball, aspect));
-    m_model.pivot = ball.centre;
-    m_model.surfaceView = glm::distance(m_model.camera.position, ball.centre);
+    const Ball ball = ballOf(m_model.picture.shown->scene->setup.scene.instances, last->object);
+    m_model.camera.motion = Motion::free;
+    m_model.camera.now = scene::canonical(framed(m_model.camera.now, ball, aspect));
+    m_model.camera.pivot = ball.centre;
+    m_model.camera.surfaceView = glm::distance(m_model.camera.now.position, ball.centre);
 }
 
 void Application::toggleTour() {
-    if (m_model.motion == Motion::tour) {
-        m_model.motion = Motion::free;
+    if (m_model.camera.motion == Motion::tour) {
+        m_model.camera.motion = Motion::free;
         return;
     }
     m_model.settings.scene = "orbit";
     m_model.settings.choice = {};
     m_model.settings.technique = depth::parseTechnique("standard");
     m_model.settings.second = depth::parseTechnique("anchored");
-    m_model.playedSeconds = 0.0;
-    m_model.motion = Motion::tour;
+    m_model.camera.playedSeconds = 0.0;
+    m_model.camera.motion = Motion::tour;
 }
 
 void Application::perform(Action action) {
     try {
         tryPerform(action);
     } catch (const base::InputError& error) {
-        m_model.say(error.what(), true);
+        m_model.interface.sayProblem(error.what());
     } catch (const base::RunError& error) {
-        m_model.say(error.what(), true);
+        m_model.interface.sayProblem(error.what());
     }
 }
 
@@ -164,20 +167,21 @@ void Application::tryPerform(Action action) {
         copyCommandLines();
         break;
     case Action::sceneCamera:
-        if (m_model.hasCamera) {
-            m_model.motion = Motion::free;
-            m_model.pathFrame = 0;
-            m_model.camera = scene::canonical(m_model.sceneCamera);
-            m_model.pivot = m_model.camera.position - m_model.camera.back * m_model.surfaceView;
+        if (m_model.camera.isThere) {
+            m_model.camera.motion = Motion::free;
+            m_model.camera.pathFrame = 0;
+            m_model.camera.now = scene::canonical(m_model.camera.ofScene);
+            m_model.camera.pivot =
+                m_model.camera.now.position - m_model.camera.now.back * m_model.camera.surfaceView;
         }
         break;
     case Action::record:
         toggleRecording();
         break;
     case Action::playRecording:
-        if (!m_model.recorder.recording().cameras.empty() && !m_model.recorder.isRecording()) {
-            m_model.playedSeconds = 0.0;
-            m_model.motion = Motion::recording;
+        if (!m_model.camera.recorder.recording().cameras.empty() && !m_model.camera.recorder.isRecording()) {
+            m_model.camera.playedSeconds = 0.0;
+            m_model.camera.motion = Motion::recording;
         }
         break;
     case Action::frameSelected:
@@ -190,7 +194,7 @@ void Application::tryPerform(Action action) {
         toggleTour();
         break;
     case Action::forgetMeasuring:
-        m_model.measuring.clear();
+        m_model.picture.measuring.clear();
         break;
     }
 }

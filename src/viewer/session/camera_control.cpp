@@ -76,8 +76,8 @@ void CameraControl::onButton(const ButtonInput& button, const PictureArea& area,
     m_dragsDivider = button.button == GLFW_MOUSE_BUTTON_LEFT && model.settings.second &&
                      std::abs(m_input.cursor.x - divider) <= kDividerPixels * area.pixelsPerUnit;
     m_pans = button.button == GLFW_MOUSE_BUTTON_MIDDLE && m_shift;
-    if (button.button == GLFW_MOUSE_BUTTON_MIDDLE && !model.orbits) {
-        aimPivot(model);
+    if (button.button == GLFW_MOUSE_BUTTON_MIDDLE && !model.camera.orbits) {
+        aimPivot(model.camera, model.picture.measuring);
     }
 }
 
@@ -156,21 +156,21 @@ void CameraControl::apply(const PictureArea& area, double seconds, ViewerModel& 
     m_input.drag = m_input.look = m_input.turn = m_input.pan = glm::dvec2(0.0);
     m_input.scroll = m_input.lens = 0.0;
     const bool drags = input.drag + input.look + input.turn + input.pan != glm::dvec2(0.0);
-    if ((isActive() || drags || input.scroll != 0.0 || input.lens != 0.0) && model.hasCamera) {
-        model.motion = Motion::free; // whoever steers takes over
-        steer(input, model);
+    if ((isActive() || drags || input.scroll != 0.0 || input.lens != 0.0) && model.camera.isThere) {
+        model.camera.motion = Motion::free; // whoever steers takes over
+        steer(input, model.picture.shown.get(), model.camera);
     }
 }
 
-void CameraControl::steer(const CameraInput& input, ViewerModel& model) {
-    if (!model.hasCamera) {
+void CameraControl::steer(const CameraInput& input, const RenderResult* shown, CameraModel& camera) {
+    if (!camera.isThere) {
         return;
     }
-    const scene::Camera before = model.camera;
+    const scene::Camera before = camera.now;
     if (input.lens != 0.0 || input.axes.zoom != 0.0) {
-        model.camera = zoomLens(model.camera, input);
+        camera.now = zoomLens(camera.now, input);
     }
-    const bool orbits = model.orbits && !input.flies;
+    const bool orbits = camera.orbits && !input.flies;
     CameraInput flying = input;
     CameraInput turning = input;
     flying.drag = input.look + (orbits ? glm::dvec2(0.0) : input.drag);
@@ -179,16 +179,15 @@ void CameraControl::steer(const CameraInput& input, ViewerModel& model) {
     resting.keys = {};
     resting.axes = {};
     resting.scroll = 0.0;
-    model.camera = fly(model.camera, flying, model.surfaceView);
-    if (model.shown != nullptr && model.shown->obstacles != nullptr) {
-        model.camera = stopped(before, model.camera, *model.shown->obstacles);
+    camera.now = fly(camera.now, flying, camera.surfaceView);
+    if (shown != nullptr && shown->obstacles != nullptr) {
+        camera.now = stopped(before, camera.now, *shown->obstacles);
     }
-    const Orbit orbited = orbit({.camera = model.camera, .pivot = model.pivot}, turning);
-    model.pivot = orbited.pivot;
-    model.camera = scene::canonical(orbited.camera); // what the copied command line says, to the bit
+    const Orbit orbited = orbit({.camera = camera.now, .pivot = camera.pivot}, turning);
+    camera.pivot = orbited.pivot;
+    camera.now = scene::canonical(orbited.camera); // what the copied command line says, to the bit
     // The next picture may come late.
-    model.surfaceView =
-        std::max(surfaceAhead(model.camera, before, model.surfaceView), model.camera.nearView);
+    camera.surfaceView = std::max(surfaceAhead(camera.now, before, camera.surfaceView), camera.now.nearView);
 }
 
 } // namespace cdr::viewer

@@ -18,8 +18,9 @@ class CameraControl {
     void handle(const InputEvent& event, const PictureArea& area, bool free, ViewerModel& model);
     /// Moves the model's camera by what was asked since the last call.
     void apply(const PictureArea& area, double seconds, ViewerModel& model);
-    /// Moves the model's camera as if that had been asked for.
-    static void steer(const CameraInput& input, ViewerModel& model);
+    /// Moves a camera as if that had been asked for.
+    /// @param shown whose obstacles stop it; null: none do.
+    static void steer(const CameraInput& input, const RenderResult* shown, CameraModel& camera);
     /// Whether keys, buttons or a gamepad ask for motion without further events.
     bool isActive() const;
     struct Click {

@@ -39,54 +39,56 @@ void Session::renewDevice() {
 }
 
 void Session::followPath(double seconds) {
-    if (m_model.motion == Motion::recording || m_model.motion == Motion::tour) {
-        m_model.playedSeconds += seconds;
+    if (m_model.camera.motion == Motion::recording || m_model.camera.motion == Motion::tour) {
+        m_model.camera.playedSeconds += seconds;
     }
-    if (m_model.motion == Motion::free || m_model.shown == nullptr || !m_thread->isReady()) {
+    if (m_model.camera.motion == Motion::free || m_model.picture.shown == nullptr || !m_thread->isReady()) {
         return;
     }
-    if (m_model.motion == Motion::scenePath) {
+    if (m_model.camera.motion == Motion::scenePath) {
         // Frame by frame, however long each takes, so that neighbours can be compared.
-        m_model.camera = scene::canonical(m_model.shown->scene->setup.path.at(++m_model.pathFrame));
+        m_model.camera.now =
+            scene::canonical(m_model.picture.shown->scene->setup.path.at(++m_model.camera.pathFrame));
         return;
     }
-    if (m_model.motion == Motion::tour) {
+    if (m_model.camera.motion == Motion::tour) {
         followTour();
         return;
     }
-    const scene::CameraRecording& recording = m_model.recorder.recording();
-    if (m_model.playedSeconds > recording.seconds()) {
-        m_model.motion = Motion::free;
+    const scene::CameraRecording& recording = m_model.camera.recorder.recording();
+    if (m_model.camera.playedSeconds > recording.seconds()) {
+        m_model.camera.motion = Motion::free;
     }
-    m_model.camera = cameraAt(recording, m_model.playedSeconds);
+    m_model.camera.now = cameraAt(recording, m_model.camera.playedSeconds);
 }
 
 void Session::followAnimation(double seconds) {
-    const bool isOpen = m_model.shown != nullptr && m_model.shown->sceneName == m_model.settings.scene &&
-                        m_model.shown->settings.choice == m_model.settings.choice;
-    if (!isOpen || !m_model.playback.isPlaying) {
+    const bool isOpen = m_model.picture.shown != nullptr &&
+                        m_model.picture.shown->sceneName == m_model.settings.scene &&
+                        m_model.picture.shown->settings.choice == m_model.settings.choice;
+    if (!isOpen || !m_model.camera.playback.isPlaying) {
         return;
     }
-    const scene::OpenedScene& scene = *m_model.shown->scene;
-    m_model.playback.advance(seconds, playableSeconds(m_model.settings.choice, scene));
+    const scene::OpenedScene& scene = *m_model.picture.shown->scene;
+    m_model.camera.playback.advance(seconds, playableSeconds(m_model.settings.choice, scene));
     if (scene.setup.path.frames > 1 && m_model.settings.choice.framesPerSecond &&
-        m_model.motion == Motion::free) {
-        m_model.camera =
-            scene::canonical(scene.setup.path.at(m_model.playback.frame(m_model.settings.choice)));
+        m_model.camera.motion == Motion::free) {
+        m_model.camera.now =
+            scene::canonical(scene.setup.path.at(m_model.camera.playback.frame(m_model.settings.choice)));
     }
 }
 
 void Session::followTour() {
-    if (m_model.shown->sceneName != m_model.settings.scene) {
-        m_model.playedSeconds = 0.0; // it is still being opened
+    if (m_model.picture.shown->sceneName != m_model.settings.scene) {
+        m_model.camera.playedSeconds = 0.0; // it is still being opened
         return;
     }
-    const scene::CameraPath& path = m_model.shown->scene->setup.path;
-    m_model.pathFrame = tourFrame(m_model.playedSeconds, path.frames);
-    m_model.camera = scene::canonical(path.at(m_model.pathFrame));
-    if (m_model.playedSeconds >= kTourSeconds) {
-        m_model.motion = Motion::free;
-        m_model.say(std::string(tourCaption(scene::degreesOf(m_model.camera.fovY))));
+    const scene::CameraPath& path = m_model.picture.shown->scene->setup.path;
+    m_model.camera.pathFrame = tourFrame(m_model.camera.playedSeconds, path.frames);
+    m_model.camera.now = scene::canonical(path.at(m_model.camera.pathFrame));
+    if (m_model.camera.playedSeconds >= kTourSeconds) {
+        m_model.camera.motion = Motion::free;
+        m_model.interface.say(std::string(tourCaption(scene::degreesOf(m_model.camera.now.fovY))));
     }
 }
 
@@ -94,14 +96,15 @@ RenderRequest Session::wantedRequest(const PictureArea& area) const {
     RenderRequest request{
         .serial = m_serial + 1, .settings = m_model.settings, .extent = area.extent, .camera = {}};
     request.settings.divider = 0.5; // both sides are whole pictures, so it need not be rendered anew
-    const bool isOpen = m_model.shown != nullptr && m_model.shown->sceneName == m_model.settings.scene;
-    if (isOpen && m_model.hasCamera) {
-        request.camera = m_model.camera;
+    const bool isOpen =
+        m_model.picture.shown != nullptr && m_model.picture.shown->sceneName == m_model.settings.scene;
+    if (isOpen && m_model.camera.isThere) {
+        request.camera = m_model.camera.now;
     }
-    if (isOpen && m_model.shown->scene->setup.motion) {
+    if (isOpen && m_model.picture.shown->scene->setup.motion) {
         request.frame = m_model.settings.choice.framesPerSecond
-                            ? m_model.playback.frame(m_model.settings.choice)
-                            : m_model.pathFrame;
+                            ? m_model.camera.playback.frame(m_model.settings.choice)
+                            : m_model.camera.pathFrame;
     }
     return request;
 }
@@ -110,7 +113,7 @@ void Session::update(const PictureArea& area, const glm::dvec2& cursor, double s
     while (!m_pending.empty() && m_pending.front().serial <= m_shownSerial) {
         m_pending.pop_front();
     }
-    m_model.lagSeconds =
+    m_model.performance.lagSeconds =
         m_pending.empty() ? 0.0 : std::chrono::duration<double>(Clock::now() - m_pending.front().at).count();
     if (m_click && !m_click->serial) {
         pickOrAsk();
@@ -120,17 +123,17 @@ void Session::update(const PictureArea& area, const glm::dvec2& cursor, double s
     }
     followPath(seconds);
     followAnimation(seconds);
-    if (m_model.recorder.isRecording() && !m_model.recorder.add(seconds, m_model.camera)) {
+    if (m_model.camera.recorder.isRecording() && !m_model.camera.recorder.add(seconds, m_model.camera.now)) {
         m_model.actions.push_back(Action::record); // it is full
     }
     readCursor(area, cursor);
     const auto now = Clock::now();
-    Wanted wanted{.request = wantedRequest(area),
-                  .isFlying = isSteered || m_model.motion != Motion::free || m_model.playback.isPlaying,
-                  .rendersAlways = m_model.rendersAlways,
-                  .surfacesAreDue =
-                      (area.contains(cursor) || isSteered) && now - m_surfacesAsked >= kSurfacesEvery,
-                  .isThreadReady = m_thread->isReady()};
+    Wanted wanted{
+        .request = wantedRequest(area),
+        .isFlying = isSteered || m_model.camera.motion != Motion::free || m_model.camera.playback.isPlaying,
+        .rendersAlways = m_model.performance.rendersAlways,
+        .surfacesAreDue = (area.contains(cursor) || isSteered) && now - m_surfacesAsked >= kSurfacesEvery,
+        .isThreadReady = m_thread->isReady()};
     auto request = decide(m_asked ? &*m_asked : nullptr, std::move(wanted));
     if (!request) {
         return;
@@ -166,47 +169,48 @@ bool Session::takeResult() {
         adopt(std::move(*result));
         return true;
     }
-    if (m_model.shown == nullptr) {
+    if (m_model.picture.shown == nullptr) {
         std::rethrow_exception(result->failure->error);
     }
-    m_model.say(result->failure->message, true);
-    m_model.motion = m_model.motion == Motion::tour ? Motion::free : m_model.motion;
+    m_model.interface.sayProblem(result->failure->message);
+    m_model.camera.motion = m_model.camera.motion == Motion::tour ? Motion::free : m_model.camera.motion;
     m_good.divider = m_model.settings.divider;
     m_model.settings = m_good;
     return false;
 }
 
 void Session::adopt(RenderResult result) {
-    const bool isEntered = m_model.shown == nullptr || m_model.shown->scene != result.scene;
+    const bool isEntered = m_model.picture.shown == nullptr || m_model.picture.shown->scene != result.scene;
     if (isEntered) {
         enterScene(result);
     }
     count(result);
     const std::size_t sides = result.sides.size();
-    for (std::size_t side = 0; side < m_model.readable.size(); ++side) {
+    for (std::size_t side = 0; side < m_model.picture.readable.size(); ++side) {
         if (side >= sides) {
-            m_model.readable[side].reset();
+            m_model.picture.readable[side].reset();
         } else if (!result.sides[side].frame->gbuffer.pixels.empty()) {
-            m_model.readable[side] = result.sides[side].frame;
+            m_model.picture.readable[side] = result.sides[side].frame;
         }
     }
     const bool isReadable = !result.sides.front().frame->gbuffer.pixels.empty();
     if (isReadable) {
         const render::Frame& frame = *result.sides.front().frame;
         const double seen = surfaceView(frame, glm::dvec2(frame.width(), frame.height()) / 2.0);
-        m_model.seesNothing = !std::isfinite(seen);
+        m_model.picture.seesNothing = !std::isfinite(seen);
         // The camera flew on while the picture was made.
-        const double ahead = isEntered ? seen : surfaceAhead(m_model.camera, result.camera, seen);
-        m_model.surfaceView = ahead > 0.0 ? flightDistance(m_model.camera, ahead, m_model.surfaceView)
-                                          : m_model.camera.nearView;
+        const double ahead = isEntered ? seen : surfaceAhead(m_model.camera.now, result.camera, seen);
+        m_model.camera.surfaceView =
+            ahead > 0.0 ? flightDistance(m_model.camera.now, ahead, m_model.camera.surfaceView)
+                        : m_model.camera.now.nearView;
         if (isEntered) {
-            const double pivotView = std::isfinite(ahead) ? ahead : m_model.surfaceView;
-            m_model.pivot = m_model.camera.position - m_model.camera.back * pivotView;
+            const double pivotView = std::isfinite(ahead) ? ahead : m_model.camera.surfaceView;
+            m_model.camera.pivot = m_model.camera.now.position - m_model.camera.now.back * pivotView;
         }
     }
     takeWrong(result);
     m_good = result.settings;
-    m_model.shown = std::make_shared<const RenderResult>(std::move(result));
+    m_model.picture.shown = std::make_shared<const RenderResult>(std::move(result));
 }
 
 /// What was counted of other techniques or another scene says nothing of these.
@@ -217,25 +221,26 @@ void Session::takeWrong(const RenderResult& result) {
             counts.push_back(*side.wrong);
         }
     }
-    m_model.isWrongCurrent = counts.size() == result.sides.size();
-    const bool isOther = m_model.shown == nullptr || m_model.shown->scene != result.scene ||
+    m_model.picture.isWrongCurrent = counts.size() == result.sides.size();
+    const bool isOther = m_model.picture.shown == nullptr || m_model.picture.shown->scene != result.scene ||
                          m_good.technique != result.settings.technique ||
                          m_good.second != result.settings.second;
-    if (m_model.isWrongCurrent || isOther) {
-        m_model.wrong = m_model.isWrongCurrent ? std::move(counts) : std::vector<WrongCount>();
+    if (m_model.picture.isWrongCurrent || isOther) {
+        m_model.picture.wrong =
+            m_model.picture.isWrongCurrent ? std::move(counts) : std::vector<WrongCount>();
     }
 }
 
 void Session::click(const glm::dvec2& pixel) {
-    if (m_model.shown == nullptr || !m_asked) {
+    if (m_model.picture.shown == nullptr || !m_asked) {
         return;
     }
     const glm::dvec2 size(m_asked->extent.width, m_asked->extent.height);
     m_click = Click{.share = glm::clamp(pixel / size, glm::dvec2(0.0), glm::dvec2(1.0)),
                     .divider = m_model.settings.divider,
-                    .shown = m_model.shown,
+                    .shown = m_model.picture.shown,
                     .serial = {}};
-    m_model.clickedCamera = m_model.shown->camera;
+    m_model.picture.clickedCamera = m_model.picture.shown->camera;
 }
 
 void Session::pickOrAsk() {
@@ -261,7 +266,7 @@ void Session::takeClicked(const RenderResult& result) {
     if (!result.failure) {
         pick(*m_click, result);
     } else {
-        m_model.say(result.failure->message, true);
+        m_model.interface.sayProblem(result.failure->message);
     }
     m_click.reset();
     m_pending.clear();
@@ -278,37 +283,37 @@ void Session::pick(const Click& click, const RenderResult& result) {
     const auto point = pickAt(frame, result.scene->setup.scene, side.options.technique,
                               at(click.share.x, frame.width()), at(click.share.y, frame.height()));
     if (point) {
-        m_model.measuring.click(*point);
-        m_model.pivot = point->position;
+        m_model.picture.measuring.click(*point);
+        m_model.camera.pivot = point->position;
     }
 }
 
 void Session::enterScene(const RenderResult& result) {
-    m_model.sceneCamera = result.scene->setup.path.at(0);
-    const auto first = std::exchange(m_model.firstCamera, std::nullopt);
-    m_model.camera = scene::canonical(first ? overridden(result.camera, *first) : result.camera);
-    m_model.hasCamera = true;
-    m_model.pathFrame = first ? first->frame : 0;
-    m_model.surfaceView = 0.0;
-    m_model.measuring.clear();
-    m_model.statistics.clear();
-    m_model.underCursor = {};
-    m_model.pivot = m_model.camera.position - m_model.camera.back;
+    m_model.camera.ofScene = result.scene->setup.path.at(0);
+    const auto first = std::exchange(m_model.camera.first, std::nullopt);
+    m_model.camera.now = scene::canonical(first ? overridden(result.camera, *first) : result.camera);
+    m_model.camera.isThere = true;
+    m_model.camera.pathFrame = first ? first->frame : 0;
+    m_model.camera.surfaceView = 0.0;
+    m_model.picture.measuring.clear();
+    m_model.performance.statistics.clear();
+    m_model.picture.underCursor = {};
+    m_model.camera.pivot = m_model.camera.now.position - m_model.camera.now.back;
 }
 
 void Session::readCursor(const PictureArea& area, const glm::dvec2& cursor) {
-    for (std::size_t side = 0; side < m_model.underCursor.size(); ++side) {
-        const std::shared_ptr<const render::Frame>& frame = m_model.readable[side];
-        m_model.underCursor[side].reset();
-        if (frame == nullptr || !area.contains(cursor) || m_model.shown->sides.size() <= side) {
+    for (std::size_t side = 0; side < m_model.picture.underCursor.size(); ++side) {
+        const std::shared_ptr<const render::Frame>& frame = m_model.picture.readable[side];
+        m_model.picture.underCursor[side].reset();
+        if (frame == nullptr || !area.contains(cursor) || m_model.picture.shown->sides.size() <= side) {
             continue;
         }
         // The frame may be of another size while the window changes its own.
         const glm::dvec2 share = cursor / glm::dvec2(area.extent.width, area.extent.height);
-        m_model.underCursor[side] =
-            pickAt(*frame, m_model.shown->scene->setup.scene, m_model.shown->sides[side].options.technique,
-                   static_cast<std::uint32_t>(share.x * frame->width()),
-                   static_cast<std::uint32_t>(share.y * frame->height()));
+        m_model.picture.underCursor[side] = pickAt(*frame, m_model.picture.shown->scene->setup.scene,
+                                                   m_model.picture.shown->sides[side].options.technique,
+                                                   static_cast<std::uint32_t>(share.x * frame->width()),
+                                                   static_cast<std::uint32_t>(share.y * frame->height()));
     }
 }
 
@@ -323,15 +328,16 @@ void Session::count(const RenderResult& result) {
         times[FrameStage::execute] += static_cast<float>(ms.executeMs);
     }
     times[FrameStage::composite] = static_cast<float>(result.compositeMs);
-    times[FrameStage::present] = static_cast<float>(m_model.presentMs);
-    m_model.statistics.add(times);
+    times[FrameStage::present] = static_cast<float>(m_model.performance.presentMs);
+    m_model.performance.statistics.add(times);
     const auto now = Clock::now();
     m_arrivals.push_back(now);
     while (m_arrivals.size() > 2 && now - m_arrivals.front() > kRateWindow) {
         m_arrivals.pop_front();
     }
     const double span = std::chrono::duration<double>(now - m_arrivals.front()).count();
-    m_model.framesPerSecond = span > 0.0 ? static_cast<double>(m_arrivals.size() - 1) / span : 0.0;
+    m_model.performance.framesPerSecond =
+        span > 0.0 ? static_cast<double>(m_arrivals.size() - 1) / span : 0.0;
 }
 
 } // namespace cdr::viewer

@@ -57,24 +57,24 @@ ViewerModel initialModel(const Arguments& arguments) {
     ViewerModel model;
     ViewSettings& settings = model.settings;
     settings = settingsOf(arguments);
-    model.showsPanel = arguments.output.empty();
+    model.interface.showsPanel = arguments.output.empty();
     if (!arguments.format.empty()) {
         settings.technique.format = depth::parseDepthFormat(arguments.format);
         if (settings.second) {
             settings.second->format = settings.technique.format;
         }
     }
-    model.playback = playbackOf(settings.choice, arguments.camera.frame);
-    model.playback.isPlaying = arguments.plays;
-    model.motion = arguments.plays ? Motion::scenePath : Motion::free;
+    model.camera.playback = playbackOf(settings.choice, arguments.camera.frame);
+    model.camera.playback.isPlaying = arguments.plays;
+    model.camera.motion = arguments.plays ? Motion::scenePath : Motion::free;
     if (!arguments.camera.path.empty()) {
-        model.recorder.load(scene::readRecording(arguments.camera.path));
-        model.motion = Motion::recording;
+        model.camera.recorder.load(scene::readRecording(arguments.camera.path));
+        model.camera.motion = Motion::recording;
     }
-    model.unit = base::parseLengthUnit(arguments.unit);
-    model.firstCamera = arguments.camera;
+    model.interface.unit = base::parseLengthUnit(arguments.unit);
+    model.camera.first = arguments.camera;
     if (arguments.isFirstUse) {
-        model.firstSteps.begin();
+        model.interface.firstSteps.begin();
     }
     return model;
 }

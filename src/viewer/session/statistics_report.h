@@ -1,6 +1,6 @@
 #pragma once
 
-#include <viewer/state/viewer_model.h>
+#include <viewer/state/performance_model.h>
 
 #include <cstdint>
 #include <string>
@@ -10,7 +10,7 @@ namespace cdr::viewer {
 
 /// What --statistics prints: rendered frames a second, the stages, and how evenly the interface was drawn.
 /// @param intervals between frames of the interface, milliseconds.
-std::string statisticsReport(const ViewerModel& model, std::uint64_t results, double seconds,
+std::string statisticsReport(const PerformanceModel& performance, std::uint64_t results, double seconds,
                              const std::vector<double>& intervals);
 
 } // namespace cdr::viewer

@@ -7,24 +7,24 @@
 
 namespace cdr::viewer {
 
-image::ImageRgba8 shownPicture(const ViewerModel& model) {
-    if (model.shown == nullptr || model.shown->sides.empty()) {
+image::ImageRgba8 shownPicture(const RenderResult* shown, double divider) {
+    if (shown == nullptr || shown->sides.empty()) {
         return {};
     }
-    const auto& sides = model.shown->sides;
+    const auto& sides = shown->sides;
     if (sides.size() == 1) {
         return *sides.front().picture;
     }
     image::ImageRgba8 picture;
-    composeSplit(*sides[0].picture, *sides[1].picture, model.settings.divider, picture);
+    composeSplit(*sides[0].picture, *sides[1].picture, divider, picture);
     return picture;
 }
 
-std::string commandLinesOf(const ViewerModel& model) {
-    if (model.shown == nullptr || model.shown->sides.empty()) {
+std::string commandLinesOf(const RenderResult* result, const scene::Camera& sceneCamera) {
+    if (result == nullptr || result->sides.empty()) {
         return {};
     }
-    const RenderResult& shown = *model.shown;
+    const RenderResult& shown = *result;
     const bool isSplit = shown.sides.size() > 1;
     std::string lines;
     for (std::size_t side = 0; side < shown.sides.size(); ++side) {
@@ -32,7 +32,7 @@ std::string commandLinesOf(const ViewerModel& model) {
             .settings = shown.settings,
             .side = side,
             .camera = shown.camera,
-            .sceneCamera = model.sceneCamera,
+            .sceneCamera = sceneCamera,
             .extent = {shown.sides[side].options.width, shown.sides[side].options.height},
             .frame = shown.frame};
         const char* name = side == 0 ? "left.png" : "right.png";

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viewer_model.h"
+#include "requests/render_request.h"
 
 #include <cdr/image/image.h>
 
@@ -8,9 +8,10 @@ namespace cdr::viewer {
 
 /// The picture as the window shows it, without the interface: one side's, or both with the divider between.
 /// Empty while nothing is shown.
-image::ImageRgba8 shownPicture(const ViewerModel& model);
+/// @param divider where it stands, 0 to 1 of the width
+image::ImageRgba8 shownPicture(const RenderResult* shown, double divider);
 
 /// The `cdr render` lines that draw what is shown, one for each picture, left first. Empty while nothing is.
-std::string commandLinesOf(const ViewerModel& model);
+std::string commandLinesOf(const RenderResult* result, const scene::Camera& sceneCamera);
 
 } // namespace cdr::viewer

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "animation/playback.h"
+#include "camera/orbit_controller.h"
+#include "camera/path_recorder.h"
+
+#include <cdr/scene/camera.h>
+#include <experiments/camera_options.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace cdr::viewer {
+
+/// What the camera follows; nothing where it is free.
+enum class Motion : std::uint8_t { free, scenePath, recording, tour };
+
+/// The camera, and what moves it.
+struct CameraModel {
+    scene::Camera now;
+    scene::Camera ofScene;                           ///< the scene's own at frame 0
+    bool isThere = false;                            ///< false until a scene is open
+    std::optional<experiments::CameraOptions> first; ///< of the command line, for the first scene
+    bool orbits = false;
+    glm::dvec3 pivot{0.0};
+    double surfaceView = 0.0; ///< view distance of what is looked at: speeds follow from it
+    Motion motion = Motion::free;
+    std::uint32_t pathFrame = 0;
+    PathRecorder recorder;
+    double playedSeconds = 0.0; ///< of what was recorded, or of the tour
+    Playback playback;          ///< of a file's animation
+};
+
+} // namespace cdr::viewer

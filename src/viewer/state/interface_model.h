@@ -1,0 +1,53 @@
+#pragma once
+
+#include "first_steps.h"
+
+#include <cdr/base/quantity_text.h>
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace cdr::viewer {
+
+/// The panels beside the picture, as their tabs name them.
+inline constexpr std::array<const char*, 5> kPanels{"Look", "Camera", "Draw", "Frame", "Inside"};
+
+/// The panel whose controls the keyboard reaches, instead of the camera.
+struct PanelKeys {
+    std::size_t panel = 0; ///< of kPanels
+    bool isOpened = false; ///< whether it has come to the front
+};
+
+/// A line for the person at the window, and until when it shows.
+struct Notice {
+    std::string text;
+    bool isProblem = false;
+    std::chrono::steady_clock::time_point until{};
+};
+
+/// What stands beside and over the picture.
+struct InterfaceModel {
+    base::LengthUnit unit = base::LengthUnit::automatic; ///< of lengths
+    bool showsPanel = true;
+    std::optional<PanelKeys> panelKeys;
+    bool showsHelp = false;
+    float hiddenHelp = 0.0f; ///< rows of the help that need scrolling, in the window's units
+    FirstSteps firstSteps;
+    Notice notice;
+
+    void say(std::string text) { notify(std::move(text), false); }
+    /// Of what went wrong.
+    void sayProblem(std::string text) { notify(std::move(text), true); }
+
+  private:
+    void notify(std::string text, bool isProblem) {
+        constexpr std::chrono::seconds kShown{6};
+        notice = {std::move(text), isProblem, std::chrono::steady_clock::now() + kShown};
+    }
+};
+
+} // namespace cdr::viewer
