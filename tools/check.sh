@@ -26,7 +26,7 @@ check_all() {
     ((windows == 0 || windows == 3)) || return 1 # 3: it said what is missing
     CDR_ALL_CASES=1 build/release/bin/test_cli --gtest_brief=1 \
         --gtest_filter='*FaultSweep*:*FileFaults*:*NumericOptions*:Signals*:*Killed*'
-    CDR_ALL_CASES=1 build/release/bin/test_render --gtest_brief=1 --gtest_filter='WorldTest.*'
+    CDR_ALL_CASES=1 build/release/bin/test_render --gtest_brief=1 --gtest_filter='WorldTest.*:WorldSoakTest.*'
     CDR_ALL_CASES=1 ctest --preset release --tests-regex '^Documents$'
     tools/fuzz.sh
     check_mpich
