@@ -58,7 +58,8 @@ TEST_F(ScheduleTest, NoOrderOfManyJobsChangesTheFrame) {
     const render::GpuScene gpuScene(device(), setup.scene);
     for (const render::Submission submission :
          {render::Submission::primaries, render::Submission::secondaries}) {
-        const render::RenderOptions alone = options("cdr-5", render::TargetsKind::single, submission);
+        const render::RenderOptions alone =
+            options("standard/count:5", render::TargetsKind::single, submission);
         const std::string expected = hashOf(draw(setup.scene, camera, alone));
         std::mt19937_64 random(2013);
         for (int round = 0; round < 12; ++round) {

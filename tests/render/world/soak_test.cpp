@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <iostream>
 #include <memory>
 #include <vector>
 
@@ -66,8 +67,8 @@ class Cycle {
         scene::Mesh mesh = scene::makeBox(glm::vec3(0.25f));
         m_vertices = mesh.vertices;
         m_mesh = m_world.addMesh(std::move(mesh));
-        const image::Rgba8 grey{128, 128, 128, 255};
-        m_texture = m_world.addTexture({.name = "grey", .pixels = {4, 4, std::vector(16, grey)}});
+        const image::ImageRgba8 grey(4, 4, {128, 128, 128, 255});
+        m_texture = m_world.addTexture({.name = "grey", .pixels = grey});
         m_material = m_world.addMaterial({.name = "soaked", .baseColorTexture = m_texture.index});
         m_light = m_world.addLight({.position = glm::dvec3(0.0, 3.0, 0.0), .halfDistance = 5.0});
     }
@@ -116,34 +117,37 @@ class Cycle {
     std::vector<scene::InstanceHandle> m_movers;
 };
 
-class WorldSoakTest : public RenderTest {
-  protected:
-    render::RenderOptions options(render::Submission submission) {
-        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/count:3"));
-        options.width = 32;
-        options.height = 18;
-        options.submission = submission;
-        options.threads = 2;
-        options.framesInFlight = 3;
-        options.prepareFor.lights = 2;
-        return options;
-    }
-};
+render::RenderOptions soaked(render::Submission submission) {
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored/count:3"));
+    options.width = 32;
+    options.height = 18;
+    options.submission = submission;
+    options.threads = 2;
+    options.framesInFlight = 3;
+    options.prepareFor.lights = 2;
+    return options;
+}
 
 /// A world that is edited in front of each frame takes no more memory at the end than after the first tenth, within 1 %.
-/// CDR_ALL_CASES draws 100,000 frames instead of 1,600.
-TEST_F(WorldSoakTest, EditsLeaveNoMemoryBehind) {
+/// CDR_ALL_CASES draws 100,000 frames instead of 1,600. Without validation, which keeps 3.5 KB a frame itself (1.3.239).
+TEST(WorldSoakTest, EditsLeaveNoMemoryBehind) {
+    const gpu::Instance instance;
+    const gpu::Device device(instance, "");
     const std::size_t cycles = (std::getenv("CDR_ALL_CASES") != nullptr ? 100'000 : 1'600) / kFramesOfCycle;
     scene::Scene scene = boxScene();
     addBox(scene, glm::dvec3(0.0, 0.0, -10.0));
     World world(std::move(scene));
-    render::GpuScene onDevice(device(), world);
+    render::GpuScene onDevice(device, world);
     std::vector<std::unique_ptr<render::Renderer>> renderers;
-    for (const render::Submission submission : submissions()) {
-        renderers.push_back(std::make_unique<render::Renderer>(device(), onDevice, options(submission)));
+    for (const render::Submission submission : render::kSubmissions) {
+        if (submission == render::Submission::gpuDriven && !device.info().gpuDrivenMissing.empty()) {
+            continue;
+        }
+        renderers.push_back(std::make_unique<render::Renderer>(device, onDevice, soaked(submission)));
     }
     Cycle cycle(world);
     std::vector<Memory> memory;
+    memory.reserve(cycles);
     for (std::size_t done = 0; done < cycles; ++done) {
         for (std::size_t frame = 0; frame < kFramesOfCycle; ++frame) {
             cycle.edit(frame);
@@ -152,7 +156,7 @@ TEST_F(WorldSoakTest, EditsLeaveNoMemoryBehind) {
         for (const auto& renderer : renderers) {
             renderer->finish();
         }
-        memory.push_back(memoryOf(device()));
+        memory.push_back(memoryOf(device));
     }
     // The least of several, since what is measured goes up and down within the driver.
     const auto least = [&](std::size_t from, std::uint64_t Memory::*bytes) {
@@ -166,8 +170,8 @@ TEST_F(WorldSoakTest, EditsLeaveNoMemoryBehind) {
         const double before = least(cycles / 10, bytes);
         const double after = least(cycles - cycles / 10, bytes);
         EXPECT_LE(after, 1.01 * before) << (bytes == &Memory::host ? "host" : "device");
-        RecordProperty(bytes == &Memory::host ? "host_growth_pct" : "device_growth_pct",
-                       std::to_string(before > 0.0 ? 100.0 * (after / before - 1.0) : 0.0));
+        std::cout << (bytes == &Memory::host ? "host" : "device") << " bytes grew from " << before << " to "
+                  << after << " over " << cycles * kFramesOfCycle << " frames\n";
     }
 }
 
