@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/scene/box_tree.h>
 #include <cdr/scene/scene.h>
 
 #include <glm/glm.hpp>
@@ -23,15 +24,16 @@ class InstanceBvh {
     template <typename Meet>
     void visit(const glm::dvec3& origin, const glm::dvec3& direction, double first, double last,
                const Meet& meet) const {
-        std::array<std::uint32_t, kMostDepth> open;
+        const std::span<const scene::BoxTree::Node> nodes = m_tree.nodes();
+        std::array<std::uint32_t, scene::BoxTree::kMostDepth + 2> open; // each level leaves one node open
         std::size_t count = 0;
-        if (!m_nodes.empty()) {
+        if (!nodes.empty()) {
             open[count++] = 0;
         }
         const glm::dvec3 inverse = 1.0 / direction;
         while (count > 0 && last >= first) {
-            const Node& node = m_nodes[open[--count]];
-            if (!isMet(node, origin, inverse, first, last)) {
+            const scene::BoxTree::Node& node = nodes[open[--count]];
+            if (!isMet(node.box, origin, inverse, first, last)) {
                 continue;
             }
             if (node.count == 0) {
@@ -40,28 +42,19 @@ class InstanceBvh {
                 continue;
             }
             for (std::uint32_t i = node.first; i < node.first + node.count && last >= first; ++i) {
-                last = meet(m_order[i]);
+                last = meet(m_instances[m_tree.order()[i]]);
             }
         }
     }
 
   private:
-    struct Node {
-        glm::dvec3 low{0.0};
-        glm::dvec3 high{0.0};
-        std::uint32_t first =
-            0; ///< a leaf's first of m_order, else the first of two children that follow each other
-        std::uint32_t count = 0; ///< a leaf's instances; 0 for an inner node
-    };
-    /// Halves 2^32 instances 32 times; each level leaves one node open.
-    static constexpr std::size_t kMostDepth = 64;
+    static std::vector<scene::Box> boxesOf(const scene::Instances& instances,
+                                           std::span<const std::uint32_t> some);
+    static bool isMet(const scene::Box& box, const glm::dvec3& origin, const glm::dvec3& inverse,
+                      double first, double last);
 
-    static bool isMet(const Node& node, const glm::dvec3& origin, const glm::dvec3& inverse, double first,
-                      double last);
-    void build(const scene::Instances& instances, std::uint32_t node, std::uint32_t begin, std::uint32_t end);
-
-    std::vector<Node> m_nodes;
-    std::vector<std::uint32_t> m_order; ///< instances in the order of the leaves
+    std::vector<std::uint32_t> m_instances; ///< the tree's items
+    scene::BoxTree m_tree;
 };
 
 } // namespace cdr::measure

@@ -8,7 +8,6 @@ namespace cdr::scene {
 
 namespace {
 
-constexpr std::uint32_t kLeafTriangles = 4;
 /// Most parts an edge is cut into where a triangle is sampled.
 constexpr double kMostParts = 32.0;
 
@@ -37,68 +36,53 @@ double squaredToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dv
     return std::min({squaredToSegment(p, a, b), squaredToSegment(p, b, c), squaredToSegment(p, c, a)});
 }
 
-double squaredToBox(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high) {
-    return squared(glm::max(glm::max(low - p, p - high), glm::dvec3(0.0)));
+double squaredToBox(const glm::dvec3& p, const Box& box) {
+    return squared(glm::max(glm::max(box.low - p, p - box.high), glm::dvec3(0.0)));
 }
 
 } // namespace
 
-SurfaceDistance::SurfaceDistance(std::span<const glm::vec3> positions,
-                                 std::span<const std::uint32_t> indices) {
+SurfaceDistance::SurfaceDistance(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices)
+    : m_triangles(trianglesOf(positions, indices)),
+      m_tree(boxesOf(m_triangles)) {}
+
+std::vector<SurfaceDistance::Triangle> SurfaceDistance::trianglesOf(std::span<const glm::vec3> positions,
+                                                                    std::span<const std::uint32_t> indices) {
+    std::vector<Triangle> triangles;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        m_triangles.push_back({glm::dvec3(positions[indices[i]]), glm::dvec3(positions[indices[i + 1]]),
-                               glm::dvec3(positions[indices[i + 2]])});
+        triangles.push_back({glm::dvec3(positions[indices[i]]), glm::dvec3(positions[indices[i + 1]]),
+                             glm::dvec3(positions[indices[i + 2]])});
     }
-    m_nodes.emplace_back();
-    build(0, 0, static_cast<std::uint32_t>(m_triangles.size()));
+    return triangles;
 }
 
-void SurfaceDistance::build(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
-    glm::dvec3 low(std::numeric_limits<double>::infinity());
-    glm::dvec3 high(-low);
-    for (std::uint32_t i = begin; i < end; ++i) {
-        const Triangle& t = m_triangles[i];
-        low = glm::min(low, glm::min(t.a, glm::min(t.b, t.c)));
-        high = glm::max(high, glm::max(t.a, glm::max(t.b, t.c)));
+std::vector<Box> SurfaceDistance::boxesOf(std::span<const Triangle> triangles) {
+    std::vector<Box> boxes(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        for (const glm::dvec3& corner : {triangles[i].a, triangles[i].b, triangles[i].c}) {
+            boxes[i].add(corner);
+        }
     }
-    m_nodes[node] = {.low = low, .high = high, .left = 0, .begin = begin, .end = end};
-    if (end - begin <= kLeafTriangles) {
-        return;
-    }
-    const glm::dvec3 sides = high - low;
-    const int axis = sides.x >= std::max(sides.y, sides.z) ? 0 : (sides.y >= sides.z ? 1 : 2); // the longest
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    const auto at = [&](std::uint32_t i) { return m_triangles.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end), [axis](const Triangle& s, const Triangle& t) {
-        return s.a[axis] + s.b[axis] + s.c[axis] < t.a[axis] + t.b[axis] + t.c[axis];
-    });
-    const auto left = static_cast<std::uint32_t>(m_nodes.size());
-    m_nodes[node].left = left;
-    m_nodes.resize(m_nodes.size() + 2);
-    build(left, begin, middle);
-    build(left + 1, middle, end);
+    return boxes;
 }
 
 void SurfaceDistance::search(std::uint32_t node, const glm::dvec3& point, double& best) const {
-    const Node& self = m_nodes[node];
-    if (self.left == 0) {
-        for (std::uint32_t i = self.begin; i < self.end; ++i) {
-            const Triangle& t = m_triangles[i];
+    const BoxTree::Node& self = m_tree.nodes()[node];
+    if (self.count > 0) {
+        for (const std::uint32_t item : m_tree.order().subspan(self.first, self.count)) {
+            const Triangle& t = m_triangles[item];
             best = std::min(best, squaredToTriangle(point, t.a, t.b, t.c));
         }
         return;
     }
-    const auto toChild = [&](std::uint32_t child) {
-        return squaredToBox(point, m_nodes[child].low, m_nodes[child].high);
-    };
-    const double toLeft = toChild(self.left);
-    const double toRight = toChild(self.left + 1);
-    const std::uint32_t nearer = toLeft <= toRight ? self.left : self.left + 1;
-    const std::uint32_t farther = toLeft <= toRight ? self.left + 1 : self.left;
-    if (std::min(toLeft, toRight) < best) {
+    const double toFirst = squaredToBox(point, m_tree.nodes()[self.first].box);
+    const double toSecond = squaredToBox(point, m_tree.nodes()[self.first + 1].box);
+    const std::uint32_t nearer = toFirst <= toSecond ? self.first : self.first + 1;
+    const std::uint32_t farther = toFirst <= toSecond ? self.first + 1 : self.first;
+    if (std::min(toFirst, toSecond) < best) {
         search(nearer, point, best);
     }
-    if (std::max(toLeft, toRight) < best) {
+    if (std::max(toFirst, toSecond) < best) {
         search(farther, point, best);
     }
 }

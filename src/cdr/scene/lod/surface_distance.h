@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cdr/scene/box_tree.h>
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -21,18 +23,13 @@ class SurfaceDistance {
     struct Triangle {
         glm::dvec3 a, b, c;
     };
-    /// Children are `left` and `left + 1`; a leaf has triangles instead.
-    struct Node {
-        glm::dvec3 low, high;
-        std::uint32_t left = 0;
-        std::uint32_t begin = 0;
-        std::uint32_t end = 0;
-    };
-    void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
+    static std::vector<Triangle> trianglesOf(std::span<const glm::vec3> positions,
+                                             std::span<const std::uint32_t> indices);
+    static std::vector<Box> boxesOf(std::span<const Triangle> triangles);
     void search(std::uint32_t node, const glm::dvec3& point, double& best) const;
 
-    std::vector<Triangle> m_triangles; ///< leaf by leaf
-    std::vector<Node> m_nodes;         ///< the root first
+    std::vector<Triangle> m_triangles;
+    BoxTree m_tree;
 };
 
 /// Hausdorff distance of two surfaces over the same vertices, sampled: the vertices that `full` uses against

@@ -1,3 +1,4 @@
+#include <cdr/scene/box_tree.h>
 #include <cdr/scene/lod/triangle_clusters.h>
 
 #include <algorithm>
@@ -9,17 +10,6 @@
 namespace cdr::scene {
 
 namespace {
-
-struct Box {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()};
-    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-
-    void add(const glm::dvec3& point) {
-        low = glm::min(low, point);
-        high = glm::max(high, point);
-    }
-    double diagonal() const { return glm::distance(low, high); }
-};
 
 /// A cut that leaves one side less than this share of the triangles goes through the middle triangle instead,
 /// which bounds the work whatever the mesh.
@@ -48,9 +38,7 @@ class Clusterer {
         if (!(centres.diagonal() > largest)) {
             return {};
         }
-        const glm::dvec3 sides = centres.high - centres.low;
-        const int axis = sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;
-        std::vector<std::uint32_t> upper = takeUpper(cluster.triangles, axis, centres);
+        std::vector<std::uint32_t> upper = takeUpper(cluster.triangles, centres.longestAxis(), centres);
         cluster = bounded(std::move(cluster.triangles));
         return bounded(std::move(upper));
     }
