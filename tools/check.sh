@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# The long checks, before a release or after a large change: every test under the sanitizers, those of a driver on other
-# drivers, clang-tidy and include-what-you-use over all sources, every header compiled alone, depth's tests for Windows
-# where a cross compiler and wine are installed, all faults and kills of which the suite takes a sample, a minute of fuzzing
-# for each parser, ranks over MPICH, and the jobs for Slurm. It takes hours on two cores.
+# The long checks, before a release or after a large change: every test under the sanitizers, those that need no driver
+# under valgrind, those of a driver on other drivers, clang-tidy and include-what-you-use over all sources, every header
+# compiled alone, depth's tests for Windows where a cross compiler and wine are installed, all faults and kills of which the
+# suite takes a sample, a minute of fuzzing for each parser, ranks over MPICH, and the jobs for Slurm. It takes hours on two
+# cores.
 # Usage: tools/check.sh [--changed]
 # --changed does what fits into a few minutes: clang-tidy over the sources that differ from origin/main, or from the
 # parent commit where they do not differ, and under AddressSanitizer the tests of the rooms that do.
@@ -14,6 +15,7 @@ check_all() {
     tools/test.sh --preset asan
     tools/test.sh --preset tsan
     tools/build.sh --in-batches release
+    check_memory
     for driver in mesa swiftshader; do
         tools/drivers.sh "$driver" ctest --preset release --parallel "$(nproc)" \
             --label-regex '^test_(gpu|render|experiments|cli)$'
@@ -32,6 +34,18 @@ check_all() {
     check_mpich
     # Whose status for "cannot be started here" it has explained itself.
     tools/slurm/try.sh || (($? == 77))
+}
+
+# Reads of what was never written, and leaks, in what needs no driver.
+check_memory() {
+    if ! command -v valgrind >/dev/null; then
+        echo "tools/check.sh: no test ran under valgrind, which is missing (apt: valgrind)" >&2
+        return
+    fi
+    local room
+    for room in base depth image scene visibility; do
+        valgrind --quiet --error-exitcode=9 --leak-check=full "build/release/bin/test_$room" --gtest_brief=1
+    done
 }
 
 # What ranks run, over MPICH. Distributions install it beside Open MPI.

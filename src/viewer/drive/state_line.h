@@ -1,6 +1,6 @@
 #pragma once
 
-#include <viewer/state/viewer_model.h>
+#include <viewer/state/model/viewer_model.h>
 
 #include <string>
 

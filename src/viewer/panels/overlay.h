@@ -1,7 +1,7 @@
 #pragma once
 
+#include <viewer/state/model/viewer_model.h>
 #include <viewer/state/picture_area.h>
-#include <viewer/state/viewer_model.h>
 
 namespace cdr::viewer {
 

@@ -2,7 +2,7 @@
 
 #include "widgets.h"
 
-#include <viewer/state/viewer_model.h>
+#include <viewer/state/model/viewer_model.h>
 
 namespace cdr::viewer {
 

@@ -9,7 +9,7 @@
 #include <viewer/panels/interface.h>
 #include <viewer/panels/item_places.h>
 #include <viewer/panels/widgets.h>
-#include <viewer/state/viewer_model.h>
+#include <viewer/state/model/viewer_model.h>
 #include <viewer/window/presenter.h>
 #include <viewer/window/ui_device.h>
 #include <viewer/window/window.h>

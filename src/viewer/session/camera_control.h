@@ -1,8 +1,8 @@
 #pragma once
 
 #include <viewer/state/camera/camera_input.h>
+#include <viewer/state/model/viewer_model.h>
 #include <viewer/state/picture_area.h>
-#include <viewer/state/viewer_model.h>
 #include <viewer/window/input_event.h>
 
 #include <chrono>

@@ -3,8 +3,8 @@
 #include "session.h"
 
 #include <viewer/panels/item_places.h>
+#include <viewer/state/model/viewer_model.h>
 #include <viewer/state/picture_area.h>
-#include <viewer/state/viewer_model.h>
 #include <viewer/window/window.h>
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include "render_device.h"
 #include "render_thread.h"
 
-#include <viewer/state/viewer_model.h>
+#include <viewer/state/model/viewer_model.h>
 
 #include <chrono>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <viewer/state/performance_model.h>
+#include <viewer/state/model/performance_model.h>
 
 #include <cstdint>
 #include <string>

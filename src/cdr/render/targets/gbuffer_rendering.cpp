@@ -43,6 +43,7 @@ vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks) {
 }
 
 vk::ImageMemoryBarrier2 attachBarrier(const gpu::Image& gbuffer) {
+    // A host may have read the last frame's in any stage.
     return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eAllCommands,
                              Access::eNone, Stage::eColorAttachmentOutput, kColorAccess,
                              vk::ImageLayout::eUndefined, vk::ImageLayout::eColorAttachmentOptimal);

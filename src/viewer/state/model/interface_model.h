@@ -1,8 +1,7 @@
 #pragma once
 
-#include "first_steps.h"
-
 #include <cdr/base/quantity_text.h>
+#include <viewer/state/first_steps.h>
 
 #include <array>
 #include <chrono>

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "animation/playback.h"
-#include "camera/orbit_controller.h"
-#include "camera/path_recorder.h"
-
 #include <cdr/scene/camera.h>
 #include <experiments/camera_options.h>
+#include <viewer/state/animation/playback.h>
+#include <viewer/state/camera/orbit_controller.h>
+#include <viewer/state/camera/path_recorder.h>
 
 #include <cstdint>
 #include <optional>

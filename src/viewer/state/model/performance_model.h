@@ -1,6 +1,6 @@
 #pragma once
 
-#include "frame_statistics.h"
+#include <viewer/state/frame_statistics.h>
 
 #include <string>
 

@@ -4,8 +4,9 @@
 #include "interface_model.h"
 #include "performance_model.h"
 #include "picture_model.h"
-#include "video_recording.h"
-#include "view_settings.h"
+
+#include <viewer/state/video_recording.h>
+#include <viewer/state/view_settings.h>
 
 #include <cstdint>
 #include <memory>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "picking.h"
-#include "requests/render_request.h"
-#include "wrong_view.h"
+#include <viewer/state/picking.h>
+#include <viewer/state/requests/render_request.h>
+#include <viewer/state/wrong_view.h>
 
 #include <array>
 #include <memory>
