@@ -5,8 +5,8 @@
 #include <cdr/base/suggest.h>
 #include <cdr/gpu/failure.h>
 #include <cdr/host/document.h>
+#include <cdr/host/process_cpus.h>
 #include <cdr/host/standard_streams.h>
-#include <cdr/host/thread_placement.h>
 #include <cdr/host/unfinished_file.h>
 #include <experiments/camera_options.h>
 #include <experiments/help_format.h>

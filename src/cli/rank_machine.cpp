@@ -1,7 +1,7 @@
 #include "rank_machine.h"
 
 #include <cdr/gpu/device.h>
-#include <cdr/host/thread_placement.h>
+#include <cdr/host/process_cpus.h>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/host/process_cpus.h>
 #include <cdr/host/worker_pool.h>
 
 #include <gtest/gtest.h>

@@ -16,7 +16,8 @@ using SharedPipelinesTest = RenderTest;
 
 /// How many pipelines the device made so far.
 std::uint64_t pipelinesMade(const gpu::Device& device) {
-    return device.pipelineObjects().graphics.made() + device.pipelineObjects().compute.made();
+    const gpu::PipelineObjects& objects = gpu::pipelineObjects(device);
+    return objects.graphics.made() + objects.compute.made();
 }
 
 /// Options that have a pipeline of each pass, between them.

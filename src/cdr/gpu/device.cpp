@@ -187,8 +187,8 @@ VkPipelineCache Device::pipelineCache() const {
     return *m_handles->pipelineCache;
 }
 
-PipelineObjects& Device::pipelineObjects() const {
-    return m_handles->pipelineObjects;
+PipelineObjects& pipelineObjects(const Device& device) {
+    return device.m_handles->pipelineObjects;
 }
 
 const DeviceInfo& Device::info() const {

@@ -136,8 +136,6 @@ class CDR_EXPORT Device {
     VmaAllocator_T* allocator() const;
     /// Pipelines that renderers of one device share are compiled once.
     VkPipelineCache pipelineCache() const;
-    /// Layouts and pipelines that renderers of this device share while they are there; for the renderers' own use.
-    PipelineObjects& pipelineObjects() const;
     /// What listDevices() says of it.
     const DeviceInfo& info() const;
 
@@ -160,6 +158,8 @@ class CDR_EXPORT Device {
     void endLabel(VkCommandBuffer commands) const;
 
   private:
+    friend PipelineObjects& pipelineObjects(const Device& device);
+
     struct Handles;
     void finish(VkInstance instance, bool hasDebugNames);
     void setObjectName(VkObjectType type, std::uint64_t handle, const std::string& name) const;

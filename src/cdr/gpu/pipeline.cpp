@@ -183,18 +183,18 @@ vk::UniqueDescriptorSetLayout createSetLayout(const Device& device, const SetLay
 } // namespace
 
 Pipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options) {
-    return device.pipelineObjects().graphics.get(
+    return pipelineObjects(device).graphics.get(
         options, [&](const auto& wanted) { return createGraphicsPipeline(device, wanted); });
 }
 
 Pipeline makeComputePipeline(const Device& device, const ComputePipelineOptions& options) {
-    return device.pipelineObjects().compute.get(
+    return pipelineObjects(device).compute.get(
         options, [&](const auto& wanted) { return createComputePipeline(device, wanted); });
 }
 
 PipelineLayout makePipelineLayout(const Device& device, const PipelineLayoutOptions& options,
                                   const std::string& name) {
-    return device.pipelineObjects().layouts.get(options, [&](const auto& wanted) {
+    return pipelineObjects(device).layouts.get(options, [&](const auto& wanted) {
         vk::UniquePipelineLayout layout = createPipelineLayout(device, wanted);
         device.setName(*layout, name);
         return layout;
@@ -202,7 +202,7 @@ PipelineLayout makePipelineLayout(const Device& device, const PipelineLayoutOpti
 }
 
 SetLayout makeSetLayout(const Device& device, const SetLayoutOptions& options, const std::string& name) {
-    return SetLayout(device.pipelineObjects().setLayouts.get(options, [&](const auto& wanted) {
+    return SetLayout(pipelineObjects(device).setLayouts.get(options, [&](const auto& wanted) {
         vk::UniqueDescriptorSetLayout layout = createSetLayout(device, wanted);
         device.setName(*layout, name);
         return layout;

@@ -106,6 +106,9 @@ struct PipelineObjects {
     SharedObjects<ComputePipelineOptions, vk::UniquePipeline> compute;
 };
 
+/// Those that renderers of the device share while they are there.
+PipelineObjects& pipelineObjects(const Device& device);
+
 Pipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options);
 
 Pipeline makeComputePipeline(const Device& device, const ComputePipelineOptions& options);

@@ -17,15 +17,6 @@ enum class Placement {
 /// @errors None.
 CDR_EXPORT std::vector<std::size_t> allowedCpus();
 
-/// The same of the process that started this one: a launcher of MPI binds those it starts, and not itself.
-/// @errors None.
-CDR_EXPORT std::vector<std::size_t> cpusOfParent();
-
-/// Lets the calling thread, and threads and processes that it starts from now on, run on these CPUs alone. Without CPUs, and
-/// where the system has no such call, nothing happens.
-/// @errors None: where one of them is not there, the thread keeps those that it had or has the others.
-CDR_EXPORT void allowCpus(const std::vector<std::size_t>& cpus);
-
 /// Keeps the calling thread on one CPU until the object is destroyed, by the same thread. Does nothing where
 /// the system has no such call.
 /// @threads Belongs to the thread that made it.
