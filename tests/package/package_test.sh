@@ -114,6 +114,8 @@ refuse "component render needs the package Vulkan 1.3.239, which was not found" 
     -DCMAKE_DISABLE_FIND_PACKAGE_Vulkan=TRUE
 PKG_CONFIG_LIBDIR=/nowhere refuse "component scene needs the package spng, which pkg-config did not find" "${static[@]}"
 refuse "component scenes is none of depth, scene and render" "${static[@]}" -DCOMPONENTS=scenes
+refuse "component render needs the package Vulkan 1.3.239, which was not found" "${static[@]}" -DCOMPONENTS=render -DOPTIONAL=scenes \
+    -DCMAKE_DISABLE_FIND_PACKAGE_Vulkan=TRUE # not what is optional
 echo "components: the scene alone needs no Vulkan, and what is missing is named"
 
 build_example moving_world "$work/moving_world"
