@@ -11,7 +11,9 @@ namespace {
 /// An upper bound of the factor by which `basis` stretches a vector: exact for orthogonal columns (rotation
 /// and scale), else the Frobenius norm.
 float largestStretch(const glm::mat3& basis) {
-    const float longest = std::max({glm::length(basis[0]), glm::length(basis[1]), glm::length(basis[2])});
+    // One root: the longest column is the one of the largest square.
+    const float longest = std::sqrt(
+        std::max({glm::dot(basis[0], basis[0]), glm::dot(basis[1], basis[1]), glm::dot(basis[2], basis[2])}));
     const float skew =
         std::max({std::abs(glm::dot(basis[0], basis[1])), std::abs(glm::dot(basis[1], basis[2])),
                   std::abs(glm::dot(basis[2], basis[0]))});

@@ -3,9 +3,11 @@
 #include <cdr/visibility/instance_cells.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cdr::visibility {
 
@@ -13,6 +15,8 @@ namespace {
 
 constexpr std::uint32_t kNoSlot = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kJobCells = 256;
+/// Far enough ahead that memory answers in time.
+constexpr std::size_t kPrefetched = 16;
 
 /// Loose slots are tested one by one, which takes about a sixty-fourth of the time that building takes for an
 /// instance. So building anew once they were tested so often costs at most what was lost.
@@ -27,11 +31,27 @@ void include(InstanceCells::Box& box, const InstanceCells::Box& other) {
     box.radius = std::max(box.radius, other.radius);
 }
 
+/// The least and the largest of a cell's values. Four at a time, which compilers turn into vectors.
+template <typename Value>
+std::pair<Value, Value> endsOf(const Value* values) {
+    constexpr std::size_t kLanes = 4;
+    std::array<Value, kLanes> low{values[0], values[1], values[2], values[3]};
+    std::array<Value, kLanes> high = low;
+    for (std::size_t i = kLanes; i < InstanceCells::kCellSlots; i += kLanes) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const Value value = values[i + lane];
+            low[lane] = value < low[lane] ? value : low[lane];
+            high[lane] = value > high[lane] ? value : high[lane];
+        }
+    }
+    return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
+}
+
 } // namespace
 
 bool InstanceCells::Home::holds(const glm::dvec3& position) const {
     const glm::dvec3 way = glm::abs(position - centre);
-    return std::max({way.x, way.y, way.z}) <= reach;
+    return way.x <= reach && way.y <= reach && way.z <= reach;
 }
 
 void InstanceCells::resize(std::size_t cells) {
@@ -42,14 +62,18 @@ void InstanceCells::resize(std::size_t cells) {
     m_radius.resize(slots, scene::kNoRadius);
     m_instance.resize(slots);
     m_held.resize(cells);
-    m_isStale.resize(cells);
+    m_marks.resize(cells);
 }
 
-void InstanceCells::put(const scene::Instances& instances, std::uint32_t instance, std::size_t slot) {
+void InstanceCells::place(const scene::Instances& instances, std::uint32_t instance, std::size_t slot) {
     m_x[slot] = instances.x[instance];
     m_y[slot] = instances.y[instance];
     m_z[slot] = instances.z[instance];
     m_radius[slot] = instances.radius[instance];
+}
+
+void InstanceCells::put(const scene::Instances& instances, std::uint32_t instance, std::size_t slot) {
+    place(instances, instance, slot);
     m_instance[slot] = instance;
     m_slotOf[instance] = static_cast<std::uint32_t>(slot);
     m_held[slot / kCellSlots] |= std::uint64_t{1} << slot % kCellSlots;
@@ -81,7 +105,18 @@ void InstanceCells::build(const scene::Scene& scene, host::WorkerPool& workers) 
     makeLevels();
 }
 
+InstanceCells::Box InstanceCells::boxOfFull(std::size_t cell) const {
+    const std::size_t slot = cell * kCellSlots;
+    const auto [lowX, highX] = endsOf(&m_x[slot]);
+    const auto [lowY, highY] = endsOf(&m_y[slot]);
+    const auto [lowZ, highZ] = endsOf(&m_z[slot]);
+    return {{lowX, lowY, lowZ}, {highX, highY, highZ}, static_cast<double>(endsOf(&m_radius[slot]).second)};
+}
+
 InstanceCells::Box InstanceCells::boxOf(std::size_t cell) const {
+    if (m_held[cell] == ~std::uint64_t{0}) {
+        return boxOfFull(cell);
+    }
     Box box = kNothing;
     for (std::uint64_t held = m_held[cell]; held != 0; held &= held - 1) {
         const std::size_t slot = cell * kCellSlots + static_cast<std::size_t>(std::countr_zero(held));
@@ -111,13 +146,6 @@ void InstanceCells::makeLevels() {
     }
 }
 
-void InstanceCells::markStale(std::size_t cell) {
-    if (!m_isStale[cell]) {
-        m_isStale[cell] = true;
-        m_stale.push_back(static_cast<std::uint32_t>(cell));
-    }
-}
-
 std::size_t InstanceCells::looseSlot() {
     const std::size_t slot = m_builtCells * kCellSlots + m_loose++;
     if (slot / kCellSlots == cells()) {
@@ -131,23 +159,37 @@ std::size_t InstanceCells::looseSlot() {
     return slot;
 }
 
-void InstanceCells::follow(const scene::Scene& scene, std::uint32_t instance) {
-    const scene::Instances& instances = scene.instances;
+void InstanceCells::leave(std::uint32_t instance) {
     const std::uint32_t before = m_slotOf[instance];
-    const bool isDrawn = instances.radius[instance] != scene::kNoRadius && !isBlended(scene, instance);
-    const bool stays =
-        isDrawn && before != kNoSlot && m_homes[before / kCellSlots].holds(instances.position(instance));
-    if (before != kNoSlot) {
-        markStale(before / kCellSlots);
-        if (!stays) {
-            m_held[before / kCellSlots] &= ~(std::uint64_t{1} << before % kCellSlots);
-            m_radius[before] = scene::kNoRadius;
-            m_slotOf[instance] = kNoSlot;
-        }
+    markStale(before / kCellSlots);
+    m_held[before / kCellSlots] &= ~(std::uint64_t{1} << before % kCellSlots);
+    m_radius[before] = scene::kNoRadius;
+    m_slotOf[instance] = kNoSlot;
+}
+
+/// What an opaque instance is nearly always: drawn, and in its cell, as before. False where it is not, and then nothing changed.
+inline bool InstanceCells::followInside(const scene::Instances& instances, std::uint32_t instance) {
+    const std::uint32_t slot = m_slotOf[instance];
+    if (slot == kNoSlot || instances.radius[instance] == scene::kNoRadius ||
+        !m_homes[slot / kCellSlots].holds(instances.position(instance))) {
+        return false;
+    }
+    place(instances, instance, slot);
+    markStale(slot / kCellSlots);
+    return true;
+}
+
+void InstanceCells::follow(const scene::Scene& scene, std::uint32_t instance) {
+    const bool isDrawn = scene.instances.radius[instance] != scene::kNoRadius && !isBlended(scene, instance);
+    if (isDrawn && followInside(scene.instances, instance)) {
+        return;
+    }
+    if (m_slotOf[instance] != kNoSlot) {
+        leave(instance);
     }
     if (isDrawn) {
-        const std::size_t slot = stays ? before : looseSlot();
-        put(instances, instance, slot);
+        const std::size_t slot = looseSlot();
+        put(scene.instances, instance, slot);
         markStale(slot / kCellSlots);
     }
 }
@@ -162,7 +204,7 @@ void InstanceCells::refreshBoxes() {
     hasGrown = hasGrown || nodes > kFan;
     for (const std::uint32_t cell : m_stale) {
         m_levels[0][cell] = boxOf(cell);
-        m_isStale[cell] = false;
+        m_marks[cell] = Mark::fresh;
     }
     if (hasGrown) {
         makeLevels();
@@ -185,8 +227,22 @@ void InstanceCells::refreshBoxes() {
 void InstanceCells::update(const scene::Scene& scene, std::span<const std::uint32_t> changed,
                            host::WorkerPool& workers) {
     m_slotOf.resize(scene.instances.size(), kNoSlot);
-    for (const std::uint32_t instance : changed) {
-        follow(scene, instance);
+    const bool mayBlend =
+        std::any_of(scene.materials.begin(), scene.materials.end(), [](const scene::Material& material) {
+            return material.alphaMode == scene::AlphaMode::blend;
+        });
+    for (std::size_t i = 0; i < changed.size(); ++i) {
+        // Neighbours in the scene lie scattered over the cells, where the hardware foresees nothing.
+        const std::uint32_t soon = m_slotOf[changed[std::min(i + kPrefetched, changed.size() - 1)]];
+        if (soon != kNoSlot) {
+            __builtin_prefetch(&m_x[soon], 1);
+            __builtin_prefetch(&m_y[soon], 1);
+            __builtin_prefetch(&m_z[soon], 1);
+            __builtin_prefetch(&m_radius[soon], 1);
+        }
+        if (mayBlend || !followInside(scene.instances, changed[i])) {
+            follow(scene, changed[i]);
+        }
     }
     m_debt += m_loose;
     if (m_debt > kDebtPerInstance * m_slotOf.size()) {

@@ -56,12 +56,22 @@ class InstanceCells {
 
         bool holds(const glm::dvec3& position) const;
     };
+    enum class Mark : std::uint8_t { fresh, stale };
     void resize(std::size_t cells);
     void put(const scene::Instances& instances, std::uint32_t instance, std::size_t slot);
+    void place(const scene::Instances& instances, std::uint32_t instance, std::size_t slot);
+    bool followInside(const scene::Instances& instances, std::uint32_t instance);
     void follow(const scene::Scene& scene, std::uint32_t instance);
-    void markStale(std::size_t cell);
+    void leave(std::uint32_t instance);
+    void markStale(std::size_t cell) {
+        if (m_marks[cell] != Mark::stale) {
+            m_marks[cell] = Mark::stale;
+            m_stale.push_back(static_cast<std::uint32_t>(cell));
+        }
+    }
     std::size_t looseSlot();
     Box boxOf(std::size_t cell) const;
+    Box boxOfFull(std::size_t cell) const;
     Box boxOver(std::size_t level, std::size_t node) const;
     void makeLevels();
     void refreshBoxes();
@@ -74,7 +84,7 @@ class InstanceCells {
     std::vector<Home> m_homes;
     std::vector<std::vector<Box>> m_levels;
     std::vector<std::uint32_t> m_stale; ///< cells whose box is to be made anew
-    std::vector<bool> m_isStale;
+    std::vector<Mark> m_marks;          ///< by cell
     std::size_t m_loose = 0; ///< slots taken so far by what left its cell; they are in the last cells
     std::size_t m_builtCells = 0;
     std::uint64_t m_debt = 0; ///< loose slots that were followed, summed over updates
