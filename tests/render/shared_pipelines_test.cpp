@@ -160,6 +160,60 @@ TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
     }
 }
 
+/// The kinds of draws that materials like those lead to have their pipelines from the start, on any mesh.
+TEST_F(SharedPipelinesTest, ARendererThatIsPreparedForMaterialsMakesNone) {
+    scene::Scene scene = boxScene();
+    scene.textures.push_back({.name = "white", .pixels = image::ImageRgba8(2, 2, {255, 255, 255, 255})});
+    const scene::TextureUse use{.texture = 0, .second = false};
+    const std::vector<scene::Material> materials{
+        {.name = "plain"},
+        {.name = "both sides", .doubleSided = true},
+        {.name = "textured", .baseColorTexture = 0},
+        {.name = "cut out", .baseColorTexture = 0, .alphaMode = scene::AlphaMode::mask},
+        {.name = "paint", .layer = 0.01f},
+        {.name = "glass", .alphaMode = scene::AlphaMode::blend},
+        {.name = "lamp", .detail = {.emissive = use, .emission = glm::vec3(0.5f)}},
+        {.name = "shining glass",
+         .shine = scene::Shine{.metallic = 0.5f, .roughness = 0.4f},
+         .alphaMode = scene::AlphaMode::blend,
+         .detail = {.normal = use}}};
+    scene::Mesh round = scene::makeBox(glm::vec3(0.3f));
+    for (scene::Vertex& vertex : round.vertices) {
+        vertex.normal = glm::normalize(vertex.position);
+    }
+    for (const render::Submission submission : submissions()) {
+        for (const render::Translucency method : render::kTranslucencies) {
+            scene::World world(scene);
+            render::GpuScene onDevice(device(), world);
+            render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+            options.submission = submission;
+            options.translucency.method = method;
+            options.prepareFor.materials = materials;
+            render::Renderer renderer(device(), onDevice, options);
+            renderer.draw({});
+            const auto color = renderer.surfaces().color.image;
+            const std::uint64_t before = pipelinesMade(device());
+            std::uint32_t object = 1;
+            for (const scene::MeshHandle mesh : {world.mesh(0), world.addMesh(round)}) {
+                for (scene::Material material : materials) {
+                    material.baseColorFactor = glm::vec4(0.5f);
+                    world.addInstance({.mesh = mesh,
+                                       .material = world.addMaterial(material),
+                                       .object = object,
+                                       .transform = {.position = {0.4 * object - 3.0, 0.0, -6.0}}});
+                    ++object;
+                    renderer.draw({});
+                    EXPECT_EQ(pipelinesMade(device()), before)
+                        << material.name << ", " << nameOf(submission) << ", " << nameOf(method);
+                }
+            }
+            EXPECT_EQ(renderer.surfaces().color.image, color);
+            EXPECT_EQ(hashOf(renderer.render({})), hashOf(draw(world.scene(), {}, options)));
+        }
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
 TEST_F(SharedPipelinesTest, PreparingForTooManyLightsIsRefused) {
     render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     options.prepareFor.lights = render::kMostPreparedLights + 1;

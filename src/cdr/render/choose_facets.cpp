@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/render/choose_facets.h>
+#include <cdr/render/renderer_setup.h>
 
 #include <fmt/format.h>
 
@@ -21,10 +22,11 @@ const char* refusalOf(const DrawnScene& drawn, const RenderOptions& options) {
     if (options.focus.isOn()) {
         return "a lens with a focus reads the G-buffer";
     }
-    if (drawn.uploaded.hasBlended() || options.prepareFor.blended) {
+    const PreparedSurfaces prepared = preparedSurfaces(options.prepareFor);
+    if (drawn.uploaded.hasBlended() || prepared.blended) {
         return "blended surfaces read the G-buffer";
     }
-    if (drawn.uploaded.hasEmission() || options.prepareFor.emission) {
+    if (drawn.uploaded.hasEmission() || prepared.emission) {
         return "surfaces that emit light, or have an occlusion texture, read the G-buffer";
     }
     if (drawn.uploaded.hasLayers()) {

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cdr::render {
@@ -24,6 +25,8 @@ struct MeshRange {
     std::uint32_t levelCount = 0;
     float boundingRadius = 0.0f; ///< object space
     bool isFaceted = false;      ///< the vertices of every triangle share their normal and colour
+
+    bool operator==(const MeshRange&) const = default;
 };
 
 /// A coarser level of a mesh in the shared index buffer.
@@ -45,6 +48,11 @@ inline constexpr std::uint32_t kLayeredVariant = 8;
 inline constexpr std::uint32_t kDetailStep = 16;
 inline constexpr std::size_t kPipelineVariants = std::size_t{kDetailStep} * shaders::kDetailMasks;
 
+/// Of a material on a mesh.
+std::uint32_t variantOf(bool isFaceted, const scene::Material& material);
+/// Of materials on meshes with facets and without, each once.
+std::vector<std::uint32_t> variantsOf(std::span<const scene::Material> materials);
+
 /// What draws of the same mesh, material and handedness share. Consecutive draws of one kind bind nothing in
 /// between and may become one instanced draw.
 struct DrawKind {
@@ -56,6 +64,8 @@ struct DrawKind {
     LayerPlace layer;
     vk::DescriptorSet textureSet; ///< set 0
     vk::DescriptorSet detailSet;  ///< null unless the variant reads it
+
+    bool operator==(const DrawKind&) const = default;
 };
 
 /// One instance as recording reads it: all of it in two cache lines, where the scene's structure of arrays,

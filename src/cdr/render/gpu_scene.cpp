@@ -1,6 +1,7 @@
 #include <cdr/gpu/commands.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/pipeline.h>
+#include <cdr/gpu/retired.h>
 #include <cdr/gpu/upload.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/render/materials/material_words.h>
@@ -20,18 +21,6 @@
 namespace cdr::render {
 
 namespace {
-
-std::uint32_t variantOf(const MeshRange& mesh, const scene::Material& material) {
-    const bool isMasked = material.alphaMode == scene::AlphaMode::mask;
-    const bool isTextured = material.baseColorTexture.has_value();
-    const bool isLayered = material.layer != 0.0f && material.alphaMode != scene::AlphaMode::blend;
-    const std::uint32_t detail = detailPartsOf(material);
-    if (detail == 0 && mesh.isFaceted && !isTextured && !isMasked && !isLayered && !material.doubleSided) {
-        return kFacetedVariant;
-    }
-    return (isTextured ? kTexturedVariant : 0) + (isMasked ? kMaskedVariant : 0) +
-           (isLayered ? kLayeredVariant : 0) + detail * kDetailStep;
-}
 
 std::uint64_t predictBytes(const scene::Scene& scene) {
     return SceneTextures::predictBytes(scene) + SceneMeshes::predictBytes(scene);
@@ -81,6 +70,7 @@ class GpuScene::State {
     void updateVertices();
     void readKinds();
     void readMaterials();
+    void replaceTables();
     DrawKind kindOf(const KindKey& key) const;
     std::uint32_t kindIndexOf(const KindKey& key);
     void readInstance(std::size_t i);
@@ -95,6 +85,7 @@ class GpuScene::State {
     std::uint64_t m_tablesRevision = 0;
     std::uint64_t m_meshesRevision = 0;
     std::uint64_t m_readings = 0; ///< of all instances
+    gpu::Retired m_retired;       ///< what frames in flight may still read
     SceneMeshes m_meshes;
     SceneTextures m_textures;
     std::vector<MaterialWords> m_materials;
@@ -115,12 +106,14 @@ class GpuScene::State {
 GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene)
     : m_device(device),
       m_scene(&scene),
+      m_retired(device),
       m_meshes(device),
       m_textures(device) {
     scene::requireUsable(scene);
     gpu::requireDeviceBytes(device, predictBytes(scene), "scene " + scene.name);
     m_meshes.upload(scene);
-    m_textures.follow(scene, {});
+    m_textures.follow(scene, {}, m_retired);
+    m_textures.followMaterials(scene, {}, {}, m_retired);
     readMaterials();
     readAllInstances();
 }
@@ -238,6 +231,7 @@ LevelRange GpuScene::indicesOf(const MeshRange& mesh, std::uint32_t level) const
 }
 
 void GpuScene::State::update() {
+    m_retired.free();
     if (isCurrent()) {
         return;
     }
@@ -256,16 +250,22 @@ void GpuScene::State::update() {
     ++m_revision;
 }
 
-void GpuScene::State::updateTables() {
-    gpu::waitForQueue(m_device); // frames in flight read what is replaced
-    ++m_meshesRevision;
+void GpuScene::State::replaceTables() {
     const scene::World::Changes& changes = m_world->changes();
     if (m_followed.meshes != changes.meshes.end()) {
-        m_meshes.follow(*m_scene, changes.meshes.since(m_followed.meshes));
+        m_meshes.follow(*m_scene, changes.meshes.since(m_followed.meshes), m_retired);
     }
     followVertices();
-    m_textures.follow(*m_scene, changes.textures.since(m_followed.textures));
-    m_meshes.followDetails(*m_scene);
+    const auto textures = changes.textures.since(m_followed.textures);
+    m_textures.follow(*m_scene, textures, m_retired);
+    m_textures.followMaterials(*m_scene, changes.materials.since(m_followed.materials), textures, m_retired);
+    m_meshes.followDetails(*m_scene, m_retired);
+    m_retired.close();
+}
+
+void GpuScene::State::updateTables() {
+    ++m_meshesRevision;
+    replaceTables();
     readMaterials();
     readKinds();
     if (m_isEachInstanceStale) {
@@ -286,11 +286,11 @@ bool GpuScene::State::followVertices() {
         all.resize(m_scene->meshes.size());
         std::iota(all.begin(), all.end(), 0u);
     }
+    gpu::waitForQueue(m_device); // frames in flight read what is written over
     return m_meshes.followVertices(*m_scene, changed ? *changed : std::span<const std::uint32_t>(all));
 }
 
 void GpuScene::State::updateVertices() {
-    gpu::waitForQueue(m_device); // frames in flight read what is replaced
     ++m_meshesRevision;
     if (followVertices()) {
         readKinds();
@@ -298,10 +298,12 @@ void GpuScene::State::updateVertices() {
 }
 
 void GpuScene::State::readKinds() {
+    bool isAnyOther = false;
     for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
-        m_kinds[kind] = kindOf(m_kindKeys[kind]);
+        const DrawKind before = std::exchange(m_kinds[kind], kindOf(m_kindKeys[kind]));
+        isAnyOther = isAnyOther || before != m_kinds[kind];
     }
-    ++m_tablesRevision;
+    m_tablesRevision += isAnyOther ? 1 : 0;
 }
 
 void GpuScene::State::readMaterials() {
@@ -311,10 +313,9 @@ void GpuScene::State::readMaterials() {
     m_isShiny = false;
     m_hasBlended = false;
     m_hasEmission = false;
-    m_textures.followMaterials(*m_scene);
     for (const scene::Material& material : m_scene->materials) {
         m_materials.push_back(wordsOf(material));
-        m_isShiny = m_isShiny || (m_materials.back().cutoffAndShine & shaders::kShineMask) != 0;
+        m_isShiny = m_isShiny || shines(material);
         m_hasEmission = m_hasEmission || scene::hasEmission(material);
         m_hasBlended = m_hasBlended || material.alphaMode == scene::AlphaMode::blend;
         m_surfaces.push_back(
@@ -332,7 +333,7 @@ DrawKind GpuScene::State::kindOf(const KindKey& key) const {
     const scene::Material& material = m_scene->materials[materialIndex];
     return {.meshIndex = mesh,
             .mesh = m_meshes.ranges()[mesh],
-            .variant = variantOf(m_meshes.ranges()[mesh], material),
+            .variant = variantOf(m_meshes.ranges()[mesh].isFaceted, material),
             .doubleSided = material.doubleSided,
             .mirrored = mirrored,
             .layer = m_layers[materialIndex],
@@ -372,6 +373,7 @@ void GpuScene::State::readAllInstances() {
     m_blended = visibility::blendedInstances(*m_scene);
     m_isEachInstanceStale = false;
     ++m_readings;
+    ++m_tablesRevision;
 }
 
 void GpuScene::State::updateInstances() {

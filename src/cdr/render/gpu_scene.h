@@ -52,7 +52,8 @@ class CDR_EXPORT GpuScene {
     GpuScene& operator=(GpuScene&&) noexcept;
 
     /// Follows the world's edits since the last call; renderers call it at the start of a frame. Instances take time
-    /// by the number that changed. Meshes, materials and textures wait for all that the queue was given before.
+    /// by the number that changed. What is uploaded, meshes, vertices and textures, waits for all that the queue was given
+    /// before; what changes or goes is kept until that is done.
     /// @errors base::InputError for a texture larger than the device's images: once it is gone, the next call follows.
     ///         base::RunError and std::system_error as the constructors.
     void update();
@@ -69,7 +70,7 @@ class CDR_EXPORT GpuScene {
 
     // What passes read, for the renderer's own use.
 
-    /// Another number after each update() that changed more than instances: what a draw kind or a material says.
+    /// Another number after each update() that changed what a draw kind says, or that read all instances anew.
     std::uint64_t tablesRevision() const;
     /// Another number after each update() that may have changed a mesh or a material.
     std::uint64_t meshesRevision() const;

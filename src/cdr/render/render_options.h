@@ -13,22 +13,28 @@
 #include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets_choice.h>
 #include <cdr/render/translucency/translucency.h>
+#include <cdr/scene/mesh.h>
 #include <cdr/visibility/level_choice.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace cdr::render {
 
 /// What a world may come to hold, or what a scene without it is to be drawn as if it held. A first material that shines, blends
-/// or emits light has a renderer make its passes anew, and so does each further light the first time that there are as many. What
-/// is said here is made at the start instead, and costs time in each frame.
+/// or emits light has a renderer make its passes anew, the first draw of a kind of materials and meshes makes that kind's
+/// pipelines, and so does each further light the first time that there are as many. What is said here is made at the start
+/// instead. What shines, blends or emits costs time in each frame.
 struct PrepareFor {
     bool shine = false;       ///< materials with scene::Material::shine
     bool blended = false;     ///< materials of scene::AlphaMode::blend
     bool emission = false;    ///< materials that emit light or have occlusion textures
     std::uint32_t lights = 0; ///< so many point lights, at most kMostPreparedLights
+    /// Materials like these, of whatever colours and textures, on any mesh: they also say which of the above there may be.
+    /// Of a texture only whether there is one matters.
+    std::vector<scene::Material> materials{};
 
     bool operator==(const PrepareFor&) const = default;
 };

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace cdr::render {
@@ -53,6 +54,15 @@ makeOwnTargets(const gpu::Device& device, const DrawnScene& drawn, const RenderO
                                                             .fades = options.focus.blend,
                                                             .sky = drawn.scene.sky.has_value(),
                                                             .shiny = kept.shine});
+}
+
+/// Of the materials that a renderer is prepared for.
+std::vector<std::uint32_t> blendedVariants(const PrepareFor& prepared) {
+    std::vector<scene::Material> blended;
+    std::copy_if(
+        prepared.materials.begin(), prepared.materials.end(), std::back_inserter(blended),
+        [](const scene::Material& material) { return material.alphaMode == scene::AlphaMode::blend; });
+    return variantsOf(blended);
 }
 
 /// Times one stage after the other.
@@ -101,7 +111,8 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
                .preparedLights = options.prepareFor.lights}),
       resolve(drawsFacets(options) ? std::make_unique<ResolvePass>(device, targets.gbuffer()) : nullptr),
       translucent(needs.blended ? std::make_unique<TranslucentPass>(device, drawn, targets.gbuffer(),
-                                                                    picture.lit(), options.translucency)
+                                                                    picture.lit(), options.translucency,
+                                                                    blendedVariants(options.prepareFor))
                                 : nullptr),
       motion(options.motion ? std::make_unique<MotionPass>(device, gbuffer()) : nullptr),
       colorCopy(device, extent, sizeof(image::Rgba8), "color copy"),

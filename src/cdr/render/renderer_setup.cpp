@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/render/materials/material_words.h>
 #include <cdr/render/occluders/device_occlusion.h>
 #include <cdr/render/occluders/occlusion_culling.h>
 #include <cdr/render/output/motion_pass.h>
@@ -80,6 +81,17 @@ TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const Rend
             .reversedDepth = depth::isReversed(options.technique.mapping),
             .emission = emission,
             .occlusionRadius = options.effects.occlusion.perLayer ? options.effects.occlusion.radius : 0.0};
+}
+
+PreparedSurfaces preparedSurfaces(const PrepareFor& prepared) {
+    PreparedSurfaces surfaces{
+        .shine = prepared.shine, .blended = prepared.blended, .emission = prepared.emission};
+    for (const scene::Material& material : prepared.materials) {
+        surfaces.shine = surfaces.shine || shines(material);
+        surfaces.blended = surfaces.blended || material.alphaMode == scene::AlphaMode::blend;
+        surfaces.emission = surfaces.emission || scene::hasEmission(material);
+    }
+    return surfaces;
 }
 
 bool keepsShine(const RenderOptions& options) {

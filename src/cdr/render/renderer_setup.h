@@ -24,6 +24,14 @@ PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options,
 TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options,
                               bool emission);
 
+/// What a renderer is prepared for: by PrepareFor itself, and by its materials.
+struct PreparedSurfaces {
+    bool shine = false;
+    bool blended = false;
+    bool emission = false;
+};
+PreparedSurfaces preparedSurfaces(const PrepareFor& prepared);
+
 /// Whether frames show how surfaces shine; else FrameStats::lostShine says so where a surface does.
 bool keepsShine(const RenderOptions& options);
 

@@ -9,7 +9,7 @@ namespace cdr::render {
 
 Renderer::Needs Renderer::needs() const {
     const GpuScene& uploaded = m_drawn.uploaded;
-    const PrepareFor& prepared = m_options.prepareFor;
+    const PreparedSurfaces prepared = preparedSurfaces(m_options.prepareFor);
     return {.shiny = (uploaded.isShiny() || prepared.shine) && keepsShine(m_options),
             .blended = uploaded.hasBlended() || prepared.blended,
             .emission = (uploaded.hasEmission() || prepared.emission) && keepsEmission(m_options),

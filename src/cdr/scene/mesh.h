@@ -132,6 +132,8 @@ struct Material {
     /// which of two surfaces at the same place is seen, and moves nothing else. See src/cdr/render/README.md, "Layers".
     float layer = 0.0f;
     MaterialDetail detail{}; ///< none unless told
+
+    bool operator==(const Material&) const = default;
 };
 
 /// The least radius about the origin that holds every position, rounded up. Object space.

@@ -153,12 +153,26 @@ GeometryPipelines::GeometryPipelines(const gpu::Device& device, const GpuScene& 
       m_layout(gpu::makePipelineLayout(
           device, {{scene.textureLayout(), scene.detailLayout()}, {pushRange(options.batching)}},
           "geometry layout")) {
+    for (const std::uint32_t variant : options.variants) {
+        provide(device, variant);
+    }
     follow(device, scene);
 }
 
 void GeometryPipelines::follow(const gpu::Device& device, const GpuScene& scene) {
-    make(device, scene, false, m_compact);
-    make(device, scene, true, m_wide);
+    for (const DrawKind& kind : scene.kinds()) {
+        provide(device, kind.variant);
+    }
+}
+
+void GeometryPipelines::provide(const gpu::Device& device, std::uint32_t variant) {
+    for (const bool wide : {false, true}) {
+        gpu::Pipeline& pipeline = (wide ? m_wide : m_compact)[variant];
+        if (!pipeline) {
+            pipeline = m_options.output == GeometryOutput::depth ? makeOccluder(device, wide)
+                                                                 : makeSurfaces(device, variant, wide);
+        }
+    }
 }
 
 double wideSpan(depth::Mapping mapping, std::size_t cascades) {
@@ -200,46 +214,36 @@ gpu::Pipeline GeometryPipelines::makeOccluder(const gpu::Device& device, bool wi
                                       .depthCompare = vk::CompareOp::eGreaterOrEqual});
 }
 
-void GeometryPipelines::make(const gpu::Device& device, const GpuScene& scene, bool wide,
-                             Pipelines& pipelines) const {
+gpu::Pipeline GeometryPipelines::makeSurfaces(const gpu::Device& device, std::uint32_t variant,
+                                              bool wide) const {
     const depth::Mapping mapping = m_options.technique.mapping;
     const std::uint32_t form = depthFormOf(mapping, wide);
     const bool writesDepth = form == shaders::kDepthFormLogFragment;
     const bool isBiased = m_options.layers.method == LayerMethod::polygonOffset;
-    for (const DrawKind& kind : scene.kinds()) {
-        gpu::Pipeline& pipeline = pipelines[kind.variant];
-        if (pipeline) {
-            continue;
-        }
-        if (m_options.output == GeometryOutput::depth) {
-            pipeline = makeOccluder(device, wide);
-            continue;
-        }
-        const bool movesDepth = (kind.variant & kLayeredVariant) != 0 && !isBiased;
-        const bool cutsFragments = wide || movesDepth;
-        const ShaderKind shaderKind = shaderKindOf(kind.variant);
-        pipeline = gpu::makeGraphicsPipeline(
-            device,
-            {.name = wide ? "geometry, wide" : "geometry",
-             .vertexSpirv = vertexShader(m_options.batching, shaderKind),
-             .fragmentSpirv = fragmentShader(writesDepth, shaderKind, movesDepth),
-             .constants = {form, kind.variant & kTexturedVariant ? 1u : 0u,
-                           kind.variant & kMaskedVariant ? 1u : 0u, cutsFragments ? 1u : 0u,
-                           m_options.shiny ? 1u : 0u, std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
-                           std::bit_cast<std::uint32_t>(m_options.snapSteps.y),
-                           std::bit_cast<std::uint32_t>(layerSlope(m_options.subPixelBits)),
-                           std::bit_cast<std::uint32_t>(depthStepOf(m_options.technique.format)),
-                           std::bit_cast<std::uint32_t>(depth::isReversed(mapping) ? 1.0f : -1.0f),
-                           kind.variant / kDetailStep},
-             .layout = m_layout,
-             .bindings = bindingsFor(m_options.batching, shaderKind.isDetailed),
-             .attributes = attributesFor(m_options.batching, shaderKind.isDetailed),
-             .colorFormats = m_options.emission ? std::vector{kGBufferFormat, kEmissionFormat}
-                                                : std::vector{kGBufferFormat},
-             .depthFormat = m_depthFormat,
-             .depthCompare = depthCompareOf(mapping),
-             .hasDepthBias = (kind.variant & kLayeredVariant) != 0 && isBiased});
-    }
+    const bool isLayered = (variant & kLayeredVariant) != 0;
+    const bool movesDepth = isLayered && !isBiased;
+    const bool cutsFragments = wide || movesDepth;
+    const ShaderKind shaderKind = shaderKindOf(variant);
+    return gpu::makeGraphicsPipeline(
+        device, {.name = wide ? "geometry, wide" : "geometry",
+                 .vertexSpirv = vertexShader(m_options.batching, shaderKind),
+                 .fragmentSpirv = fragmentShader(writesDepth, shaderKind, movesDepth),
+                 .constants = {form, variant & kTexturedVariant ? 1u : 0u, variant & kMaskedVariant ? 1u : 0u,
+                               cutsFragments ? 1u : 0u, m_options.shiny ? 1u : 0u,
+                               std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
+                               std::bit_cast<std::uint32_t>(m_options.snapSteps.y),
+                               std::bit_cast<std::uint32_t>(layerSlope(m_options.subPixelBits)),
+                               std::bit_cast<std::uint32_t>(depthStepOf(m_options.technique.format)),
+                               std::bit_cast<std::uint32_t>(depth::isReversed(mapping) ? 1.0f : -1.0f),
+                               variant / kDetailStep},
+                 .layout = m_layout,
+                 .bindings = bindingsFor(m_options.batching, shaderKind.isDetailed),
+                 .attributes = attributesFor(m_options.batching, shaderKind.isDetailed),
+                 .colorFormats = m_options.emission ? std::vector{kGBufferFormat, kEmissionFormat}
+                                                    : std::vector{kGBufferFormat},
+                 .depthFormat = m_depthFormat,
+                 .depthCompare = depthCompareOf(mapping),
+                 .hasDepthBias = isLayered && isBiased});
 }
 
 } // namespace cdr::render

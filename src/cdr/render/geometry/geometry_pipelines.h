@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace cdr::render {
 
@@ -32,6 +33,7 @@ struct GeometryOptions {
     glm::vec2 snapSteps{0.0f};
     std::uint32_t subPixelBits = 8; ///< to which vertices are rounded, by the device or by snapSteps
     LayerOptions layers{};
+    std::vector<std::uint32_t> variants{}; ///< that have pipelines from the start, beside those of the scene
 };
 
 /// Instances that span more than this share of their distance are drawn wide: cut, and for log given their
@@ -73,7 +75,8 @@ class GeometryPipelines {
 
   private:
     using Pipelines = std::array<gpu::Pipeline, kPipelineVariants>; ///< empty where no kind needs one
-    void make(const gpu::Device& device, const GpuScene& scene, bool wide, Pipelines& pipelines) const;
+    void provide(const gpu::Device& device, std::uint32_t variant);
+    gpu::Pipeline makeSurfaces(const gpu::Device& device, std::uint32_t variant, bool wide) const;
     gpu::Pipeline makeOccluder(const gpu::Device& device, bool wide) const;
 
     GeometryOptions m_options;

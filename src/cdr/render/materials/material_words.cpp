@@ -28,6 +28,10 @@ MaterialWords wordsOf(const scene::Material& material) {
             .baseColorBa = glm::packHalf2x16(glm::vec2(color.b, color.a))};
 }
 
+bool shines(const scene::Material& material) {
+    return (wordsOf(material).cutoffAndShine & shaders::kShineMask) != 0;
+}
+
 std::uint32_t shineCode(const std::optional<scene::Shine>& shine) {
     if (!shine) {
         return 0;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 namespace cdr::render {
 
@@ -80,6 +81,17 @@ shaders::DetailRecord recordOf(const scene::Material& material) {
     return record;
 }
 
+/// By place, whether it changed.
+std::vector<bool> flagsOf(const SceneTextures::Changed& changed, std::size_t places) {
+    std::vector<bool> flags(places, !changed);
+    if (changed) {
+        for (const std::uint32_t place : *changed) {
+            flags[place] = true;
+        }
+    }
+    return flags;
+}
+
 } // namespace
 
 std::uint32_t detailPartsOf(const scene::Material& material) {
@@ -123,23 +135,35 @@ SceneTextures::Uploaded SceneTextures::upload(const scene::Texture& texture) con
     return uploaded;
 }
 
-void SceneTextures::follow(const scene::Scene& scene,
-                           const std::optional<std::span<const std::uint32_t>>& changed) {
+void SceneTextures::follow(const scene::Scene& scene, const Changed& changed, gpu::Retired& retired) {
+    const std::vector<bool> isOther = flagsOf(changed, scene.textures.size());
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
-        const bool isNew = i >= m_textures.size();
-        if (isNew) {
-            m_textures.emplace_back();
-        }
-        if (isNew || !changed || std::find(changed->begin(), changed->end(), i) != changed->end()) {
-            m_textures[i] = upload(scene.textures[i]);
+        if (i >= m_textures.size()) {
+            m_textures.push_back(upload(scene.textures[i]));
+        } else if (isOther[i]) {
+            retired.add(std::exchange(m_textures[i], upload(scene.textures[i])));
         }
     }
 }
 
-void SceneTextures::followMaterials(const scene::Scene& scene) {
-    m_details.clear();
-    for (const scene::Material& material : scene.materials) {
-        m_details.push_back(scene::hasDetail(material) ? makeDetail(material) : Detail{});
+void SceneTextures::followMaterials(const scene::Scene& scene, const Changed& materials,
+                                    const Changed& textures, gpu::Retired& retired) {
+    const std::vector<bool> isOther = flagsOf(materials, scene.materials.size());
+    const std::vector<bool> hasOtherPixels = flagsOf(textures, scene.textures.size());
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const scene::Material& material = scene.materials[i];
+        bool isStale = isOther[i];
+        scene::forEachTexture(material,
+                              [&](std::uint32_t texture) { isStale = isStale || hasOtherPixels[texture]; });
+        if (i >= m_details.size()) {
+            m_details.emplace_back();
+        } else if (!isStale) {
+            continue;
+        }
+        Detail made = scene::hasDetail(material) ? makeDetail(material) : Detail{};
+        if (Detail before = std::exchange(m_details[i], std::move(made)); before.set) {
+            retired.add(std::move(before));
+        }
     }
 }
 

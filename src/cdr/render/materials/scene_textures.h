@@ -2,6 +2,7 @@
 
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/pipeline.h>
+#include <cdr/gpu/retired.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/scene/scene.h>
 
@@ -18,11 +19,13 @@ class SceneTextures {
   public:
     explicit SceneTextures(const gpu::Device& device);
 
-    /// Uploads what came, and what changed.
-    /// @param changed which of those that were there; nothing: all.
-    void follow(const scene::Scene& scene, const std::optional<std::span<const std::uint32_t>>& changed);
-    /// Makes the sets of materials with detail anew, of textures that are there; nothing in flight may use them.
-    void followMaterials(const scene::Scene& scene);
+    using Changed = std::optional<std::span<const std::uint32_t>>; ///< places; nothing: all may have changed
+
+    /// Uploads what came, and what of those that were there changed.
+    void follow(const scene::Scene& scene, const Changed& changed, gpu::Retired& retired);
+    /// Makes the sets of materials with detail, of those that came or changed or have a texture that did. Textures are there.
+    void followMaterials(const scene::Scene& scene, const Changed& materials, const Changed& textures,
+                         gpu::Retired& retired);
 
     /// Of baseColorSet().
     const gpu::SetLayout& baseColorLayout() const { return m_baseColorLayout; }

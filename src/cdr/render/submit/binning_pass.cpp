@@ -3,6 +3,7 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/rounding.h>
 #include <cdr/render/submit/binning_pass.h>
+#include <cdr/render/submit/stager.h>
 #include <cdr/shaders/bin_commands_comp.h>
 #include <cdr/shaders/bin_count_comp.h>
 #include <cdr/shaders/bin_count_occluders_comp.h>
@@ -22,12 +23,17 @@ namespace cdr::render {
 
 namespace {
 
+/// In BinningPass::SceneBuffers.
+enum SceneBuffer : std::size_t { kSpheres, kLooks, kMaterials, kRuns, kGroups, kLevels };
+
 using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 /// Runs of a group, whose commands one invocation of bin_commands.comp lists. lavapipe ends a loop after 65,535 turns, and
 /// others wait for the longest.
 constexpr std::size_t kMostRunsPerGroup = 1024;
+/// Of a buffer of the scene: room for what is few at first, since all are staged again where one grows.
+constexpr std::size_t kLeastBytes = 4096;
 /// Invocations a workgroup of bin_commands.comp.
 constexpr std::size_t kCommandInvocations = 64;
 
@@ -63,6 +69,20 @@ shaders::InstanceLook lookOf(const DrawSource& source) {
     return look;
 }
 
+/// Covers ascending places.
+std::vector<host::IndexRange> rangesOf(std::span<const std::uint32_t> places) {
+    // What lies between two of them is copied along where that is less than another region.
+    constexpr std::uint32_t kMostBetween = 8;
+    std::vector<host::IndexRange> ranges;
+    for (const std::uint32_t i : places) {
+        if (ranges.empty() || i > ranges.back().end + kMostBetween) {
+            ranges.push_back({i, i});
+        }
+        ranges.back().end = i + 1;
+    }
+    return ranges;
+}
+
 vk::MemoryBarrier2 barrier(vk::PipelineStageFlags2 stages, vk::AccessFlags2 access) {
     return {.srcStageMask = Stage::eComputeShader,
             .srcAccessMask = Access::eShaderStorageWrite,
@@ -77,6 +97,9 @@ BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, vis
     : m_device(checked(device, drawn.scene.instances)),
       m_drawn(drawn),
       m_detail(detail),
+      m_mostCommands(std::min<std::size_t>(
+          kMostRunsPerGroup,
+          vk::PhysicalDevice(device.physical()).getProperties().limits.maxDrawIndirectCount)),
       m_isStaged(true),
       m_setLayout(gpu::makeSetLayout(
           device,
@@ -94,7 +117,7 @@ BinningPass::BinningPass(const gpu::Device& device, const DrawnScene& drawn, vis
         m_count[1] = makePipeline(kBinCountOccludersComp, "bin, count occluders");
         m_count[2] = makePipeline(kBinCountShownComp, "bin, count what is shown");
     }
-    groupInstances();
+    groupAll();
 }
 
 gpu::Pipeline BinningPass::makePipeline(const gpu::Spirv& spirv, const char* name) const {
@@ -102,41 +125,50 @@ gpu::Pipeline BinningPass::makePipeline(const gpu::Spirv& spirv, const char* nam
     return gpu::makeComputePipeline(m_device, {name, gpu::roundingToNearestEven(spirv), m_layout});
 }
 
-void BinningPass::groupInstances() {
-    const GpuScene& gpuScene = m_drawn.uploaded;
-    const std::vector<DrawKind>& kinds = gpuScene.kinds();
-    const std::size_t mostCommands = std::min<std::size_t>(
-        kMostRunsPerGroup,
-        vk::PhysicalDevice(m_device.physical()).getProperties().limits.maxDrawIndirectCount);
-    m_tables = gpuScene.tablesRevision();
-    m_followed = gpuScene.instanceChanges().end();
+void BinningPass::groupAll() {
     m_groups.clear();
     m_runs.clear();
     m_kinds.clear();
+    m_spheres.clear();
+    m_looks.clear();
+    groupMore();
+}
+
+/// Those that came behind the others.
+void BinningPass::groupMore() {
+    const GpuScene& gpuScene = m_drawn.uploaded;
+    m_tables = gpuScene.tablesRevision();
+    m_followed = gpuScene.instanceChanges().end();
+    const std::size_t before = m_kinds.size();
     m_spheres.resize(gpuScene.sources().size());
     m_looks.resize(gpuScene.sources().size());
-    for (std::size_t i = 0; i < m_spheres.size(); ++i) {
-        const DrawSource& source = gpuScene.sources()[i];
-        const MeshRange& mesh = kinds[source.kind].mesh;
-        const bool hasLevels = m_detail != visibility::DetailMode::none && mesh.levelCount > 0;
-        if (i == 0 || hasLevels || source.kind != m_kinds.back()) {
-            if (m_groups.empty() || !bindAlike(kinds[m_groups.back().kind], kinds[source.kind]) ||
-                m_groups.back().end - m_groups.back().begin == mostCommands) {
-                m_groups.push_back({.begin = m_runs.size(), .end = m_runs.size(), .kind = source.kind});
-            }
-            m_runs.push_back({.firstIndex = mesh.firstIndex,
-                              .indexCount = mesh.indexCount,
-                              .vertexOffset = mesh.vertexOffset,
-                              .instance = static_cast<std::uint32_t>(i),
-                              .firstLevel = mesh.firstLevel,
-                              .levels = hasLevels ? mesh.levelCount : 0,
-                              .boundingRadius = mesh.boundingRadius});
-            m_groups.back().end = m_runs.size();
-        }
-        m_kinds.push_back(source.kind);
-        m_spheres[i].run = static_cast<std::uint32_t>(m_runs.size() - 1);
-        readInstance(i);
+    for (std::size_t i = before; i < m_spheres.size(); ++i) {
+        groupInstance(i);
     }
+}
+
+void BinningPass::groupInstance(std::size_t i) {
+    const std::vector<DrawKind>& kinds = m_drawn.uploaded.kinds();
+    const DrawSource& source = m_drawn.uploaded.sources()[i];
+    const MeshRange& mesh = kinds[source.kind].mesh;
+    const bool hasLevels = m_detail != visibility::DetailMode::none && mesh.levelCount > 0;
+    if (i == 0 || hasLevels || source.kind != m_kinds.back()) {
+        if (m_groups.empty() || !bindAlike(kinds[m_groups.back().kind], kinds[source.kind]) ||
+            m_groups.back().end - m_groups.back().begin == m_mostCommands) {
+            m_groups.push_back({.begin = m_runs.size(), .end = m_runs.size(), .kind = source.kind});
+        }
+        m_runs.push_back({.firstIndex = mesh.firstIndex,
+                          .indexCount = mesh.indexCount,
+                          .vertexOffset = mesh.vertexOffset,
+                          .instance = static_cast<std::uint32_t>(i),
+                          .firstLevel = mesh.firstLevel,
+                          .levels = hasLevels ? mesh.levelCount : 0,
+                          .boundingRadius = mesh.boundingRadius});
+        m_groups.back().end = m_runs.size();
+    }
+    m_kinds.push_back(source.kind);
+    m_spheres[i].run = static_cast<std::uint32_t>(m_runs.size() - 1);
+    readInstance(i);
 }
 
 void BinningPass::readInstance(std::size_t i) {
@@ -150,23 +182,24 @@ void BinningPass::readInstance(std::size_t i) {
     m_looks[i] = lookOf(source);
 }
 
-/// Reads what changed, each place once, ascending. False where runs of one kind are no longer what they were.
+/// Reads what changed of the instances that are grouped, each place once, ascending. False where runs of one kind are no
+/// longer what they were.
 bool BinningPass::readChanged(std::vector<std::uint32_t>& changed) {
     const GpuScene& gpuScene = m_drawn.uploaded;
     const auto places = gpuScene.instanceChanges().since(m_followed);
-    if (!places || m_tables != gpuScene.tablesRevision() || gpuScene.sources().size() != m_spheres.size()) {
+    if (!places || m_tables != gpuScene.tablesRevision() || gpuScene.sources().size() < m_spheres.size()) {
         return false;
     }
     changed.assign(places->begin(), places->end());
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    changed.erase(std::lower_bound(changed.begin(), changed.end(), m_spheres.size()), changed.end());
     for (const std::uint32_t i : changed) {
         if (gpuScene.sources()[i].kind != m_kinds[i]) {
             return false;
         }
         readInstance(i);
     }
-    m_followed = gpuScene.instanceChanges().end();
     return true;
 }
 
@@ -174,25 +207,27 @@ bool BinningPass::follow(Copies& copies) {
     for (std::vector<vk::BufferCopy>& regions : copies.regions) {
         regions.clear();
     }
+    const bool wasStaged =
+        std::exchange(m_isStaged, true); // where this ends early, all is staged the next time
     std::vector<std::uint32_t> changed;
     const bool isGrouped = readChanged(changed);
-    if (!isGrouped) {
-        groupInstances();
-    }
-    if (!isGrouped || m_isStaged) {
-        provideBuffers();
-        stageAll(copies);
-        m_isStaged = true;
-    } else if (!changed.empty()) {
-        stageChanged(changed, copies);
-        m_isStaged = true;
+    const Grouped before{m_spheres.size(), m_runs.size(), m_groups.size()};
+    if (isGrouped) {
+        groupMore();
     } else {
-        copies.staging = {}; // a scene that stands still keeps no copy of itself
+        groupAll();
+    }
+    const std::uint64_t tablesBefore = std::exchange(m_meshes, m_drawn.uploaded.meshesRevision());
+    if (provideBuffers() || !isGrouped || wasStaged) {
+        stageAll(copies);
+    } else {
+        m_isStaged = stageChanges(changed, before, tablesBefore != m_meshes, copies);
     }
     return std::exchange(copies.buffers, m_sceneBuffers) != m_sceneBuffers;
 }
 
-void BinningPass::provideBuffers() {
+/// Whether they are others now.
+bool BinningPass::provideBuffers() {
     checked(m_device, m_drawn.scene.instances);
     const GpuScene& gpuScene = m_drawn.uploaded;
     const std::array<std::size_t, kSceneBuffers> bytes{
@@ -210,7 +245,7 @@ void BinningPass::provideBuffers() {
         isEnough = suffices(i);
     }
     if (isEnough) {
-        return;
+        return false;
     }
     // Frames in flight keep the old ones. A scene that grew may grow on.
     const bool grows = m_sceneBuffers != nullptr;
@@ -219,98 +254,81 @@ void BinningPass::provideBuffers() {
         const std::size_t most = std::max(bytes[i], m_device.info().maxStorageBufferBytes);
         const std::size_t size = grows ? std::min(bytes[i] + bytes[i] / 2, most) : bytes[i];
         (*made)[i] =
-            gpu::Buffer(m_device, std::max<std::size_t>(size, sizeof(shaders::InstanceLook)),
+            gpu::Buffer(m_device, std::max(size, kLeastBytes),
                         vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst,
                         gpu::MemoryUse::deviceOnly, kNames[i]);
     }
     m_sceneBuffers = std::move(made);
+    return true;
 }
 
-namespace {
-
-/// Fills a slot's staging buffer from its start on and notes where the bytes go.
-class Stager {
-  public:
-    Stager(const gpu::Device& device, std::size_t bytes, BinningPass::Copies& copies) : m_copies(copies) {
-        if (copies.staging.size() < bytes) {
-            gpu::requireDeviceBytes(device, bytes, "changes of a gpu-driven scene");
-            copies.staging = gpu::Buffer(device, bytes + bytes / 2, vk::BufferUsageFlagBits::eTransferSrc,
-                                         gpu::MemoryUse::hostWrites, "binning changes");
-        }
-    }
-
-    /// @param first of the values in the buffer
-    template <typename T>
-    void add(std::size_t buffer, std::size_t first, std::span<const T> values) {
-        if (values.empty()) {
-            return;
-        }
-        const std::span<const std::byte> bytes = std::as_bytes(values);
-        std::copy(bytes.begin(), bytes.end(), static_cast<std::byte*>(m_copies.staging.mapped()) + m_end);
-        m_copies.regions[buffer].push_back(
-            {.srcOffset = m_end, .dstOffset = first * sizeof(T), .size = bytes.size()});
-        m_end += bytes.size();
-    }
-
-  private:
-    BinningPass::Copies& m_copies;
-    std::size_t m_end = 0;
+/// What stands beside the instances, as the device reads it.
+struct BinningPass::Tables {
+    std::vector<shaders::MaterialRecord> materials;
+    std::vector<shaders::CoarserLevel> levels;
+    std::vector<shaders::RunGroup> groups;
 };
 
-} // namespace
-
-void BinningPass::stageAll(Copies& copies) const {
-    std::vector<shaders::MaterialRecord> materials;
+BinningPass::Tables BinningPass::tables() const {
+    Tables made;
     for (std::size_t i = 0; i < m_drawn.uploaded.materials().size(); ++i) {
         const MaterialWords& words = m_drawn.uploaded.materials()[i];
         const bool occludes = visibility::canOcclude(m_drawn.scene.materials[i]);
-        materials.push_back({words.cutoffAndShine, words.baseColorRg, words.baseColorBa, occludes ? 1u : 0u});
+        made.materials.push_back(
+            {words.cutoffAndShine, words.baseColorRg, words.baseColorBa, occludes ? 1u : 0u});
     }
-    std::vector<shaders::CoarserLevel> levels;
     for (const LevelRange& level : m_drawn.uploaded.levels()) {
-        levels.push_back({level.firstIndex, level.indexCount, level.error});
+        made.levels.push_back({level.firstIndex, level.indexCount, level.error});
     }
-    std::vector<shaders::RunGroup> groups;
     for (const GeometryPass::RunGroup& group : m_groups) {
-        groups.push_back({static_cast<std::uint32_t>(group.begin), static_cast<std::uint32_t>(group.end)});
+        made.groups.push_back(
+            {static_cast<std::uint32_t>(group.begin), static_cast<std::uint32_t>(group.end)});
     }
-    const auto bytesOf = [](const auto& values) { return std::as_bytes(std::span(values)).size(); };
-    Stager stager(m_device,
-                  bytesOf(m_spheres) + bytesOf(m_looks) + bytesOf(materials) + bytesOf(m_runs) +
-                      bytesOf(groups) + bytesOf(levels),
-                  copies);
-    stager.add(0, 0, std::span(std::as_const(m_spheres)));
-    stager.add(1, 0, std::span(std::as_const(m_looks)));
-    stager.add(2, 0, std::span(std::as_const(materials)));
-    stager.add(3, 0, std::span(std::as_const(m_runs)));
-    stager.add(4, 0, std::span(std::as_const(groups)));
-    stager.add(5, 0, std::span(std::as_const(levels)));
-    copies.staging.flush();
+    return made;
 }
 
-void BinningPass::stageChanged(const std::vector<std::uint32_t>& changed, Copies& copies) const {
-    // What lies between two changes is copied along where that is less than another region.
-    constexpr std::uint32_t kMostBetween = 8;
-    std::vector<host::IndexRange> ranges;
-    std::size_t places = 0;
-    for (const std::uint32_t i : changed) {
-        if (ranges.empty() || i > ranges.back().end + kMostBetween) {
-            ranges.push_back({i, i});
-        }
-        ranges.back().end = i + 1;
+void BinningPass::stageAll(Copies& copies) const {
+    const Tables all = tables();
+    Stager stager;
+    stager.add(kSpheres, 0, m_spheres);
+    stager.add(kLooks, 0, m_looks);
+    stager.add(kMaterials, 0, all.materials);
+    stager.add(kRuns, 0, m_runs);
+    stager.add(kGroups, 0, all.groups);
+    stager.add(kLevels, 0, all.levels);
+    stager.write(m_device, copies.staging, copies.regions);
+}
+
+/// Whether anything changed.
+/// @param changed of the instances that were grouped before.
+/// @param hasTables whether materials or levels may be others.
+bool BinningPass::stageChanges(std::span<const std::uint32_t> changed, const Grouped& before, bool hasTables,
+                               Copies& copies) const {
+    Stager stager;
+    const std::vector<host::IndexRange> ranges = rangesOf(changed);
+    for (const host::IndexRange& range : ranges) {
+        stager.add(kSpheres, range.begin, std::span(m_spheres).subspan(range.begin, range.size()));
     }
     for (const host::IndexRange& range : ranges) {
-        places += range.size();
+        stager.add(kLooks, range.begin, std::span(m_looks).subspan(range.begin, range.size()));
     }
-    Stager stager(m_device, places * (sizeof(shaders::InstanceSphere) + sizeof(shaders::InstanceLook)),
-                  copies);
-    for (const host::IndexRange& range : ranges) {
-        stager.add(0, range.begin, std::span(m_spheres).subspan(range.begin, range.size()));
+    Tables all;
+    if (hasTables || before.instances < m_spheres.size()) {
+        all = tables();
+        stager.add(kSpheres, before.instances, std::span(m_spheres).subspan(before.instances));
+        stager.add(kLooks, before.instances, std::span(m_looks).subspan(before.instances));
+        stager.add(kRuns, before.runs, std::span(m_runs).subspan(before.runs));
+        const std::size_t group = before.groups > 0 ? before.groups - 1 : 0; // the last one may have grown
+        stager.add(kGroups, group, std::span(all.groups).subspan(group));
+        stager.add(kMaterials, 0, all.materials);
+        stager.add(kLevels, 0, all.levels);
     }
-    for (const host::IndexRange& range : ranges) {
-        stager.add(1, range.begin, std::span(m_looks).subspan(range.begin, range.size()));
+    if (stager.isEmpty()) {
+        copies.staging = {}; // a scene that stands still keeps no copy of itself
+        return false;
     }
-    copies.staging.flush();
+    stager.write(m_device, copies.staging, copies.regions);
+    return true;
 }
 
 void BinningPass::bindScene(vk::DescriptorSet set, const SceneBuffers& buffers) const {

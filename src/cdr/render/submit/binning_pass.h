@@ -66,12 +66,23 @@ class BinningPass {
     void noteRecorded() { m_isStaged = false; }
 
   private:
-    void groupInstances();
+    /// How much was grouped.
+    struct Grouped {
+        std::size_t instances = 0;
+        std::size_t runs = 0;
+        std::size_t groups = 0;
+    };
+    struct Tables;
+    void groupAll();
+    void groupMore();
+    void groupInstance(std::size_t i);
     void readInstance(std::size_t i);
     bool readChanged(std::vector<std::uint32_t>& changed);
-    void provideBuffers();
+    bool provideBuffers();
+    Tables tables() const;
     void stageAll(Copies& copies) const;
-    void stageChanged(const std::vector<std::uint32_t>& changed, Copies& copies) const;
+    bool stageChanges(std::span<const std::uint32_t> changed, const Grouped& before, bool hasTables,
+                      Copies& copies) const;
     gpu::Pipeline makePipeline(const gpu::Spirv& spirv, const char* name) const;
 
     const gpu::Device& m_device;
@@ -85,6 +96,8 @@ class BinningPass {
     std::vector<std::uint32_t> m_kinds; ///< by instance, as they were grouped
     std::uint64_t m_followed = 0;       ///< of the scene's instance changes
     std::uint64_t m_tables = 0;         ///< GpuScene::tablesRevision()
+    std::uint64_t m_meshes = 0;         ///< GpuScene::meshesRevision()
+    std::size_t m_mostCommands = 0;     ///< of a group
     bool m_isStaged = false;            ///< what the last follow() staged has not been recorded
     std::shared_ptr<const SceneBuffers> m_sceneBuffers;
     gpu::SetLayout m_setLayout;

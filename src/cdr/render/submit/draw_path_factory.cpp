@@ -51,7 +51,8 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
                                    .emission = kept.emission,
                                    .snapSteps = snapStepsOf(options),
                                    .subPixelBits = subPixelBitsOf(device, options),
-                                   .layers = options.layers};
+                                   .layers = options.layers,
+                                   .variants = variantsOf(options.prepareFor.materials)};
     if (options.occlusionCulling) {
         GeometryOptions depthAlone = geometry;
         depthAlone.output = GeometryOutput::depth;

@@ -18,13 +18,14 @@ using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, const gpu::SetLayout& list,
-                                        bool countsFragments) {
+                                        const BlendOptions& blend) {
     TranslucentPipelinesOptions options{.name = "translucent, sorted",
                                         .fragmentSpirv = kTranslucentSortedFrag,
                                         .detailedSpirv = kTranslucentSortedDetailedFrag,
                                         .sets = {surroundings, list},
-                                        .colorFormats = {}};
-    if (countsFragments) {
+                                        .colorFormats = {},
+                                        .variants = blend.variants};
+    if (blend.countsFragments) {
         options.fragmentSpirv = kTranslucentSortedCountedFrag;
         options.detailedSpirv = kTranslucentSortedCountedDetailedFrag;
         options.colorFormats.push_back(FragmentCounter::kFormat);
@@ -35,7 +36,7 @@ TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, cons
 } // namespace
 
 SortedBlend::SortedBlend(const gpu::Device& device, const GpuScene& scene, const gpu::SetLayout& surroundings,
-                         bool countsFragments)
+                         const BlendOptions& options)
     : m_device(device),
       m_resolve(device, {.name = "sorted resolve",
                          .fragmentSpirv = kTranslucentSortedResolveFrag,
@@ -44,7 +45,7 @@ SortedBlend::SortedBlend(const gpu::Device& device, const GpuScene& scene, const
                          .constants = {},
                          .pushBytes = sizeof(vk::Extent2D),
                          .blend = gpu::Blend::over}),
-      m_pipelines(device, scene, drawOptions(surroundings, listLayout(), countsFragments)) {}
+      m_pipelines(device, scene, drawOptions(surroundings, listLayout(), options)) {}
 
 void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& frame,
                          const FragmentList& list) const {

@@ -15,7 +15,7 @@ class SortedBlend {
   public:
     /// The device must have fragment stores. @param surroundings layout of TranslucentFrame::surroundings.
     SortedBlend(const gpu::Device& device, const GpuScene& scene, const gpu::SetLayout& surroundings,
-                bool countsFragments);
+                const BlendOptions& options);
 
     /// Of FragmentList::set().
     const gpu::SetLayout& listLayout() const { return m_resolve.setLayout(); }

@@ -26,7 +26,8 @@ std::optional<ListRefusal> refusalOf(const gpu::Device& device, vk::Extent2D ext
 
 TranslucentPass::TranslucentPass(const gpu::Device& device, const DrawnScene& scene,
                                  const gpu::Image& gbuffer, const gpu::Image& lit,
-                                 const TranslucencyOptions& options)
+                                 const TranslucencyOptions& options,
+                                 const std::vector<std::uint32_t>& variants)
     : m_device(device),
       m_scene(scene),
       m_gbuffer(gbuffer),
@@ -38,13 +39,13 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const DrawnScene& sc
           "translucent surroundings")),
       m_weighted(device, scene.uploaded, m_surroundingsLayout,
                  checkedExtent(device, m_lit.options().extent, options.countsFragments),
-                 options.countsFragments),
+                 {options.countsFragments, variants}),
       m_refusal(refusalOf(device, m_lit.options().extent, options)),
       m_counter(options.countsFragments ? std::make_unique<FragmentCounter>(device, m_lit.options().extent)
                                         : nullptr) {
     if (options.method == Translucency::sorted && !m_refusal) {
         m_sorted = std::make_unique<SortedBlend>(device, scene.uploaded, m_surroundingsLayout,
-                                                 options.countsFragments);
+                                                 BlendOptions{options.countsFragments, variants});
     }
 }
 

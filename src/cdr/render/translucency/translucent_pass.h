@@ -30,8 +30,10 @@ class TranslucentPass {
     /// device has too little memory for the pass' own images.
     /// @param gbuffer in shader read layout whenever record() is called.
     /// @param lit linear, of kLitFormat, a colour attachment whenever record() is called.
+    /// @param variants of materials that have pipelines from the start, beside those of the scene.
     TranslucentPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer,
-                    const gpu::Image& lit, const TranslucencyOptions& options);
+                    const gpu::Image& lit, const TranslucencyOptions& options,
+                    const std::vector<std::uint32_t>& variants);
 
     /// @param shading of the same frame slot, which must outlive this one.
     Slot makeSlot(const ShadingInputs& shading) const;

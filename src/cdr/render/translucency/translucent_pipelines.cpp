@@ -46,10 +46,9 @@ std::vector<vk::VertexInputAttributeDescription> attributes(bool isDetailed) {
 constexpr std::uint32_t kShinyKey = 2;
 static_assert((kTexturedVariant & kShinyKey) == 0 && kShinyKey < kDetailStep);
 
-/// What decides the pipeline of a kind: whether it is textured, whether anything shines, and the parts of its detail.
-std::uint32_t keyOf(const DrawKind& kind, const GpuScene& scene) {
-    return (kind.variant & kTexturedVariant) + (scene.isShiny() ? kShinyKey : 0u) +
-           kind.variant / kDetailStep * kDetailStep;
+/// What decides a pipeline: whether the kind is textured, whether anything shines, and the parts of the kind's detail.
+std::uint32_t keyOf(std::uint32_t variant, bool isShiny) {
+    return (variant & kTexturedVariant) + (isShiny ? kShinyKey : 0u) + variant / kDetailStep * kDetailStep;
 }
 
 } // namespace
@@ -66,6 +65,11 @@ TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const GpuS
     m_layout = gpu::makePipelineLayout(
         device, {sets, {{.stageFlags = kStages, .size = sizeof(shaders::TranslucentPush)}}},
         options.name + " layout");
+    for (const std::uint32_t variant : options.variants) {
+        for (const bool isShiny : {false, true}) { // a world may begin to shine
+            provide(keyOf(variant, isShiny));
+        }
+    }
     for (const std::uint32_t instance : scene.blended()) {
         pipeline(scene.kinds()[scene.sources()[instance].kind]);
     }
@@ -88,7 +92,10 @@ gpu::Pipeline TranslucentPipelines::make(std::uint32_t key) const {
 }
 
 vk::Pipeline TranslucentPipelines::pipeline(const DrawKind& kind) const {
-    const std::uint32_t key = keyOf(kind, m_scene);
+    return provide(keyOf(kind.variant, m_scene.isShiny()));
+}
+
+vk::Pipeline TranslucentPipelines::provide(std::uint32_t key) const {
     const auto found = m_pipelines.find(key);
     return found != m_pipelines.end() ? *found->second
                                       : *m_pipelines.try_emplace(key, make(key)).first->second;

@@ -12,6 +12,12 @@
 
 namespace cdr::render {
 
+/// How a method of translucency is made.
+struct BlendOptions {
+    bool countsFragments = false;
+    std::vector<std::uint32_t> variants; ///< TranslucentPipelinesOptions::variants
+};
+
 /// What one method of translucency draws with.
 struct TranslucentPipelinesOptions {
     std::string name;
@@ -19,6 +25,7 @@ struct TranslucentPipelinesOptions {
     gpu::Spirv detailedSpirv;             ///< the same for materials with detail
     std::vector<gpu::SetLayout> sets;     ///< from set 1 on; set 0 is the texture, the last one the detail
     std::vector<vk::Format> colorFormats; ///< all blended as gpu::Blend::accumulate
+    std::vector<std::uint32_t> variants;  ///< that have pipelines from the start, beside those of the scene
 };
 
 /// The pipelines that draw translucent surfaces: no depth buffer, blended.
@@ -28,7 +35,8 @@ class TranslucentPipelines {
                          const TranslucentPipelinesOptions& options);
 
     vk::PipelineLayout layout() const { return *m_layout; }
-    /// Those of the blended instances that the scene had at first are there; any other is made when first asked for.
+    /// Those of variants that were given, and of the blended instances that the scene had at first, are there; any other is
+    /// made when first asked for.
     vk::Pipeline pipeline(const DrawKind& kind) const;
     /// Which set DrawKind::detailSet is.
     std::uint32_t detailSet() const { return m_detailSet; }
@@ -37,6 +45,7 @@ class TranslucentPipelines {
 
   private:
     gpu::Pipeline make(std::uint32_t key) const;
+    vk::Pipeline provide(std::uint32_t key) const;
 
     const gpu::Device& m_device;
     const GpuScene& m_scene;

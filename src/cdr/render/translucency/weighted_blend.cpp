@@ -29,13 +29,14 @@ gpu::Image makeImage(const gpu::Device& device, vk::Extent2D extent, vk::Format 
             name};
 }
 
-TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, bool countsFragments) {
+TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, const BlendOptions& blend) {
     TranslucentPipelinesOptions options{.name = "translucent, weighted",
                                         .fragmentSpirv = kTranslucentWeightedFrag,
                                         .detailedSpirv = kTranslucentWeightedDetailedFrag,
                                         .sets = {surroundings},
-                                        .colorFormats = {kSumFormat, kWeightFormat}};
-    if (countsFragments) {
+                                        .colorFormats = {kSumFormat, kWeightFormat},
+                                        .variants = blend.variants};
+    if (blend.countsFragments) {
         options.fragmentSpirv = kTranslucentWeightedCountedFrag;
         options.detailedSpirv = kTranslucentWeightedCountedDetailedFrag;
         options.colorFormats.push_back(FragmentCounter::kFormat);
@@ -54,11 +55,12 @@ vk::RenderingAttachmentInfo cleared(const gpu::Image& image, float alpha) {
 } // namespace
 
 WeightedBlend::WeightedBlend(const gpu::Device& device, const GpuScene& scene,
-                             const gpu::SetLayout& surroundings, vk::Extent2D extent, bool countsFragments)
+                             const gpu::SetLayout& surroundings, vk::Extent2D extent,
+                             const BlendOptions& options)
     : m_device(device),
       m_sum(makeImage(device, extent, kSumFormat, "weighted sum")),
       m_weight(makeImage(device, extent, kWeightFormat, "weights")),
-      m_pipelines(device, scene, drawOptions(surroundings, countsFragments)),
+      m_pipelines(device, scene, drawOptions(surroundings, options)),
       m_resolve(device, {.name = "weighted resolve",
                          .fragmentSpirv = kTranslucentWeightedResolveFrag,
                          .bindings = {vk::DescriptorType::eCombinedImageSampler,

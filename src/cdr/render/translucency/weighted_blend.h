@@ -16,7 +16,7 @@ class WeightedBlend {
   public:
     /// @param surroundings layout of TranslucentFrame::surroundings.
     WeightedBlend(const gpu::Device& device, const GpuScene& scene, const gpu::SetLayout& surroundings,
-                  vk::Extent2D extent, bool countsFragments);
+                  vk::Extent2D extent, const BlendOptions& options);
 
     void record(vk::CommandBuffer primary, const TranslucentFrame& frame) const;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <set>
+#include <utility>
 
 namespace cdr::render {
 
@@ -125,7 +126,8 @@ void SceneMeshes::upload(const scene::Scene& scene, const Counts& room) {
     uploadDetails(scene);
 }
 
-void SceneMeshes::follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed) {
+void SceneMeshes::follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed,
+                         gpu::Retired& retired) {
     if (changed && append(scene, {changed->begin(), changed->end()})) {
         return;
     }
@@ -133,6 +135,9 @@ void SceneMeshes::follow(const scene::Scene& scene, std::optional<std::span<cons
     gpu::requireDeviceBytes(m_device, bytes, "the meshes of scene " + scene.name);
     const std::size_t times = 2 * bytes <= gpu::freeDeviceBytes(m_device) ? 2 : 1;
     const Counts needed = countsOf(scene);
+    for (gpu::Buffer* buffer : {&m_vertices, &m_indices, &m_details}) {
+        retired.add(std::exchange(*buffer, {}));
+    }
     upload(scene, {.vertices = times * needed.vertices, .indices = times * needed.indices});
 }
 
@@ -177,8 +182,9 @@ void SceneMeshes::uploadDetails(const scene::Scene& scene) {
                                   vk::BufferUsageFlagBits::eVertexBuffer, "scene vertex details");
 }
 
-void SceneMeshes::followDetails(const scene::Scene& scene) {
+void SceneMeshes::followDetails(const scene::Scene& scene, gpu::Retired& retired) {
     if ((m_details.size() != 0) != hasDetail(scene)) {
+        retired.add(std::exchange(m_details, {}));
         uploadDetails(scene);
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/memory.h>
+#include <cdr/gpu/retired.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/scene/scene.h>
 
@@ -21,12 +22,13 @@ class SceneMeshes {
     /// Uploads all, and waits.
     void upload(const scene::Scene& scene) { upload(scene, countsOf(scene)); }
 
-    /// Follows meshes that came, went or are others now, and waits. Nothing that was submitted may still read meshes.
-    /// Takes time by the size of those that changed: they go behind those that are there. Where they find no room, all
+    /// Follows meshes that came, went or are others now, and waits for what it uploads. Takes time by the size of those that
+    /// changed: they go behind those that are there, where nothing that was submitted reads. Where they find no room, all
     /// are uploaded again into twice the room that they need.
     /// @param changed places, repeats allowed; nothing where all may have changed.
     /// base::RunError, with both figures, when the device's memory does not suffice.
-    void follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed);
+    void follow(const scene::Scene& scene, std::optional<std::span<const std::uint32_t>> changed,
+                gpu::Retired& retired);
 
     /// Follows meshes that have other vertices, as many as before, and waits. Nothing that was submitted may still read
     /// the vertices. Whether a mesh became faceted or ceased to be, which takes another pipeline.
@@ -34,7 +36,7 @@ class SceneMeshes {
     bool followVertices(const scene::Scene& scene, std::span<const std::uint32_t> changed);
 
     /// Uploads what vertices have beside themselves, or drops it, where materials now need it or do so no more; then waits.
-    void followDetails(const scene::Scene& scene);
+    void followDetails(const scene::Scene& scene, gpu::Retired& retired);
 
     const gpu::Buffer& vertices() const { return m_vertices; }
     /// PackedDetails, one per vertex; empty where no material has detail.

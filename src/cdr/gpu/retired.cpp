@@ -1,0 +1,38 @@
+#include <cdr/gpu/commands.h>
+#include <cdr/gpu/retired.h>
+
+#include <algorithm>
+
+namespace cdr::gpu {
+
+Retired::~Retired() {
+    try {
+        for (const Batch& batch : m_batches) {
+            waitAndReset(m_device, *batch.done);
+        }
+        if (!m_open.empty()) {
+            waitForQueue(m_device);
+        }
+    } catch (...) {
+        // A lost device runs nothing any more; it is reported where somebody waits for a frame.
+    }
+}
+
+void Retired::free() {
+    const auto running = std::find_if(m_batches.begin(), m_batches.end(), [&](const Batch& batch) {
+        return vk::Device(m_device.handle()).getFenceStatus(*batch.done) != vk::Result::eSuccess;
+    });
+    m_batches.erase(m_batches.begin(), running);
+}
+
+void Retired::close() {
+    if (m_open.empty()) {
+        return;
+    }
+    Batch batch{.done = vk::Device(m_device.handle()).createFenceUnique({}), .objects = {}};
+    submit(m_device, {}, *batch.done); // signalled after all that was submitted before it
+    batch.objects.swap(m_open);
+    m_batches.push_back(std::move(batch));
+}
+
+} // namespace cdr::gpu

@@ -1,0 +1,90 @@
+#include "../fixture.h"
+
+#include <cdr/render/draw_source.h>
+#include <cdr/render/submit/binning_pass.h>
+
+namespace cdr::render_test {
+
+namespace {
+
+using BinningChangesTest = RenderTest;
+
+/// What gpu-driven draws copy to the device after an edit.
+class Follower {
+  public:
+    Follower(const gpu::Device& device, const scene::World& world)
+        : m_onDevice(device, world),
+          m_binning(device, {.scene = world.scene(), .uploaded = m_onDevice}, visibility::DetailMode::none,
+                    {}) {}
+
+    std::size_t bytes() {
+        m_onDevice.update();
+        m_binning.follow(m_copies);
+        m_binning.noteRecorded();
+        std::size_t bytes = 0;
+        for (const std::vector<vk::BufferCopy>& regions : m_copies.regions) {
+            for (const vk::BufferCopy& region : regions) {
+                bytes += region.size;
+            }
+        }
+        return bytes;
+    }
+
+  private:
+    render::GpuScene m_onDevice;
+    render::BinningPass m_binning;
+    render::BinningPass::Copies m_copies;
+};
+
+/// The time that an edit takes is by what it changes, not by what there is.
+TEST_F(BinningChangesTest, EditsCopyWhatTheyChange) {
+    if (!canDrawGpuDriven()) {
+        GTEST_SKIP() << "the device does not draw gpu-driven";
+    }
+    constexpr std::uint32_t kBoxes = 10'000;
+    constexpr std::size_t kFew = 1000; // bytes
+    scene::Scene scene = boxScene();
+    for (std::uint32_t i = 0; i < kBoxes; ++i) {
+        addBox(scene, {0.0, 0.0, -5.0 - i});
+    }
+    scene::World world(scene);
+    Follower follower(device(), world);
+    const std::size_t all = follower.bytes();
+    EXPECT_GT(all, kBoxes * sizeof(shaders::InstanceSphere));
+    EXPECT_EQ(follower.bytes(), 0u);
+
+    world.setTransform(world.instance(7), {.position = {0.0, 1.0, -5.0}});
+    const std::size_t moved = follower.bytes();
+    EXPECT_GE(moved, sizeof(shaders::InstanceSphere) + sizeof(shaders::InstanceLook));
+    EXPECT_LE(moved, kFew);
+
+    world.setMaterial(world.material(0), {.name = "red", .baseColorFactor = {1.0f, 0.0f, 0.0f, 1.0f}});
+    const std::size_t painted = follower.bytes();
+    EXPECT_GE(painted, sizeof(shaders::MaterialRecord));
+    EXPECT_LE(painted, kFew);
+
+    const auto add = [&](scene::MeshHandle mesh) {
+        return world.addInstance({.mesh = mesh, .material = world.material(0), .object = 1});
+    };
+    add(world.mesh(0));
+    EXPECT_GE(follower.bytes(), all); // into larger buffers
+    for (int i = 0; i < 3; ++i) {
+        const scene::InstanceHandle added = add(world.mesh(0));
+        EXPECT_LE(follower.bytes(), kFew) << "of a kind that is there";
+        world.removeInstance(added);
+        EXPECT_LE(follower.bytes(), kFew) << "gone";
+        add(world.mesh(0));
+        EXPECT_LE(follower.bytes(), kFew) << "in its place";
+    }
+    add(world.addMesh(scene::makeBox(glm::vec3(0.1f))));
+    EXPECT_LE(follower.bytes(), 2 * kFew) << "of another mesh";
+
+    // An instance that becomes of another kind parts the run that it is in.
+    world.setMaterial(world.instance(50), world.addMaterial({.name = "both sides", .doubleSided = true}));
+    EXPECT_GE(follower.bytes(), all);
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+} // namespace
+
+} // namespace cdr::render_test

@@ -1,0 +1,100 @@
+#include "../../support/timeline.h"
+#include "../fixture.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace cdr::render_test {
+
+namespace {
+
+using InFlightTest = RenderTest;
+
+/// Signals late, so that a test which waits where it should not fails instead of hanging.
+class Rescue {
+  public:
+    explicit Rescue(const test::Timeline& timeline)
+        : m_thread([this, &timeline] {
+              std::unique_lock lock(m_mutex);
+              if (!m_ended.wait_for(lock, std::chrono::seconds(20), [this] { return m_isOver; })) {
+                  m_came = true;
+                  timeline.signal();
+              }
+          }) {}
+    ~Rescue() {
+        end();
+        m_thread.join();
+    }
+    Rescue(const Rescue&) = delete;
+    Rescue& operator=(const Rescue&) = delete;
+
+    /// Whether it was needed; it will not be from now on.
+    bool end() {
+        const std::lock_guard lock(m_mutex);
+        m_isOver = true;
+        m_ended.notify_all();
+        return m_came;
+    }
+
+  private:
+    std::mutex m_mutex;
+    std::condition_variable m_ended;
+    bool m_isOver = false;
+    bool m_came = false;
+    std::thread m_thread;
+};
+
+/// Two plain boxes, and one that glows by a texture.
+scene::Scene glowingScene() {
+    scene::Scene scene = boxScene();
+    scene.textures.push_back({.name = "lamp", .pixels = image::ImageRgba8(2, 2, {255, 128, 0, 255})});
+    scene.materials.push_back({.name = "lamp",
+                               .detail = {.emissive = scene::TextureUse{.texture = 0, .second = false},
+                                          .emission = glm::vec3(0.5f)}});
+    scene.materials.push_back({.name = "red", .baseColorFactor = {1.0f, 0.0f, 0.0f, 1.0f}});
+    scene.meshes.push_back(scene::makeBox(glm::vec3(0.2f)));
+    scene::addInstance(scene, 0, 0, 0, {-1.5, 0.0, -5.0}, glm::mat3(1.0f));
+    scene::addInstance(scene, 0, 1, 1, {0.0, 0.0, -5.0}, glm::mat3(1.0f));
+    scene::addInstance(scene, 1, 2, 2, {1.5, 0.0, -5.0}, glm::mat3(1.0f));
+    return scene;
+}
+
+/// What changes or goes is kept until the frames that read it are done, and nobody waits for these.
+TEST_F(InFlightTest, ChangesAndRemovalsDoNotWaitForFramesInFlight) {
+    for (const render::Submission submission : submissions()) {
+        scene::World world(glowingScene());
+        render::GpuScene onDevice(device(), world);
+        render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+        options.submission = submission;
+        options.framesInFlight = 3;
+        render::Renderer renderer(device(), onDevice, options);
+        const std::string before = hashOf(renderer.render({}));
+
+        const test::Timeline ready(device());
+        const VkSemaphoreSubmitInfo wait = ready.info();
+        Rescue rescue(ready);
+        renderer.submit({}, {.waits = {&wait, 1}, .signals = {}});
+        world.setMaterial(world.material(0), {.name = "blue", .baseColorFactor = {0.0f, 0.0f, 1.0f, 1.0f}});
+        scene::Material lamp = world.scene().materials[1];
+        lamp.detail.emission = glm::vec3(0.1f);
+        world.setMaterial(world.material(1), lamp);
+        world.removeInstance(world.instance(2));
+        world.removeMaterial(world.material(2));
+        world.removeMesh(world.mesh(1));
+        renderer.submit({});
+        EXPECT_FALSE(rescue.end()) << nameOf(submission);
+
+        ready.signal();
+        const std::string after = hashOf(renderer.render({}));
+        EXPECT_NE(after, before);
+        EXPECT_EQ(after, hashOf(draw(world.scene(), {}, options))) << nameOf(submission);
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
+} // namespace
+
+} // namespace cdr::render_test
