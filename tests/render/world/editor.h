@@ -105,6 +105,44 @@ class Editor {
         edit(kFirstOfKind[below(kFirstOfKind.size())], Scope::all);
     }
 
+    /// Kinds of edits that change meshes, materials or textures.
+    static constexpr std::size_t kTableKinds = 7;
+    static constexpr std::size_t kFirstRemoval =
+        4; ///< of these: meshes and materials go with their instances
+    /// @param kind below kTableKinds
+    void editTables(std::size_t kind) {
+        switch (kind) {
+        case 0:
+            addMesh();
+            break;
+        case 1:
+            addMaterial(true);
+            break;
+        case 2: {
+            Expected::Look& look = pick(m_expected.materials)->second;
+            look.material = randomMaterial(true);
+            m_world.setMaterial(look.handle, named(look.material));
+            break;
+        }
+        case 3:
+            addTexture();
+            break;
+        case 4:
+            removeUnused(
+                m_expected.meshes, [&](std::size_t key) { m_world.removeMesh(m_expected.meshes[key].first); },
+                [](const Expected::Object& object) { return object.mesh; });
+            break;
+        case 5:
+            removeUnused(
+                m_expected.materials,
+                [&](std::size_t key) { m_world.removeMaterial(m_expected.materials[key].handle); },
+                [](const Expected::Object& object) { return object.material; });
+            break;
+        default:
+            removeTexture();
+        }
+    }
+
     const Expected& expected() const { return m_expected; }
 
   private:
@@ -122,7 +160,7 @@ class Editor {
         } else if (kind < 985) {
             editLights();
         } else {
-            editTables();
+            editTables(below(kTableKinds));
         }
     }
 
@@ -134,7 +172,7 @@ class Editor {
     }
 
     template <typename Map>
-    auto pick(Map& map) {
+    typename Map::iterator pick(Map& map) {
         return std::next(map.begin(), static_cast<std::ptrdiff_t>(below(map.size())));
     }
 
@@ -310,47 +348,17 @@ class Editor {
         m_expected.materials[m_expected.nextKey++] = {m_world.addMaterial(named(made)), made};
     }
 
-    void editTables() {
-        switch (below(7)) {
-        case 0:
-            addMesh();
-            break;
-        case 1:
-            addMaterial(true);
-            break;
-        case 2: {
-            Expected::Look& look = pick(m_expected.materials)->second;
-            look.material = randomMaterial(true);
-            m_world.setMaterial(look.handle, named(look.material));
-            break;
+    void addTexture() {
+        image::ImageRgba8 pixels(4, 4, {255, 255, 255, 255});
+        for (image::Rgba8& pixel : pixels.pixels) {
+            pixel[0] = static_cast<std::uint8_t>(below(256));
+            pixel[3] = static_cast<std::uint8_t>(128 + below(128));
         }
-        case 3: {
-            image::ImageRgba8 pixels(4, 4, {255, 255, 255, 255});
-            for (image::Rgba8& pixel : pixels.pixels) {
-                pixel[0] = static_cast<std::uint8_t>(below(256));
-                pixel[3] = static_cast<std::uint8_t>(128 + below(128));
-            }
-            const scene::Texture texture{.name = "made",
-                                         .pixels = pixels,
-                                         .repeatU = below(2) == 0,
-                                         .content = static_cast<scene::TextureContent>(below(2))};
-            m_expected.textures[m_expected.nextKey++] = {m_world.addTexture(texture), texture};
-            break;
-        }
-        case 4:
-            removeUnused(
-                m_expected.meshes, [&](std::size_t key) { m_world.removeMesh(m_expected.meshes[key].first); },
-                [](const Expected::Object& object) { return object.mesh; });
-            break;
-        case 5:
-            removeUnused(
-                m_expected.materials,
-                [&](std::size_t key) { m_world.removeMaterial(m_expected.materials[key].handle); },
-                [](const Expected::Object& object) { return object.material; });
-            break;
-        default:
-            removeTexture();
-        }
+        const scene::Texture texture{.name = "made",
+                                     .pixels = pixels,
+                                     .repeatU = below(2) == 0,
+                                     .content = static_cast<scene::TextureContent>(below(2))};
+        m_expected.textures[m_expected.nextKey++] = {m_world.addTexture(texture), texture};
     }
 
     /// Removes one mesh or material with all instances of it.
