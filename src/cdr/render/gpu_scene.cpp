@@ -113,7 +113,7 @@ GpuScene::State::State(const gpu::Device& device, const scene::Scene& scene)
     gpu::requireDeviceBytes(device, predictBytes(scene), "scene " + scene.name);
     m_meshes.upload(scene);
     m_textures.follow(scene, {}, m_retired);
-    m_textures.followMaterials(scene, {}, {}, m_retired);
+    m_textures.followMaterials(scene, {}, m_retired);
     readMaterials();
     readAllInstances();
 }
@@ -256,9 +256,8 @@ void GpuScene::State::replaceTables() {
         m_meshes.follow(*m_scene, changes.meshes.since(m_followed.meshes), m_retired);
     }
     followVertices();
-    const auto textures = changes.textures.since(m_followed.textures);
-    m_textures.follow(*m_scene, textures, m_retired);
-    m_textures.followMaterials(*m_scene, changes.materials.since(m_followed.materials), textures, m_retired);
+    m_textures.follow(*m_scene, changes.textures.since(m_followed.textures), m_retired);
+    m_textures.followMaterials(*m_scene, changes.materials.since(m_followed.materials), m_retired);
     m_meshes.followDetails(*m_scene, m_retired);
     m_retired.close();
 }

@@ -85,6 +85,49 @@ TEST_F(BinningChangesTest, EditsCopyWhatTheyChange) {
     EXPECT_EQ(messageCount(), 0u);
 }
 
+/// What comes behind the others, of each kind in turn, and what changes in a material while its kind of draws stays.
+TEST_F(BinningChangesTest, WhatIsAddedOrPaintedIsDrawn) {
+    if (!canDrawGpuDriven()) {
+        GTEST_SKIP() << "the device does not draw gpu-driven";
+    }
+    scene::Scene scene = boxScene();
+    scene.meshes.push_back(scene::makeBox(glm::vec3(0.3f)));
+    scene.meshes[1].boxHalfSides.reset();
+    scene.meshes[1].levels.push_back(
+        {.indices = {scene.meshes[1].indices.begin(), scene.meshes[1].indices.begin() + 18}, .error = 0.2f});
+    scene.materials.push_back({.name = "both sides", .doubleSided = true});
+    addBox(scene, {0.0, 0.0, -5.0});
+    scene::World world(scene);
+    render::GpuScene onDevice(device(), world);
+    render::RenderOptions options = smallOptions(depth::parseTechnique("cdr"));
+    options.submission = render::Submission::gpuDriven;
+    options.detail = {.mode = visibility::DetailMode::perObject, .pixels = 2.0};
+    options.framesInFlight = 2;
+    render::Renderer renderer(device(), onDevice, options);
+    const auto expectShown = [&](const char* what, std::uint32_t step) {
+        renderer.submit({});
+        renderer.forgetFrames();
+        EXPECT_EQ(hashOf(renderer.render({})), hashOf(draw(world.scene(), {}, options)))
+            << what << " " << step;
+    };
+    for (std::uint32_t i = 1; i < 24; ++i) {
+        world.addInstance({.mesh = world.mesh(i % 4 == 0 ? 1 : 0),
+                           .material = world.material(i / 2 % 2),
+                           .object = i,
+                           .transform = {.position = {0.5 * (i % 6) - 1.2, 0.6 * (i / 6) - 1.0, -6.0 - i}}});
+        expectShown("added", i);
+    }
+    scene::Material material = scene.materials[1];
+    for (std::uint32_t step = 0; step < 4; ++step) {
+        material.baseColorFactor = glm::vec4(0.1f + 0.2f * static_cast<float>(step), 0.5f, 0.5f, 0.5f);
+        material.unlit = step == 1;
+        material.alphaMode = step == 2 ? scene::AlphaMode::blend : scene::AlphaMode::opaque;
+        world.setMaterial(world.material(1), material);
+        expectShown("painted", step);
+    }
+    EXPECT_EQ(messageCount(), 0u);
+}
+
 } // namespace
 
 } // namespace cdr::render_test

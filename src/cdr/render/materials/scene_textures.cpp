@@ -146,20 +146,16 @@ void SceneTextures::follow(const scene::Scene& scene, const Changed& changed, gp
     }
 }
 
-void SceneTextures::followMaterials(const scene::Scene& scene, const Changed& materials,
-                                    const Changed& textures, gpu::Retired& retired) {
-    const std::vector<bool> isOther = flagsOf(materials, scene.materials.size());
-    const std::vector<bool> hasOtherPixels = flagsOf(textures, scene.textures.size());
+void SceneTextures::followMaterials(const scene::Scene& scene, const Changed& changed,
+                                    gpu::Retired& retired) {
+    const std::vector<bool> isOther = flagsOf(changed, scene.materials.size());
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        const scene::Material& material = scene.materials[i];
-        bool isStale = isOther[i];
-        scene::forEachTexture(material,
-                              [&](std::uint32_t texture) { isStale = isStale || hasOtherPixels[texture]; });
         if (i >= m_details.size()) {
             m_details.emplace_back();
-        } else if (!isStale) {
+        } else if (!isOther[i]) {
             continue;
         }
+        const scene::Material& material = scene.materials[i];
         Detail made = scene::hasDetail(material) ? makeDetail(material) : Detail{};
         if (Detail before = std::exchange(m_details[i], std::move(made)); before.set) {
             retired.add(std::move(before));

@@ -23,9 +23,9 @@ class SceneTextures {
 
     /// Uploads what came, and what of those that were there changed.
     void follow(const scene::Scene& scene, const Changed& changed, gpu::Retired& retired);
-    /// Makes the sets of materials with detail, of those that came or changed or have a texture that did. Textures are there.
-    void followMaterials(const scene::Scene& scene, const Changed& materials, const Changed& textures,
-                         gpu::Retired& retired);
+    /// Makes the sets of materials with detail, of those that came or changed, of textures that are there. A texture that
+    /// a material has stays as it is, so no other material has to be looked at.
+    void followMaterials(const scene::Scene& scene, const Changed& changed, gpu::Retired& retired);
 
     /// Of baseColorSet().
     const gpu::SetLayout& baseColorLayout() const { return m_baseColorLayout; }
