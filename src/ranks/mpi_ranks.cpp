@@ -3,6 +3,7 @@
 #include <climits>
 #include <fmt/format.h>
 #include <mpi.h>
+#include <ranks/mpi_counters.h>
 #include <ranks/mpi_machine.h>
 #include <ranks/mpi_ranks.h>
 #include <ranks/rank_watch.h>
@@ -25,6 +26,8 @@ namespace {
 
 /// Added to the counter of units, so that no more are claimed: more than there are units, and far from overflowing.
 constexpr std::uint64_t kStop = std::uint64_t{1} << 40u;
+/// Units that a rank may be ahead of what the first rank has taken, times the number of ranks.
+constexpr std::uint64_t kAheadOfEach = 8;
 /// Between two looks at whether something has arrived. MPI's own waits keep a processor busy, which another rank may need.
 constexpr auto kPause = std::chrono::milliseconds(1);
 
@@ -57,35 +60,6 @@ class Session {
     ~Session() { MPI_Finalize(); }
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
-};
-
-/// A number on the first rank that all ranks read and change, without the first rank's doing.
-class Counter {
-  public:
-    Counter() {
-        MPI_Win_allocate(sizeof(std::uint64_t), 1, MPI_INFO_NULL, MPI_COMM_WORLD, &m_memory, &m_window);
-        MPI_Win_lock_all(0, m_window);
-    }
-    ~Counter() {
-        MPI_Win_unlock_all(m_window);
-        MPI_Win_free(&m_window);
-    }
-    Counter(const Counter&) = delete;
-    Counter& operator=(const Counter&) = delete;
-
-    std::uint64_t add(std::uint64_t amount) { return change(amount, MPI_SUM); }
-    void set(std::uint64_t value) { change(value, MPI_REPLACE); }
-
-  private:
-    std::uint64_t change(std::uint64_t value, MPI_Op how) {
-        std::uint64_t before = 0;
-        MPI_Fetch_and_op(&value, &before, MPI_UINT64_T, 0, 0, how, m_window);
-        MPI_Win_flush(0, m_window);
-        return before;
-    }
-
-    void* m_memory = nullptr;
-    MPI_Win m_window = MPI_WIN_NULL;
 };
 
 class MpiRanks final : public Ranks {
@@ -127,7 +101,8 @@ class MpiRanks final : public Ranks {
 
     void forEachUnit(std::size_t count, const Make& make, const Take& take) override {
         if (isFirst()) {
-            m_counter.set(0);
+            m_counters.set(MpiCounters::next, 0);
+            m_counters.set(MpiCounters::taken, 0);
         }
         meet({});
         Word verdict;
@@ -304,19 +279,37 @@ class MpiRanks final : public Ranks {
 
     std::uint64_t claim() {
         const std::lock_guard lock(m_mpi);
-        return m_counter.add(1);
+        return m_counters.add(MpiCounters::next, 1);
     }
 
     void stop() {
         const std::lock_guard lock(m_mpi);
-        m_counter.add(kStop);
+        m_counters.add(MpiCounters::next, kStop);
+    }
+
+    /// Waits until a unit is near to those that the first rank has taken, which holds what comes early.
+    /// @param idle called meanwhile. @return false where no more units are to be made.
+    template <typename Action>
+    bool waitUntilNear(std::uint64_t unit, const Action& idle) {
+        for (;; std::this_thread::sleep_for(kPause)) {
+            {
+                const std::lock_guard lock(m_mpi);
+                if (m_counters.get(MpiCounters::next) >= kStop) {
+                    return false;
+                }
+                if (unit < m_counters.get(MpiCounters::taken) + kAheadOfEach * place().count) {
+                    return true;
+                }
+            }
+            idle();
+        }
     }
 
     /// Makes units and sends them to the first rank; last how that went.
     void follow(std::size_t count, const Make& make) {
         Word word;
         try {
-            for (std::uint64_t unit = claim(); unit < count; unit = claim()) {
+            for (std::uint64_t unit = claim(); unit < count && waitUntilNear(unit, [] {}); unit = claim()) {
                 host::Bytes made = make(unit);
                 const auto* number = reinterpret_cast<const std::uint8_t*>(&unit);
                 made.insert(made.end(), number, number + sizeof unit);
@@ -335,17 +328,26 @@ class MpiRanks final : public Ranks {
         Inbox inbox;
         std::jthread receiver([&] { receiveAll(inbox); });
         UnitOrder order;
+        const auto handOn = [&] {
+            order.handOn(take);
+            const std::lock_guard lock(m_mpi);
+            m_counters.set(MpiCounters::taken, order.done());
+        };
+        const auto handOnWhatCame = [&] {
+            sort(inbox, order);
+            handOn();
+        };
         try {
-            for (std::uint64_t unit = claim(); unit < count; unit = claim()) {
+            for (std::uint64_t unit = claim(); unit < count && waitUntilNear(unit, handOnWhatCame);
+                 unit = claim()) {
                 order.put(unit, make(unit));
-                sort(inbox, order);
-                order.handOn(take);
+                handOnWhatCame();
             }
             while (!sort(inbox, order)) {
-                order.handOn(take);
+                handOn();
                 std::this_thread::sleep_for(kPause);
             }
-            order.handOn(take);
+            handOn();
         } catch (...) {
             stop();
             m_own = std::current_exception();
@@ -407,7 +409,7 @@ class MpiRanks final : public Ranks {
     Say m_say;
     std::optional<MpiMachine> m_machine;
     std::optional<RankWatch> m_watch;
-    Counter m_counter;
+    MpiCounters m_counters;
     std::mutex m_mpi;         ///< of the first rank, whose receiver calls MPI too
     std::exception_ptr m_own; ///< what ended the first rank's units
     bool m_isOver = false;    ///< whether all ranks know that one has failed

@@ -1,13 +1,54 @@
 #include <ranks/process_end.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <ctime>
 
 namespace cdr::ranks {
 
 namespace {
+
+struct Crash {
+    int signal;
+    const char* name;
+};
+constexpr std::array kCrashes{Crash{SIGSEGV, "segmentation fault"}, Crash{SIGBUS, "bus error"},
+                              Crash{SIGFPE, "arithmetic error"}, Crash{SIGILL, "illegal instruction"},
+                              Crash{SIGABRT, "aborted"}};
+
+// A handler may use nothing else. It needs a stack of its own where the other one has overflowed.
+std::atomic<LifeLock*> crashesAreNotedIn{nullptr};
+std::array<struct sigaction, kCrashes.size()> actionsBefore{};
+alignas(16) std::array<std::byte, 64 * 1024> stackOfHandler{};
+
+void restoreActions() {
+    for (std::size_t i = 0; i < kCrashes.size(); ++i) {
+        ::sigaction(kCrashes[i].signal, &actionsBefore[i], nullptr);
+    }
+}
+
+extern "C" void noteTheCrash(int signal) {
+    if (LifeLock* lock = crashesAreNotedIn.exchange(nullptr)) {
+        lock->noteCrash(signal);
+    }
+    restoreActions();
+    ::raise(signal); // which is taken when this one returns
+}
+
+void giveHandlerItsStack() {
+    stack_t stack{};
+    ::sigaltstack(nullptr, &stack);
+    if ((stack.ss_flags & SS_DISABLE) != 0) {
+        stack = {};
+        stack.ss_sp = stackOfHandler.data();
+        stack.ss_size = stackOfHandler.size();
+        ::sigaltstack(&stack, nullptr);
+    }
+}
 
 sigset_t setOf(const std::vector<int>& signals) {
     sigset_t set;
@@ -41,6 +82,28 @@ bool LifeLock::waitForEnd() {
     const bool hasEnded = ::pthread_mutex_lock(&m_mutex) == EOWNERDEAD;
     ::pthread_mutex_unlock(&m_mutex);
     return hasEnded;
+}
+
+NotedCrashes::NotedCrashes(LifeLock& lock) {
+    crashesAreNotedIn = &lock;
+    giveHandlerItsStack();
+    struct sigaction action {};
+    action.sa_handler = noteTheCrash;
+    action.sa_flags = SA_ONSTACK;
+    for (std::size_t i = 0; i < kCrashes.size(); ++i) {
+        ::sigaction(kCrashes[i].signal, &action, &actionsBefore[i]);
+    }
+}
+
+NotedCrashes::~NotedCrashes() {
+    restoreActions();
+    crashesAreNotedIn = nullptr;
+}
+
+const char* nameOfCrash(int signal) {
+    const auto* crash = std::find_if(kCrashes.begin(), kCrashes.end(),
+                                     [&](const Crash& each) { return each.signal == signal; });
+    return crash != kCrashes.end() ? crash->name : "signal";
 }
 
 HeldSignals::HeldSignals() {

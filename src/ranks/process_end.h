@@ -2,6 +2,7 @@
 
 #include <pthread.h>
 
+#include <atomic>
 #include <chrono>
 #include <thread>
 #include <vector>
@@ -24,9 +25,29 @@ class LifeLock {
     /// @return whether the holder ended without letting go.
     bool waitForEnd();
 
+    /// By the process that the lock tells of, from a signal's handler: the signal by which it crashes.
+    void noteCrash(int signal) noexcept { m_crash = signal; }
+    /// Of a process that has ended: that signal; 0 where it was killed.
+    int crash() const { return m_crash; }
+
   private:
     pthread_mutex_t m_mutex{};
+    std::atomic<int> m_crash{0};
+    static_assert(std::atomic<int>::is_always_lock_free);
 };
+
+/// Until the object goes, notes in a lock by which signal this process crashes; what the process did about the signal before
+/// comes next. One object at a time, made by the main thread, whose stack may have overflowed.
+class NotedCrashes {
+  public:
+    explicit NotedCrashes(LifeLock& lock);
+    ~NotedCrashes();
+    NotedCrashes(const NotedCrashes&) = delete;
+    NotedCrashes& operator=(const NotedCrashes&) = delete;
+};
+
+/// "segmentation fault" and the like, of those that NotedCrashes notes.
+const char* nameOfCrash(int signal);
 
 /// Keeps signals that ask a process to end (SIGHUP, SIGINT, SIGTERM) from the calling thread, and from all that it starts from
 /// then on, until the object goes. One that the process ignores stays ignored.

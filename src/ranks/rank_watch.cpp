@@ -22,6 +22,7 @@ RankWatch::RankWatch(const std::vector<std::string>& names, std::size_t own, Sha
       m_nextName(names[(own + 1) % names.size()]),
       m_shared(shared),
       m_own(locks[own]),
+      m_crashes(m_own),
       m_next(locks[(own + 1) % names.size()]),
       m_signals(signals),
       m_say(say) {
@@ -44,7 +45,8 @@ void RankWatch::append(const std::string& text) {
 
 void RankWatch::watchNext() {
     if (m_next.waitForEnd()) {
-        sayOnce(m_nextName + " was killed or crashed");
+        const int crash = m_next.crash();
+        sayOnce(m_nextName + (crash == 0 ? " was killed" : fmt::format(" crashed ({})", nameOfCrash(crash))));
     }
 }
 

@@ -20,7 +20,7 @@ struct SharedLife {
     static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 };
 
-/// Says when a rank of this machine is killed, or when a signal ends this one, since launchers do not agree on what they say.
+/// Says when a rank of this machine is killed or crashes, or when a signal ends this one, since launchers do not agree on what they say.
 /// Each rank watches the next one, and the last one the first. Of the ranks of a machine only one says how the run ends. A
 /// rank that goes on for seconds after that ends too.
 class RankWatch {
@@ -47,6 +47,7 @@ class RankWatch {
     std::string m_nextName;
     SharedLife& m_shared;
     LifeLock& m_own;
+    NotedCrashes m_crashes;
     LifeLock& m_next;
     const HeldSignals& m_signals;
     const Say& m_say;

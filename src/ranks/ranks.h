@@ -77,6 +77,13 @@ class Ranks {
     /// makes units too, and takes all results, in the order of the units.
     virtual void forEachUnit(std::size_t count, const Make& make, const Take& take) = 0;
 
+    /// The same, but the first rank makes all of them, while the others go on.
+    virtual void forEachUnitOnFirst(std::size_t count, const Make& make, const Take& take) {
+        for (std::size_t unit = 0; isFirst() && unit < count; ++unit) {
+            take(unit, make(unit));
+        }
+    }
+
     /// The bytes of the first rank, on every rank.
     virtual host::Bytes share(host::Bytes ofFirst) = 0;
 

@@ -2,12 +2,15 @@
 
 #include <cdr/base/error.h>
 
+#include <fcntl.h>
 #include <ranks/join.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -33,6 +36,7 @@ struct Trouble {
     std::string kind = "none";
     std::size_t rank = 0;
     std::size_t unit = 0;
+    std::string file{}; ///< to which each rank adds a byte for each unit that it begins
 };
 
 /// Of all sizes, up to far more than one message holds at once.
@@ -40,7 +44,46 @@ std::string textOf(std::size_t unit) {
     return "unit " + std::to_string(unit) + " " + std::string(unit % 7 == 3 ? 300'000 : unit, 'x');
 }
 
-void makeTrouble(const Ranks& ranks, const Trouble& trouble, std::size_t unit) {
+/// Uses up the stack.
+std::size_t descend(std::size_t depth) {
+    volatile char used[4096]{}; // which no compiler leaves out
+    used[depth % sizeof used] = 1;
+    return depth == 0 ? 0 : descend(depth + 1) + static_cast<std::size_t>(used[0]);
+}
+
+void crash(const std::string& how) {
+    if (how == "segv") { // an address that no sanitizer knows
+        void* page = ::mmap(nullptr, 4096, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        *static_cast<volatile char*>(page) = 1;
+    } else if (how == "overflow") {
+        descend(1);
+    } else if (how == "terminate") {
+        std::terminate();
+    }
+    const std::map<std::string, int> signals{{"bus", SIGBUS}, {"fpe", SIGFPE}, {"ill", SIGILL}};
+    if (signals.contains(how)) {
+        ::kill(::getpid(), signals.at(how));
+    }
+}
+
+/// The rank that makes the first unit takes a second, and says how many others were begun meanwhile.
+void tarry(const Trouble& trouble, std::size_t unit) {
+    const int file = ::open(trouble.file.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+    if (file < 0 || ::write(file, "u", 1) != 1) {
+        throw std::runtime_error(trouble.file + ": cannot be written");
+    }
+    ::close(file);
+    if (unit == 0) {
+        const std::uintmax_t before = std::filesystem::file_size(trouble.file);
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+        std::printf("meanwhile %ju\n", std::filesystem::file_size(trouble.file) - before);
+    }
+}
+
+void makeTrouble(const Ranks& ranks, const Trouble& trouble, std::size_t unit, int pidOfFirst) {
+    if (trouble.kind == "tarry") {
+        tarry(trouble, unit);
+    }
     if (ranks.place().index != trouble.rank || unit < trouble.unit) {
         return;
     }
@@ -50,9 +93,14 @@ void makeTrouble(const Ranks& ranks, const Trouble& trouble, std::size_t unit) {
     if (trouble.kind == "run") {
         throw std::runtime_error("it broke");
     }
-    if (trouble.kind == "die") {
+    if (trouble.kind == "both") { // as a launcher does that has seen a rank go, before another rank has
+        ::kill(pidOfFirst, SIGTERM);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    if (trouble.kind == "die" || trouble.kind == "both") {
         std::raise(SIGKILL);
     }
+    crash(trouble.kind);
     const std::map<std::string, int> signals{
         {"HUP", SIGHUP}, {"INT", SIGINT}, {"TERM", SIGTERM}, {"ignore", SIGHUP}};
     if (signals.contains(trouble.kind)) {
@@ -77,6 +125,8 @@ void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
         throw cdr::base::InputError("cannot begin");
     }
     const std::string shared = "from rank " + std::to_string(ranks.place().index);
+    const std::string pid = std::to_string(::getpid());
+    const cdr::host::Bytes pidOfFirst = ranks.share({pid.begin(), pid.end()});
     const cdr::host::Bytes from = ranks.share({shared.begin(), shared.end()});
     std::map<std::string, std::size_t> made;
     std::string merged = std::to_string(ranks.place().index) + " " + textOf(3);
@@ -104,7 +154,8 @@ void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
         ranks.forEachUnit(
             count,
             [&](std::size_t unit) {
-                makeTrouble(ranks, trouble, unit);
+                makeTrouble(ranks, trouble, unit,
+                            std::stoi(std::string(pidOfFirst.begin(), pidOfFirst.end())));
                 std::this_thread::sleep_for(std::chrono::milliseconds(unit % 3)); // so that all get some
                 const std::string text = textOf(unit);
                 return cdr::host::Bytes(text.begin(), text.end());
@@ -127,9 +178,11 @@ void run(Ranks& ranks, std::size_t count, const Trouble& trouble) {
 
 } // namespace
 
-/// rank_program COUNT [KIND RANK UNIT]
+/// rank_program COUNT [KIND RANK UNIT [FILE]]
 int main(int argc, char** argv) {
-    const Trouble trouble = argc > 4 ? Trouble{argv[2], std::stoul(argv[3]), std::stoul(argv[4])} : Trouble{};
+    const Trouble trouble =
+        argc > 4 ? Trouble{argv[2], std::stoul(argv[3]), std::stoul(argv[4]), argc > 5 ? argv[5] : ""}
+                 : Trouble{};
     if (trouble.kind == "ignore") {
         std::signal(SIGHUP, SIG_IGN);
     }
