@@ -56,7 +56,7 @@ check_mpich() {
     fi
     tools/build.sh --in-batches mpich
     build/mpich/bin/test_ranks --gtest_brief=1
-    build/mpich/bin/test_cli --gtest_brief=1 --gtest_filter='Rank*:CascadeMemory*:Devices.SayWhetherMpiIsIn'
+    build/mpich/bin/test_cli --gtest_brief=1 --gtest_filter='Rank*:*/Rank*:CascadeMemory*:Devices.SayWhetherMpiIsIn'
 }
 
 # The commit that the changes are counted from.
