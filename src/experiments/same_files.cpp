@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -47,20 +48,31 @@ std::vector<scene::GltfReference> earthFiles(const std::filesystem::path& folder
     return files;
 }
 
+/// The first file, by name, that is another one or that only one of them refers to; empty where there is none. A rank may
+/// refuse a reference that another one follows.
+std::string differing(const std::map<std::string, std::string>& mine,
+                      const std::map<std::string, std::string>& first) {
+    const auto [mineEnd, firstEnd] = std::mismatch(mine.begin(), mine.end(), first.begin(), first.end());
+    if (mineEnd == mine.end() || firstEnd == first.end()) {
+        return mineEnd != mine.end() ? mineEnd->first : firstEnd != first.end() ? firstEnd->first : "";
+    }
+    return std::min(mineEnd->first, firstEnd->first);
+}
+
 /// @param what has these files, for the message.
 void requireAlike(ranks::Ranks& ranks, const std::string& what,
                   const std::vector<scene::GltfReference>& files) {
-    const std::vector<std::string> mine = digestsOf(files);
-    const std::string text = nlohmann::json(mine).dump();
-    const host::Bytes shared = ranks.share({text.begin(), text.end()});
-    const auto first = nlohmann::json::parse(shared).get<std::vector<std::string>>();
-    std::string named;
-    for (std::size_t i = files.size(); i-- > 0;) {
-        if (i >= first.size() || mine[i] != first[i]) {
-            named = files[i].uri;
-        }
+    const std::vector<std::string> digests = digestsOf(files);
+    std::map<std::string, std::string> mine;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        mine[files[i].uri] = digests[i];
     }
-    ranks.requireSame(text, fmt::format("{}: its file {} is another one than the first rank's", what, named));
+    const std::string text =
+        nlohmann::json(mine).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    const host::Bytes shared = ranks.share({text.begin(), text.end()});
+    const auto first = nlohmann::json::parse(shared).get<std::map<std::string, std::string>>();
+    ranks.requireSame(text, fmt::format("{}: its file {} is another one than the first rank's", what,
+                                        differing(mine, first)));
 }
 
 } // namespace
