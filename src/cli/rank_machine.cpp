@@ -1,9 +1,11 @@
 #include "rank_machine.h"
 
+#include <cdr/base/error.h>
 #include <cdr/gpu/device.h>
 #include <cdr/host/process_cpus.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -63,6 +65,15 @@ std::string choiceText(const ranks::Place& place, bool bind) {
     return "";
 }
 
+/// base::RunError where the system does not do it.
+void keepTo(const ranks::Cpus& part) {
+    host::allowCpus(part);
+    if (host::allowedCpus() != part) {
+        throw base::RunError(fmt::format("--bind: the system does not let this rank keep to processor{} {}",
+                                         part.size() == 1 ? "" : "s", fmt::join(part, ", ")));
+    }
+}
+
 } // namespace
 
 std::string dealtDevice(const ranks::Place& place) {
@@ -79,7 +90,7 @@ void divideProcessors(const ranks::Place& place, bool bind) {
     if (place.countOnNode > 1) {
         ::setenv(kThreads, std::to_string(processorsOf(place)[place.indexOnNode]).c_str(), 0);
         if (bind && place.cpus.choice != ranks::CpuChoice::unknown) {
-            host::allowCpus(place.cpus.parts[place.indexOnNode]);
+            keepTo(place.cpus.parts[place.indexOnNode]);
         }
     }
 }

@@ -12,7 +12,7 @@ std::string dealtDevice(const ranks::Place& place);
 
 /// Divides the processors among the ranks of this machine, as the threads that lavapipe draws with, unless LP_NUM_THREADS
 /// says how many. Call it before a Vulkan instance is made.
-/// @param bind whether all threads of this rank are to keep to its part of them.
+/// @param bind whether all threads of this rank are to keep to its part of them; base::RunError where they cannot.
 void divideProcessors(const ranks::Place& place, bool bind);
 
 /// "4 ranks, 2 of them on this machine; lavapipe draws with 1 thread in each; they share 2 processors".

@@ -3,10 +3,13 @@
 // The environment variable CDR_FILE_FAULT chooses it: "AFTER ERROR", for instance "5 28". Counted are calls that open a file
 // to write, write into one, rename one or make a folder, in the folder that the process starts in. The call after the first
 // AFTER fails with ERROR, an errno.
+//
+// Where CDR_AFFINITY_FAULT is set, no process is bound to CPUs any more.
 
 #include <climits>
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sched.h>
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <sys/uio.h>
@@ -160,4 +163,12 @@ CDR_EXPORT int rename(const char* from, const char* to) noexcept {
 
 CDR_EXPORT int mkdir(const char* path, mode_t mode) noexcept {
     return fileFault().hits(path) ? -1 : next<int (*)(const char*, mode_t)>("mkdir")(path, mode);
+}
+
+CDR_EXPORT int sched_setaffinity(pid_t process, std::size_t size, const cpu_set_t* set) noexcept {
+    if (std::getenv("CDR_AFFINITY_FAULT") != nullptr) {
+        errno = EINVAL;
+        return -1;
+    }
+    return next<int (*)(pid_t, std::size_t, const cpu_set_t*)>("sched_setaffinity")(process, size, set);
 }
