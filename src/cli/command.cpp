@@ -3,6 +3,9 @@
 #include "rank_machine.h"
 
 #include <cdr/base/error.h>
+#include <cdr/host/document.h>
+#include <cdr/host/sha256.h>
+#include <cdr/host/thread_placement.h>
 #include <experiments/same_files.h>
 #include <scenes/open_scene.h>
 #include <scenes/orbit/data.h>
@@ -32,8 +35,9 @@ bool takesPart(const GlobalOptions& global, const std::string& name, RankUse use
     return use == RankUse::all || use == RankUse::timed || global.ranks->isFirst();
 }
 
-Command::Command(std::string name, const GlobalOptions& global, OutputOptions output)
-    : m_name(std::move(name)),
+Command::Command(const CLI::App& app, const GlobalOptions& global, OutputOptions output)
+    : m_app(app),
+      m_name(app.get_name()),
       m_global(global),
       m_output(std::move(output)),
       m_console(global, m_output) {
@@ -59,19 +63,43 @@ void Command::reads(const std::filesystem::path& path) {
     experiments::requireSameFiles(ranks(), path);
 }
 
-void Command::sayKept(const std::filesystem::path& state) const {
-    ranks().sayWhenKilled(fmt::format("; what was finished stays in {}", state.string()));
+void Command::readsEarth(const std::filesystem::path& folder) {
+    m_earth = folder;
+    experiments::requireSameEarth(ranks(), folder);
 }
 
-nlohmann::ordered_json Command::digestsOfRead() const {
-    nlohmann::ordered_json digests = nlohmann::ordered_json::object();
+void Command::sayKept(const std::filesystem::path& state) const {
+    m_global.ranks->sayWhenKilled(fmt::format("; what was finished stays in {}", state.string()));
+}
+
+std::string Command::digestOfRun(const std::string& more) {
+    nlohmann::ordered_json files = nlohmann::ordered_json::object();
     for (const std::filesystem::path& path : m_read) {
-        digests[path.string()] = experiments::digestOfFiles(path);
+        files[path.string()] = experiments::digestOfFiles(path);
     }
     if (!m_earth.empty()) {
-        digests["orbit"] = experiments::digestOfEarth(m_earth);
+        files["orbit"] = experiments::digestOfEarth(m_earth);
     }
-    return digests;
+    const host::BuildInfo build = host::buildInfo();
+    const gpu::DeviceInfo& device = this->device().info();
+    const nlohmann::ordered_json parts{
+        {"command", m_name},         {"version", build.version},
+        {"commit", build.commit},    {"device", {device.name, device.driver, device.api}},
+        {"options", textOf(m_app)},  {"texture_memory", m_global.textureMiB.value_or(0)},
+        {"files", std::move(files)}, {"more", more}};
+    return host::sha256Of(host::textOf(parts, -1));
+}
+
+void Command::keepUnits(const std::filesystem::path& state, const std::string& more) {
+    if (state.empty()) {
+        return;
+    }
+    m_files.writes("--state", state);
+    sayKept(state);
+    m_kept.emplace(*m_global.ranks, state, ranks().isFirst() ? digestOfRun(more) : "");
+    if (m_kept->keptCount() > 0) {
+        m_console.line(fmt::format("results kept in {}: {}", state.string(), m_kept->keptCount()));
+    }
 }
 
 scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_t seed,
@@ -80,8 +108,7 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
         reads(nameOrPath);
     } else if (nameOrPath == "orbit") {
         const scenes::OrbitFiles files = scenes::orbitFiles();
-        m_earth = files.folder;
-        experiments::requireSameEarth(ranks(), m_earth);
+        readsEarth(files.folder);
         if (!files.model.empty()) {
             reads(files.model);
         }
@@ -131,7 +158,7 @@ nlohmann::ordered_json Command::makeDocument(nlohmann::ordered_json options) con
     nlohmann::ordered_json document = host::makeDocument(
         m_name, m_opened ? m_opened->documentDevice() : host::DocumentDevice{}, std::move(options));
     if (m_global.hostCpus != 0) {
-        document["host"]["cpus"] = m_global.hostCpus;
+        document["host"]["cpus"] = m_measuresTime ? host::allowedCpus().size() : m_global.hostCpus;
     }
     return document;
 }

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <cdr/scene/gltf/open_gltf.h>
 #include <cdr/scene/scene_setup.h>
+#include <experiments/kept_ranks.h>
 
 #include <nlohmann/json.hpp>
 
@@ -27,13 +28,15 @@ namespace cdr::cli {
 class Command {
   public:
     /// base::InputError when --device names none, or --json a file that cannot be written.
-    Command(std::string name, const GlobalOptions& global, OutputOptions output);
+    /// @param app of the command's options.
+    Command(const CLI::App& app, const GlobalOptions& global, OutputOptions output);
 
     const GlobalOptions& global() const { return m_global; }
     const OutputOptions& output() const { return m_output; }
     const Console& console() const { return m_console; }
     CommandFiles& files() { return m_files; }
-    ranks::Ranks& ranks() const { return *m_global.ranks; }
+    ranks::Ranks& ranks() { return m_kept ? *m_kept : *m_global.ranks; }
+    const ranks::Ranks& ranks() const { return *m_global.ranks; }
     /// Where several ranks work on the command, says how many and how they share the machine.
     void sayRanks() const;
 
@@ -41,11 +44,22 @@ class Command {
     /// cannot be read, and where the command writes it.
     void reads(const std::filesystem::path& path);
 
-    /// By name, the SHA-256 of each file that the command has read so far, with those that it refers to.
-    nlohmann::ordered_json digestsOfRead() const;
+    /// The same of the Earth's pictures in a folder, which may be missing.
+    void readsEarth(const std::filesystem::path& folder);
+
+    /// A SHA-256 of everything that results depend on: version, device, options, and the files that the command has read so far.
+    /// @param more that they depend on.
+    std::string digestOfRun(const std::string& more = "");
 
     /// Notes where the work of a run stays that does not come to its end.
     void sayKept(const std::filesystem::path& state) const;
+
+    /// Where a file is named, ranks() keep there what they make from now on, and take from there what an earlier run made. For
+    /// every rank, once all files are read. base::InputError as experiments::KeptRanks.
+    /// @param more as digestOfRun() takes it.
+    void keepUnits(const std::filesystem::path& state, const std::string& more = "");
+    /// The ranks() that keep units; null where no file is named.
+    experiments::KeptRanks* keptRanks() { return m_kept ? &*m_kept : nullptr; }
 
     /// Opens a scene as scenes::openScene(), or of a glTF file what is chosen, and notes what of the file is
     /// not drawn. base::InputError when something is chosen of a scene that is no file.
@@ -66,12 +80,16 @@ class Command {
     /// After the last step. base::RunError when the validation layers had anything to say.
     void endProgress() const;
 
+    /// From now on JSON counts the processors that this rank may use, and not those that one process would have.
+    void measuresTime() { m_measuresTime = true; }
+
     /// What the command's JSON begins with.
     nlohmann::ordered_json makeDocument(nlohmann::ordered_json options) const;
     /// Writes the document where --json asks for it.
     void writeDocument(nlohmann::ordered_json document) const;
 
   private:
+    const CLI::App& m_app;
     std::string m_name;
     const GlobalOptions& m_global;
     OutputOptions m_output;
@@ -82,6 +100,8 @@ class Command {
     std::optional<std::vector<std::string>> m_notes; ///< none where no scene was opened
     std::string m_device;                            ///< of this rank, as gpu::Device takes it
     std::optional<OpenedDevice> m_opened;
+    std::optional<experiments::KeptRanks> m_kept;
+    bool m_measuresTime = false;
 };
 
 /// Which ranks of a run a command runs on.
@@ -108,11 +128,14 @@ void addCommand(CLI::App& program, const GlobalOptions& global, const std::strin
     auto arguments = std::make_shared<std::pair<Arguments, OutputOptions>>();
     addOptions(*app, arguments->first);
     addJson(*app, arguments->second);
-    app->callback([&global, name, arguments, run, use] {
+    app->callback([&global, app, name, arguments, run, use] {
         if (takesPart(global, name, use)) {
-            Command command(name, global, arguments->second);
+            Command command(*app, global, arguments->second);
             if (use == RankUse::all || use == RankUse::timed) {
                 command.sayRanks();
+            }
+            if (use == RankUse::timed) {
+                command.measuresTime();
             }
             run(command, arguments->first);
         }

@@ -6,8 +6,12 @@
 #include <experiments/number_checks.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <string_view>
 #include <system_error>
 
 namespace cdr::cli {
@@ -41,6 +45,25 @@ void addJson(CLI::App& command, OutputOptions& output) {
             "Write the results as JSON to FILE, or to standard output without one")
         ->expected(0, 1)
         ->type_name("FILE");
+}
+
+void addState(CLI::App& command, std::filesystem::path& state) {
+    command.add_option("--state", state,
+                       "File where results are kept, to go on from when the run is interrupted");
+}
+
+std::string textOf(const CLI::App& command) {
+    constexpr std::array<std::string_view, 3> kLeftOut{"help", "json", "state"};
+    std::string text;
+    for (const CLI::Option* option : command.get_options()) {
+        const std::string name = option->get_single_name();
+        if (std::find(kLeftOut.begin(), kLeftOut.end(), name) == kLeftOut.end()) {
+            text += fmt::format("{}={}\n", name,
+                                option->count() > 0 ? fmt::format("{}", fmt::join(option->results(), " "))
+                                                    : option->get_default_str());
+        }
+    }
+    return text;
 }
 
 void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height) {

@@ -47,6 +47,12 @@ using experiments::kMostTranslucencyMiB;
 /// `--json [FILE]`; without a file, or with "-", JSON goes to standard output and the table to standard error.
 void addJson(CLI::App& command, OutputOptions& output);
 
+/// `--state FILE`, for Command::keepUnits().
+void addState(CLI::App& command, std::filesystem::path& state);
+
+/// All that was asked for but where JSON and the state go, in words: the state of one run is none of another's.
+std::string textOf(const CLI::App& command);
+
 /// `--size WIDTHxHEIGHT`. base::InputError for anything that is not two whole numbers above 0.
 void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height);
 

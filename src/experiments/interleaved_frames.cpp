@@ -73,6 +73,20 @@ void InterleavedFrames::forget() {
     }
 }
 
+Json InterleavedFrames::packedSamples() const {
+    Json all = Json::array();
+    for (const std::vector<FrameSample>& samples : m_samples) {
+        all.push_back(packed(samples));
+    }
+    return all;
+}
+
+void InterleavedFrames::takeSamples(const Json& all, std::size_t frames) {
+    for (std::size_t mode = 0; mode < m_samples.size(); ++mode) {
+        m_samples[mode] = unpacked<FrameSample>(all.at(mode), frames);
+    }
+}
+
 std::vector<double> InterleavedFrames::samples(std::size_t mode, double FrameSample::*part) const {
     std::vector<double> values;
     for (const FrameSample& sample : m_samples[mode]) {

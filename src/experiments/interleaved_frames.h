@@ -48,6 +48,11 @@ class InterleavedFrames {
     /// Drops what was drawn so far.
     void forget();
 
+    /// What was drawn so far.
+    Json packedSamples() const;
+    /// In its place, so many frames of the same modes that another object has packed. std::out_of_range where it has not.
+    void takeSamples(const Json& packed, std::size_t frames);
+
     /// A part of each frame of a mode, in the order of the frames.
     std::vector<double> samples(std::size_t mode, double FrameSample::*part) const;
     /// The median of samples().

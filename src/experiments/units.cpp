@@ -2,12 +2,29 @@
 
 namespace cdr::experiments {
 
+namespace {
+
+// CBOR keeps every bit of a number, infinity, and the order of fields.
+
+ranks::Ranks::Make makeBytes(const std::function<Json(std::size_t unit)>& make) {
+    return [&make](std::size_t unit) { return Json::to_cbor(make(unit)); };
+}
+
+ranks::Ranks::Take takeBytes(const std::function<void(std::size_t unit, Json made)>& take) {
+    return [&take](std::size_t unit, const host::Bytes& made) { take(unit, Json::from_cbor(made)); };
+}
+
+} // namespace
+
 void forEachUnit(ranks::Ranks& ranks, std::size_t count, const std::function<Json(std::size_t unit)>& make,
                  const std::function<void(std::size_t unit, Json made)>& take) {
-    // CBOR keeps every bit of a number, infinity, and the order of fields.
-    ranks.forEachUnit(
-        count, [&](std::size_t unit) { return Json::to_cbor(make(unit)); },
-        [&](std::size_t unit, const host::Bytes& made) { take(unit, Json::from_cbor(made)); });
+    ranks.forEachUnit(count, makeBytes(make), takeBytes(take));
+}
+
+void forEachUnitOnFirst(ranks::Ranks& ranks, std::size_t count,
+                        const std::function<Json(std::size_t unit)>& make,
+                        const std::function<void(std::size_t unit, Json made)>& take) {
+    ranks.forEachUnitOnFirst(count, makeBytes(make), takeBytes(take));
 }
 
 Json packedPicture(const image::ImageRgba8& picture) {
@@ -18,7 +35,7 @@ image::ImageRgba8 unpackedPicture(const Json& json) {
     image::ImageRgba8 picture;
     picture.width = json.at("width").get<std::uint32_t>();
     picture.height = json.at("height").get<std::uint32_t>();
-    picture.pixels = unpacked<image::Rgba8>(json.at("pixels"));
+    picture.pixels = unpacked<image::Rgba8>(json.at("pixels"), std::size_t{picture.width} * picture.height);
     return picture;
 }
 

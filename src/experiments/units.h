@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstring>
 #include <functional>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -16,6 +17,11 @@ namespace cdr::experiments {
 /// ranks::Ranks::forEachUnit() of results that are JSON, which may hold binary values.
 void forEachUnit(ranks::Ranks& ranks, std::size_t count, const std::function<Json(std::size_t unit)>& make,
                  const std::function<void(std::size_t unit, Json made)>& take);
+
+/// The same of ranks::Ranks::forEachUnitOnFirst().
+void forEachUnitOnFirst(ranks::Ranks& ranks, std::size_t count,
+                        const std::function<Json(std::size_t unit)>& make,
+                        const std::function<void(std::size_t unit, Json made)>& take);
 
 /// Values without pointers as one binary value, which another rank of the same program unpacks.
 template <typename Value>
@@ -36,7 +42,24 @@ std::vector<Value> unpacked(const Json& json) {
     return values;
 }
 
+/// The same of so many values. std::out_of_range where there are others.
+template <typename Value>
+std::vector<Value> unpacked(const Json& json, std::size_t count) {
+    std::vector<Value> values = unpacked<Value>(json);
+    if (values.size() != count) {
+        throw std::out_of_range("other values than were packed");
+    }
+    return values;
+}
+
+/// The values of the first rank, on every rank.
+template <typename Value>
+std::vector<Value> sharedOf(ranks::Ranks& ranks, const std::vector<Value>& ofFirst) {
+    return unpacked<Value>(Json::binary(ranks.share(packed(ofFirst).get_binary())));
+}
+
 Json packedPicture(const image::ImageRgba8& picture);
+/// std::out_of_range where it has not as many pixels as it says.
 image::ImageRgba8 unpackedPicture(const Json& json);
 
 } // namespace cdr::experiments

@@ -5,6 +5,7 @@
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
 #include <cdr/host/process.h>
+#include <cdr/host/sha256.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -91,9 +92,25 @@ fs::path resolved(const fs::path& path) {
     return whole;
 }
 
+/// A hidden name in `folder`.
+fs::path hiddenIn(const fs::path& folder, const fs::path& path, std::string_view whose,
+                  std::string_view what) {
+    return folder / fmt::format(".{}.{}.{}", path.filename().string(), whose, what);
+}
+
 /// A hidden name in `folder` that no other process uses.
 fs::path hiddenIn(const fs::path& folder, const fs::path& path, std::string_view what) {
-    return folder / fmt::format(".{}.{}.{}", path.filename().string(), host::processId(), what);
+    return hiddenIn(folder, path, std::to_string(host::processId()), what);
+}
+
+/// Copies the files of a report, which has none but its own.
+void copyFiles(const fs::path& report, const fs::path& to) {
+    for (const fs::path& file : filesUnder(report)) {
+        if (fs::is_regular_file(report / file)) {
+            fs::create_directories((to / file).parent_path());
+            fs::copy_file(report / file, to / file);
+        }
+    }
 }
 
 /// Whether the current folder is `path`. base::InputError when it lies deeper in it: it would be removed.
@@ -140,15 +157,27 @@ std::vector<fs::path> filesUnder(const fs::path& folder) {
     return files;
 }
 
-PendingFolder::PendingFolder(const fs::path& path) : m_path(resolved(path)) {
-    requireReplaceable(m_path, {});
+PendingFolder::PendingFolder(const fs::path& path, const std::string& state) : m_path(resolved(path)) {
+    const std::string kept = state.empty() ? "" : host::sha256Of(state).substr(0, 12);
+    requireReplaceable(m_path, state.empty() ? fs::path() : hiddenIn(m_path, m_path, kept, "new"));
     m_isInside = fs::exists(m_path) && (isCurrent(m_path) || isMountPoint(m_path));
     const fs::path folder = m_isInside ? m_path : m_path.parent_path();
-    m_temporary = hiddenIn(folder, m_path, "new");
+    m_temporary = state.empty() ? hiddenIn(folder, m_path, "new") : hiddenIn(folder, m_path, kept, "new");
+    makeTemporary(folder, state.empty());
+}
+
+void PendingFolder::makeTemporary(const fs::path& folder, bool isAnew) {
+    if (!isAnew && fs::is_directory(fs::symlink_status(m_temporary))) {
+        m_isKept = true;
+        return;
+    }
     std::error_code error;
     if (!fs::create_directory(m_temporary, error)) {
         const std::string why = error ? error.message() : m_temporary.filename().string() + " is in the way";
         throw base::InputError(fmt::format("{}: no folder can be made here: {}", folder.string(), why));
+    }
+    if (!isAnew && fs::is_regular_file(m_path / kManifest)) {
+        copyFiles(m_path, m_temporary);
     }
 }
 

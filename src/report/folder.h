@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace cdr::report {
@@ -21,7 +22,9 @@ class PendingFolder {
   public:
     /// base::InputError where no report may stand: at a file, at a folder that is neither empty nor a report with
     /// nothing but its own files, at one in which the current folder lies deeper, and where no folder can be made.
-    explicit PendingFolder(const std::filesystem::path& path);
+    /// @param state what an earlier report of this state left is taken up: its temporary folder, else the report's own files, of
+    /// which the caller has to remove what is not wanted. Empty for a report that starts anew.
+    explicit PendingFolder(const std::filesystem::path& path, const std::string& state = "");
     ~PendingFolder();
     PendingFolder(const PendingFolder&) = delete;
     PendingFolder& operator=(const PendingFolder&) = delete;
@@ -39,6 +42,7 @@ class PendingFolder {
     void commit();
 
   private:
+    void makeTemporary(const std::filesystem::path& folder, bool isAnew);
     void renameIntoPlace() const;
     void moveIntoPlace() const;
 

@@ -89,6 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
         Writer{"render cubes --size 16x16 --quiet --aov distance -o a.exr", "Exr"},
         Writer{"render cubes --size 16x16 --quiet --frames 2 -o a%d.tga", "Tga"},
         Writer{"render cubes --size 16x16 --quiet --frames 3 -o a%d.png --state s", "State"},
+        Writer{"probe --quiet --distances 10,100 --techniques log --formats d32f --size 16x16 --state s",
+               "Probe"},
         Writer{"precision --quiet --curve c.csv --json p.json", "Precision"},
         Writer{"pictures --quiet --scenes cubes --techniques log --size 16x16 --frames 1 --out p",
                "Pictures"},

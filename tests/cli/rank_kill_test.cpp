@@ -192,6 +192,26 @@ std::size_t keptIn(const fs::path& state) {
     return lines == 0 ? 0 : lines - 1;
 }
 
+/// As all commands do whose units the ranks keep by one mechanism.
+TEST_F(KilledAgainAndAgain, ACoplanarRunThatIsKilledEndsAsOneThatIsNot) {
+    const std::size_t views = takesAll() ? 1500 : 200;
+    const std::string arguments = "coplanar --frames " + std::to_string(views) +
+                                  " --search-views 1 --size 48x27 --techniques anchored --out out "
+                                  "--json all.json --state state";
+    const TemporaryFolder whole;
+    ASSERT_EQ(runProgram(arguments, whole.path()).status, 0);
+    killOften(arguments, kills(), [&](const ProgramResult& result) {
+        if (result.status == 0) { // before the kill: the next run starts anew
+            EXPECT_EQ(readText(at("all.json")), readText(whole.path() / "all.json"));
+            fs::remove(at("state"));
+        }
+    });
+    const ProgramResult last = run(3, arguments);
+    EXPECT_EQ(last.status, 0) << last.err;
+    EXPECT_EQ(readText(at("all.json")), readText(whole.path() / "all.json"));
+    EXPECT_EQ(keptIn(at("state")), views + 1) << "each result once, and the search's";
+}
+
 class KilledRender : public KilledAgainAndAgain {
   protected:
     /// Pictures of which none is written again that was kept.

@@ -42,7 +42,7 @@ std::string boundTo(const std::string& ofFirst, const std::string& ofSecond) {
 std::string listText(const CpuList& cpus) {
     std::string text;
     for (const std::size_t cpu : cpus) {
-        text += (text.empty() ? "" : ",") + std::to_string(cpu);
+        text.append(text.empty() ? "" : ",").append(std::to_string(cpu));
     }
     return text;
 }
@@ -51,6 +51,7 @@ struct TimedRun {
     std::string choice;
     std::map<std::size_t, CpuList> cpus{}; ///< by rank that timed a frame
     std::string line;                      ///< the first that was printed
+    std::size_t hostCpus = 0;
 };
 
 TimedRun timeAs(const std::string& launcher, const std::string& option = "") {
@@ -60,7 +61,9 @@ TimedRun timeAs(const std::string& launcher, const std::string& option = "") {
         folder.path(), launcher);
     EXPECT_EQ(result.status, 0) << result.err;
     const auto document = nlohmann::json::parse(readText(folder.path() / "a.json"));
-    TimedRun run{.choice = document.at("cpu_choice"), .line = result.out.substr(0, result.out.find('\n'))};
+    TimedRun run{.choice = document.at("cpu_choice"),
+                 .line = result.out.substr(0, result.out.find('\n')),
+                 .hostCpus = document.at("host").at("cpus")};
     for (const auto& row : document.at("measured_by")) {
         run.cpus[row.at("rank")] = row.at("cpus").get<CpuList>();
     }
@@ -115,6 +118,7 @@ TEST_F(RankMachine, WhatMpiBoundIsFollowed) {
     for (const char* option : {"", "--bind"}) {
         const TimedRun apart = timeAs(boundTo(first, second), option);
         EXPECT_EQ(apart.choice, "followed");
+        EXPECT_EQ(apart.hostCpus, 1u) << "that the first rank had";
         EXPECT_TRUE(
             apart.line.ends_with("; lavapipe draws with 1 thread in each; MPI bound each to its own of 2 "
                                  "processors"))
@@ -132,6 +136,40 @@ TEST_F(RankMachine, WhatMpiBoundIsFollowed) {
     for (const auto& [rank, cpus] : overlapping.cpus) {
         EXPECT_EQ(cpus, CpuList{rank == 0 ? all.front() : all.back()});
     }
+}
+
+/// The first rank alone times it, and JSON has nobody else.
+TEST_F(RankMachine, JsonOfTimesCountsTheProcessorsOfTheRankThatTimed) {
+    if (hasOneCpu()) {
+        GTEST_SKIP() << "needs two CPUs";
+    }
+    const std::string first = std::to_string(host::allowedCpus().front());
+    for (const char* command : {"detail cubes --frames 1", "translucency --cascades 1 --repeats 1"}) {
+        const TemporaryFolder folder;
+        const ProgramResult result = runProgram(std::string(command) + " --size 64x36 --json a.json",
+                                                folder.path(), boundTo(first, first));
+        ASSERT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(nlohmann::json::parse(readText(folder.path() / "a.json")).at("host").at("cpus"), 1);
+    }
+}
+
+TEST_F(RankMachine, ARankThatCannotBeBoundIsNamed) {
+    if (hasOneCpu() || std::string(CDR_FILE_FAULTS).empty()) {
+        GTEST_SKIP() << "needs two CPUs, and a build without sanitizers";
+    }
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "--bind render cubes --size 32x18 -o a.png", folder.path(),
+        test::launched(CDR_MPIEXEC, 2) +
+            " sh -c '[ $OMPI_COMM_WORLD_RANK$PMI_RANK = 0 ] || export CDR_AFFINITY_FAULT=1 LD_PRELOAD=" +
+            CDR_FILE_FAULTS + "; exec \"$@\"' sh");
+    EXPECT_EQ(result.status, 1);
+    EXPECT_TRUE(std::regex_match(
+        result.err,
+        std::regex(
+            "cdr: rank 1 on .+: --bind: the system does not let this rank keep to processors? [0-9, ]+\n")))
+        << result.err;
+    EXPECT_TRUE(folder.isEmpty());
 }
 
 /// Times apart: JSON says how many CPUs one process would have.

@@ -81,6 +81,45 @@ TEST_F(PendingFolderTest, StaysWhenItCannotBePutInPlace) {
     EXPECT_EQ(namesIn("r"), std::set<std::string>{"foreign"});
 }
 
+/// What a killed process left, else what stands in place of it.
+TEST_F(PendingFolderTest, TakesUpWhatAStateLeft) {
+    fs::path kept;
+    {
+        PendingFolder folder(path("r"), "s");
+        EXPECT_FALSE(folder.isKept());
+        kept = folder.temporary();
+        writeReport(kept, "half a report");
+        folder.keep();
+    }
+    EXPECT_NE(PendingFolder(path("r"), "another").temporary(), kept);
+    {
+        PendingFolder folder(path("r"), "s");
+        EXPECT_EQ(folder.temporary(), kept);
+        EXPECT_TRUE(folder.isKept());
+        EXPECT_EQ(read(kept / "data" / "a.json"), "half a report");
+        folder.commit();
+    }
+    EXPECT_EQ(namesIn("."), std::set<std::string>{"r"});
+    {
+        const PendingFolder folder(path("r"), "s");
+        EXPECT_EQ(read(folder.temporary() / "data" / "a.json"), "half a report");
+    }
+    EXPECT_EQ(namesIn("."), std::set<std::string>{"r"});
+    EXPECT_EQ(read(path("r") / "data" / "a.json"), "half a report");
+    {
+        const PendingFolder folder(path("r"));
+        EXPECT_TRUE(fs::is_empty(folder.temporary()));
+    }
+    const fs::path before = fs::current_path();
+    fs::current_path(path("r"));
+    for (int start = 0; start < 2; ++start) { // in the folder itself
+        PendingFolder folder(".", "s");
+        folder.keep();
+    }
+    fs::current_path(before);
+    EXPECT_EQ(namesIn("r").size(), 3u);
+}
+
 /// A shell that stands in the folder stays in it.
 TEST_F(PendingFolderTest, FillsTheCurrentFolder) {
     fs::create_directory(path("r"));

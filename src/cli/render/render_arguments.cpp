@@ -70,20 +70,6 @@ nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth
     return options;
 }
 
-std::string runText(const RenderArguments& arguments) {
-    constexpr std::array<std::string_view, 3> kLeftOut{"help", "json", "state"};
-    std::string text;
-    for (const CLI::Option* option : arguments.options->get_options()) {
-        const std::string name = option->get_single_name();
-        if (std::find(kLeftOut.begin(), kLeftOut.end(), name) == kLeftOut.end()) {
-            text += fmt::format("{}={}\n", name,
-                                option->count() > 0 ? fmt::format("{}", fmt::join(option->results(), " "))
-                                                    : option->get_default_str());
-        }
-    }
-    return text;
-}
-
 namespace {
 
 void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
@@ -167,7 +153,6 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     command.add_option(
         "--state", arguments.state,
         "File that keeps what is made of each frame: started again, the run makes what is missing");
-    arguments.options = &command;
     command.add_flag("--hash", arguments.hash, "Print a SHA-256 of each output's values");
 }
 

@@ -43,7 +43,6 @@ struct RenderArguments {
     std::filesystem::path trace;
     std::filesystem::path certify;
     std::filesystem::path state;
-    const CLI::App* options = nullptr; ///< that all this was read from
     experiments::CameraOptions camera;
     std::string colours = "thesis";
     std::uint64_t seed = scenes::kDefaultSeed;
@@ -58,9 +57,6 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::A
 
 /// "options" of the command's JSON.
 nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth::Technique& technique);
-
-/// All that was asked for but where JSON and the state go, in words: the state of one run is none of another's.
-std::string runText(const RenderArguments& arguments);
 
 void addRenderOptions(CLI::App& command, RenderArguments& arguments);
 

@@ -34,19 +34,6 @@ std::vector<std::string> notesOn(Command& command, bool isFirst, const FrameOutp
     return notes;
 }
 
-/// Of everything that the frames of a run depend on.
-std::string digestOf(const Command& command, const gpu::DeviceInfo& device,
-                     const RenderArguments& arguments) {
-    const host::BuildInfo build = host::buildInfo();
-    const nlohmann::ordered_json parts{{"version", build.version},
-                                       {"commit", build.commit},
-                                       {"device", {device.name, device.driver, device.api}},
-                                       {"options", runText(arguments)},
-                                       {"texture_memory", command.global().textureMiB.value_or(0)},
-                                       {"files", command.digestsOfRead()}};
-    return host::sha256Of(host::textOf(parts, -1));
-}
-
 } // namespace
 
 RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
@@ -71,9 +58,7 @@ RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
     command.sayKept(arguments.state);
     if (command.ranks().isFirst()) {
         m_kept.emplace(
-            arguments.state,
-            experiments::UnitRun{.digest = digestOf(command, command.device().info(), arguments),
-                                 .units = cameras.frames},
+            arguments.state, experiments::UnitRun{.digest = command.digestOfRun(), .units = cameras.frames},
             KeptFrames::Shape{.cells = m_table.header.size(),
                               .isCertified = m_certificates.has_value(),
                               .picture = [this](std::size_t frame) { return m_name.at(numberOf(frame)); }});
@@ -92,8 +77,7 @@ std::vector<std::size_t> RenderResults::missing() {
         }
     }
     if (!m_arguments.state.empty()) { // which the first rank alone has read
-        frames = experiments::unpacked<std::uint32_t>(
-            experiments::Json::binary(m_command.ranks().share(experiments::packed(frames).get_binary())));
+        frames = experiments::sharedOf(m_command.ranks(), frames);
     }
     return {frames.begin(), frames.end()};
 }

@@ -15,6 +15,7 @@ namespace {
 struct CoplanarArguments {
     experiments::CoplanarOptions options;
     std::filesystem::path folder;
+    std::filesystem::path state;
 };
 
 experiments::Columns<experiments::CoplanarResult> coplanarColumns() {
@@ -52,6 +53,7 @@ experiments::Columns<experiments::CoplanarResult> coplanarColumns() {
 void run(Command& command, CoplanarArguments& arguments) {
     experiments::CoplanarOptions& options = arguments.options;
     const PictureFolder folder(arguments.folder, command.files());
+    command.keepUnits(arguments.state);
     const auto results = experiments::runCoplanar(command.device(), options,
                                                   command.progressOf("pairs of views"), command.ranks());
     command.endProgress();
@@ -95,6 +97,7 @@ void addOptions(CLI::App& command, CoplanarArguments& arguments) {
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that render and cast the truth");
     addSeed(command, options.seed, "Seed of the views");
+    addState(command, arguments.state);
     addSnapBits(command, options.snapBits);
     addTechniques(command, options.techniques);
     command.add_option("--out", arguments.folder, "Folder for the heat map of every method's worst view");

@@ -120,7 +120,7 @@ class Comparison {
 
     /// Adds what compare() made on some rank.
     void take(const Json& made) {
-        const std::vector<PairCount> counts = unpacked<PairCount>(made.at("counts"));
+        const std::vector<PairCount> counts = unpacked<PairCount>(made.at("counts"), m_results.size());
         for (std::size_t i = 0; i < counts.size(); ++i) {
             CoplanarResult& result = m_results[i];
             for (std::size_t eye = 0; eye < 2; ++eye) {
@@ -134,7 +134,7 @@ class Comparison {
         }
         for (const Json& picture : made.at("pictures")) {
             const auto i = picture.at("result").get<std::size_t>();
-            if (const auto wrong = picture.at("wrong").get<std::uint64_t>(); wrong > m_shownWrong[i]) {
+            if (const auto wrong = picture.at("wrong").get<std::uint64_t>(); wrong > m_shownWrong.at(i)) {
                 m_shownWrong[i] = wrong;
                 m_results[i].picture = unpackedPicture(picture.at("picture"));
             }
@@ -237,8 +237,10 @@ std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const Coplana
             progress(unit, all);
             return packed(std::vector{comparison.bestOffset(techniques[unit].technique)});
         },
-        [&](std::size_t, const Json& best) { offsets.push_back(unpacked<render::LayerOptions>(best)[0]); });
-    offsets = unpacked<render::LayerOptions>(Json::binary(ranks.share(packed(offsets).get_binary())));
+        [&](std::size_t, const Json& best) {
+            offsets.push_back(unpacked<render::LayerOptions>(best, 1)[0]);
+        });
+    offsets = sharedOf(ranks, offsets);
     for (std::size_t i = 0; i < techniques.size(); ++i) {
         comparison.add(techniques[i], "none", kNoOffset);
         comparison.add(techniques[i], "polygon offset", offsets[i]);

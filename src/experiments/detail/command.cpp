@@ -15,6 +15,7 @@ struct DetailArguments {
     std::string depth = "standard";
     std::string split = "count:5";
     std::filesystem::path folder;
+    std::filesystem::path state;
 };
 
 experiments::Columns<experiments::DetailResult> detailColumns() {
@@ -45,6 +46,7 @@ experiments::Columns<experiments::DetailResult> detailColumns() {
 }
 
 void run(Command& command, DetailArguments& arguments) {
+    command.measuresTime();
     experiments::DetailOptions& options = arguments.options;
     options.technique = depth::Technique{depth::parseMapping(arguments.depth),
                                          depth::parseSplit(arguments.split), depth::DepthFormat::d32f};
@@ -52,6 +54,7 @@ void run(Command& command, DetailArguments& arguments) {
         visibility::Detail{.mode = visibility::DetailMode::perObject, .pixels = options.pixels});
     const PictureFolder folder(arguments.folder, command.files());
     scene::SceneSetup setup = command.openScene(options.scene, options.seed);
+    command.keepUnits(arguments.state);
     const experiments::DetailReport report =
         experiments::runDetail(command.device(), std::move(setup), options,
                                command.progressOf("frames of every level of detail"), command.ranks());
@@ -87,6 +90,7 @@ void run(Command& command, DetailArguments& arguments) {
 void addOptions(CLI::App& command, DetailArguments& arguments) {
     experiments::DetailOptions& options = arguments.options;
     addComparison(command, options, arguments.folder);
+    addState(command, arguments.state);
     command.add_option("--pixels", options.pixels, "Largest error of a level on screen, in pixels")
         ->capture_default_str();
     command.add_option("--depth", arguments.depth, "Depth mapping")->capture_default_str();

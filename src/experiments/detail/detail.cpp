@@ -102,21 +102,25 @@ class Comparison {
 
     /// Each mode draws all frames: on the first rank, while the others wait and disturb nothing.
     void time(ranks::Ranks& ranks, const std::function<void()>& step) {
-        ranks::OneProcess alone;
-        TimedRanks timed(alone);
-        if (!ranks.isFirst()) { // a fitted split keeps to the frames before
-            m_frames.run(
-                timed, m_options.frames, [] {},
-                [&](std::size_t mode, std::uint32_t frame) {
-                    m_renderers[mode]->skip(cameraOf(frame));
-                    return render::FrameStats();
-                });
+        if (!ranks.isFirst()) {
+            skipTimed();
         }
         ranks.share({});
-        if (ranks.isFirst()) {
-            m_frames.run(timed, m_options.frames, step, [&](std::size_t mode, std::uint32_t frame) {
-                return m_renderers[mode]->draw(cameraOf(frame));
-            });
+        bool isTimed = false;
+        forEachUnitOnFirst(
+            ranks, 1,
+            [&](std::size_t) {
+                isTimed = true;
+                ranks::OneProcess alone;
+                TimedRanks timed(alone);
+                m_frames.run(timed, m_options.frames, step, [&](std::size_t mode, std::uint32_t frame) {
+                    return m_renderers[mode]->draw(cameraOf(frame));
+                });
+                return m_frames.packedSamples();
+            },
+            [&](std::size_t, const Json& made) { m_frames.takeSamples(made, m_options.frames); });
+        if (ranks.isFirst() && !isTimed) {
+            skipTimed();
         }
     }
 
@@ -153,10 +157,10 @@ class Comparison {
 
     /// Adds what compare() made.
     void add(const Json& made) {
-        const std::vector<Shown> all = unpacked<Shown>(made.at("shown"));
+        const std::vector<Shown> all = unpacked<Shown>(made.at("shown"), kModes.size());
         for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
             DetailResult& result = m_results[mode];
-            const Shown& shown = all.at(mode);
+            const Shown& shown = all[mode];
             result.flip += shown.flip / m_options.frames;
             result.largestFlip = std::max(result.largestFlip, shown.flip);
             result.pixels += shown.pixels;
@@ -165,8 +169,8 @@ class Comparison {
             result.triangles += static_cast<double>(shown.triangles) / m_options.frames;
         }
         for (std::size_t mode = 0; mode < made.at("pictures").size(); ++mode) {
-            m_results[mode].picture = unpackedPicture(made["pictures"][mode][0]);
-            m_results[mode].cracked = unpackedPicture(made["pictures"][mode][1]);
+            m_results.at(mode).picture = unpackedPicture(made["pictures"][mode].at(0));
+            m_results[mode].cracked = unpackedPicture(made["pictures"][mode].at(1));
         }
     }
 
@@ -186,6 +190,17 @@ class Comparison {
     }
 
   private:
+    /// A fitted split keeps to the frames before, those that were timed elsewhere among them.
+    void skipTimed() {
+        for (const auto& renderer : m_renderers) {
+            for (std::uint32_t i = 0; i < InterleavedFrames::kWarmUp + m_options.frames; ++i) {
+                const std::uint32_t frame =
+                    i < InterleavedFrames::kWarmUp ? i : i - InterleavedFrames::kWarmUp;
+                renderer->skip(cameraOf(frame % m_options.frames));
+            }
+        }
+    }
+
     double makeLevels() {
         const auto begin = Clock::now();
         scene::makeLevels(m_setup.scene, m_workers);

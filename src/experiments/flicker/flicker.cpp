@@ -88,8 +88,7 @@ class Flicker {
         if (file != nullptr) {
             file->load(m_state);
         }
-        const std::uint32_t done = unpacked<std::uint32_t>(
-            Json::binary(ranks.share(packed(std::vector{m_state.framesDone}).get_binary())))[0];
+        const std::uint32_t done = sharedOf(ranks, std::vector{m_state.framesDone})[0];
         const std::uint32_t begin = m_hooks.pictures ? 0 : done;
         // A range begins with the frame before it, which flips need, so the ranges of several ranks have some length.
         const auto rangesOfEach = 4 * static_cast<std::uint32_t>(ranks.place().count);

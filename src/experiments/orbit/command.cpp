@@ -4,7 +4,6 @@
 #include <experiments/gnuplot.h>
 #include <experiments/orbit/orbit.h>
 #include <experiments/readable.h>
-#include <experiments/same_files.h>
 #include <experiments/wrong_pixels_columns.h>
 #include <scenes/orbit/orbit.h>
 
@@ -23,6 +22,7 @@ struct OrbitArguments {
     scenes::OrbitFiles files = scenes::orbitFiles();
     std::filesystem::path folder;
     std::filesystem::path plot;
+    std::filesystem::path state;
 };
 
 constexpr const char* kWindowPicture =
@@ -98,10 +98,11 @@ void run(Command& command, OrbitArguments& arguments) {
     if (!arguments.files.model.empty()) {
         command.reads(arguments.files.model);
     }
-    experiments::requireSameEarth(command.ranks(), arguments.files.folder);
+    command.readsEarth(arguments.files.folder);
     const scene::OpenedScene opened = scenes::openOrbit(arguments.files);
     const scene::SceneSetup& setup = opened.setup;
     command.note(opened.notes);
+    command.keepUnits(arguments.state);
     const experiments::OrbitRun result =
         experiments::runOrbit(command.device(), setup, options, command.progress(), command.ranks());
     command.endProgress();
@@ -144,6 +145,7 @@ void addOptions(CLI::App& command, OrbitArguments& arguments) {
                        "A .gltf or .glb file to park at the airport instead of the generated aircraft");
     addFrames(command, options.frames, "Frames, spread over the path of 240", 240);
     addTechniques(command, options.techniques);
+    addState(command, arguments.state);
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that cull, bin, record and cast the truth");
     command.add_option(

@@ -74,7 +74,7 @@ class Zoom {
     /// Adds what measure() made.
     void add(std::size_t unit, const Json& made, OrbitRun& run) const {
         const double fovYDegrees = cameraOf(unit).fovY * 180.0 / std::numbers::pi;
-        const std::vector<Drawn> drawn = unpacked<Drawn>(made.at("drawn"));
+        const std::vector<Drawn> drawn = unpacked<Drawn>(made.at("drawn"), m_renderers.size());
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             run.results.push_back({.frame = m_numbers[unit],
                                    .fovYDegrees = fovYDegrees,
@@ -88,7 +88,7 @@ class Zoom {
         for (const Json& pictures : made.at("last")) {
             PictureResult& picture = run.last.emplace_back();
             picture.scene = "orbit";
-            picture.technique = m_options.techniques[run.last.size() - 1].name;
+            picture.technique = m_options.techniques.at(run.last.size() - 1).name;
             picture.fovYDegrees = fovYDegrees;
             picture.frames = 1;
             picture.wrong = drawn[run.last.size() - 1].wrong;

@@ -19,6 +19,7 @@ namespace {
 struct ProbeArguments {
     experiments::ProbeOptions options;
     std::vector<std::string> formats;
+    std::filesystem::path state;
 };
 
 /// Measured over predicted, where both are known.
@@ -80,6 +81,7 @@ void run(Command& command, ProbeArguments& arguments) {
         options.formats.push_back(depth::parseDepthFormat(name));
     }
     const std::vector<std::string_view> missing = missingFormats(command.device(), options);
+    command.keepUnits(arguments.state);
     const auto results =
         experiments::runProbe(command.device(), options, command.progress(), command.ranks());
     command.endProgress();
@@ -113,6 +115,7 @@ void addOptions(CLI::App& command, ProbeArguments& arguments) {
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that cull, bin and record");
     addSeed(command, options.seed, "Seed of the ladder");
+    addState(command, arguments.state);
 }
 
 } // namespace

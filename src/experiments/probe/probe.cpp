@@ -196,7 +196,7 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
     };
     std::vector<ProbeResult> results;
     forEachUnit(ranks, distances.size(), make, [&](std::size_t unit, const Json& made) {
-        prober.addRows(distances[unit], unpacked<Probed>(made), results);
+        prober.addRows(distances[unit], unpacked<Probed>(made, prober.pictures()), results);
     });
     return results;
 }

@@ -183,6 +183,7 @@ experiments::RankSweepOptions rankOptionsOf(const ScalingArguments& arguments) {
 }
 
 void run(Command& command, ScalingArguments& arguments) {
+    command.measuresTime();
     if (arguments.ranks.nodes > 0) {
         const experiments::RankSweepOptions swept = rankOptionsOf(arguments);
         requireUsable(swept);

@@ -21,6 +21,7 @@ struct TranslucencyArguments {
     std::string mapping = "anchored";
     std::uint64_t memoryMiB = render::TranslucencyOptions{}.mostBytes >> 20u;
     std::filesystem::path folder;
+    std::filesystem::path state;
 };
 
 /// Of a result's files.
@@ -72,12 +73,14 @@ void writePictures(const PictureFolder& folder, const experiments::TranslucencyR
 }
 
 void run(Command& command, TranslucencyArguments& arguments) {
+    command.measuresTime();
     experiments::TranslucencyExperiment& experiment = arguments.experiment;
     experiment.mapping = depth::parseMapping(arguments.mapping);
     experiment.mostBytes = arguments.memoryMiB << 20u;
     const PictureFolder folder(arguments.folder, command.files());
     experiment.keepsPictures = folder.isWanted();
     const scene::SceneSetup setup = command.openScene(experiment.scene, experiment.seed);
+    command.keepUnits(arguments.state);
     const experiments::TranslucencyResults all = experiments::runTranslucency(
         command.device(), setup, experiment, command.progressOf(experiment.scene), command.ranks());
     command.endProgress();
@@ -134,6 +137,7 @@ void addOptions(CLI::App& command, TranslucencyArguments& arguments) {
         ->check(CLI::Range(std::uint64_t{1}, kMostTranslucencyMiB))
         ->capture_default_str();
     addSeed(command, experiment.seed, "Seed of the scene");
+    addState(command, arguments.state);
     command.add_option("--out", arguments.folder,
                        "Folder for pictures and their errors, eight times as bright");
 }

@@ -97,7 +97,7 @@ Json packedResult(const TranslucencyResult& result, bool keepsPicture) {
 }
 
 TranslucencyResult unpackedResult(const Json& made) {
-    const Compared compared = unpacked<Compared>(made.at("compared")).at(0);
+    const Compared compared = unpacked<Compared>(made.at("compared"), 1)[0];
     TranslucencyResult result;
     result.cascades = compared.cascades;
     result.stats = compared.stats;
@@ -164,12 +164,18 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const scene::Scen
             all.results.back().technique = partsOf(pairs[unit].technique);
         });
     if (experiment.repeats > 0) {
-        const std::vector<double> medians =
-            timeInTurns(device, setup, gpuScene, pairs, experiment.repeats,
-                        [&](std::size_t done) { progress(pairs.size() + done, steps); });
-        for (std::size_t i = 0; i < pairs.size(); ++i) {
-            all.results[i].executeMs = medians[i];
-        }
+        forEachUnitOnFirst(
+            ranks, 1,
+            [&](std::size_t) {
+                return packed(timeInTurns(device, setup, gpuScene, pairs, experiment.repeats,
+                                          [&](std::size_t done) { progress(pairs.size() + done, steps); }));
+            },
+            [&](std::size_t, const Json& made) {
+                const auto medians = unpacked<double>(made, pairs.size());
+                for (std::size_t i = 0; i < pairs.size(); ++i) {
+                    all.results[i].executeMs = medians[i];
+                }
+            });
     }
     return all;
 }

@@ -1,10 +1,9 @@
 #include "data_uri.h"
 
-#include <openssl/evp.h>
+#include <cdr/host/base64.h>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace cdr::scene::gltf {
 
@@ -19,25 +18,6 @@ constexpr std::array<std::string_view, 7> kMediaTypes{"application/octet-stream"
                                                       "image/gif",
                                                       "text/plain"};
 
-std::optional<host::Bytes> decodeBase64(std::string_view text) {
-    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (int padding = 0; padding < 2 && text.ends_with('='); ++padding) {
-        text.remove_suffix(1);
-    }
-    if (text.size() % 4 == 1 || text.size() > std::numeric_limits<int>::max() - 4u ||
-        text.find_first_not_of(kDigits) != std::string_view::npos) {
-        return {}; // OpenSSL would skip blanks at both ends
-    }
-    host::Bytes padded(text.begin(), text.end());
-    padded.resize((text.size() + 3) / 4 * 4, '=');
-    host::Bytes bytes(padded.size() / 4 * 3);
-    if (EVP_DecodeBlock(bytes.data(), padded.data(), static_cast<int>(padded.size())) < 0) {
-        return {};
-    }
-    bytes.resize(text.size() * 3 / 4); // padding counts as zeros
-    return bytes;
-}
-
 } // namespace
 
 std::optional<host::Bytes> decodeDataUri(std::string_view uri) {
@@ -51,7 +31,7 @@ std::optional<host::Bytes> decodeDataUri(std::string_view uri) {
     if (std::find(kMediaTypes.begin(), kMediaTypes.end(), mediaType) == kMediaTypes.end()) {
         return {};
     }
-    std::optional<host::Bytes> bytes = decodeBase64(uri.substr(end + kEncoding.size()));
+    std::optional<host::Bytes> bytes = host::fromBase64(uri.substr(end + kEncoding.size()));
     return bytes && !bytes->empty() ? bytes : std::nullopt;
 }
 

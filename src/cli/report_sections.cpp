@@ -1,0 +1,195 @@
+#include "report_sections.h"
+
+#include "commands.h"
+#include "rank_machine.h"
+
+#include <cdr/base/error.h>
+#include <cdr/host/file.h>
+#include <cdr/host/sha256.h>
+#include <cdr/host/standard_streams.h>
+#include <experiments/readable.h>
+#include <experiments/units.h>
+#include <report/folder.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace cdr::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using experiments::Json;
+
+constexpr std::uintmax_t kMaxJsonBytes = 200'000'000;
+
+/// Runs the very command that the page prints.
+void runCommand(const GlobalOptions& global, std::vector<std::string> command) {
+    CLI::App program;
+    program.require_subcommand(1);
+    addExperiments(program, global);
+    std::reverse(command.begin(), command.end()); // as CLI11 takes them
+    program.parse(std::move(command));
+}
+
+/// A section that fails (a format the device lacks, a disk that is full) leaves the others their page.
+SectionOutcome runSection(const GlobalOptions& global, const report::Section& section, const fs::path& root) {
+    SectionOutcome outcome;
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        runCommand(global, section.commandIn(root));
+    } catch (const std::exception& error) {
+        outcome.failure = error.what();
+    }
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (const fs::path json = root / section.jsonFile(); fs::exists(json)) {
+        outcome.document = nlohmann::ordered_json::parse(host::readFile(json, kMaxJsonBytes));
+    }
+    return outcome;
+}
+
+/// Empty where there is no such file.
+std::string digestIn(const fs::path& root, const fs::path& file) {
+    try {
+        return host::sha256(host::readFile(root / file, std::numeric_limits<std::uintmax_t>::max()));
+    } catch (const base::InputError&) {
+        return "";
+    }
+}
+
+/// By name, the digests of the files that a section has written.
+Json filesOf(const report::Section& section, const fs::path& root) {
+    std::vector<fs::path> files{section.jsonFile()};
+    if (const fs::path folder = root / section.folder; !section.folder.empty()) {
+        if (fs::is_directory(folder)) {
+            for (const fs::path& file : report::filesUnder(folder)) {
+                files.push_back(section.folder / file);
+            }
+        } else {
+            files.emplace_back(section.folder);
+        }
+    }
+    Json digests = Json::object();
+    for (const fs::path& file : files) {
+        if (fs::exists(root / file)) {
+            digests[file.generic_string()] = digestIn(root, file);
+        }
+    }
+    return digests;
+}
+
+Json packedOutcome(SectionOutcome outcome, Json files) {
+    return {{"seconds", outcome.seconds},
+            {"failure", std::move(outcome.failure)},
+            {"document", std::move(outcome.document)},
+            {"files", std::move(files)}};
+}
+
+SectionOutcome unpackedOutcome(Json made) {
+    return {.seconds = made.at("seconds").get<double>(),
+            .failure = made.at("failure").get<std::string>(),
+            .document = std::move(made.at("document"))};
+}
+
+/// At once, into files and pipes too.
+void sayNow(const Console& console, const std::string& line) {
+    console.line(line);
+    host::flushStandardOutput();
+}
+
+} // namespace
+
+SectionRunner::SectionRunner(Command& command, const std::vector<report::Section>& plan, fs::path root,
+                             double pace)
+    : m_command(command),
+      m_plan(plan),
+      m_root(std::move(root)),
+      m_forecast(plan, pace),
+      m_outcomes(plan.size()) {
+    sayNow(command.console(),
+           fmt::format("{} sections, about {}", plan.size(), timeText(m_forecast.secondsLeft())));
+}
+
+void SectionRunner::runAll(const std::function<void()>& keep) {
+    const auto runOf = [&](const std::vector<std::size_t>& sections) {
+        return [&](std::size_t unit) {
+            const std::size_t section = sections[unit];
+            SectionOutcome outcome = run(section);
+            return packedOutcome(std::move(outcome), filesOf(m_plan[section], m_root));
+        };
+    };
+    const auto addOf = [&](const std::vector<std::size_t>& sections) {
+        return [&](std::size_t unit, Json made) {
+            add(sections[unit], unpackedOutcome(std::move(made)));
+            keep();
+        };
+    };
+    const std::vector<std::size_t> shared = sectionsThat(false);
+    const std::vector<std::size_t> timed = sectionsThat(true);
+    experiments::forEachUnit(m_command.ranks(), shared.size(), runOf(shared), addOf(shared));
+    experiments::forEachUnitOnFirst(m_command.ranks(), timed.size(), runOf(timed), addOf(timed));
+}
+
+/// Which sections measure time, or do not, in the order of the plan.
+std::vector<std::size_t> SectionRunner::sectionsThat(bool areTimed) const {
+    std::vector<std::size_t> sections;
+    for (std::size_t i = 0; i < m_plan.size(); ++i) {
+        if (m_plan[i].isTimed == areTimed) {
+            sections.push_back(i);
+        }
+    }
+    return sections;
+}
+
+SectionOutcome SectionRunner::run(std::size_t section) {
+    GlobalOptions inside = m_command.global();
+    inside.ranks = &m_alone;
+    inside.section = fmt::format("{}/{} {}, {} to go", m_done + 1, m_plan.size(), m_plan[section].name,
+                                 timeText(m_forecast.secondsLeft()));
+    if (inside.device == "each") {
+        inside.device = dealtDevice(m_command.ranks().place());
+    }
+    return runSection(inside, m_plan[section], m_root);
+}
+
+/// On the first rank, in any order.
+void SectionRunner::add(std::size_t section, SectionOutcome outcome) {
+    const Console& console = m_command.console();
+    console.endProgress();
+    m_forecast.done(m_plan[section], outcome.seconds);
+    sayNow(console, fmt::format("{}/{} {}: {} s{}", ++m_done, m_plan.size(), m_plan[section].name,
+                                experiments::Readable{outcome.seconds},
+                                outcome.failure.empty() ? "" : ", failed: " + outcome.failure));
+    m_outcomes[section] = std::move(outcome);
+}
+
+void takeUpSections(experiments::KeptRanks& kept, const fs::path& root) {
+    std::set<std::string> own;
+    kept.keepOnly([&](const host::Bytes& made) {
+        const Json outcome = Json::from_cbor(made);
+        const auto& files = outcome.at("files").get_ref<const Json::object_t&>();
+        const bool stands =
+            outcome.at("failure") == "" && std::all_of(files.begin(), files.end(), [&](const auto& file) {
+                return file.second == digestIn(root, file.first);
+            });
+        for (const auto& [name, digest] : files) {
+            if (stands) {
+                own.insert(name);
+            }
+        }
+        return stands;
+    });
+    for (const fs::path& file : report::filesUnder(root)) {
+        if (!own.contains(file.generic_string())) {
+            fs::remove(root / file);
+        }
+    }
+}
+
+} // namespace cdr::cli

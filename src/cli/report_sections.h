@@ -1,0 +1,58 @@
+#pragma once
+
+#include "command.h"
+#include "forecast.h"
+
+#include <report/plan.h>
+
+#include <nlohmann/json.hpp>
+#include <ranks/one_process.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cdr::cli {
+
+/// What one section came to.
+struct SectionOutcome {
+    double seconds = 0.0;
+    std::string failure;             ///< empty when it went well
+    nlohmann::ordered_json document; ///< null when there is none
+};
+
+/// Runs sections of a plan into a folder, each as one process does. Every rank has one.
+class SectionRunner {
+  public:
+    /// What is given must outlive it. @param pace as cli::measuredPace() gives it.
+    SectionRunner(Command& command, const std::vector<report::Section>& plan, std::filesystem::path root,
+                  double pace);
+
+    /// Ranks share the sections. Those that measure time are the first rank's, which runs them last, while the others wait.
+    /// @param keep called on the first rank after each.
+    void runAll(const std::function<void()>& keep);
+
+    /// By section, on the first rank.
+    const std::vector<SectionOutcome>& outcomes() const { return m_outcomes; }
+
+  private:
+    std::vector<std::size_t> sectionsThat(bool areTimed) const;
+    SectionOutcome run(std::size_t section);
+    void add(std::size_t section, SectionOutcome outcome);
+
+    Command& m_command;
+    const std::vector<report::Section>& m_plan;
+    std::filesystem::path m_root;
+    ranks::OneProcess m_alone;
+    Forecast m_forecast;
+    std::size_t m_done = 0;
+    std::vector<SectionOutcome> m_outcomes;
+};
+
+/// Forgets kept sections that failed, or whose files are not those that they wrote, and removes all files from the report's
+/// folder that are no kept section's. On the first rank, before the sections.
+void takeUpSections(experiments::KeptRanks& kept, const std::filesystem::path& root);
+
+} // namespace cdr::cli

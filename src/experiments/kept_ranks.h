@@ -1,0 +1,58 @@
+#pragma once
+
+#include <experiments/unit_state.h>
+
+#include <ranks/ranks.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cdr::experiments {
+
+/// Ranks of a run whose results a file keeps: those of an earlier run are taken from there, and ranks make what is missing.
+/// The first rank reads and writes the file. All ranks make the object, and share units through it alone.
+class KeptRanks final : public ranks::Ranks {
+  public:
+    /// @param digest of everything that results depend on.
+    /// base::InputError on the first rank as UnitStateFile, and where the file holds other results than of this class.
+    KeptRanks(ranks::Ranks& ranks, const std::filesystem::path& path, std::string digest);
+
+    /// Of the results of earlier runs.
+    std::size_t keptCount() const { return m_kept.size(); }
+    /// Before the first unit: forgets the results of earlier runs that do not stand any more, such as those whose files are gone.
+    void keepOnly(const std::function<bool(const host::Bytes& made)>& stands);
+
+    void requireSame(const std::string& text, const std::string& otherwise) override;
+    void learnMachine() override;
+    void sayWhenKilled(const std::string& text) override;
+    void forEachUnit(std::size_t count, const Make& make, const Take& take) override;
+    void forEachUnitOnFirst(std::size_t count, const Make& make, const Take& take) override;
+    host::Bytes share(host::Bytes ofFirst) override;
+    void merge(const std::function<host::Bytes()>& pack,
+               const std::function<void(const host::Bytes& later)>& take) override;
+    ranks::Ending end(const ranks::Ending& mine) override;
+
+  private:
+    using Units = std::vector<std::size_t>;
+    /// Of the next so many units of the run. Their results go through `make` on some rank, or come from the file.
+    void handOver(std::size_t count, const Take& take,
+                  const std::function<void(const Units& missing, const Take& taken)>& makeMissing);
+    Units missingOf(std::size_t begin, std::size_t count) const;
+    void takeKept(std::size_t unit, std::size_t begin, const Take& take);
+    template <typename Action>
+    auto reading(const Action& action) const;
+
+    ranks::Ranks& m_ranks;
+    std::filesystem::path m_path;
+    std::optional<UnitStateFile> m_file;         ///< on the first rank
+    std::map<std::size_t, host::Bytes> m_kept{}; ///< by unit of the run; a result goes as it is taken
+    std::size_t m_begin = 0;                     ///< unit of the run that the next call begins with
+};
+
+} // namespace cdr::experiments

@@ -1,0 +1,114 @@
+#include "../support/temporary_folder.h"
+
+#include <cdr/base/error.h>
+#include <cdr/host/base64.h>
+#include <cdr/host/file.h>
+#include <experiments/kept_ranks.h>
+#include <experiments/units.h>
+
+#include <gtest/gtest.h>
+#include <ranks/one_process.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace cdr::experiments {
+namespace {
+
+/// A run of two kinds of units, of which the first rank makes the second kind. A start may end early.
+class KeptRun : public testing::Test {
+  protected:
+    struct Start {
+        std::vector<std::string> made{};
+        std::vector<std::string> taken{};
+        std::string error{};
+    };
+
+    std::filesystem::path state() const { return m_folder.path() / "s"; }
+
+    /// @param most that it makes. @param stands of the results of earlier runs.
+    Start start(
+        std::size_t most = 100,
+        const std::function<bool(const host::Bytes&)>& stands = [](const auto&) { return true; },
+        const std::string& digest = std::string(64, 'a')) const {
+        Start start;
+        try {
+            ranks::OneProcess alone;
+            KeptRanks kept(alone, state(), digest);
+            kept.keepOnly(stands);
+            const auto make = [&](const std::string& name) {
+                if (start.made.size() == most) {
+                    throw base::RunError("stopped");
+                }
+                start.made.push_back(name);
+                return Json{{"name", name}, {"infinite", std::numeric_limits<double>::infinity()}};
+            };
+            const auto take = [&](std::size_t, const Json& made) {
+                EXPECT_EQ(made.at("infinite"), std::numeric_limits<double>::infinity());
+                start.taken.push_back(made.at("name").get<std::string>());
+            };
+            forEachUnit(
+                kept, 3, [&](std::size_t unit) { return make("a" + std::to_string(unit)); }, take);
+            forEachUnitOnFirst(
+                kept, 2, [&](std::size_t unit) { return make("b" + std::to_string(unit)); }, take);
+        } catch (const std::exception& error) {
+            start.error = error.what();
+        }
+        return start;
+    }
+
+  private:
+    test::TemporaryFolder m_folder;
+};
+
+const std::vector<std::string> kAll{"a0", "a1", "a2", "b0", "b1"};
+
+TEST_F(KeptRun, MakesOnlyWhatIsMissingAndTakesAllInOrder) {
+    for (std::size_t stop = 0; stop <= kAll.size(); ++stop) {
+        std::filesystem::remove(state());
+        EXPECT_EQ(start(stop).error, stop < kAll.size() ? "stopped" : "");
+        const Start again = start();
+        EXPECT_EQ(again.error, "");
+        EXPECT_EQ(again.taken, kAll);
+        EXPECT_EQ(again.made, (std::vector<std::string>(kAll.begin() + static_cast<long>(stop), kAll.end())));
+    }
+}
+
+TEST_F(KeptRun, MakesAgainWhatDoesNotStand) {
+    EXPECT_EQ(start().made, kAll);
+    const Start again = start(100, [](const host::Bytes& made) {
+        const Json name = Json::from_cbor(made).at("name");
+        return name != "a1" && name != "b0";
+    });
+    EXPECT_EQ(again.made, (std::vector<std::string>{"a1", "b0"}));
+    EXPECT_EQ(again.taken, kAll);
+    EXPECT_TRUE(start().made.empty());
+}
+
+TEST_F(KeptRun, RefusesResultsOfAnotherShapeInOneLine) {
+    const UnitRun run{.digest = std::string(64, 'a'), .units = 5};
+    const std::string line =
+        state().string() + ": holds other results than the run has; remove it or name another file";
+    const auto encoded = [](const Json& json) { return Json(host::toBase64(Json::to_cbor(json))); };
+    for (const Json& made :
+         {Json(7), Json("?"), Json(host::toBase64({})), encoded(7), encoded({{"other", 1}})}) {
+        host::writeText(state(), stateHeadOf(run) + stateLineOf(1, made));
+        EXPECT_EQ(start().error, line) << made;
+    }
+    host::writeText(state(), stateHeadOf(run) + stateLineOf(1, encoded(Json::object())));
+    EXPECT_EQ(
+        start(100, [](const host::Bytes& made) { return Json::from_cbor(made).at("name") == ""; }).error,
+        line);
+}
+
+TEST_F(KeptRun, IsOfOneRun) {
+    EXPECT_EQ(start(2).made.size(), 2u);
+    EXPECT_NE(start(
+                  100, [](const auto&) { return true; }, std::string(64, 'b'))
+                  .error.find("is the state of a run with other options or files"),
+              std::string::npos);
+}
+
+} // namespace
+} // namespace cdr::experiments
