@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/device.h>
 #include <cdr/host/process_cpus.h>
+#include <cdr/host/thread_placement.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
