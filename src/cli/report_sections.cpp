@@ -174,10 +174,10 @@ void takeUpSections(experiments::KeptRanks& kept, const fs::path& root) {
     kept.keepOnly([&](const host::Bytes& made) {
         const Json outcome = Json::from_cbor(made);
         const auto& files = outcome.at("files").get_ref<const Json::object_t&>();
-        const bool stands =
-            outcome.at("failure") == "" && std::all_of(files.begin(), files.end(), [&](const auto& file) {
-                return file.second == digestIn(root, file.first);
-            });
+        const bool stands = outcome.at("failure").get_ref<const std::string&>().empty() &&
+                            std::all_of(files.begin(), files.end(), [&](const auto& file) {
+                                return file.second == digestIn(root, file.first);
+                            });
         for (const auto& [name, digest] : files) {
             if (stands) {
                 own.insert(name);

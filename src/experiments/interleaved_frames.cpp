@@ -81,9 +81,9 @@ Json InterleavedFrames::packedSamples() const {
     return all;
 }
 
-void InterleavedFrames::takeSamples(const Json& all, std::size_t frames) {
+void InterleavedFrames::takeSamples(const Json& packed, std::size_t frames) {
     for (std::size_t mode = 0; mode < m_samples.size(); ++mode) {
-        m_samples[mode] = unpacked<FrameSample>(all.at(mode), frames);
+        m_samples[mode] = unpacked<FrameSample>(packed.at(mode), frames);
     }
 }
 

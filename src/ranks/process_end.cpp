@@ -23,7 +23,7 @@ constexpr std::array kCrashes{Crash{SIGSEGV, "segmentation fault"}, Crash{SIGBUS
 // A handler may use nothing else. It needs a stack of its own where the other one has overflowed.
 std::atomic<LifeLock*> crashesAreNotedIn{nullptr};
 std::array<struct sigaction, kCrashes.size()> actionsBefore{};
-alignas(16) std::array<std::byte, 64 * 1024> stackOfHandler{};
+alignas(16) std::array<std::byte, std::size_t{64} * 1024> stackOfHandler{};
 
 void restoreActions() {
     for (std::size_t i = 0; i < kCrashes.size(); ++i) {

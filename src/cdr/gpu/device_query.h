@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/gpu/device.h>
+#include <cdr/gpu/vulkan_hpp.h>
 
 #include <optional>
 
