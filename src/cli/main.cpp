@@ -5,6 +5,7 @@
 #include <cdr/base/suggest.h>
 #include <cdr/gpu/failure.h>
 #include <cdr/host/document.h>
+#include <cdr/host/kept_memory.h>
 #include <cdr/host/process_cpus.h>
 #include <cdr/host/standard_streams.h>
 #include <cdr/host/unfinished_file.h>
@@ -153,6 +154,7 @@ void printLine(const std::string& line) {
 } // namespace
 
 int main(int argc, char** argv) {
+    cdr::host::keepFreedMemory();
     cdr::host::removeUnfinishedFilesOnSignals();
     std::unique_ptr<cdr::ranks::Ranks> ranks;
     const cdr::ranks::Ending joining = outcomeOf([&] {

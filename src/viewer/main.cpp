@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
+#include <cdr/host/kept_memory.h>
 #include <viewer/session/program.h>
 
 int main(int argc, char** argv) {
+    cdr::host::keepFreedMemory();
     return cdr::viewer::exitStatusOf("cdr-viewer", [&] {
         cdr::viewer::Arguments arguments;
         CLI::App program(
