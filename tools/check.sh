@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # The long checks, before a release or after a large change: every test under the sanitizers, those that need no driver
-# under valgrind, those of a driver on other drivers, clang-tidy and include-what-you-use over all sources, every header
-# compiled alone, depth's tests for Windows where a cross compiler and wine are installed, all faults and kills of which the
-# suite takes a sample, a minute of fuzzing for each parser, ranks over MPICH, and the jobs for Slurm. It takes hours on two
-# cores.
+# under valgrind, those of a driver on other drivers and under the newest validation layer, clang-tidy and
+# include-what-you-use over all sources, every header compiled alone, depth's tests for Windows where a cross compiler and
+# wine are installed, all faults and kills of which the suite takes a sample, a minute of fuzzing for each parser, ranks over
+# MPICH, and the jobs for Slurm. It takes hours on two cores.
 # Usage: tools/check.sh [--changed]
 # --changed does what fits into a few minutes: clang-tidy over the sources that differ from origin/main, or from the
 # parent commit where they do not differ, and under AddressSanitizer the tests of the rooms that do.
@@ -20,6 +20,7 @@ check_all() {
         tools/drivers.sh "$driver" ctest --preset release --parallel "$(nproc)" \
             --label-regex '^test_(gpu|render|experiments|cli)$'
     done
+    check_barriers
     tools/tidy.sh
     tools/includes.sh
     cmake --build build/tidy --target all_verify_interface_header_sets
@@ -34,6 +35,15 @@ check_all() {
     check_mpich
     # Whose status for "cannot be started here" it has explained itself.
     tools/slurm/try.sh || (($? == 77))
+}
+
+# Tests of a driver under the newest validation layer, and whether it sees each barrier that is missing.
+check_barriers() {
+    local program
+    for program in gpu render barriers; do
+        tools/layers.sh "build/release/bin/test_$program" --gtest_brief=1
+    done
+    tools/layers.sh --shaders build/release/bin/test_barriers --gtest_brief=1
 }
 
 # Reads of what was never written, and leaks, in what needs no driver.

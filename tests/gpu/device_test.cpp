@@ -131,7 +131,7 @@ TEST(Validation, TheHookHearsHazards) {
     });
     const auto messages = instance.validation().messages();
     ASSERT_FALSE(messages.empty());
-    EXPECT_NE(messages.front().find("SYNC-HAZARD"), std::string::npos) << messages.front();
+    EXPECT_NE(messages.front().find("READ_AFTER_WRITE"), std::string::npos) << messages.front();
 }
 
 } // namespace
