@@ -7,7 +7,7 @@ import { files, read } from "./documents.mjs";
 const kPage = "src/cdr/README.md";
 const kAsks = new RegExp([
     String.raw`#include <(unistd|fcntl|sched|spawn|poll|dlfcn|pthread|termios|sys/\w+)\.h>`, String.raw`"/(proc|sys)/`,
-    String.raw`\bsigaction\(`, String.raw`\bSIG[A-Z]{3,4}\b`, String.raw`\b_WIN32\b`, String.raw`\b__linux__\b`,
+    String.raw`\bsigaction\(`, String.raw`\bSIG[A-Z]{3,4}\b`, String.raw`\b_WIN32\b`, String.raw`\b__linux__\b`, String.raw`\b__GLIBC__\b`,
     String.raw`\bsetenv\(`].join("|"));
 
 test("what needs Linux is where the library's page says", () => {
