@@ -6,7 +6,8 @@
 # MPICH, and the jobs for Slurm. It takes hours on two cores.
 # Usage: tools/check.sh [--changed]
 # --changed does what fits into a few minutes: clang-tidy over the sources that differ from origin/main, or from the
-# parent commit where they do not differ, and under AddressSanitizer the tests of the rooms that do.
+# parent commit where they do not differ, the tests of the rooms that do under AddressSanitizer, and those of threads without
+# a driver under ThreadSanitizer.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -104,12 +105,26 @@ check_changed() {
             targets+=("test_$room")
         fi
     done
-    if ((${#targets[@]} == 0)); then return; fi
-    tools/build.sh --in-batches asan -- --target "${targets[@]}" cdr_keep_loaded
-    local log=build/asan/changed.log
-    ctest --preset asan --parallel "$(nproc)" --quiet --output-log "$log" \
-        --label-regex "^($(IFS='|' && echo "${targets[*]}"))\$" || { cat "$log" && return 1; }
-    echo "AddressSanitizer: ${targets[*]}: $(grep 'tests passed' "$log")"
+    test_under asan "AddressSanitizer" "${targets[@]}"
+    # What works on several threads and needs no driver.
+    targets=()
+    for room in base host visibility; do
+        if printf '%s\n' "${rooms[@]}" | grep --quiet --line-regexp "$room"; then targets=(test_host test_visibility); fi
+    done
+    test_under tsan "ThreadSanitizer" "${targets[@]}"
+}
+
+# Builds tests and runs them under a sanitizer.
+test_under() { # PRESET NAME TARGET...
+    local preset=$1 name=$2 log=build/$1/changed.log
+    shift 2
+    if (($# == 0)); then return; fi
+    local targets=("$@")
+    [[ $preset != asan ]] || targets+=(cdr_keep_loaded)
+    tools/build.sh --in-batches "$preset" -- --target "${targets[@]}"
+    ctest --preset "$preset" --parallel "$(nproc)" --quiet --output-log "$log" \
+        --label-regex "^($(IFS='|' && echo "$*"))\$" || { cat "$log" && return 1; }
+    echo "$name: $*: $(grep 'tests passed' "$log")"
 }
 
 case ${1-} in

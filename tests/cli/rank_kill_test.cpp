@@ -151,6 +151,20 @@ class KilledAgainAndAgain : public RankKills {
         EXPECT_EQ(killed, kills);
     }
 
+    /// A run that nothing happens to, in `whole`, and then one whose ranks are killed: all.json ends in the same bytes.
+    void expectSameEnd(const std::string& arguments, const TemporaryFolder& whole) {
+        ASSERT_EQ(runProgram(arguments, whole.path()).status, 0);
+        killOften(arguments, kills(), [&](const ProgramResult& result) {
+            if (result.status == 0) { // before the kill: the next run starts anew
+                EXPECT_EQ(readText(at("all.json")), readText(whole.path() / "all.json"));
+                fs::remove(at("state"));
+            }
+        });
+        const ProgramResult last = run(3, arguments);
+        EXPECT_EQ(last.status, 0) << last.err;
+        EXPECT_EQ(readText(at("all.json")), readText(whole.path() / "all.json"));
+    }
+
     static bool takesAll() { return std::getenv("CDR_ALL_CASES") != nullptr; }
     static int kills() { return takesAll() ? 50 : 6; }
 };
@@ -161,16 +175,7 @@ TEST_F(KilledAgainAndAgain, AFlickerRunThatIsKilledEndsAsOneThatIsNot) {
         " --size 96x54 --near-object --techniques anchored --fitted-range --format d16 "
         "--flip-every 4 --json all.json --state state";
     const TemporaryFolder whole;
-    ASSERT_EQ(runProgram(arguments, whole.path()).status, 0);
-    killOften(arguments, kills(), [&](const ProgramResult& result) {
-        if (result.status == 0) { // before the kill: the next run starts anew
-            EXPECT_EQ(readText(at("all.json")), readText(whole.path() / "all.json"));
-            fs::remove(at("state"));
-        }
-    });
-    const ProgramResult last = run(3, arguments);
-    EXPECT_EQ(last.status, 0) << last.err;
-    EXPECT_EQ(readText(at("all.json")), readText(whole.path() / "all.json"));
+    expectSameEnd(arguments, whole);
     EXPECT_EQ(readText(at("state")), readText(whole.path() / "state"));
 }
 
@@ -198,17 +203,7 @@ TEST_F(KilledAgainAndAgain, ACoplanarRunThatIsKilledEndsAsOneThatIsNot) {
     const std::string arguments = "coplanar --frames " + std::to_string(views) +
                                   " --search-views 1 --size 48x27 --techniques anchored --out out "
                                   "--json all.json --state state";
-    const TemporaryFolder whole;
-    ASSERT_EQ(runProgram(arguments, whole.path()).status, 0);
-    killOften(arguments, kills(), [&](const ProgramResult& result) {
-        if (result.status == 0) { // before the kill: the next run starts anew
-            EXPECT_EQ(readText(at("all.json")), readText(whole.path() / "all.json"));
-            fs::remove(at("state"));
-        }
-    });
-    const ProgramResult last = run(3, arguments);
-    EXPECT_EQ(last.status, 0) << last.err;
-    EXPECT_EQ(readText(at("all.json")), readText(whole.path() / "all.json"));
+    expectSameEnd(arguments, TemporaryFolder());
     EXPECT_EQ(keptIn(at("state")), views + 1) << "each result once, and the search's";
 }
 

@@ -25,6 +25,7 @@
     X(vkCmdBindPipeline)                                                                                     \
     X(vkCmdBindVertexBuffers)                                                                                \
     X(vkCmdBlitImage)                                                                                        \
+    X(vkCmdClearAttachments)                                                                                 \
     X(vkCmdClearColorImage)                                                                                  \
     X(vkCmdCopyBuffer)                                                                                       \
     X(vkCmdCopyBufferToImage)                                                                                \

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cdr/gpu/vulkan_hpp.h>
-#include <cdr/host/worker_pool.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace cdr::render {
@@ -27,8 +27,9 @@ class CascadeCommands {
     /// Takes what comes next, outside any rendering scope. Ask again after drawScope().
     virtual vk::CommandBuffer primary() = 0;
 
-    /// One rendering scope that clears depth, draws the cascades from the nearest on, and stores the colours.
-    virtual void drawScope(const GBufferScope& scope, host::IndexRange cascades) = 0;
+    /// One rendering scope that draws the cascades in this order, at least one. Between two of them it clears depth where the
+    /// scope says so.
+    virtual void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) = 0;
 };
 
 } // namespace cdr::render

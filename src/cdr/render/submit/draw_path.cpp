@@ -18,9 +18,9 @@ std::string_view nameOf(Submission submission) {
     return kNames.nameOf(submission);
 }
 
-std::string labelOf(host::IndexRange cascades) {
-    return cascades.size() == 1 ? fmt::format("cascade {}", cascades.begin)
-                                : fmt::format("cascades {} to {}", cascades.begin, cascades.end - 1);
+std::string labelOf(std::span<const std::size_t> cascades) {
+    return cascades.size() == 1 ? fmt::format("cascade {}", cascades.front())
+                                : fmt::format("cascades {} to {}", cascades.front(), cascades.back());
 }
 
 Submission parseSubmission(std::string_view name) {

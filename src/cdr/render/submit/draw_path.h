@@ -15,8 +15,8 @@
 
 namespace cdr::render {
 
-/// What captures call a rendering scope: "cascade 2" or "cascades 0 to 4".
-std::string labelOf(host::IndexRange cascades);
+/// What captures call a rendering scope: "cascade 2", or "cascades 4 to 0" in the order in which they are drawn.
+std::string labelOf(std::span<const std::size_t> cascades);
 
 /// A host's part in the commands of a frame.
 struct HostCommands {

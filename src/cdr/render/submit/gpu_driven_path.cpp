@@ -1,4 +1,5 @@
 #include <cdr/render/submit/gpu_driven_path.h>
+#include <cdr/render/targets/depth_clear.h>
 
 namespace cdr::render {
 
@@ -53,10 +54,13 @@ void GpuDrivenPath::begin(const FrameView& view, const HostCommands& host) {
                      {m_lists.set(), m_occlusionSlot.set});
 }
 
-void GpuDrivenPath::drawScope(const GBufferScope& scope, host::IndexRange cascades) {
+void GpuDrivenPath::drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) {
     m_device.beginLabel(m_primary, labelOf(cascades).c_str());
     beginGBufferScope(m_primary, scope, {});
-    for (std::size_t cascade = cascades.begin; cascade < cascades.end; ++cascade) {
+    for (const std::size_t cascade : cascades) {
+        if (scope.depthClear != nullptr && cascade != cascades.front()) {
+            scope.depthClear->record(m_primary);
+        }
         m_pass.recordIndirect(m_primary, *m_frame, cascade, m_lists.draws());
         if (m_host->draw) {
             m_host->draw(m_primary, cascade);

@@ -23,7 +23,7 @@ class GpuDrivenPath final : public DrawPath {
     void begin(const FrameView& view, const HostCommands& host) override;
     bool isEmpty(std::size_t) const override { return false; } ///< only the device knows
     vk::CommandBuffer primary() override { return m_primary; }
-    void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;
+    void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) override;
     std::span<const vk::CommandBuffer> end(const FrameView& view) override;
     bool settle(FrameStats& stats) override;
 

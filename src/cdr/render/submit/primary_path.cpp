@@ -14,7 +14,7 @@ void PrimaryPath::begin(const FrameView&, const HostCommands&) {
     m_betweenPool.reset();
     m_pools.beginFrame();
     m_between = nullptr;
-    m_scopes.clear();
+    m_parts.clear();
     m_commands.clear();
 }
 
@@ -33,17 +33,26 @@ void PrimaryPath::closeBetween() {
     }
 }
 
-void PrimaryPath::drawScope(const GBufferScope& scope, host::IndexRange cascades) {
+void PrimaryPath::drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) {
     closeBetween();
-    m_scopes.push_back({.scope = scope, .cascades = cascades, .slot = m_commands.size()});
-    m_commands.emplace_back();
+    const std::size_t perPart = scope.depthClear != nullptr ? 1 : cascades.size();
+    for (std::size_t first = 0; first < cascades.size(); first += perPart) {
+        const std::span<const std::size_t> drawn = cascades.subspan(first, perPart);
+        m_parts.push_back(
+            {.scope = scope, .cascades = {drawn.begin(), drawn.end()}, .slot = m_commands.size()});
+        m_parts.back().scope.keepsColors = first > 0;
+        m_commands.emplace_back();
+    }
 }
 
-void PrimaryPath::recordScope(vk::CommandBuffer commands, const Scope& scope, const FrameView& view) const {
+void PrimaryPath::recordPart(vk::CommandBuffer commands, const Part& part, const FrameView& view) const {
     commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    m_device.beginLabel(commands, labelOf(scope.cascades).c_str());
-    beginGBufferScope(commands, scope.scope, {});
-    for (std::size_t cascade = scope.cascades.begin; cascade < scope.cascades.end; ++cascade) {
+    m_device.beginLabel(commands, labelOf(part.cascades).c_str());
+    if (part.scope.keepsColors) {
+        chainGBufferScopes(commands, part.scope);
+    }
+    beginGBufferScope(commands, part.scope, {});
+    for (const std::size_t cascade : part.cascades) {
         m_draws->record(commands, {.cascade = cascade, .draws = m_draws->lists().range(cascade)}, view);
     }
     commands.endRendering();
@@ -54,13 +63,15 @@ void PrimaryPath::recordScope(vk::CommandBuffer commands, const Scope& scope, co
 std::span<const vk::CommandBuffer> PrimaryPath::end(const FrameView& view) {
     closeBetween();
     const visibility::DrawLists& lists = m_draws->lists();
-    m_draws->workers().run(m_scopes.size(), [&](std::size_t job, std::size_t worker) {
-        const Scope& scope = m_scopes[job];
-        const host::IndexRange draws{lists.range(scope.cascades.begin).begin,
-                                     lists.range(scope.cascades.end - 1).end};
-        const host::JobSpan span(m_draws->trace(), worker, job, scope.cascades.begin, draws.size());
-        m_commands[scope.slot] = m_pools.next(worker);
-        recordScope(m_commands[scope.slot], scope, view);
+    m_draws->workers().run(m_parts.size(), [&](std::size_t job, std::size_t worker) {
+        const Part& part = m_parts[job];
+        std::size_t draws = 0;
+        for (const std::size_t cascade : part.cascades) {
+            draws += lists.range(cascade).size();
+        }
+        const host::JobSpan span(m_draws->trace(), worker, job, part.cascades.front(), draws);
+        m_commands[part.slot] = m_pools.next(worker);
+        recordPart(m_commands[part.slot], part, view);
     });
     m_draws->flush();
     return m_commands;

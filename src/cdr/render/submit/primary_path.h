@@ -9,10 +9,11 @@
 
 namespace cdr::render {
 
-/// The control without secondaries: each rendering scope is a primary of its own, recorded by whichever
-/// worker takes it, with primaries between them for what belongs there; one submit takes them all in order.
-/// So no more threads have work than there are scopes, and one-pass targets, which are one scope, keep one
-/// busy.
+/// The control without secondaries: each rendering scope is a primary of its own, recorded by whichever worker takes it,
+/// with primaries between them for what belongs there; one submit takes them all in order. A scope that clears depth between
+/// cascades becomes one for each, so no more threads have work than there are cascades, and one-pass targets keep one busy.
+/// A suspended scope could go on in the next primary, but the validation layer of Debian 12 (1.3.239) takes that for a mistake
+/// from the third primary on.
 class PrimaryPath final : public DrawPath {
   public:
     PrimaryPath(const gpu::Device& device, std::unique_ptr<HostDraws> draws, const std::string& name);
@@ -24,18 +25,19 @@ class PrimaryPath final : public DrawPath {
     void begin(const FrameView& view, const HostCommands&) override;
     bool isEmpty(std::size_t cascade) const override { return m_draws->lists().range(cascade).size() == 0; }
     vk::CommandBuffer primary() override;
-    void drawScope(const GBufferScope& scope, host::IndexRange cascades) override;
+    void drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) override;
     std::span<const vk::CommandBuffer> end(const FrameView& view) override;
     bool settle(FrameStats&) override { return true; }
     vk::BufferView facets() const override { return m_draws->facets(); }
 
   private:
-    struct Scope {
+    /// A rendering scope: all that the targets asked for, or one cascade of it.
+    struct Part {
         GBufferScope scope;
-        host::IndexRange cascades;
+        std::vector<std::size_t> cascades;
         std::size_t slot; ///< into m_commands
     };
-    void recordScope(vk::CommandBuffer commands, const Scope& scope, const FrameView& view) const;
+    void recordPart(vk::CommandBuffer commands, const Part& part, const FrameView& view) const;
     void closeBetween();
 
     const gpu::Device& m_device;
@@ -43,7 +45,7 @@ class PrimaryPath final : public DrawPath {
     WorkerCommandPools m_pools;
     gpu::CommandPool m_betweenPool;
     vk::CommandBuffer m_between; ///< recording; null where a scope came last
-    std::vector<Scope> m_scopes;
+    std::vector<Part> m_parts;
     std::vector<vk::CommandBuffer> m_commands; ///< in the order they run; null where a scope's goes
 };
 

@@ -1,4 +1,5 @@
 #include <cdr/render/submit/secondary_path.h>
+#include <cdr/render/targets/depth_clear.h>
 
 #include <algorithm>
 #include <array>
@@ -112,10 +113,15 @@ void SecondaryPath::recordJobs(const FrameView& view) {
     });
 }
 
-void SecondaryPath::drawScope(const GBufferScope& scope, host::IndexRange cascades) {
+void SecondaryPath::drawScope(const GBufferScope& scope, std::span<const std::size_t> cascades) {
     m_device.beginLabel(m_primary, labelOf(cascades).c_str());
     beginGBufferScope(m_primary, scope, vk::RenderingFlagBits::eContentsSecondaryCommandBuffers);
-    drawInside(cascades);
+    for (const std::size_t cascade : cascades) {
+        if (scope.depthClear != nullptr && cascade != cascades.front()) {
+            m_primary.executeCommands(scope.depthClear->secondary());
+        }
+        drawInside({cascade, cascade + 1});
+    }
     m_primary.endRendering();
     m_device.endLabel(m_primary);
 }

@@ -122,7 +122,6 @@ void CascadeLayers::drawLayers(CascadeCommands& commands, std::span<const std::s
         return GBufferScope{.gbuffer = m_layers[layer].gbuffer,
                             .depth = m_layers[layer].depth,
                             .emission = m_layers[layer].emission.get(),
-                            .clearColor = true,
                             .reversedDepth = m_options.reversedDepth,
                             .zeroFill = m_zeroFill.get()};
     };
@@ -132,7 +131,7 @@ void CascadeLayers::drawLayers(CascadeCommands& commands, std::span<const std::s
     }
     for (std::size_t layer = 0; layer < cascades.size(); ++layer) {
         const std::size_t cascade = cascades[cascades.size() - 1 - layer];
-        commands.drawScope(scopeOf(layer), {cascade, cascade + 1});
+        commands.drawScope(scopeOf(layer), {&cascade, 1});
     }
 }
 

@@ -146,10 +146,8 @@ void FocusLayers::record(CascadeCommands& commands, const FrameView& view) {
 void FocusLayers::drawLayers(CascadeCommands& commands, std::span<const std::size_t> drawn) const {
     const auto scopeOf = [&](std::size_t i) {
         const Layer& layer = *m_drawn[i].layer;
-        return GBufferScope{.gbuffer = layer.gbuffer,
-                            .depth = layer.depth,
-                            .clearColor = true,
-                            .reversedDepth = m_options.reversedDepth};
+        return GBufferScope{
+            .gbuffer = layer.gbuffer, .depth = layer.depth, .reversedDepth = m_options.reversedDepth};
     };
     // All barriers first, so that the layers' draws may overlap.
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -157,7 +155,7 @@ void FocusLayers::drawLayers(CascadeCommands& commands, std::span<const std::siz
     }
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const std::size_t cascade = drawn[drawn.size() - 1 - i];
-        commands.drawScope(scopeOf(i), {cascade, cascade + 1});
+        commands.drawScope(scopeOf(i), {&cascade, 1});
     }
 }
 

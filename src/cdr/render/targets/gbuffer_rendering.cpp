@@ -23,7 +23,7 @@ vk::ImageAspectFlags depthAspects(const gpu::Image& depth) {
 }
 
 vk::AttachmentLoadOp loadOf(const GBufferScope& scope) {
-    if (!scope.clearColor) {
+    if (scope.keepsColors) {
         return vk::AttachmentLoadOp::eLoad;
     }
     return scope.zeroFill != nullptr ? vk::AttachmentLoadOp::eDontCare : vk::AttachmentLoadOp::eClear;
@@ -43,9 +43,9 @@ vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks) {
 }
 
 vk::ImageMemoryBarrier2 attachBarrier(const gpu::Image& gbuffer) {
-    // A host may have read the last frame's in any stage.
+    // A host may have read the last frame's in any stage, and nobody need have read it at all.
     return gpu::imageBarrier(gbuffer.handle(), vk::ImageAspectFlagBits::eColor, Stage::eAllCommands,
-                             Access::eNone, Stage::eColorAttachmentOutput, kColorAccess,
+                             Access::eColorAttachmentWrite, Stage::eColorAttachmentOutput, kColorAccess,
                              vk::ImageLayout::eUndefined, vk::ImageLayout::eColorAttachmentOptimal);
 }
 
@@ -75,7 +75,7 @@ void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope) {
     gpu::pipelineBarrier(primary, barriers);
 }
 
-void chainGBufferScopes(vk::CommandBuffer primary, const GBufferScope& scope) {
+void chainGBufferScopes(vk::CommandBuffer commands, const GBufferScope& scope) {
     std::vector<vk::ImageMemoryBarrier2> barriers{
         chainBarrier(scope.gbuffer),
         gpu::imageBarrier(scope.depth.handle(), depthAspects(scope.depth), kDepthStages,
@@ -84,7 +84,7 @@ void chainGBufferScopes(vk::CommandBuffer primary, const GBufferScope& scope) {
     if (scope.emission != nullptr) {
         barriers.push_back(chainBarrier(*scope.emission));
     }
-    gpu::pipelineBarrier(primary, barriers);
+    gpu::pipelineBarrier(commands, barriers);
 }
 
 void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk::RenderingFlags flags) {
@@ -96,7 +96,7 @@ void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk:
         colors.push_back(
             {.imageView = scope.emission->view(),
              .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
-             .loadOp = scope.clearColor ? vk::AttachmentLoadOp::eDontCare : vk::AttachmentLoadOp::eLoad,
+             .loadOp = scope.keepsColors ? vk::AttachmentLoadOp::eLoad : vk::AttachmentLoadOp::eDontCare,
              .storeOp = vk::AttachmentStoreOp::eStore});
     }
     const vk::RenderingAttachmentInfo depth{
@@ -107,8 +107,8 @@ void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk:
         .clearValue = vk::ClearDepthStencilValue{.depth = scope.reversedDepth ? 0.0f : 1.0f}};
     const vk::RenderingAttachmentInfo stencil{.imageView = scope.depth.view(),
                                               .imageLayout = vk::ImageLayout::eAttachmentOptimal,
-                                              .loadOp = scope.clearColor ? vk::AttachmentLoadOp::eClear
-                                                                         : vk::AttachmentLoadOp::eLoad,
+                                              .loadOp = scope.keepsColors ? vk::AttachmentLoadOp::eLoad
+                                                                          : vk::AttachmentLoadOp::eClear,
                                               .storeOp = vk::AttachmentStoreOp::eStore};
     const bool marks = marksOf(scope.depth, scope.gbuffer) != nullptr;
     primary.beginRendering({.flags = flags,
@@ -118,7 +118,7 @@ void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk:
                             .pColorAttachments = colors.data(),
                             .pDepthAttachment = &depth,
                             .pStencilAttachment = marks ? &stencil : nullptr});
-    if (!scope.clearColor || scope.zeroFill == nullptr) {
+    if (scope.keepsColors || scope.zeroFill == nullptr) {
         return;
     }
     if (flags & vk::RenderingFlagBits::eContentsSecondaryCommandBuffers) {

@@ -5,6 +5,7 @@
 
 namespace cdr::render {
 
+class DepthClear;
 class ZeroFill;
 
 /// How a rendering scope over a G-buffer and a depth buffer begins.
@@ -12,9 +13,10 @@ struct GBufferScope {
     const gpu::Image& gbuffer;
     const gpu::Image& depth;
     const gpu::Image* emission = nullptr; ///< beside the G-buffer, and never cleared; null: there is none
-    bool clearColor = true;               ///< else what earlier scopes drew stays
+    bool keepsColors = false;             ///< that an earlier scope over these images drew
     bool reversedDepth = false;
     const ZeroFill* zeroFill = nullptr; ///< clears the colours, where there is one, as the scope's first draw
+    const DepthClear* depthClear = nullptr; ///< clears depth between cascades; null: they share it
 };
 
 /// The depth attachment if it marks what is drawn, else null.
@@ -34,9 +36,9 @@ vk::ImageMemoryBarrier2 marksBarrier(const gpu::Image& marks);
 void beginGBuffer(vk::CommandBuffer primary, const GBufferScope& scope);
 
 /// Lets a further scope over the same images follow one that ended.
-void chainGBufferScopes(vk::CommandBuffer primary, const GBufferScope& scope);
+void chainGBufferScopes(vk::CommandBuffer commands, const GBufferScope& scope);
 
-/// Begins a rendering scope that clears depth and stores the colours.
+/// Begins a rendering scope that clears depth, and colours unless they are kept, and stores the colours.
 /// @param flags whether draws follow in secondaries or in line.
 void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk::RenderingFlags flags);
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace cdr::render {
 
@@ -55,11 +57,12 @@ void OnePassTargets::record(CascadeCommands& commands, const FrameView& view) {
     const GBufferScope scope{.gbuffer = m_gbuffer,
                              .depth = m_depth,
                              .emission = m_emission.get(),
-                             .clearColor = true,
                              .reversedDepth = m_reversedDepth,
                              .zeroFill = m_zeroFill.get()};
     beginGBuffer(commands.primary(), scope);
-    commands.drawScope(scope, {0, view.cascades.size()}); // front to back
+    std::vector<std::size_t> frontToBack(view.cascades.size());
+    std::iota(frontToBack.begin(), frontToBack.end(), std::size_t{0});
+    commands.drawScope(scope, frontToBack);
 }
 
 } // namespace cdr::render

@@ -11,25 +11,20 @@ SingleTargets::SingleTargets(const gpu::Device& device, const TargetsOptions& op
       m_emission(makeEmission(device, options, "emission")),
       m_depth(makeDepthBuffer(device, options.extent, options.depthFormat, "depth", options.format)),
       m_reversedDepth(options.reversedDepth),
-      m_zeroFill(makeZeroFill(device, options)) {}
+      m_zeroFill(makeZeroFill(device, options)),
+      m_depthClear(device, options) {}
 
 void SingleTargets::record(CascadeCommands& commands, const FrameView& view) {
-    GBufferScope scope{.gbuffer = m_gbuffer,
-                       .depth = m_depth,
-                       .emission = m_emission.get(),
-                       .clearColor = true,
-                       .reversedDepth = m_reversedDepth,
-                       .zeroFill = m_zeroFill.get()};
+    const GBufferScope scope{.gbuffer = m_gbuffer,
+                             .depth = m_depth,
+                             .emission = m_emission.get(),
+                             .reversedDepth = m_reversedDepth,
+                             .zeroFill = m_zeroFill.get(),
+                             .depthClear = &m_depthClear};
     beginGBuffer(commands.primary(), scope);
     std::vector<std::size_t> farthestFirst = commands.drawnCascades(view.cascades.size());
     std::reverse(farthestFirst.begin(), farthestFirst.end());
-    for (const std::size_t cascade : farthestFirst) {
-        if (!scope.clearColor) {
-            chainGBufferScopes(commands.primary(), scope);
-        }
-        commands.drawScope(scope, {cascade, cascade + 1});
-        scope.clearColor = false;
-    }
+    commands.drawScope(scope, farthestFirst);
 }
 
 } // namespace cdr::render

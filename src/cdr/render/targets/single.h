@@ -1,12 +1,13 @@
 #pragma once
 
+#include <cdr/render/targets/depth_clear.h>
 #include <cdr/render/targets/targets.h>
 #include <cdr/render/targets/zero_fill.h>
 
 namespace cdr::render {
 
-/// Method 1 of the thesis: one G-buffer, cascades back to front, depth cleared between, so that nearer ones
-/// draw over farther ones.
+/// Method 1 of the thesis: one G-buffer and one rendering scope, cascades back to front, depth cleared between, so that
+/// nearer ones draw over farther ones.
 class SingleTargets final : public Targets {
   public:
     SingleTargets(const gpu::Device& device, const TargetsOptions& options);
@@ -22,6 +23,7 @@ class SingleTargets final : public Targets {
     gpu::Image m_depth;
     bool m_reversedDepth;
     std::unique_ptr<ZeroFill> m_zeroFill; ///< null where the device clears quickly
+    DepthClear m_depthClear;
 };
 
 } // namespace cdr::render

@@ -73,6 +73,10 @@ DepthSlice Targets::depthSlice(std::size_t, std::size_t) const {
     return {};
 }
 
+std::vector<vk::Format> surfaceFormats(const TargetsOptions& options) {
+    return options.emission ? std::vector{options.format, kEmissionFormat} : std::vector{options.format};
+}
+
 std::unique_ptr<gpu::Image> makeEmission(const gpu::Device& device, const TargetsOptions& options,
                                          const std::string& name) {
     return options.emission

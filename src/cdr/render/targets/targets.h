@@ -8,6 +8,7 @@
 #include <cdr/render/targets/targets_choice.h>
 
 #include <memory>
+#include <vector>
 
 namespace cdr::render {
 
@@ -21,6 +22,9 @@ struct TargetsOptions {
     /// Of ambient occlusion that each layer works out for itself before it is merged; 0 for none.
     double occlusionRadius = 0.0;
 };
+
+/// Of the colour attachments of a scope over these images.
+std::vector<vk::Format> surfaceFormats(const TargetsOptions& options);
 
 /// One way for cascades to reach the final G-buffer. Owns its images; every frame starts from nothing.
 class Targets {

@@ -1,14 +1,12 @@
 #pragma once
 
-#include <cdr/gpu/device.h>
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
+#include <cdr/render/targets/scope_secondary.h>
 
 #include <memory>
 
 namespace cdr::render {
-
-struct TargetsOptions;
 
 /// Fills a G-buffer with background by a draw, in place of a clear: a software device clears pixels of 16 bytes one by one,
 /// which takes three times as long.
@@ -19,14 +17,13 @@ class ZeroFill {
     /// Inside a rendering scope over all of the G-buffer and a depth buffer, before anything else: in line,
     void record(vk::CommandBuffer commands) const;
     /// or by this secondary.
-    vk::CommandBuffer secondary() const { return *m_secondary; }
+    vk::CommandBuffer secondary() const { return m_secondary.commands(); }
 
   private:
     vk::Extent2D m_extent;
     gpu::PipelineLayout m_layout;
     gpu::Pipeline m_pipeline;
-    vk::UniqueCommandPool m_pool;
-    vk::UniqueCommandBuffer m_secondary; ///< recorded once
+    ScopeSecondary m_secondary;
 };
 
 /// One where the device is quicker with it, null elsewhere: there scopes clear.
