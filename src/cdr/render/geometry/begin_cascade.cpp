@@ -11,11 +11,10 @@ void setCascadeViewport(vk::CommandBuffer commands, const FrameView& view, std::
     commands.setScissor(0, vk::Rect2D{{0, 0}, {width, height}});
 }
 
-void beginCascade(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
-                  vk::PipelineLayout layout) {
-    setCascadeViewport(commands, view, cascade);
-    commands.pushConstants<shaders::CascadePush>(layout, GeometryPipelines::kStages, 0,
-                                                 makeCascadePush(view, cascade));
+void bindForCascade(vk::CommandBuffer commands, vk::Pipeline pipeline, vk::PipelineLayout layout,
+                    const shaders::CascadePush& constants) {
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
+    commands.pushConstants<shaders::CascadePush>(layout, GeometryPipelines::kStages, 0, constants);
 }
 
 } // namespace cdr::render

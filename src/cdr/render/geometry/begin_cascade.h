@@ -10,9 +10,10 @@ namespace cdr::render {
 /// Sets viewport and scissor of the draws of one cascade.
 void setCascadeViewport(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade);
 
-/// Sets viewport, scissor and push constants of the draws of one cascade.
+/// Binds a pipeline that draws a cascade, and then its push constants. Constants of a stage that the pipeline before did not
+/// have are lost on lavapipe of Mesa 25.0, though the specification keeps them.
 /// @param layout has shaders::CascadePush at offset 0, in both stages.
-void beginCascade(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
-                  vk::PipelineLayout layout);
+void bindForCascade(vk::CommandBuffer commands, vk::Pipeline pipeline, vk::PipelineLayout layout,
+                    const shaders::CascadePush& constants);
 
 } // namespace cdr::render

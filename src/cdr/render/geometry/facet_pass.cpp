@@ -102,12 +102,13 @@ void FacetPass::record(vk::CommandBuffer commands, const DrawJob& job, const Rec
     streams.firstFacet += static_cast<std::uint32_t>(first * most.facets);
     FacetWriter writer(recording.view, job.cascade, m_options.shiny, streams);
 
-    beginCascade(commands, recording.view, job.cascade, *m_layout);
+    setCascadeViewport(commands, recording.view, job.cascade);
     commands.bindVertexBuffers(kVertexBinding, {recording.vertices}, {0});
     commands.bindIndexBuffer(recording.indices, 0, vk::IndexType::eUint32);
     commands.setCullMode(vk::CullModeFlagBits::eBack);
     commands.setFrontFace(vk::FrontFace::eCounterClockwise);
     const std::size_t wideBegin = std::clamp(lists.wideBegin(job.cascade), first, job.draws.end);
+    const shaders::CascadePush constants = makeCascadePush(recording.view, job.cascade);
     std::size_t draw = first;
     for (const auto& [end, pipeline] :
          {std::pair(wideBegin, *m_compact), std::pair(job.draws.end, *m_wide)}) {
@@ -118,7 +119,7 @@ void FacetPass::record(vk::CommandBuffer commands, const DrawJob& job, const Rec
             writer.add(m_meshes.solid(source.kind, level), source, m_scene.materials()[source.material]);
         }
         if (const std::uint32_t count = writer.counts().indices - firstIndex; count > 0) {
-            commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
+            bindForCascade(commands, pipeline, *m_layout, constants);
             commands.drawIndexed(count, 1, static_cast<std::uint32_t>(first * most.indices) + firstIndex,
                                  static_cast<std::int32_t>(first * most.vertices), 0);
         }

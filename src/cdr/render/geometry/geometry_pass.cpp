@@ -30,7 +30,7 @@ GeometryPass::GeometryPass(const gpu::Device& device, const GpuScene& scene, con
 
 void GeometryPass::beginJob(vk::CommandBuffer commands, const FrameView& view, std::size_t cascade,
                             vk::Buffer records) const {
-    beginCascade(commands, view, cascade, m_pipelines.layout());
+    setCascadeViewport(commands, view, cascade);
     commands.bindVertexBuffers(0, {m_scene.vertices(), records}, {0, 0});
     if (const vk::Buffer details = m_scene.details()) {
         commands.bindVertexBuffers(kDetailBinding, details, vk::DeviceSize{0});
@@ -41,14 +41,16 @@ void GeometryPass::beginJob(vk::CommandBuffer commands, const FrameView& view, s
 /// Binds what a kind needs and is not bound yet.
 class GeometryPass::StateBinder {
   public:
-    StateBinder(const GeometryPipelines& pipelines, vk::CommandBuffer commands)
+    StateBinder(const GeometryPipelines& pipelines, vk::CommandBuffer commands,
+                const shaders::CascadePush& constants)
         : m_pipelines(pipelines),
-          m_commands(commands) {}
+          m_commands(commands),
+          m_constants(constants) {}
 
     void bind(const DrawKind& kind, bool wide) {
         const vk::Pipeline pipeline = m_pipelines.pipeline(kind.variant, wide);
         if (pipeline != m_pipeline) {
-            m_commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
+            bindForCascade(m_commands, pipeline, m_pipelines.layout(), m_constants);
             m_pipeline = pipeline;
             m_layer = {}; // a pipeline without a depth bias takes it away
         }
@@ -96,6 +98,7 @@ class GeometryPass::StateBinder {
 
     const GeometryPipelines& m_pipelines;
     vk::CommandBuffer m_commands;
+    shaders::CascadePush m_constants;
     vk::Pipeline m_pipeline;
     vk::DescriptorSet m_textureSet;
     vk::DescriptorSet m_detailSet;
@@ -112,7 +115,7 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
     const MaterialWords* materials = m_scene.materials().data();
     const DrawKind* kinds = m_scene.kinds().data();
     beginJob(commands, recording.view, job.cascade, recording.recordBuffer);
-    StateBinder state(m_pipelines, commands);
+    StateBinder state(m_pipelines, commands, makeCascadePush(recording.view, job.cascade));
     DrawRecordMaker records(recording.view.camera, recording.view.cascades[job.cascade].terms.anchorView);
     for (std::size_t first = job.draws.begin; first < job.draws.end;) {
         const std::uint32_t kindIndex = sources[instances[first]].kind;
@@ -150,7 +153,7 @@ void GeometryPass::recordIndirect(vk::CommandBuffer commands, const FrameView& v
                                   const IndirectDraws& draws) const {
     constexpr std::size_t kCommandBytes = sizeof(vk::DrawIndexedIndirectCommand);
     beginJob(commands, view, cascade, draws.records);
-    StateBinder state(m_pipelines, commands);
+    StateBinder state(m_pipelines, commands, makeCascadePush(view, cascade));
     for (const bool wide : {false, true}) {
         const std::size_t bucket = 2 * cascade + (wide ? 1 : 0);
         for (std::size_t group = 0; group < draws.groups.size(); ++group) {
