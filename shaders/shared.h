@@ -117,13 +117,19 @@ struct FacetRecord {
 // A point light in view space; every coordinate is a float and the rest that float left out of the float64.
 struct LightRecord {
     vec4 position;     // x, y, view distance; 1 / half distance^2
-    vec4 positionRest; // the rest of x, y and view distance
-    vec4 color;        // linear
+    vec4 positionRest; // the rest of x, y and view distance; 1 / range^2, 0 without a range
+    vec4 color;        // linear; 1 if it has a cone or a range, else 0
+    vec4
+        beam; // of a cone: the way it shines, x, y and z of view space, times a scale; an offset. Else 0, 0, 0, 1
 };
 
 // Up to this many lights reach the fragments of the shading pass as flat varyings: with what the header hands over, they
 // fill the 64 components that every device has. More are read from the buffer.
 CDR_CONST kFlatLights = 4u;
+// What the shading pass is told in the place of a number of lights: more than these, or any number of which some have a cone
+// or a range, which flat varyings have no room for.
+CDR_CONST kManyLights = 5u;
+CDR_CONST kShapedLights = 6u;
 
 // What merging needs of a layer to work out its ambient occlusion; push constants.
 struct LayerPush {
@@ -174,7 +180,8 @@ static_assert(kPushedRecordOffset % 16 == 0 && kPushedRecordOffset >= sizeof(Cas
 static_assert(kPushedRecordOffset + sizeof(DrawRecord) <= 128); // what every device has
 static_assert(sizeof(FacetVertex) == 16);
 static_assert(sizeof(FacetRecord) == 32);
-static_assert(sizeof(LightRecord) == 48);
+static_assert(sizeof(LightRecord) == 64);
+static_assert(kManyLights == kFlatLights + 1 && kShapedLights == kFlatLights + 2);
 static_assert(sizeof(LayerPush) == 16);
 static_assert(sizeof(ShadingHeader) == 128 + 8 * kCascadeSlots);
 static_assert(sizeof(DetailRecord) == 48);

@@ -4,7 +4,7 @@
 #ifndef CDR_SHADERS_FLAT_LIGHTING_GLSL
 #define CDR_SHADERS_FLAT_LIGHTING_GLSL
 
-// How many lights the scene has. With more than kFlatLights their number and all of them are read from the buffer.
+// How many lights the scene has. With kManyLights or kShapedLights their number and all of them are read from the buffer.
 layout(constant_id = 2) const uint kLights = 0u;
 
 #ifdef HANDS_OVER_LIGHTING
@@ -16,7 +16,7 @@ layout(constant_id = 2) const uint kLights = 0u;
 layout(location = 0) HANDED vec4 flatAmbientAndFog;        // fog.a
 layout(location = 1) HANDED vec4 flatBackgroundAndRadius;  // occlusionRadius; fog's colour is the background's
 layout(location = 2) HANDED vec4 flatRay;                  // per pixel, and at the first corner
-layout(location = 3) HANDED vec4 flatLights[3u * kFlatLights]; // LightRecords
+layout(location = 3) HANDED vec4 flatLights[3u * kFlatLights]; // LightRecords without their beams
 
 #ifdef HANDS_OVER_LIGHTING
 void handOverLighting() {
@@ -25,8 +25,8 @@ void handOverLighting() {
     vec2 corner = vec2(-1.0, 1.0) * header.rayScale;
     flatRay = vec4(-2.0 * corner / header.pictureSize, corner);
     for (uint i = 0u; i < kFlatLights; ++i) {
-        LightRecord light = LightRecord(vec4(0.0), vec4(0.0), vec4(0.0));
-        if (i < kLights) {
+        LightRecord light = LightRecord(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+        if (kLights <= kFlatLights && i < kLights) {
             light = lights[i];
         }
         flatLights[3u * i] = light.position;
@@ -45,8 +45,9 @@ LightRecord lightAt(uint i) {
     if (kLights > kFlatLights) {
         return lights[i];
     }
-    return LightRecord(flatLights[3u * i], flatLights[3u * i + 1u], flatLights[3u * i + 2u]);
+    return LightRecord(flatLights[3u * i], flatLights[3u * i + 1u], flatLights[3u * i + 2u], vec4(0.0));
 }
+bool isShaped(LightRecord light) { return kLights == kShapedLights && light.color.w != 0.0; }
 #endif
 
 #endif

@@ -27,6 +27,7 @@ vec2 rayScale() { return header.rayScale; }
 float occlusionRadius() { return header.occlusionRadius; }
 uint lightCount() { return header.lightCount; }
 LightRecord lightAt(uint i) { return lights[i]; }
+bool isShaped(LightRecord light) { return light.color.w != 0.0; }
 #endif
 
 // View-space x and y per unit of view distance at a pixel.
@@ -77,6 +78,13 @@ vec3 wayTo(LightRecord light, LitPoint point) {
     return vec3(lightAcross, point.ahead - lightAhead);
 }
 
+// The share of a light that its range and its cone let through, by KHR_lights_punctual. toLight is of length 1.
+float shapeOf(LightRecord light, vec3 toLight, float distanceSquared) {
+    float ofRange = min(distanceSquared, 1e37) * light.positionRest.w;
+    float inCone = clamp(light.beam.w - dot(light.beam.xyz, toLight), 0.0, 1.0);
+    return max(1.0 - ofRange * ofRange, 0.0) * inCone * inCone;
+}
+
 // Light that falls on a matt surface: what its albedo is multiplied by.
 vec3 lightOn(LitPoint point) {
     vec3 light = point.openness * (kSky != 0u ? skyDiffuse(point.normal) : ambientLight());
@@ -85,7 +93,11 @@ vec3 lightOn(LitPoint point) {
         vec3 way = wayTo(record, point);
         float distanceSquared = dot(way, way);
         float reach = sqrt(max(distanceSquared, 1e-30)) * (1.0 + distanceSquared * record.position.w);
-        light += record.color.rgb * (shareOf(point, i) * max(dot(point.normal, way), 0.0) / reach);
+        float share = shareOf(point, i);
+        if (isShaped(record)) {
+            share *= shapeOf(record, way * inversesqrt(max(distanceSquared, 1e-30)), distanceSquared);
+        }
+        light += record.color.rgb * (share * max(dot(point.normal, way), 0.0) / reach);
     }
     return light;
 }
@@ -107,7 +119,11 @@ vec3 shinyLight(Shine shine, LitPoint point) {
         vec3 way = wayTo(record, point);
         float distanceSquared = dot(way, way);
         vec3 direction = way * inversesqrt(max(distanceSquared, 1e-30));
-        light += record.color.rgb * (shareOf(point, i) / (1.0 + distanceSquared * record.position.w)) *
+        float share = shareOf(point, i);
+        if (isShaped(record)) {
+            share *= shapeOf(record, direction, distanceSquared);
+        }
+        light += record.color.rgb * (share / (1.0 + distanceSquared * record.position.w)) *
                  pointReflectance(shine, point.normal, toCamera, facing, direction);
     }
     return min(light, kBrightest);

@@ -24,6 +24,7 @@ void addTranslucency(CLI::App& program, const GlobalOptions& global);
 void addEffects(CLI::App& program, const GlobalOptions& global);
 void addFocus(CLI::App& program, const GlobalOptions& global);
 void addShadows(CLI::App& program, const GlobalOptions& global);
+void addModels(CLI::App& program, const GlobalOptions& global);
 void addInspect(CLI::App& program, const GlobalOptions& global);
 void addReport(CLI::App& program, const GlobalOptions& global);
 

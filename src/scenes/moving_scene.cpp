@@ -24,6 +24,9 @@ MovingScene::MovingScene(scene::Scene scene, scene::SceneMotion motion)
     for (const std::uint32_t mesh : m_motion.meshes) {
         m_meshes.push_back(m_world.mesh(mesh));
     }
+    for (const std::uint32_t light : m_motion.lights) {
+        m_lights.push_back(m_world.light(light));
+    }
 }
 
 bool MovingScene::show(std::uint32_t frame, host::WorkerPool& workers) {
@@ -36,7 +39,15 @@ bool MovingScene::show(std::uint32_t frame, host::WorkerPool& workers) {
             m_world.setVertices(m_meshes[i], std::move(vertices[i]));
         }
     }
-    m_world.setTransforms(m_instances, m_motion.transforms(frame));
+    if (!m_instances.empty()) {
+        m_world.setTransforms(m_instances, m_motion.transforms(frame));
+    }
+    if (!m_lights.empty()) {
+        const std::vector<scene::PointLight> lights = m_motion.lightsAt(frame);
+        for (std::size_t i = 0; i < m_lights.size(); ++i) {
+            m_world.setLight(m_lights[i], lights[i]);
+        }
+    }
     m_frame = frame;
     return true;
 }

@@ -9,7 +9,7 @@
 
 namespace cdr::scenes {
 
-/// A scene whose instances follow their paths and whose meshes deform, from frame to frame. What deforms has no levels of
+/// A scene whose instances and lights follow their paths and whose meshes deform, from frame to frame. What deforms has no levels of
 /// detail.
 class MovingScene {
   public:
@@ -29,6 +29,7 @@ class MovingScene {
     scene::SceneMotion m_motion;
     std::vector<scene::InstanceHandle> m_instances;
     std::vector<scene::MeshHandle> m_meshes;
+    std::vector<scene::LightHandle> m_lights;
     std::uint32_t m_frame = 0;
 };
 

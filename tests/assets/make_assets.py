@@ -4,6 +4,7 @@
 garden.glb: 54 nodes, nested, one mirrored; opaque, masked and blended materials; two PNG pictures inside; a camera.
 materials.glb: every texture of a material, read in every way that the importer knows; a camera.
 machine.glb: animations of every path and interpolation, a skin of six joints, morph targets, a camera that moves.
+stage.glb: a spot, a point light with a range and a directional light, two of which move; a camera.
 well.gltf, well.bin and stone.jpg: a model in three files. ffmpeg writes the JPEG, so its bytes depend on the version.
 """
 
@@ -92,6 +93,16 @@ class Model:
 
     def node(self, name, mesh=None, **more):
         return self.append("nodes", {"name": name, **({} if mesh is None else {"mesh": mesh}), **more})
+
+    def animation(self, name, *tracks):
+        """Tracks are (node, path, interpolation, times, values, kind)."""
+        made = {"name": name, "samplers": [], "channels": []}
+        for node, path, mode, times, values, kind in tracks:
+            sampler = {"input": self.accessor([(t,) for t in times], "SCALAR"), "interpolation": mode}
+            sampler["output"] = self.accessor(values, kind)
+            made["channels"].append({"sampler": len(made["samplers"]), "target": {"node": node, "path": path}})
+            made["samplers"].append(sampler)
+        return made
 
 
 def unit(v):
@@ -287,15 +298,6 @@ def machine():
     quarter = [(0, 0, 0, 1), (0, 0, math.sqrt(0.5), math.sqrt(0.5)), (0, 0, 1, 0)]
     splined = [part for turn_ in quarter for part in ((0, 0, 0, 0), turn_, (0, 0, 0, 0))]
 
-    def animation(name, *tracks):
-        made = {"name": name, "samplers": [], "channels": []}
-        for node, path, mode, times, values, kind in tracks:
-            sampler = {"input": model.accessor([(t,) for t in times], "SCALAR"), "interpolation": mode}
-            sampler["output"] = model.accessor(values, kind)
-            made["channels"].append({"sampler": len(made["samplers"]), "target": {"node": node, "path": path}})
-            made["samplers"].append(sampler)
-        return made
-
     curl = [(0, 0, 0, 1), (0, 0, math.sin(0.2), math.cos(0.2)), (math.sin(0.15), 0, 0, math.cos(0.15))]
     work = [(bone, "rotation", "LINEAR", (0, 1, 2), curl, "VEC4") for bone in bones[1:]]
     work.append((wheel, "rotation", "CUBICSPLINE", (0, 1, 2), splined, "VEC4"))
@@ -303,10 +305,53 @@ def machine():
     work.append((drop, "scale", "STEP", (0, 1), [(0.5, 0.5, 0.5), (0.9, 0.5, 0.9)], "VEC3"))
     work.append((swell, "weights", "LINEAR", (0, 1, 2), [(w,) for w in (0.25, 0, 1, 0, 0, 1)], "SCALAR"))
     fly = [(crane, "translation", "LINEAR", (0, 2), [(0, 2, 9), (3, 3, 7)], "VEC3")]
-    model.root["animations"] = [animation("work", *work), animation("fly", *fly)]
+    model.root["animations"] = [model.animation("work", *work), model.animation("fly", *fly)]
     ground = model.node("floor", floor)
     model.root["scenes"] = [{"name": "machine", "nodes": [ground, shoulder, skinned, wheel, drop, swell, crane]}]
     model.write_glb("machine.glb")
+
+
+def stage():
+    """Lights of every type, two of which go with nodes that move, and columns that they shine on."""
+    model = Model()
+    boards = model.material("boards", (0.55, 0.5, 0.45, 1))
+    plaster = model.material("plaster", (0.8, 0.8, 0.78, 1))
+    brass = model.material("brass", (0.9, 0.75, 0.35, 1), metallic=1.0, roughness=0.35)
+    pane = model.material("pane", (0.6, 0.8, 0.9, 0.35), alphaMode="BLEND", doubleSided=True)
+    floor = model.mesh("floor", box(4, 0.1, 3), boards)
+    column = model.mesh("column", tube(0, 2, 0.3, 0.25, 24), plaster)
+    ball = model.mesh("ball", sphere(0.4), brass)
+    bulb = model.mesh("bulb", sphere(0.08), brass)
+    glass = model.mesh("glass", box(0.7, 0.5, 0.02), pane)
+    model.root["extensions"] = {
+        "KHR_lights_punctual": {
+            "lights": [
+                {"type": "spot", "name": "follow spot", "color": [1, 0.85, 0.6], "intensity": 60, "range": 12,
+                 "spot": {"innerConeAngle": 0.12, "outerConeAngle": 0.3}},
+                {"type": "point", "name": "lantern", "color": [0.5, 0.7, 1], "intensity": 6, "range": 3},
+                {"type": "directional", "name": "moon", "color": [0.6, 0.7, 1], "intensity": 0.4},
+            ]
+        }
+    }
+    model.root["extensionsUsed"] = ["KHR_lights_punctual"]
+    light = lambda number: {"extensions": {"KHR_lights_punctual": {"light": number}}}
+    down = lambda degrees: [math.sin(math.radians(-degrees) / 2), 0, 0, math.cos(math.radians(degrees) / 2)]
+    lamp = model.node("follow spot", rotation=down(40), **light(0))
+    mast = model.node("mast", translation=[0, 4, 4], children=[lamp])
+    lantern = model.node("lantern", bulb, translation=[1.4, 0, 0], **light(1))
+    arm = model.node("arm", translation=[0.6, 1.1, 0.6], children=[lantern])
+    moon = model.node("moon", rotation=down(60), **light(2))
+    roots = [model.node("floor", floor, translation=[0, -0.1, 0]), mast, arm, moon]
+    roots += [model.node(f"column {i}", column, translation=[1.5 * i - 2.25, 0, -0.8]) for i in range(4)]
+    roots += [model.node("ball", ball, translation=[-0.9, 0.4, 0.9]), model.node("glass", glass, translation=[1.3, 0.6, 1.7])]
+    model.root["cameras"] = [{"type": "perspective", "name": "stalls", "perspective": {"yfov": 0.75, "znear": 0.1, "zfar": 100}}]
+    roots.append(model.node("stalls", camera=0, translation=[0, 1.6, 6.5], rotation=down(8)))
+    sweep = [turn(30), turn(-30), turn(30)]
+    half = [turn(0), turn(120), turn(240)]
+    show = [(mast, "rotation", "LINEAR", (0, 1, 2), sweep, "VEC4"), (arm, "rotation", "LINEAR", (0, 1, 2), half, "VEC4")]
+    model.root["animations"] = [model.animation("show", *show)]
+    model.root["scenes"] = [{"name": "stage", "nodes": roots}]
+    model.write_glb("stage.glb")
 
 
 def stone():
@@ -475,5 +520,6 @@ def materials():
 garden()
 materials()
 machine()
+stage()
 stone()
 well()

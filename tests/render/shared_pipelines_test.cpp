@@ -125,7 +125,8 @@ TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
         render::GpuScene onDevice(device(), world);
         render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
         options.submission = submission;
-        options.prepareFor = {.shine = true, .blended = true, .emission = true, .lights = 7};
+        options.prepareFor = {
+            .shine = true, .blended = true, .emission = true, .lights = 7, .shapedLights = true};
         render::Renderer renderer(device(), onDevice, options);
         renderer.draw({});
         const auto color = renderer.surfaces().color.image;
@@ -154,6 +155,8 @@ TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
             world.addLight({.position = {0.0, 5.0, 0.0}, .halfDistance = 10.0});
             renderer.draw({});
         }
+        world.addLight({.position = {0.0, 5.0, 0.0}, .halfDistance = 10.0, .range = 20.0});
+        renderer.draw({});
         EXPECT_EQ(pipelinesMade(device()), before);
         EXPECT_EQ(renderer.surfaces().color.image, color);
         EXPECT_EQ(hashOf(renderer.render({})), hashOf(draw(world.scene(), {}, options)));

@@ -266,6 +266,13 @@ TEST(World, RefusesWhatCannotBeDrawn) {
     large.object = kMaxObjects + 1;
     EXPECT_EQ(refusalOf([&] { world.addInstance(large); }), "object 16777215 is over the limit of 16777214");
     EXPECT_NE(refusalOf([&] { world.addLight({.halfDistance = 0.0}); }), "");
+    EXPECT_NE(refusalOf([&] { world.addLight({.range = 0.0}); }), "");
+    for (const LightCone& cone :
+         {LightCone{.direction = {0.0, 0.0, -2.0}}, LightCone{.inner = -0.1}, LightCone{.inner = 0.8},
+          LightCone{.outer = 1.6}, LightCone{.outer = std::nan("")}}) {
+        EXPECT_NE(refusalOf([&] { world.addLight({.cone = cone}); }), "");
+    }
+    world.removeLight(world.addLight({.cone = LightCone{}, .range = 2.0}));
     EXPECT_NE(refusalOf([&] { world.addLight({.position = {kNan, 0.0, 0.0}}); }), "");
     EXPECT_NE(refusalOf([&] { world.addMaterial({.name = {}, .baseColorTexture = 0}); }), "");
     EXPECT_NE(refusalOf([&] { world.addTexture({}); }), "");

@@ -28,10 +28,11 @@ namespace cdr::render {
 /// pipelines, and so does each further light the first time that there are as many. What is said here is made at the start
 /// instead. What shines, blends or emits costs time in each frame.
 struct PrepareFor {
-    bool shine = false;       ///< materials with scene::Material::shine
-    bool blended = false;     ///< materials of scene::AlphaMode::blend
-    bool emission = false;    ///< materials that emit light or have occlusion textures
-    std::uint32_t lights = 0; ///< so many point lights, at most kMostPreparedLights
+    bool shine = false;        ///< materials with scene::Material::shine
+    bool blended = false;      ///< materials of scene::AlphaMode::blend
+    bool emission = false;     ///< materials that emit light or have occlusion textures
+    std::uint32_t lights = 0;  ///< so many point lights, at most kMostPreparedLights
+    bool shapedLights = false; ///< lights with a cone or a range; `lights` says how many there may be
     /// Materials like these, of whatever colours and textures, on any mesh: they also say which of the above there may be.
     /// Of a texture only whether there is one matters.
     std::vector<scene::Material> materials{};

@@ -1,7 +1,28 @@
 #include <cdr/depth/view_constants.h>
 #include <cdr/render/view_transform.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace cdr::render {
+
+namespace {
+
+/// Of a difference of cosines; KHR_lights_punctual bounds how sharp a cone is.
+constexpr double kLeastFall = 1e-3;
+
+float perSquare(double distance) {
+    return std::min(static_cast<float>(1.0 / (distance * distance)), std::numeric_limits<float>::max());
+}
+
+/// LightRecord::beam.
+glm::vec4 beamOf(const scene::LightCone& cone, const scene::Camera& camera) {
+    const double scale = 1.0 / std::max(std::cos(cone.inner) - std::cos(cone.outer), kLeastFall);
+    const auto along = [&](const glm::dvec3& axis) { return glm::dot(axis, cone.direction) * scale; };
+    return {along(camera.right), along(camera.up), along(camera.back), -std::cos(cone.outer) * scale};
+}
+
+} // namespace
 
 DrawRecordMaker::DrawRecordMaker(const scene::Camera& camera, double anchorView)
     : m_position(camera.position),
@@ -42,11 +63,10 @@ shaders::LightRecord makeLightRecord(const scene::PointLight& light, const scene
     const glm::vec2 x = splitDouble(view.x);
     const glm::vec2 y = splitDouble(view.y);
     const glm::vec2 w = splitDouble(-view.z);
-    const double perSquare = 1.0 / (light.halfDistance * light.halfDistance);
-    return {.position = {x.x, y.x, w.x,
-                         std::min(static_cast<float>(perSquare), std::numeric_limits<float>::max())},
-            .positionRest = {x.y, y.y, w.y, 0.0f},
-            .color = glm::vec4(light.color, 0.0f)};
+    return {.position = {x.x, y.x, w.x, perSquare(light.halfDistance)},
+            .positionRest = {x.y, y.y, w.y, light.range ? perSquare(*light.range) : 0.0f},
+            .color = glm::vec4(light.color, scene::isShaped(light) ? 1.0f : 0.0f),
+            .beam = light.cone ? beamOf(*light.cone, camera) : glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)};
 }
 
 } // namespace cdr::render

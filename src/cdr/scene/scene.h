@@ -40,14 +40,30 @@ struct Instances {
     glm::dvec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
-/// A light that shines alike in all directions.
+/// The cone of a spot light. Within the inner angle the light is whole. From there to the outer one it falls as the square
+/// of a linear function of the angle's cosine, as KHR_lights_punctual has it.
+struct LightCone {
+    glm::dvec3 direction{0.0, 0.0, -1.0}; ///< that the light shines in: world axes, unit length
+    double inner = 0.0;                   ///< radians from the axis, from 0 to below `outer`
+    double outer = 0.7853981633974483;    ///< radians from the axis, at most half pi; beyond is no light
+};
+
+/// A light at a point. It shines alike in all directions, or within a cone.
 struct PointLight {
     glm::dvec3 position{0.0}; ///< world space
     glm::vec3 color{1.0f};    ///< linear
     /// Distance at which the light is half as strong, in scene units. It falls as 1 / (1 + (d /
     /// halfDistance)^2).
     double halfDistance = 1.0;
+    std::optional<LightCone> cone{}; ///< of a spot light; none: all directions
+    /// Scene units, above 0: the light is also multiplied by 1 - (d / range)^4, and beyond is none. None: unlimited.
+    std::optional<double> range{};
 };
+
+/// Whether a light has a cone or a range.
+inline bool isShaped(const PointLight& light) {
+    return light.cone.has_value() || light.range.has_value();
+}
 
 /// Light from all around, as a clear sky over a plain sends it: of one colour below the horizon, and above it from the
 /// horizon's to the zenith's in step with the sine of the elevation.

@@ -24,16 +24,29 @@ struct SceneMotion {
     /// The vertices of these at a frame, as many as each has.
     std::function<std::vector<std::vector<Vertex>>(std::uint32_t frame, host::WorkerPool& workers)>
         vertices{};
+    std::vector<std::uint32_t> lights{}; ///< that move, by index
+    /// These at a frame, in the same order.
+    std::function<std::vector<PointLight>(std::uint32_t frame)> lightsAt{};
 
     /// Whether anything moves.
     /// @errors None.
-    explicit operator bool() const { return !instances.empty(); }
+    explicit operator bool() const { return !instances.empty() || !lights.empty(); }
 };
 
 /// An animation of a file.
 struct PlayableAnimation {
     std::string name;     ///< may be empty
     double seconds = 0.0; ///< how long it takes
+};
+
+/// How a light of a file shines.
+enum class LightType : std::uint8_t { point, directional, spot };
+
+/// A light of a file.
+struct ListedLight {
+    std::string name;                  ///< may be empty
+    LightType type = LightType::point; ///< how it shines
+    bool moves = false;                ///< whether the animation that is played moves it
 };
 
 /// A scene, the cameras that look at it, and what moves in it.
@@ -48,6 +61,7 @@ struct OpenedScene {
     SceneSetup setup;                            ///< scene and cameras
     std::vector<std::string> notes;              ///< what an importer ignored, one line each
     std::vector<PlayableAnimation> animations{}; ///< what a file holds, whether it is played or not
+    std::vector<ListedLight> lights{};           ///< what a file holds, whether they are shown or not
 };
 
 } // namespace cdr::scene

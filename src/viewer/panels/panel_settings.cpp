@@ -2,6 +2,7 @@
 #include "thumbnails.h"
 
 #include <viewer/state/explanations.h>
+#include <viewer/state/light_list.h>
 #include <viewer/state/plain_words.h>
 
 #include <fmt/format.h>
@@ -81,6 +82,9 @@ void drawScenePanel(const Widgets& widgets, const RenderResult* result, ViewSett
         widgets.sentence(fmt::format("{}, {}. Drop a .gltf or .glb file to open it.",
                                      counted(opened.setup.scene.objectCount(), "object"),
                                      counted(opened.setup.scene.lights.size(), "light")));
+        for (const std::string& line : lightLines(opened.lights)) {
+            widgets.sentence(line);
+        }
         for (const std::string& note : opened.notes) {
             widgets.sentence("ignored: " + note);
         }

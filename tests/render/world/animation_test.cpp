@@ -1,6 +1,8 @@
 #include "../fixture.h"
 
 #include <cdr/measure/certify/certifier.h>
+#include <cdr/measure/compare/flip_difference.h>
+#include <cdr/measure/truth/layered_truth.h>
 #include <cdr/measure/truth/truth_motion.h>
 #include <scenes/moving_scene.h>
 #include <scenes/open_scene.h>
@@ -12,6 +14,7 @@ namespace cdr::render_test {
 namespace {
 
 constexpr const char* kMachine = CDR_SOURCE_DIR "/tests/assets/machine.glb";
+constexpr const char* kStage = CDR_SOURCE_DIR "/tests/assets/stage.glb";
 constexpr double kFramesPerSecond = 4.0;
 
 /// The objects of machine.glb that its animation "work" turns and moves as they are, plus one.
@@ -81,6 +84,48 @@ TEST_F(AnimationTest, TruthSeesTheSameTriangles) {
                 .wrong,
             0u);
     }
+}
+
+/// Lights go with their nodes: a world that was brought to a frame is lit as the file opened at that moment, and as the
+/// float64 truth has it.
+TEST_F(AnimationTest, LightsFollowNodes) {
+    const auto openStage = [](double seconds, std::optional<double> framesPerSecond) {
+        scene::GltfChoice choice;
+        choice.seconds = seconds;
+        choice.framesPerSecond = framesPerSecond;
+        choice.camera = 0;
+        choice.light = scene::ModelLight::file;
+        return scenes::openScene(kStage, scenes::kDefaultSeed, choice).setup;
+    };
+    const scene::SceneSetup opened = openStage(0.0, kFramesPerSecond);
+    for (const std::size_t threads : {std::size_t{1}, std::size_t{3}, std::size_t{16}}) {
+        host::WorkerPool workers(threads);
+        for (const char* technique : {"anchored", "cdr"}) {
+            render::RenderOptions chosen = options(technique, threads);
+            chosen.translucency.method = render::Translucency::sorted;
+            scenes::MovingScene moving(opened.scene, opened.motion);
+            render::GpuScene onDevice(device(), moving.world());
+            render::Renderer renderer(device(), onDevice, chosen);
+            std::string last;
+            for (const std::uint32_t frame : {1u, 2u, 5u, 3u, 8u}) {
+                moving.show(frame, workers);
+                renderer.forgetFrames();
+                const scene::Camera camera = opened.path.at(frame);
+                const render::Frame drawn = renderer.render(camera);
+                const scene::SceneSetup still = openStage(frame / kFramesPerSecond, {});
+                ASSERT_EQ(hashOf(drawn), hashOf(draw(still.scene, camera, chosen))) << technique << frame;
+                EXPECT_NE(hashOf(drawn), last);
+                last = hashOf(drawn);
+                if (threads == 3) {
+                    const auto truth = measure::castLayers(moving.world().scene(), camera, drawn.width(),
+                                                           drawn.height(), workers);
+                    EXPECT_LE(measure::FlipDifference().mean(pictureOf(truth), drawn.color, workers), 0.03)
+                        << technique << frame;
+                }
+            }
+        }
+    }
+    EXPECT_EQ(messageCount(), 0u);
 }
 
 /// Motion is exact where nodes move as they are; what deforms moves by the point that it goes with.

@@ -263,11 +263,22 @@ class Editor {
         m_world.setVertices(handle, mesh.vertices);
     }
 
+    void shape(scene::PointLight& light) {
+        light.range = below(3) == 0 ? std::optional(between(50.0, 200.0)) : std::nullopt;
+        light.cone.reset();
+        if (below(3) == 0) {
+            light.cone = {.direction =
+                              glm::normalize(glm::dvec3(between(-1.0, 1.0), -1.0, between(-1.0, 1.0))),
+                          .inner = between(0.0, 0.4),
+                          .outer = between(0.5, 1.5)};
+        }
+    }
+
     void addLight() {
-        const scene::PointLight light{
-            .position = {between(-50.0, 50.0), between(0.0, 50.0), between(-200.0, 0.0)},
-            .color = glm::vec3(static_cast<float>(between(0.1, 0.9))),
-            .halfDistance = between(5.0, 100.0)};
+        scene::PointLight light{.position = {between(-50.0, 50.0), between(0.0, 50.0), between(-200.0, 0.0)},
+                                .color = glm::vec3(static_cast<float>(between(0.1, 0.9))),
+                                .halfDistance = between(5.0, 100.0)};
+        shape(light);
         m_expected.lights.emplace_back(m_world.addLight(light), light);
     }
 
@@ -282,6 +293,7 @@ class Editor {
         } else {
             auto& [handle, light] = *pick(m_expected.lights);
             light.halfDistance = between(5.0, 100.0);
+            shape(light);
             m_world.setLight(handle, light);
         }
     }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace cdr::scene::test {
 namespace {
@@ -66,14 +67,42 @@ TEST_F(GltfLights, AreShownWhenAskedFor) {
     }
 }
 
-TEST_F(GltfLights, WhatIsNotUsedIsNoted) {
+TEST_F(GltfLights, SpotsHaveAConeAndARange) {
     Document document = lit();
     lightOf(document, 0)["type"] = "spot";
+    lightOf(document, 0)["range"] = 12.5;
+    lightOf(document, 0)["spot"] = {{"innerConeAngle", 0.25}, {"outerConeAngle", 0.5}};
+    document.root["nodes"][1]["rotation"] = {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
+    document.root["nodes"][1]["scale"] = {3, 3, 3};
+    const OpenedScene opened = openGltf(write("a.glb", document.glb()), byFile());
+    EXPECT_TRUE(opened.notes.empty());
+    const PointLight& spot = opened.setup.scene.lights[0];
+    ASSERT_TRUE(spot.cone);
+    EXPECT_EQ(spot.cone->inner, 0.25);
+    EXPECT_EQ(spot.cone->outer, 0.5);
+    EXPECT_NEAR(glm::distance(spot.cone->direction, glm::dvec3(0, -1, 0)), 0.0, 1e-12);
+    EXPECT_EQ(spot.range, 12.5);
+    EXPECT_EQ(spot.position, glm::dvec3(1, 2, 9));
+    EXPECT_FALSE(scene::isShaped(opened.setup.scene.lights[1]));
+    ASSERT_EQ(opened.lights.size(), 2u);
+    EXPECT_EQ(opened.lights[0].name, "bulb");
+    EXPECT_EQ(opened.lights[0].type, LightType::spot);
+    EXPECT_EQ(opened.lights[1].type, LightType::directional);
+    lightOf(document, 0).erase("spot");
+    EXPECT_EQ(load(document).lights[0].cone->inner, 0.0);
+    EXPECT_EQ(load(document).lights[0].cone->outer, LightCone{}.outer);
+    lightOf(document, 0)["spot"] = {{"innerConeAngle", 1.5708}, {"outerConeAngle", 1.57081}};
+    const LightCone widest = *load(document).lights[0].cone; // as few digits have half pi
+    EXPECT_LT(widest.inner, widest.outer);
+    EXPECT_LE(widest.outer, 0.5 * std::numbers::pi);
+}
+
+TEST_F(GltfLights, WhatIsNotUsedIsNoted) {
+    Document document = lit();
     lightOf(document, 1)["range"] = 5.0;
     const GltfImport import = load(document);
-    EXPECT_EQ(import.lights.size(), 1u);
-    EXPECT_TRUE(anySays(import.ignored, "spot lights are not used"));
-    EXPECT_TRUE(anySays(import.ignored, "the range of a light is not used"));
+    EXPECT_EQ(import.lights.size(), 2u);
+    EXPECT_TRUE(anySays(import.ignored, "the range of a directional light means nothing"));
     document = lit();
     document.root["nodes"][2]["scale"] = {1, 1, 0};
     EXPECT_TRUE(anySays(load(document).ignored, "a light is not used, its transform flattens it"));
@@ -90,6 +119,20 @@ TEST_F(GltfLights, UnsoundOnesAreRefused) {
     expectSays(with("intensity", "x"), "its intensity is");
     expectSays(with("color", {1, -1, 1}), "its colour must be 0 or more");
     EXPECT_NE(with("color", {1, 1}), "loaded");
+    expectSays(with("range", 0), "its range is 0");
+    expectSays(with("range", "far"), "its range is \"far\"");
+    const auto withCone = [&](const json& spot) {
+        Document document = lit();
+        lightOf(document, 0)["type"] = "spot";
+        lightOf(document, 0)["spot"] = spot;
+        return refusal(document);
+    };
+    for (const auto& [inner, outer] :
+         {std::pair{-0.1, 0.5}, std::pair{0.5, 0.5}, std::pair{0.6, 0.5}, std::pair{0.0, 1.6}}) {
+        expectSays(withCone({{"innerConeAngle", inner}, {"outerConeAngle", outer}}), "its cone is from");
+    }
+    expectSays(withCone({{"innerConeAngle", "x"}}), "its innerConeAngle is \"x\"");
+    expectSays(withCone(7), "its spot is no object");
     Document document = lit();
     document.root["nodes"][1]["extensions"][kLights]["light"] = 7;
     expectSays(refusal(document), "light 7 does not exist, the file has 2");

@@ -1,4 +1,5 @@
 #include <cdr/depth/forecast.h>
+#include <viewer/state/light_list.h>
 #include <viewer/state/plain_words.h>
 #include <viewer/state/technique_label.h>
 
@@ -6,6 +7,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace cdr::viewer {
 
@@ -15,6 +18,17 @@ TEST(LagText, SpeaksFromHalfASecondOn) {
     EXPECT_EQ(lagText(0.0), "");
     EXPECT_EQ(lagText(0.49), "");
     EXPECT_EQ(lagText(1.26), "rendering, 1.3\u00a0s behind");
+}
+
+TEST(LightLines, NameTypesAndBoundTheirNumber) {
+    EXPECT_TRUE(lightLines({}).empty());
+    const std::vector<scene::ListedLight> two{{.name = "lamp", .type = scene::LightType::spot, .moves = true},
+                                              {.type = scene::LightType::directional}};
+    EXPECT_EQ(lightLines(two), (std::vector<std::string>{"spot light 'lamp', moves", "directional light"}));
+    const std::vector<std::string> many = lightLines(std::vector<scene::ListedLight>(14));
+    ASSERT_EQ(many.size(), 13u);
+    EXPECT_EQ(many[0], "point light");
+    EXPECT_EQ(many[12], "and 2 more lights");
 }
 
 TEST(TechniqueStep, IsTheForecastsWhereCascadesAgree) {

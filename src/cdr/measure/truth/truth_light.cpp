@@ -81,6 +81,21 @@ glm::dvec3 skyOnShiny(const scene::Sky& sky, const ShinyPoint& point) {
     return sum / static_cast<double>(kSkyDirections);
 }
 
+/// The share of a light that its range and its cone let through (KHR_lights_punctual).
+double shapeShare(const scene::PointLight& lamp, const glm::dvec3& toLight, double distance) {
+    double share = 1.0;
+    if (lamp.range) {
+        share *= std::clamp(1.0 - std::pow(distance / *lamp.range, 4.0), 0.0, 1.0);
+    }
+    if (lamp.cone) {
+        const double edge = std::cos(lamp.cone->outer);
+        const double fall = std::max(std::cos(lamp.cone->inner) - edge, 0.001);
+        const double cosine = -glm::dot(lamp.cone->direction, toLight) / distance;
+        share *= std::pow(std::clamp((cosine - edge) / fall, 0.0, 1.0), 2.0);
+    }
+    return share;
+}
+
 /// Point lights, of each the share that `shareOf` gives for the way to it and its length.
 template <typename ShareOf>
 glm::dvec3 sumLights(const scene::Scene& scene, const scene::Camera& camera, const glm::dvec3& fromCamera,
@@ -90,8 +105,9 @@ glm::dvec3 sumLights(const scene::Scene& scene, const scene::Camera& camera, con
         const glm::dvec3 toLight = (lamp.position - camera.position) - fromCamera;
         const double squared = glm::dot(toLight, toLight);
         const double half2 = lamp.halfDistance * lamp.halfDistance;
-        light += glm::dvec3(lamp.color) *
-                 (shareOf(toLight, std::sqrt(std::max(squared, 1e-30))) * half2 / (half2 + squared));
+        const double distance = std::sqrt(std::max(squared, 1e-30));
+        light += glm::dvec3(lamp.color) * (shapeShare(lamp, toLight, distance) * shareOf(toLight, distance) *
+                                           half2 / (half2 + squared));
     }
     return light;
 }

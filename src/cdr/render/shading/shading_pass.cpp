@@ -76,19 +76,19 @@ std::vector<ImageUse> imagesOf(const ShadingOptions& shading) {
     return uses;
 }
 
-FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading, std::uint32_t lights) {
+FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading, std::uint32_t lightForm) {
     const Effects& effects = shading.effects;
     const auto [finish, exposure] =
         finishConstants(shading.finishes ? effects.finish : Finish{ToneMap::none}, shading.sky);
-    FullscreenPassOptions options{.name = "shading",
-                                  .vertexSpirv = kShadingVert,
-                                  .fragmentSpirv = {},
-                                  .bindings = {kImage, kBuffer},
-                                  .format = format,
-                                  .constants = {effects.fog.visibility > 0.0 ? 1u : 0u,
-                                                shading.shiny ? 1u : 0u, lights, shading.anchored ? 1u : 0u,
-                                                shading.marks != nullptr ? 1u : 0u, finish, exposure,
-                                                shading.sky ? 1u : 0u}};
+    FullscreenPassOptions options{
+        .name = "shading",
+        .vertexSpirv = kShadingVert,
+        .fragmentSpirv = {},
+        .bindings = {kImage, kBuffer},
+        .format = format,
+        .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shading.shiny ? 1u : 0u, lightForm,
+                      shading.anchored ? 1u : 0u, shading.marks != nullptr ? 1u : 0u, finish, exposure,
+                      shading.sky ? 1u : 0u}};
     if (shading.marks != nullptr) {
         options.marks = shading.marks->options().format;
     }
@@ -106,6 +106,12 @@ glm::dvec3 directionInView(const scene::Camera& camera, const glm::dvec3& world)
 
 } // namespace
 
+std::uint32_t lightFormOf(const scene::Scene& scene) {
+    return std::any_of(scene.lights.begin(), scene.lights.end(), scene::isShaped)
+               ? shaders::kShapedLights
+               : static_cast<std::uint32_t>(std::min<std::size_t>(scene.lights.size(), shaders::kManyLights));
+}
+
 ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, const gpu::Image& into,
                          const ShadingOptions& options)
     : m_device(device),
@@ -116,21 +122,25 @@ ShadingPass::ShadingPass(const gpu::Device& device, const gpu::Image& gbuffer, c
                       ? std::make_unique<OcclusionPass>(device, gbuffer)
                       : nullptr),
       m_options(options) {
-    passFor(options.lights);
+    passFor(options.lightForm);
     if (options.preparedLights > 0) {
-        for (std::uint32_t lights = 0; lights <= std::min(options.preparedLights, shaders::kFlatLights + 1);
+        for (std::uint32_t lights = 0; lights <= std::min(options.preparedLights, shaders::kManyLights);
              ++lights) {
             passFor(lights);
         }
     }
+    if (options.preparedShapes) {
+        passFor(shaders::kShapedLights);
+    }
 }
 
-FullscreenPass& ShadingPass::passFor(std::uint32_t lights) {
-    const std::uint32_t key = std::min(lights, shaders::kFlatLights + 1);
-    const auto found = m_passes.find(key);
+FullscreenPass& ShadingPass::passFor(std::uint32_t lightForm) {
+    const auto found = m_passes.find(lightForm);
     return found != m_passes.end()
                ? found->second
-               : m_passes.try_emplace(key, m_device, passOptions(m_into.options().format, m_options, key))
+               : m_passes
+                     .try_emplace(lightForm, m_device,
+                                  passOptions(m_into.options().format, m_options, lightForm))
                      .first->second;
 }
 
@@ -173,8 +183,8 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
     header.rayScale = glm::vec2(frustum.tanX, frustum.tanY);
     header.pictureSize = glm::vec2(m_extent.width, m_extent.height);
-    m_lightCount = static_cast<std::uint32_t>(scene.lights.size());
-    header.lightCount = m_lightCount;
+    m_lightForm = lightFormOf(scene);
+    header.lightCount = static_cast<std::uint32_t>(scene.lights.size());
     header.fog = glm::vec4(fog.color, fog.extinction());
     if (scene.sky) {
         header.skyUp = glm::vec4(glm::vec3(directionInView(camera, scene.sky->up)), 0.0f);
@@ -211,7 +221,7 @@ void ShadingPass::record(vk::CommandBuffer primary, const ShadingInputs& inputs)
     // Where marks leave background out, it is what the clear makes it.
     const auto load =
         m_options.marks != nullptr ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eDontCare;
-    passFor(inputs.m_lightCount)
+    passFor(inputs.m_lightForm)
         .record(primary, {&draw, 1}, m_into, load,
                 vk::ClearColorValue{std::array{background.r, background.g, background.b, 1.0f}},
                 m_options.marks);

@@ -33,14 +33,18 @@ class ShadingInputs {
   private:
     friend class ShadingPass;
     Effects m_effects;
-    vk::Extent2D m_extent; ///< of the picture
-    std::uint32_t m_lightCount = 0;
+    vk::Extent2D m_extent;         ///< of the picture
+    std::uint32_t m_lightForm = 0; ///< lightFormOf() the scene
     bool m_finishes = false;
     glm::vec3 m_background{0.0f}; ///< linear; where no surface is, as the picture has it
     gpu::Buffer m_lights;
     PassInputs m_inputs;
     PassInputs m_occlusion; ///< where it is worked out over the whole picture
 };
+
+/// How the shading pass reads a scene's lights: their number up to shaders::kFlatLights, which cost least, or
+/// shaders::kManyLights, or shaders::kShapedLights.
+std::uint32_t lightFormOf(const scene::Scene& scene);
 
 /// What a ShadingPass is made for.
 struct ShadingOptions {
@@ -53,8 +57,9 @@ struct ShadingOptions {
     bool facets = false; ///< whether surfaces come from a visibility buffer; then effects hold no occlusion
     const gpu::Image* marks = nullptr;   ///< Targets::marks()
     const gpu::Image* shadows = nullptr; ///< ShadowPass::mask(); null: lights reach everything
-    std::uint32_t lights = 0; ///< as many as the scene has at first; up to shaders::kFlatLights cost least
-    std::uint32_t preparedLights = 0; ///< PrepareFor::lights
+    std::uint32_t lightForm = 0;         ///< lightFormOf() the scene at first
+    std::uint32_t preparedLights = 0;    ///< PrepareFor::lights
+    bool preparedShapes = false;         ///< PrepareFor::shapedLights
 };
 
 /// Deferred shading: reads the final G-buffer, sums ambient and point lights, less what occlusion and fog
@@ -83,9 +88,8 @@ class ShadingPass {
     Effects m_effects;
     std::unique_ptr<OcclusionPass> m_occlusion; ///< null unless it is for the whole picture
     ShadingOptions m_options;
-    FullscreenPass& passFor(std::uint32_t lights);
-    /// By how many lights are handed over as flat varyings, or kFlatLights + 1 where all are read from the buffer. Made
-    /// when first needed; the inputs of one suit all.
+    FullscreenPass& passFor(std::uint32_t lightForm);
+    /// By lightFormOf(). Made when first needed; the inputs of one suit all.
     std::map<std::uint32_t, FullscreenPass> m_passes;
 };
 

@@ -159,10 +159,17 @@ void show(Scene& scene, const SceneMotion& motion, std::uint32_t frame, host::Wo
             requireUsable(mesh.vertices, mesh.boundingRadius, mesh.name);
         }
     }
-    const std::vector<Transform> transforms = motion.transforms(frame);
+    const std::vector<Transform> transforms =
+        motion.instances.empty() ? std::vector<Transform>() : motion.transforms(frame);
     for (std::size_t i = 0; i < motion.instances.size(); ++i) {
         requireUsable(transforms[i], "instance " + std::to_string(motion.instances[i]));
         placeInstance(scene, motion.instances[i], transforms[i].position, transforms[i].basis);
+    }
+    const std::vector<PointLight> lights =
+        motion.lights.empty() ? std::vector<PointLight>() : motion.lightsAt(frame);
+    for (std::size_t i = 0; i < motion.lights.size(); ++i) {
+        requireUsable(lights[i], "light " + std::to_string(motion.lights[i]));
+        scene.lights[motion.lights[i]] = lights[i];
     }
 }
 

@@ -47,9 +47,12 @@ struct GltfLight {
     std::string name;
     glm::dvec3 position{0.0};
     std::optional<glm::dvec3>
-        direction{};        ///< that it shines in, of length one, from infinitely far; none: everywhere
-    glm::vec3 color{1.0f};  ///< linear
-    double intensity = 1.0; ///< candela, or lux with a direction
+        direction{};       ///< that it shines in, of length one, from infinitely far; none: from its position
+    glm::vec3 color{1.0f}; ///< linear
+    double intensity = 1.0;          ///< candela, or lux with a direction
+    std::optional<LightCone> cone{}; ///< of a spot light
+    std::optional<double> range{};   ///< scene units; none: unlimited
+    int node = 0;                    ///< of the file
 };
 
 /// A glTF file as a scene. Objects are the nodes that carry a mesh, in the order of the file's node array;

@@ -22,6 +22,8 @@ constexpr double kFarAway = 1e6;
 constexpr double kFadesAfter = 1e3;
 /// Each costs time at every pixel.
 constexpr std::size_t kMostLights = 256;
+/// Half pi, as programs round it that write few digits.
+constexpr double kMostAngle = 1.5709;
 
 double intensityOf(const json& light, const std::string& where) {
     const json* value = member(light, "intensity");
@@ -48,7 +50,87 @@ glm::vec3 colorOf(const json& light, const std::string& where) {
     return color;
 }
 
+/// A number of a light, or what stands for it.
+double numberOf(const json& light, const char* key, double otherwise, const std::string& where) {
+    const json* value = member(light, key);
+    if (value == nullptr) {
+        return otherwise;
+    }
+    if (!value->is_number()) {
+        refuse("{}: its {} is {}", where, key, oneLine(value->dump()));
+    }
+    return value->get<double>();
+}
+
+/// Of a spot light; its direction is that of a node without rotation.
+LightCone coneOf(const json& light, const std::string& where) {
+    static const json kWithout = json::object();
+    const json* spot = member(light, "spot");
+    if (spot != nullptr && !spot->is_object()) {
+        refuse("{}: its spot is no object", where);
+    }
+    const json& angles = spot == nullptr ? kWithout : *spot;
+    LightCone cone;
+    cone.inner = numberOf(angles, "innerConeAngle", cone.inner, where);
+    cone.outer = numberOf(angles, "outerConeAngle", cone.outer, where);
+    if (!(cone.inner >= 0.0 && cone.inner < cone.outer && cone.outer <= kMostAngle)) {
+        refuse("{}: its cone is from {} to {}, and it needs 0 <= inner < outer <= half pi", where, cone.inner,
+               cone.outer);
+    }
+    cone.outer = std::min(cone.outer, 0.5 * std::numbers::pi);
+    cone.inner = std::min(cone.inner, std::nextafter(cone.outer, 0.0));
+    return cone;
+}
+
+std::optional<double> rangeOf(const json& light, const std::string& where) {
+    const double range = numberOf(light, "range", INFINITY, where);
+    if (!(range > 0.0)) {
+        refuse("{}: its range is {}", where, range);
+    }
+    return std::isfinite(range) ? std::optional(range) : std::nullopt;
+}
+
+/// A light of the document, at the origin.
+GltfLight readLight(const json& light, const std::string& where, Notes& notes) {
+    const std::string type = stringMember(light, "type").value_or("");
+    if (type != "point" && type != "directional" && type != "spot") {
+        refuse("{}: type '{}' does not exist", where, oneLine(type, kMaxNameLength));
+    }
+    GltfLight read{.name = oneLine(fullNameOf(light)),
+                   .color = colorOf(light, where),
+                   .intensity = intensityOf(light, where),
+                   .range = rangeOf(light, where)};
+    if (type == "spot") {
+        read.cone = coneOf(light, where);
+    }
+    if (type == "directional") {
+        read.direction = glm::dvec3(0.0, 0.0, -1.0);
+        if (read.range) {
+            notes.add("the range of a directional light means nothing", where);
+            read.range.reset();
+        }
+    }
+    return read;
+}
+
 } // namespace
+
+std::optional<GltfLight> carriedBy(const glm::dmat4& toWorld, GltfLight light) {
+    light.position = glm::dvec3(toWorld[3]);
+    if (light.direction || light.cone) {
+        const glm::dvec3 along = -glm::dvec3(toWorld[2]);
+        const double length = glm::length(along);
+        if (!(length > 0.0 && std::isfinite(length))) {
+            return std::nullopt;
+        }
+        (light.cone ? light.cone->direction : *light.direction) = along / length;
+    }
+    return light;
+}
+
+LightType typeOf(const GltfLight& light) {
+    return light.direction ? LightType::directional : light.cone ? LightType::spot : LightType::point;
+}
 
 std::vector<GltfLight> placeLights(std::span<const LightNode> nodes, const json& root, Notes& notes) {
     const json* extension = extensionOf(root, kLights);
@@ -62,29 +144,14 @@ std::vector<GltfLight> placeLights(std::span<const LightNode> nodes, const json&
             notes.add(fmt::format("lights beyond the first {} are not used", kMostLights), where);
             continue;
         }
-        const json& light = itemAt(*extension, "lights", node.light, "light");
-        const std::string type = stringMember(light, "type").value_or("");
-        if (type == "spot") {
-            notes.add("spot lights are not used", where);
-            continue;
-        }
-        if (type != "point" && type != "directional") {
-            refuse("{}: type '{}' does not exist", where, oneLine(type, kMaxNameLength));
-        }
-        if (member(light, "range") != nullptr) {
-            notes.add("the range of a light is not used", where);
-        }
-        const glm::dvec3 along = -glm::dvec3(node.toWorld[2]);
-        const double length = glm::length(along);
-        if (type == "directional" && !(length > 0.0 && std::isfinite(length))) {
+        std::optional<GltfLight> light = carriedBy(
+            node.toWorld, readLight(itemAt(*extension, "lights", node.light, "light"), where, notes));
+        if (!light) {
             notes.add("a light is not used, its transform flattens it", fmt::format("node {}", node.node));
             continue;
         }
-        lights.push_back({.name = oneLine(fullNameOf(light)),
-                          .position = glm::dvec3(node.toWorld[3]),
-                          .direction = type == "directional" ? std::optional(along / length) : std::nullopt,
-                          .color = colorOf(light, where),
-                          .intensity = intensityOf(light, where)});
+        light->node = node.node;
+        lights.push_back(*std::move(light));
     }
     return lights;
 }
@@ -102,7 +169,9 @@ PointLight pointLightOf(const GltfLight& light, const glm::dvec3& centre, double
         const double core = kCore * radius;
         made = {.position = light.position,
                 .color = light.color * static_cast<float>(strength / (core * core)),
-                .halfDistance = core};
+                .halfDistance = core,
+                .cone = light.cone,
+                .range = light.range};
     }
     if (!std::isfinite(made.color.r + made.color.g + made.color.b)) {
         throw base::InputError(

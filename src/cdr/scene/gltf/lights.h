@@ -5,9 +5,11 @@
 
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/scene.h>
+#include <cdr/scene/scene_setup.h>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,11 +17,17 @@ namespace cdr::scene::gltf {
 
 inline constexpr const char* kLights = "KHR_lights_punctual";
 
-/// The point and directional lights of a scene's nodes. Others are noted. Refuses a light that is not as the extension has
-/// it.
+/// The lights of a scene's nodes. Refuses a light that is not as the extension has it.
 /// @param root of the document.
 std::vector<GltfLight> placeLights(std::span<const LightNode> nodes, const nlohmann::json& root,
                                    Notes& notes);
+
+/// A light where a node stands. A node's scale does not reach its light. Nothing where the light has a direction and the
+/// node's transform flattens it.
+std::optional<GltfLight> carriedBy(const glm::dmat4& toWorld, GltfLight light);
+
+/// How it shines.
+LightType typeOf(const GltfLight& light);
 
 /// A light for a scene within a sphere. What falls as the square of the distance does so to 1 % from a hundredth of the
 /// sphere's radius on; nearer it is weaker. A directional light stands a million radii away.

@@ -1,4 +1,5 @@
 #include "lights.h"
+#include "moving_lights.h"
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
@@ -57,11 +58,22 @@ Sphere boundingSphere(const Instances& instances) {
     return sphere;
 }
 
+bool isSolid(const Sphere& sphere) {
+    return sphere.radius > 0.0 && std::isfinite(sphere.radius);
+}
+
+/// A file's own lights, and the sphere that they are made for: that of the scene at rest, so that the moment at which a file
+/// is opened does not matter.
+struct OwnLights {
+    std::span<const GltfLight> lights;
+    Sphere atRest;
+};
+
 /// Lights a model from the front left above, and from behind, or as its file says.
-void addLights(Scene& scene, const Sphere& bounds, ModelLight light, std::span<const GltfLight> ownLights) {
+void addLights(Scene& scene, const Sphere& bounds, ModelLight light, const OwnLights& own) {
     if (light == ModelLight::file) {
-        for (const GltfLight& own : ownLights) {
-            scene.lights.push_back(gltf::pointLightOf(own, bounds.centre, bounds.radius));
+        for (const GltfLight& each : own.lights) {
+            scene.lights.push_back(gltf::pointLightOf(each, own.atRest.centre, own.atRest.radius));
         }
         scene.ambient = glm::vec3(kAmbientBesideOwn);
         scene.background = kModelBackground;
@@ -83,12 +95,8 @@ void addLights(Scene& scene, const Sphere& bounds, ModelLight light, std::span<c
 }
 
 /// Lights a model, and looks at it from the front, a little from above, or through a camera of its own.
-SceneSetup setUpModel(Scene scene, const std::optional<Camera>& own, ModelLight light,
-                      std::span<const GltfLight> ownLights) {
-    const Sphere bounds = boundingSphere(scene.instances);
-    if (bounds.radius <= 0.0 || !std::isfinite(bounds.radius)) {
-        throw base::InputError(scene.name + ": the scene has no extent to look at");
-    }
+SceneSetup setUpModel(Scene scene, const Sphere& bounds, const std::optional<Camera>& own, ModelLight light,
+                      const OwnLights& ownLights) {
     addLights(scene, bounds, light, ownLights);
     if (own) {
         return {.scene = std::move(scene), .path = stillPath(*own)};
@@ -195,6 +203,23 @@ void noteLights(const std::filesystem::path& path, GltfImport& import, std::opti
     }
 }
 
+/// A sphere around what there is to look at.
+Sphere requiredBounds(const Scene& scene) {
+    const Sphere bounds = boundingSphere(scene.instances);
+    if (!isSolid(bounds)) {
+        throw base::InputError(scene.name + ": the scene has no extent to look at");
+    }
+    return bounds;
+}
+
+std::vector<ListedLight> listed(std::span<const GltfLight> lights) {
+    std::vector<ListedLight> list;
+    for (const GltfLight& light : lights) {
+        list.push_back({.name = light.name, .type = gltf::typeOf(light)});
+    }
+    return list;
+}
+
 /// A camera where its node is at each frame. Where a frame flattens it, it stays as it is at rest.
 CameraPath carriedPath(const GltfImport& import, const GltfCamera& camera, std::size_t chosen,
                        const GltfChoice& choice) {
@@ -247,12 +272,20 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
     }
     noteLights(path, import, choice.light);
     OpenedScene opened;
+    opened.lights = listed(import.lights);
     const auto chosen = chosenAnimation(path, import, choice);
+    const Sphere atRest = boundingSphere(import.scene.instances);
     SceneMotion motion;
+    std::optional<gltf::MovingLights> movingLights;
     if (chosen) {
         motion = motionOf(import.animation, chosen, clockOf(choice));
         host::WorkerPool workers(1);
         show(import.scene, motion, 0, workers);
+        movingLights.emplace(import, *chosen, clockOf(choice));
+        movingLights->place(import.lights, 0);
+        for (const std::uint32_t light : movingLights->moving()) {
+            opened.lights[light].moves = true;
+        }
     } else if (import.animation != nullptr && !import.animation->animations.empty()) {
         import.ignored.push_back(animationsNote(import.animation->animations));
     }
@@ -261,12 +294,18 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
             opened.animations.push_back({animation.name, animation.seconds});
         }
     }
-    opened.setup = setUpModel(std::move(import.scene), camera ? std::optional(camera->camera) : std::nullopt,
-                              choice.light.value_or(ModelLight::lamps), import.lights);
+    const Sphere bounds = requiredBounds(import.scene);
+    const Sphere lightBounds = isSolid(atRest) ? atRest : bounds;
+    opened.setup =
+        setUpModel(std::move(import.scene), bounds, camera ? std::optional(camera->camera) : std::nullopt,
+                   choice.light.value_or(ModelLight::lamps), {import.lights, lightBounds});
     if (chosen && camera && import.rigNodeOf[static_cast<std::size_t>(camera->node)]) {
         opened.setup.path = carriedPath(import, *camera, *chosen, choice);
     }
     if (choice.framesPerSecond) {
+        if (movingLights && choice.light == ModelLight::file) {
+            movingLights->addTo(motion, lightBounds.centre, lightBounds.radius);
+        }
         opened.setup.motion = std::move(motion);
     }
     opened.notes = std::move(import.ignored);

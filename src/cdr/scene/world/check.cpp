@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -69,6 +70,16 @@ void requireSky(const Sky& sky) {
     }
 }
 
+void requireCone(const LightCone& cone, const std::string& what) {
+    if (!(std::abs(glm::length(cone.direction) - 1.0) < 1e-6)) {
+        refuseUse("{}: the direction of its cone must be of length 1", what);
+    }
+    if (!(cone.inner >= 0.0 && cone.inner < cone.outer && cone.outer <= 0.5 * std::numbers::pi)) {
+        refuseUse("{}: its cone's angles must be 0 <= inner < outer <= half pi, not {} and {}", what,
+                  cone.inner, cone.outer);
+    }
+}
+
 void requireWhole(const Instances& instances) {
     const std::size_t size = instances.size();
     for (const std::size_t each :
@@ -103,6 +114,12 @@ void requireUsable(const PointLight& light, const std::string& what) {
     }
     if (!std::isfinite(light.halfDistance) || light.halfDistance <= 0.0) {
         refuseUse("{}: its half distance must be finite and above 0, not {}", what, light.halfDistance);
+    }
+    if (light.range && !(*light.range > 0.0 && std::isfinite(*light.range))) {
+        refuseUse("{}: its range must be finite and above 0, not {}", what, *light.range);
+    }
+    if (light.cone) {
+        requireCone(*light.cone, what);
     }
 }
 

@@ -26,7 +26,8 @@ CDR_EXPORT bool isUsable(const Transform& transform);
 /// Position and basis finite, the basis' columns no longer than 1e17.
 /// @param what names the value in the message, here and below
 CDR_EXPORT void requireUsable(const Transform& transform, const std::string& what);
-/// Position, colour and half distance finite, half distance above 0.
+/// Position, colour and half distance finite, half distance and range above 0, the cone's angles in the order that LightCone
+/// names.
 CDR_EXPORT void requireUsable(const PointLight& light, const std::string& what);
 /// Indices in range, vertices finite and within the bounding radius, which is at most 1e20, at most kMaxLevels levels.
 CDR_EXPORT void requireUsable(const Mesh& mesh, const std::string& what);

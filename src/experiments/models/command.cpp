@@ -1,0 +1,154 @@
+#include <cdr/base/error.h>
+#include <cli/command.h>
+#include <cli/commands.h>
+#include <cli/picture_folder.h>
+#include <experiments/columns.h>
+#include <experiments/models/model_sheet.h>
+#include <experiments/models/models.h>
+#include <scenes/open_scene.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+namespace cdr::cli {
+
+namespace {
+
+constexpr const char* kModelSheet = "models_sheet.png";
+/// The truth tries each triangle at each pixel that it may cover.
+constexpr std::size_t kMostModels = 256;
+
+struct ModelsArguments {
+    std::vector<std::string> files;
+    experiments::ModelsOptions options;
+    std::string technique = "anchored";
+    std::string light = "sky";
+    std::optional<double> seconds;
+    std::optional<std::uint32_t> camera;
+    std::filesystem::path folder;
+};
+
+experiments::Columns<experiments::ModelResult> modelColumns() {
+    using Result = experiments::ModelResult;
+    const experiments::CellFormat percent{.pattern = "{} %", .scale = 100.0};
+    return {{.key = "model", .value = &Result::model, .heading = "model"},
+            {.key = "light", .value = &Result::light, .heading = "light"},
+            {.key = "triangles", .value = &Result::triangles, .heading = "triangles"},
+            {.key = "textures", .value = &Result::textures, .heading = "textures"},
+            {.key = "covered_fraction",
+             .value = &Result::coveredFraction,
+             .heading = "covered",
+             .format = percent},
+            {.key = "flip", .value = &Result::flip, .heading = "mean FLIP"},
+            {.key = "covered_flip", .value = &Result::coveredFlip, .heading = "where covered"},
+            {.key = "mean_steps", .value = &Result::meanSteps, .heading = "8-bit steps"}};
+}
+
+/// base::InputError for what is no model, and for models whose pictures would have one name.
+void requireModels(const std::vector<std::string>& files) {
+    if (files.size() > kMostModels) {
+        throw base::InputError(fmt::format("{} models, {} are the most", files.size(), kMostModels));
+    }
+    std::set<std::string> names;
+    for (const std::string& file : files) {
+        if (!scene::isGltfPath(file)) {
+            throw base::InputError(file + ": models are .gltf and .glb files");
+        }
+        const std::string name = std::filesystem::path(file).stem().string();
+        if (!names.insert(name).second) {
+            throw base::InputError(fmt::format("two models would both be written as {}_*.png", name));
+        }
+    }
+}
+
+/// A model as chosen. Of one without animations no moment is chosen.
+scene::SceneSetup openModel(Command& command, const std::string& file, const scene::GltfChoice& choice,
+                            std::optional<double> seconds) {
+    scene::GltfChoice chosen = choice;
+    chosen.textureMiB = command.global().textureMiB;
+    scene::OpenedScene opened = scene::openGltf(file, chosen);
+    if (seconds && !opened.animations.empty()) {
+        chosen.seconds = seconds;
+        opened = scene::openGltf(file, chosen);
+    }
+    command.note(opened.notes);
+    return std::move(opened.setup);
+}
+
+void writePictures(const PictureFolder& folder, const std::vector<experiments::ModelResult>& results,
+                   const std::string& device) {
+    for (const experiments::ModelResult& result : results) {
+        folder.write(result.model + "_plain.png", result.plain);
+        folder.write(result.model + ".png", result.picture);
+        folder.write(result.model + "_reference.png", result.reference);
+        folder.write(result.model + "_flip.png", result.difference);
+    }
+    folder.write(kModelSheet, experiments::makeModelSheet(results, "cdr models, " + device));
+}
+
+void run(Command& command, ModelsArguments& arguments) {
+    requireModels(arguments.files);
+    arguments.options.technique = depth::parseTechnique(arguments.technique);
+    const scene::ModelLight light = scene::parseModelLight(arguments.light);
+    const PictureFolder folder(arguments.folder, command.files());
+    std::vector<experiments::ModelResult> results;
+    for (const std::string& file : arguments.files) {
+        command.reads(file);
+    }
+    for (const std::string& file : arguments.files) {
+        command.progress()(results.size(), arguments.files.size(), file);
+        scene::GltfChoice choice;
+        choice.camera = arguments.camera;
+        choice.light = light;
+        const scene::SceneSetup model = openModel(command, file, choice, arguments.seconds);
+        choice.light = scene::ModelLight::lamps;
+        scene::OpenedScene plain = scene::openGltf(file, choice);
+        results.push_back(
+            experiments::compareModel(command.device(), model, plain.setup, light, arguments.options));
+    }
+    command.endProgress();
+    writePictures(folder, results, command.device().info().name);
+    const auto columns = modelColumns();
+    command.console().table(experiments::tableOf(columns, results));
+    command.console().line(
+        fmt::format("\n{}; {}x{}, {}; FLIP of 0 is no difference{}", command.opened().text(),
+                    arguments.options.width, arguments.options.height, arguments.technique,
+                    folder.isWanted() ? fmt::format("; pictures in {}, all on {}", folder.path().string(),
+                                                    (folder.path() / kModelSheet).string())
+                                      : ""));
+    auto document = command.makeDocument({{"width", arguments.options.width},
+                                          {"height", arguments.options.height},
+                                          {"technique", arguments.technique},
+                                          {"light", arguments.light}});
+    document["results"] = experiments::jsonOf(columns, results);
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, ModelsArguments& arguments) {
+    command.add_option("models", arguments.files, "glTF files, .gltf or .glb")->required();
+    command.add_option("--out", arguments.folder, "Folder for the pictures and a sheet of all");
+    command.add_option("--technique", arguments.technique, "How depth is mapped and split")
+        ->capture_default_str();
+    command.add_option("--light", arguments.light, "sky, lamps, or file: the models' own lights")
+        ->capture_default_str();
+    command.add_option("--time", arguments.seconds,
+                       "Seconds into the first animation, of models that have one");
+    command.add_option("--camera", arguments.camera, "Which of the models' own cameras, from 0");
+    addSize(command, arguments.options.width, arguments.options.height);
+    addThreads(command, arguments.options.threads, "Threads that cull, bin, record and cast the reference");
+}
+
+} // namespace
+
+void addModels(CLI::App& program, const GlobalOptions& global) {
+    addCommand<ModelsArguments>(program, global, "models",
+                                "How glTF models look, against a float64 reference: mean FLIP and a sheet",
+                                addOptions, run);
+}
+
+} // namespace cdr::cli

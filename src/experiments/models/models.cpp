@@ -1,0 +1,111 @@
+#include "models.h"
+
+#include <cdr/host/worker_pool.h>
+#include <cdr/measure/compare/flip_difference.h>
+#include <cdr/measure/truth/layered_truth.h>
+#include <cdr/render/renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// What is left of a scene whose materials have base colour and the factors of shine alone.
+scene::Scene withoutDetail(scene::Scene scene) {
+    for (scene::Material& material : scene.materials) {
+        material.detail = {};
+    }
+    return scene;
+}
+
+render::Frame drawn(const gpu::Device& device, const scene::Scene& scene, const scene::Camera& camera,
+                    const ModelsOptions& options) {
+    const render::GpuScene onDevice(device, scene);
+    render::RenderOptions chosen{.width = options.width,
+                                 .height = options.height,
+                                 .technique = options.technique,
+                                 .threads = options.threads};
+    chosen.translucency.method = render::Translucency::sorted;
+    render::Renderer renderer(device, scene, onDevice, chosen);
+    return renderer.render(camera);
+}
+
+std::uint64_t trianglesOf(const scene::Scene& scene) {
+    std::uint64_t triangles = 0;
+    for (const std::uint32_t mesh : scene.instances.mesh) {
+        triangles += scene.meshes[mesh].indices.size() / 3;
+    }
+    return triangles;
+}
+
+/// Black, red, yellow, white.
+image::Rgba8 heatOf(float value) {
+    const auto channel = [&](float from) {
+        return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(3.0f * value - from, 0.0f, 1.0f)));
+    };
+    return {channel(0.0f), channel(1.0f), channel(2.0f), 255};
+}
+
+void measureFlip(ModelResult& result, const render::Frame& frame, host::WorkerPool& workers) {
+    const image::ImageFloat map = measure::FlipDifference().map(result.reference, result.picture, workers);
+    double sum = 0.0;
+    double covered = 0.0;
+    std::size_t count = 0;
+    result.difference = image::ImageRgba8(map.width, map.height);
+    for (std::size_t i = 0; i < map.pixels.size(); ++i) {
+        const bool isCovered = frame.gbuffer.pixels[i].id() != 0;
+        sum += map.pixels[i];
+        covered += isCovered ? map.pixels[i] : 0.0f;
+        count += isCovered ? 1 : 0;
+        result.difference.pixels[i] = heatOf(map.pixels[i]);
+    }
+    const auto all = static_cast<double>(map.pixels.size());
+    result.flip = sum / all;
+    result.coveredFraction = static_cast<double>(count) / all;
+    result.coveredFlip = count > 0 ? covered / static_cast<double>(count) : 0.0;
+}
+
+double meanSteps(const ModelResult& result, const measure::LayeredTruth& truth) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        if (!truth.pixels[i].isInner) {
+            continue;
+        }
+        int largest = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            largest = std::max(
+                largest, std::abs(int{result.picture.pixels[i][c]} - int{result.reference.pixels[i][c]}));
+        }
+        sum += largest;
+        ++count;
+    }
+    return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+} // namespace
+
+ModelResult compareModel(const gpu::Device& device, const scene::SceneSetup& model,
+                         const scene::SceneSetup& plain, scene::ModelLight light,
+                         const ModelsOptions& options) {
+    const scene::Camera camera = model.path.at(0);
+    host::WorkerPool workers(options.threads);
+    const render::Frame frame = drawn(device, model.scene, camera, options);
+    const measure::LayeredTruth truth =
+        measure::castLayers(model.scene, camera, options.width, options.height, workers);
+    ModelResult result{.model = model.scene.name,
+                       .light = std::string(nameOf(light)),
+                       .triangles = trianglesOf(model.scene),
+                       .textures = model.scene.textures.size()};
+    result.plain = drawn(device, withoutDetail(plain.scene), camera, options).color;
+    result.picture = frame.color;
+    result.reference = pictureOf(truth, {.exposure = 0.0, .neutral = model.scene.sky.has_value()});
+    measureFlip(result, frame, workers);
+    result.meanSteps = meanSteps(result, truth);
+    return result;
+}
+
+} // namespace cdr::experiments

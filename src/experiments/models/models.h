@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cdr/depth/technique.h>
+#include <cdr/gpu/device.h>
+#include <cdr/image/image.h>
+#include <cdr/scene/gltf/open_gltf.h>
+#include <cdr/scene/scene_setup.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace cdr::experiments {
+
+/// Models as the renderer shows them, held against a float64 reference that shares no code with it.
+struct ModelsOptions {
+    std::uint32_t width = 640;
+    std::uint32_t height = 360;
+    std::size_t threads = 1; ///< that cast the reference too
+    depth::Technique technique;
+};
+
+/// One model.
+struct ModelResult {
+    std::string model;
+    std::string light;
+    std::uint64_t triangles = 0; ///< of what is drawn, repeats counted
+    std::uint64_t textures = 0;
+    double coveredFraction = 0.0; ///< of the pixels: those that show an opaque surface
+    double flip = 0.0;            ///< mean FLIP over the picture
+    double coveredFlip = 0.0;     ///< mean FLIP over the covered pixels
+    double meanSteps = 0.0;  ///< over inner pixels: mean of the largest channel's difference, 8-bit steps
+    image::ImageRgba8 plain; ///< base colour and the factors of shine alone
+    image::ImageRgba8 picture;
+    image::ImageRgba8 reference;
+    image::ImageRgba8 difference; ///< FLIP of each pixel, from black to white
+};
+
+/// @param plain the same model, lit for a picture of base colour alone.
+/// @param light that `model` was opened with: under a sky both pictures are tone mapped.
+/// base::InputError as measure::castLayers().
+ModelResult compareModel(const gpu::Device& device, const scene::SceneSetup& model,
+                         const scene::SceneSetup& plain, scene::ModelLight light,
+                         const ModelsOptions& options);
+
+} // namespace cdr::experiments
