@@ -108,9 +108,12 @@ vec3 shinyLight(Shine shine, LitPoint point) {
     float facing = facingOf(point.normal, toCamera);
     vec3 light;
     if (kSky != 0u) {
-        AmbientShares shares = ambientShares(shine, facing);
+        AmbientShares shares = skyShares(shine, facing);
         vec3 mirrored = reflect(-toCamera, point.normal);
-        light = point.openness * (shares.diffuse * skyDiffuse(point.normal) + shares.mirrored * skyMirrored(mirrored, shine.roughness));
+        // An interpolated normal may face away from the camera; what it would mirror is behind the surface (Russell 2013).
+        float horizon = 1.0 + min(dot(point.normal, toCamera), 0.0);
+        vec3 sky = skyMirrored(mirrored, shine.roughness) * (horizon * horizon);
+        light = point.openness * (shares.diffuse * skyDiffuse(point.normal) + shares.mirrored * sky);
     } else {
         light = point.openness * ambientLight() * ambientReflectance(shine, facing);
     }

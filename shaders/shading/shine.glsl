@@ -67,6 +67,26 @@ AmbientShares ambientShares(Shine shine, float facing) {
     return AmbientShares((1.0 - (kDielectric * scaleAndBias.x + scaleAndBias.y)) * shine.diffuse, mirrored);
 }
 
+// The same, fitted to the integral itself (Karis 2013's split sum, with the terms of pointReflectance()): least squares over
+// roughness 0.08 to 1 and all angles. Off by 0.009 on average, by 0.065 at most, where Karis' fit is by 0.12 and 0.42.
+const mat4 kMirroredScale = mat4(1.4878, -1.3415, 0.7893, -1.8011,
+                              -6.4337, 18.2337, -11.2007, 9.8790,
+                              12.4680, -38.2377, 24.2537, -15.5164,
+                              -6.9815, 21.1888, -13.9526, 7.7799);
+const mat4 kMirroredBias = mat4(0.0473, -0.1946, 0.1579, 1.1907,
+                              2.1540, -5.2277, 3.1204, -5.8885,
+                              -5.4206, 13.6777, -8.4302, 9.4876,
+                              3.2737, -8.3962, 5.2408, -4.8045);
+AmbientShares skyShares(Shine shine, float facing) {
+    float roughness2 = shine.roughness * shine.roughness;
+    float away = 1.0 - min(facing, 1.0);
+    vec4 rough = vec4(1.0, shine.roughness, roughness2, roughness2 * shine.roughness);
+    vec4 angle = vec4(1.0, facing, facing * facing, away * away * away * away * away);
+    float scale = clamp(dot(angle, kMirroredScale * rough), 0.0, 1.0);
+    float bias = max(dot(angle, kMirroredBias * rough), 0.0);
+    return AmbientShares((1.0 - (kDielectric * scale + bias)) * shine.diffuse, shine.mirror * scale + bias);
+}
+
 // Of light that is the same from everywhere.
 vec3 ambientReflectance(Shine shine, float facing) {
     AmbientShares shares = ambientShares(shine, facing);

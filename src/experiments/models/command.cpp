@@ -93,6 +93,7 @@ void writePictures(const PictureFolder& folder, const std::vector<experiments::M
 
 void run(Command& command, ModelsArguments& arguments) {
     requireModels(arguments.files);
+    arguments.options.closer = !arguments.camera.has_value();
     arguments.options.technique = depth::parseTechnique(arguments.technique);
     const scene::ModelLight light = scene::parseModelLight(arguments.light);
     const PictureFolder folder(arguments.folder, command.files());

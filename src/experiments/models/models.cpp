@@ -33,6 +33,32 @@ render::Frame drawn(const gpu::Device& device, const scene::Scene& scene, const 
     return renderer.render(camera);
 }
 
+/// Of a picture's half height and half width: by how much a view may be narrowed that shows these pixels.
+double shareShown(const render::Frame& frame) {
+    double share = 0.0;
+    for (std::uint32_t y = 0; y < frame.height(); ++y) {
+        for (std::uint32_t x = 0; x < frame.width(); ++x) {
+            if (frame.id(x, y) != 0) {
+                share = std::max({share, std::abs(2.0 * (x + 0.5) / frame.width() - 1.0),
+                                  std::abs(2.0 * (y + 0.5) / frame.height() - 1.0)});
+            }
+        }
+    }
+    return share;
+}
+
+/// The camera with a lens that a model fills, where it does not.
+scene::Camera closer(const gpu::Device& device, const scene::SceneSetup& model,
+                     const ModelsOptions& options) {
+    constexpr double kMargin = 1.06;
+    scene::Camera camera = model.path.at(0);
+    const double share = shareShown(drawn(device, model.scene, camera, options));
+    if (share > 0.0 && kMargin * share < 1.0) {
+        camera.fovY = 2.0 * std::atan(std::tan(0.5 * camera.fovY) * kMargin * share);
+    }
+    return camera;
+}
+
 std::uint64_t trianglesOf(const scene::Scene& scene) {
     std::uint64_t triangles = 0;
     for (const std::uint32_t mesh : scene.instances.mesh) {
@@ -91,7 +117,7 @@ double meanSteps(const ModelResult& result, const measure::LayeredTruth& truth) 
 ModelResult compareModel(const gpu::Device& device, const scene::SceneSetup& model,
                          const scene::SceneSetup& plain, scene::ModelLight light,
                          const ModelsOptions& options) {
-    const scene::Camera camera = model.path.at(0);
+    const scene::Camera camera = options.closer ? closer(device, model, options) : model.path.at(0);
     host::WorkerPool workers(options.threads);
     const render::Frame frame = drawn(device, model.scene, camera, options);
     const measure::LayeredTruth truth =

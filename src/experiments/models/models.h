@@ -18,6 +18,7 @@ struct ModelsOptions {
     std::uint32_t height = 360;
     std::size_t threads = 1; ///< that cast the reference too
     depth::Technique technique;
+    bool closer = true; ///< narrows the lens until the model fills the picture
 };
 
 /// One model.

@@ -1,3 +1,4 @@
+#include <cdr/measure/truth/truth_light.h>
 #include <cdr/measure/truth/truth_shine.h>
 
 #include <gtest/gtest.h>
@@ -46,6 +47,33 @@ TEST(TruthShine, IsReciprocal) {
         const glm::dvec3 back =
             pointShare({point.baseColor, point.shine, kNormal, toLight}, point.toCamera) / point.toCamera.z;
         EXPECT_NEAR(glm::length(there - back), 0.0, 1e-12);
+    }
+}
+
+/// What is not mirrored is all that is left where nothing is: the dielectric's, less what its Fresnel term mirrors.
+TEST(TruthShine, DiffuseIsWhatMicrofacetsLeave) {
+    const glm::dvec3 base(0.9, 0.5, 0.1);
+    EXPECT_NEAR(glm::length(diffuseShare(pointOf(0.0, 0.5, base, 0.0), kNormal) - 0.96 * base), 0.0, 1e-12);
+    EXPECT_EQ(diffuseShare(pointOf(1.0, 0.5, base, 0.0), kNormal), glm::dvec3(0.0));
+    EXPECT_EQ(diffuseShare(pointOf(0.0, 0.5, base, 0.0), direction(1.8)), glm::dvec3(0.0));
+}
+
+/// Under a sky a rough dielectric whose interpolated normal faces away from the camera is lit as its normal says.
+TEST(TruthShine, NormalsThatFaceAwayKeepDiffuseSkyLight) {
+    scene::Scene scene;
+    scene.sky = scene::Sky{};
+    const auto lit = [&](double polar) { // the camera looks along -z; the normal leans away from it
+        return lightFrom(scene, scene::Camera{},
+                         {.baseColor = glm::dvec3(0.8),
+                          .shine = scene::Shine{.metallic = 0.0f, .roughness = 0.9f},
+                          .fromCamera = {0.0, 0.0, -5.0},
+                          .normal = {0.0, std::sin(polar), std::cos(polar)}})
+            .g;
+    };
+    const double beside = lit(0.5 * std::numbers::pi - 0.1);
+    for (const double polar : {1.8, 2.1}) {
+        EXPECT_GT(lit(polar), 0.5 * beside) << polar;
+        EXPECT_LT(lit(polar), 1.2 * beside) << polar;
     }
 }
 

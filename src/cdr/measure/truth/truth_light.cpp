@@ -62,7 +62,12 @@ glm::dvec3 skyOnShiny(const scene::Sky& sky, const ShinyPoint& point) {
         const double lambert = glm::dot(point.normal, direction);
         const glm::dvec3 halfway = glm::normalize(point.toCamera + direction);
         const double lean = glm::dot(point.normal, halfway);
-        if (lambert <= 0.0 || lean <= 0.0) {
+        if (lambert <= 0.0) {
+            return;
+        }
+        // Where an interpolated normal faces away from the camera, no microfacet mirrors some directions to it.
+        if (lean <= 0.0) {
+            sum += skyAlong(sky, direction) * diffuseShare(point, direction) / lambert;
             return;
         }
         const double spread = lean * lean * (alpha * alpha - 1.0) + 1.0;
@@ -76,7 +81,9 @@ glm::dvec3 skyOnShiny(const scene::Sky& sky, const ShinyPoint& point) {
         const double u = (i + 0.5) / kSkyDirections;
         const double cosine = std::sqrt((1.0 - u) / (1.0 + (alpha * alpha - 1.0) * u));
         const glm::dvec3 halfway = frame.at(cosine, i * kGoldenAngle);
-        take(2.0 * glm::dot(point.toCamera, halfway) * halfway - point.toCamera);
+        if (glm::dot(point.toCamera, halfway) > 0.0) {
+            take(2.0 * glm::dot(point.toCamera, halfway) * halfway - point.toCamera);
+        }
     }
     return sum / static_cast<double>(kSkyDirections);
 }

@@ -62,6 +62,13 @@ glm::dvec3 pointShare(const ShinyPoint& point, const glm::dvec3& toLight) {
                            fresnel(point.baseColor, cosine) * micro);
 }
 
+glm::dvec3 diffuseShare(const ShinyPoint& point, const glm::dvec3& toLight) {
+    const double lambert = std::max(glm::dot(point.normal, toLight), 0.0);
+    const glm::dvec3 halfway = glm::normalize(point.toCamera + toLight);
+    const double glossy = fresnel(kDielectric, glm::dot(point.toCamera, halfway));
+    return lambert * mixed(point, (1.0 - glossy) * point.baseColor, glm::dvec3(0.0));
+}
+
 glm::dvec3 ambientShare(const ShinyPoint& point) {
     const double rough = roughnessOf(point);
     const double smooth = 1.0 - rough;

@@ -19,6 +19,9 @@ struct ShinyPoint {
 /// sends back all of it: pi times the reflectance, times the cosine.
 glm::dvec3 pointShare(const ShinyPoint& point, const glm::dvec3& toLight);
 
+/// The part of pointShare() that is not mirrored.
+glm::dvec3 diffuseShare(const ShinyPoint& point, const glm::dvec3& toLight);
+
 /// Share of ambient light that reaches the camera, by Karis' fit.
 glm::dvec3 ambientShare(const ShinyPoint& point);
 
