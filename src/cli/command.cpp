@@ -6,6 +6,7 @@
 #include <cdr/host/document.h>
 #include <cdr/host/sha256.h>
 #include <cdr/host/thread_placement.h>
+#include <cdr/scene/gltf/import_progress.h>
 #include <experiments/same_files.h>
 #include <scenes/open_scene.h>
 #include <scenes/orbit/data.h>
@@ -115,7 +116,11 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
     }
     scene::GltfChoice bounded = choice;
     bounded.textureMiB = m_global.textureMiB;
-    scene::OpenedScene opened = scenes::openScene(nameOrPath, seed, bounded);
+    scene::OpenedScene opened =
+        scene::isGltfPath(nameOrPath)
+            ? scene::openGltf(nameOrPath, bounded, progressOf("parts of " + nameOrPath))
+            : scenes::openScene(nameOrPath, seed, bounded);
+    m_console.endProgress();
     note(opened.notes);
     return std::move(opened.setup);
 }

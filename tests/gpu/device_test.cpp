@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstring>
+#include <numeric>
 #include <string>
 
 namespace {
@@ -85,6 +86,37 @@ TEST(Memory, UploadsArriveWhole) {
         });
         back.invalidate();
         EXPECT_EQ(std::memcmp(back.mapped(), text.data(), text.size()), 0);
+    }
+    for (const std::string& message : instance.validation().messages()) {
+        ADD_FAILURE() << message;
+    }
+}
+
+/// Pieces of all sizes, over the edges of the staging buffer, and a last one that does not fill it.
+TEST(Memory, AFilledBufferHoldsAllItsParts) {
+    const Instance instance({.validate = true, .extensions = {}});
+    {
+        const Device device(instance, "");
+        constexpr std::size_t kWords = (2 * BufferFill::kMostBytes + 4096) / 4;
+        std::vector<std::uint32_t> words(kWords);
+        std::iota(words.begin(), words.end(), 1u);
+        using Usage = vk::BufferUsageFlagBits;
+        const Buffer onDevice(device, 4 * kWords + 64, Usage::eTransferDst | Usage::eTransferSrc,
+                              MemoryUse::deviceOnly, "filled");
+        BufferFill fill(device, onDevice);
+        std::size_t piece = 1;
+        for (std::size_t first = 0; first < kWords; first += piece) {
+            piece = std::min(3 * piece + 1, kWords - first);
+            fill.add(std::as_bytes(std::span(words).subspan(first, piece)));
+        }
+        fill.finish();
+        fill.finish(); // nothing is left
+        const Buffer back(device, 4 * kWords, Usage::eTransferDst, MemoryUse::hostReads, "back");
+        runOnce(device, [&](vk::CommandBuffer commands) {
+            commands.copyBuffer(onDevice.handle(), back.handle(), vk::BufferCopy{.size = 4 * kWords});
+        });
+        back.invalidate();
+        EXPECT_EQ(std::memcmp(back.mapped(), words.data(), 4 * kWords), 0);
     }
     for (const std::string& message : instance.validation().messages()) {
         ADD_FAILURE() << message;

@@ -58,6 +58,36 @@ Buffer uploadBuffer(const Device& device, std::span<const std::byte> bytes, vk::
     return buffer;
 }
 
+void BufferFill::add(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        if (m_staging.size() == 0) {
+            m_staging = Buffer(m_device, std::min<std::size_t>(kMostBytes, m_buffer.size() - m_written),
+                               vk::BufferUsageFlagBits::eTransferSrc, MemoryUse::hostWrites, "staging");
+        }
+        const std::size_t count = std::min<std::size_t>(bytes.size(), m_staging.size() - m_staged);
+        std::copy_n(bytes.begin(), count, static_cast<std::byte*>(m_staging.mapped()) + m_staged);
+        m_staged += count;
+        bytes = bytes.subspan(count);
+        if (m_staged == m_staging.size()) {
+            finish();
+        }
+    }
+}
+
+void BufferFill::finish() {
+    if (m_staged == 0) {
+        return;
+    }
+    m_staging.flush();
+    runOnce(m_device, [&](vk::CommandBuffer commands) {
+        commands.copyBuffer(m_staging.handle(), m_buffer.handle(),
+                            vk::BufferCopy{.dstOffset = m_written, .size = m_staged});
+    });
+    m_written += m_staged;
+    m_staged = 0;
+    m_staging = {};
+}
+
 void writeBuffer(const Device& device, const Buffer& buffer, std::span<const BufferPart> parts) {
     std::vector<std::byte> bytes;
     std::vector<vk::BufferCopy> copies;

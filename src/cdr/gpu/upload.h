@@ -14,6 +14,29 @@ namespace cdr::gpu {
 Buffer uploadBuffer(const Device& device, std::span<const std::byte> bytes, vk::BufferUsageFlags usage,
                     const std::string& name);
 
+/// Fills a device-only buffer from its beginning, in parts of at most kMostBytes, so that no second copy of a large buffer is
+/// in memory.
+class BufferFill {
+  public:
+    static constexpr std::size_t kMostBytes = std::size_t{32} << 20u;
+
+    /// @param buffer made with vk::BufferUsageFlagBits::eTransferDst; nothing that was submitted reads it. It must outlive
+    /// this.
+    BufferFill(const Device& device, const Buffer& buffer) : m_device(device), m_buffer(buffer) {}
+
+    /// Puts bytes behind those before, for which there must be room.
+    void add(std::span<const std::byte> bytes);
+    /// Waits until all is in the buffer.
+    void finish();
+
+  private:
+    const Device& m_device;
+    const Buffer& m_buffer;
+    Buffer m_staging;
+    std::size_t m_staged = 0;  ///< bytes that wait in m_staging
+    std::size_t m_written = 0; ///< bytes that are in the buffer
+};
+
 /// Bytes that go to a place in a buffer.
 struct BufferPart {
     std::size_t offset = 0;

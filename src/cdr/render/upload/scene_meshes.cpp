@@ -112,16 +112,25 @@ void SceneMeshes::upload(const scene::Scene& scene, const Counts& room) {
     m_used = {};
     m_ranges.clear();
     m_levels.clear();
-    Packed packed;
+    const auto made = [&](std::size_t bytes, vk::BufferUsageFlagBits usage, const char* name) {
+        return gpu::Buffer(m_device, bytes, usage | vk::BufferUsageFlagBits::eTransferDst,
+                           gpu::MemoryUse::deviceOnly, name);
+    };
+    m_vertices =
+        made(room.vertices * sizeof(PackedVertex), vk::BufferUsageFlagBits::eVertexBuffer, "scene vertices");
+    m_indices =
+        made(room.indices * sizeof(std::uint32_t), vk::BufferUsageFlagBits::eIndexBuffer, "scene indices");
+    // Mesh by mesh, since large scenes should not be in memory once more.
+    gpu::BufferFill vertices(m_device, m_vertices);
+    gpu::BufferFill indices(m_device, m_indices);
     for (const scene::Mesh& mesh : scene.meshes) {
+        Packed packed;
         m_ranges.push_back(place(mesh, packed));
+        vertices.add(std::as_bytes(std::span(packed.vertices)));
+        indices.add(std::as_bytes(std::span(packed.indices)));
     }
-    packed.vertices.resize(room.vertices);
-    packed.indices.resize(room.indices);
-    m_vertices = gpu::uploadBuffer(m_device, std::as_bytes(std::span(packed.vertices)),
-                                   vk::BufferUsageFlagBits::eVertexBuffer, "scene vertices");
-    m_indices = gpu::uploadBuffer(m_device, std::as_bytes(std::span(packed.indices)),
-                                  vk::BufferUsageFlagBits::eIndexBuffer, "scene indices");
+    vertices.finish();
+    indices.finish();
     m_room = room;
     uploadDetails(scene);
 }

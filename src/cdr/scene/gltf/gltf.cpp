@@ -76,8 +76,16 @@ class Importer {
             forEachCopy(node,
                         [&](const MeshNode& copy) { stretch = std::max(stretch, stretchOf(copy.toWorld)); });
         }
-        for (const MeshNode& node : nodes.meshes) {
-            addNode(node);
+        const std::size_t parts = nodes.meshes.size() + 1; // the last one is its textures
+        const std::size_t told = std::max<std::size_t>(parts / 100, 1);
+        for (std::size_t i = 0; i < nodes.meshes.size(); ++i) {
+            if (m_limits.progress && i % told == 0) {
+                m_limits.progress(i, parts);
+            }
+            addNode(nodes.meshes[i]);
+        }
+        if (m_limits.progress) {
+            m_limits.progress(parts - 1, parts);
         }
         m_materials.decodeTextures(m_limits);
         result.animation = m_moving->finish(m_scene);

@@ -2,6 +2,7 @@
 
 #include <cdr/scene/animation/scene_animation.h>
 #include <cdr/scene/camera.h>
+#include <cdr/scene/gltf/import_progress.h>
 #include <cdr/scene/lod/mesh_pieces.h>
 #include <cdr/scene/scene.h>
 
@@ -31,6 +32,7 @@ struct GltfLimits {
     /// Not refused but used: threads that decode pictures, at most; 0: as many as there are processors. What is imported
     /// does not depend on it.
     std::size_t threads = 0;
+    ImportProgress progress{}; ///< may be empty
 };
 
 /// A perspective camera of a file, in world space. Its aspect ratio is left to the picture; where the file

@@ -7,6 +7,7 @@
 #include <cdr/scene/animation/node_camera.h>
 #include <cdr/scene/animation/scene_animation.h>
 #include <cdr/scene/gltf/gltf.h>
+#include <cdr/scene/gltf/import_progress.h>
 #include <cdr/scene/gltf/open_gltf.h>
 
 #include <fmt/format.h>
@@ -257,8 +258,14 @@ std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame) {
 }
 
 OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice) {
+    return openGltf(path, choice, ImportProgress());
+}
+
+OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice,
+                     const ImportProgress& progress) {
     requireUsable(choice);
     GltfLimits limits;
+    limits.progress = progress;
     if (choice.textureMiB) {
         limits.textureMemory = *choice.textureMiB << 20u;
     }
