@@ -1,16 +1,28 @@
 #include <cdr/base/error.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/scene/gltf/import.h>
+#include <cdr/scene/gltf/lights.h>
+#include <cdr/scene/gltf/moving_lights.h>
+#include <cdr/scene/world/check.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace {
+
+/// Lights that the importer lets through are usable, or refused in words.
+void light(const std::vector<cdr::scene::GltfLight>& lights) {
+    for (const cdr::scene::GltfLight& each : lights) {
+        cdr::scene::requireUsable(cdr::scene::gltf::pointLightOf(each, glm::dvec3(0.0), 1.0), "light");
+    }
+}
 
 /// Shows animations before, within and after their keyframes.
 void play(cdr::scene::GltfImport import) {
     constexpr std::size_t kMostAnimations = 4;
+    light(import.lights);
     if (import.animation == nullptr) {
         return;
     }
@@ -20,8 +32,11 @@ void play(cdr::scene::GltfImport import) {
         const double seconds = import.animation->animations[i].seconds;
         const cdr::scene::FrameClock clock{.start = 0.0, .framesPerSecond = 3.0 / std::max(seconds, 1e-6)};
         const cdr::scene::SceneMotion motion = cdr::scene::motionOf(import.animation, i, clock);
+        const cdr::scene::gltf::MovingLights lights(import, i, clock);
         for (const std::uint32_t frame : {0u, 1u, 2u, 5u}) {
             cdr::scene::show(import.scene, motion, frame, workers);
+            lights.place(import.lights, frame);
+            light(import.lights);
         }
     }
 }
