@@ -13,6 +13,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace {
@@ -204,6 +205,42 @@ TEST_P(CellsTest, GiveTheListsOfTheFlatPass) {
     EXPECT_GT(compared.visible, 10'000u);
     EXPECT_GT(compared.draws, compared.visible);
     EXPECT_GT(compared.wide, 100u);
+}
+
+/// One walk for several cameras gives each the list that it gets alone, its order included.
+TEST_P(CellsTest, CamerasThatCullTogetherSeeWhatEachSeesAlone) {
+    host::WorkerPool workers(GetParam());
+    std::size_t parts = 0;
+    std::size_t unlikeFirst = 0;
+    for (std::uint64_t seed = 0; seed < 24; ++seed) {
+        RandomWorld random(seed);
+        const scene::Scene scene = random.scene(1 + random.below(9000));
+        InstanceCells cells;
+        cells.build(scene, workers);
+        std::vector<SphereTest> tests;
+        std::vector<VisibleCells> together(seed % 2 == 0 ? 2 : 1 + random.below(kMostTogether));
+        std::vector<VisibleCells*> lists;
+        for (VisibleCells& list : together) {
+            const scene::Camera camera = random.camera();
+            tests.emplace_back(camera, scene::frustumOf(camera, 16.0, 9.0));
+            lists.push_back(&list);
+        }
+        cullCells(cells, tests, workers, lists);
+        for (std::size_t camera = 0; camera < tests.size(); ++camera) {
+            VisibleCells alone;
+            std::vector<VisibleCells*> one{&alone};
+            cullCells(cells, std::span(&tests[camera], 1), workers, one);
+            ASSERT_EQ(together[camera].parts.size(), alone.parts.size());
+            for (std::size_t i = 0; i < alone.parts.size(); ++i) {
+                ASSERT_EQ(together[camera].parts[i].cell, alone.parts[i].cell);
+                ASSERT_EQ(together[camera].parts[i].slots, alone.parts[i].slots);
+            }
+            parts += alone.parts.size();
+            unlikeFirst += alone.count() != together.front().count() ? 1 : 0;
+        }
+    }
+    EXPECT_GT(parts, 1000u);
+    EXPECT_GT(unlikeFirst, 20u);
 }
 
 TEST_P(CellsTest, FollowEdits) {

@@ -27,15 +27,20 @@ std::optional<Pick> Frame::pick(std::uint32_t x, std::uint32_t y) const {
     if (id(x, y) == 0) {
         return std::nullopt;
     }
-    const scene::Frustum frustum = scene::frustumOf(camera, width(), height());
+    const std::uint32_t viewWidth =
+        views.empty() ? width() : width() / static_cast<std::uint32_t>(views.size());
+    const JoinedView view = views.empty() ? JoinedView{.camera = camera} : views[x / viewWidth];
+    const double column = static_cast<double>(x) - static_cast<double>(view.firstColumn);
+    const scene::Frustum frustum = scene::frustumOf(view.camera, viewWidth, height());
     const double w = distanceView(x, y);
-    const double right = frustum.tanX * (2.0 * (x + 0.5) / width() - 1.0) * w;
+    const double right = frustum.tanX * (2.0 * (column + 0.5) / viewWidth - 1.0) * w;
     const double up = frustum.tanY * (1.0 - 2.0 * (y + 0.5) / height()) * w;
     const glm::dvec3 facing(normalView(x, y));
     return Pick{.object = id(x, y) - 1,
                 .distanceView = w,
-                .position = camera.position - w * camera.back + (right * camera.right + up * camera.up),
-                .normal = glm::dmat3(camera.right, camera.up, camera.back) * facing};
+                .position = view.camera.position - w * view.camera.back +
+                            (right * view.camera.right + up * view.camera.up),
+                .normal = glm::dmat3(view.camera.right, view.camera.up, view.camera.back) * facing};
 }
 
 image::ImageU32 Frame::ids() const {

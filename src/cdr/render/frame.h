@@ -65,9 +65,17 @@ struct Pick {
     glm::dvec3 normal{0.0};    ///< world space, unit, to 16 bits
 };
 
+/// One of several pictures beside each other in a frame: joinedFrame().
+struct JoinedView {
+    scene::Camera camera; ///< that looked
+    /// The frame's column at which the view's own picture begins, though what it was moved by may cut that off.
+    std::int64_t firstColumn = 0;
+};
+
 /// One rendered frame on the host. Pixels run from the top left.
 struct CDR_EXPORT Frame {
-    scene::Camera camera;            ///< that looked
+    scene::Camera camera;            ///< that looked, at all of it unless there are `views`
+    std::vector<JoinedView> views{}; ///< of a joinedFrame(), from the left, of one width; else empty
     depth::Cascades cascades;        ///< nearest first
     std::vector<double> anchorsView; ///< each cascade's anchor plane, 0 where the mapping is not anchored
     image::ImageRgba8 color;         ///< sRGB

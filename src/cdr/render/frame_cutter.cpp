@@ -33,7 +33,10 @@ FrameView FrameCutter::look(const scene::Camera& camera) const {
 
 void FrameCutter::cut(FrameView& view, const visibility::VisibleCells& visible,
                       std::span<const depth::Interval> occupied) {
-    const depth::Cascades ranges = m_split.cut(view.camera, view.frustum, visible, occupied);
+    take(view, m_split.cut(view.camera, view.frustum, visible, occupied));
+}
+
+void FrameCutter::take(FrameView& view, const depth::Cascades& ranges) const {
     std::optional<FocusLens> lens;
     if (m_focus.isOn()) {
         lens.emplace(m_focus, view.frustum.tanY, m_extent.height);

@@ -25,6 +25,9 @@ class FrameCutter {
     void cut(FrameView& view, const visibility::VisibleCells& visible,
              std::span<const depth::Interval> occupied = {});
 
+    /// The same with cascades that another split cut for this camera among others.
+    void take(FrameView& view, const depth::Cascades& ranges) const;
+
     bool needsVisible() const { return m_split.needsVisible(); }
     /// The next frame is cut as a first one is.
     void forget() { m_split.forget(); }

@@ -56,6 +56,8 @@ struct Renderer::Delivery {
     Destination destination = Destination::device;
     FrameSync sync{};
     const HostFrame* host = nullptr; ///< into which it is recorded; null: it is submitted
+    /// Of a view among others, for which `m_visible` is filled already; null: the frame is culled and cut alone.
+    const depth::Cascades* shared = nullptr;
 };
 
 /// What a renderer draws with, for a picture of one size and for what its scene needs.

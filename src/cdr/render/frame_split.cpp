@@ -1,13 +1,24 @@
 #include <cdr/render/frame_split.h>
 
+#include <array>
+
 namespace cdr::render {
 
 depth::Cascades FrameSplit::cut(const scene::Camera& camera, const scene::Frustum& frustum,
                                 const visibility::VisibleCells& visible,
                                 std::span<const depth::Interval> occupied) {
+    const std::array<const visibility::VisibleCells*, 1> one{&visible};
+    return cut(camera, frustum, one, occupied);
+}
+
+depth::Cascades FrameSplit::cut(const scene::Camera& camera, const scene::Frustum& frustum,
+                                std::span<const visibility::VisibleCells* const> visible,
+                                std::span<const depth::Interval> occupied) {
     m_intervals.clear();
     if (needsVisible()) {
-        visibility::appendIntervals(visible, m_intervals);
+        for (const visibility::VisibleCells* seen : visible) {
+            visibility::appendIntervals(*seen, m_intervals);
+        }
     }
     m_intervals.insert(m_intervals.end(), occupied.begin(), occupied.end());
     m_previous = depth::makeCascades(m_technique.split, {.nearView = camera.nearView,

@@ -20,6 +20,11 @@ class FrameSplit {
     /// @param frustum of the camera and the picture. @param occupied view distances of what is not visible cells.
     depth::Cascades cut(const scene::Camera& camera, const scene::Frustum& frustum,
                         const visibility::VisibleCells& visible, std::span<const depth::Interval> occupied);
+    /// Of cameras that share their cascades.
+    /// @param camera any of them: their lenses are the same. @param visible what each of them sees.
+    depth::Cascades cut(const scene::Camera& camera, const scene::Frustum& frustum,
+                        std::span<const visibility::VisibleCells* const> visible,
+                        std::span<const depth::Interval> occupied);
 
     /// The next frame is cut as a first one is.
     void forget() { m_previous.clear(); }

@@ -240,6 +240,10 @@ void Renderer::cull(const FrameView& view) {
                           *m_visible);
 }
 
+bool Renderer::readsVisible(const Slot& slot) const {
+    return slot.path->needsVisible() || m_passes->cutter.needsVisible() || slot.shadows;
+}
+
 Renderer::Slot& Renderer::slotOf(std::size_t frame) const {
     return m_passes->slots[frame % m_passes->slots.size()];
 }
@@ -352,16 +356,21 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& deliv
     slot.revision = m_revision;
     Stopwatch watch(m_options.trace);
     slot.view = m_passes->cutter.look(camera);
-    if (slot.path->needsVisible() || m_passes->cutter.needsVisible() || slot.shadows) {
+    if (delivery.shared == nullptr && readsVisible(slot)) {
         cull(slot.view);
     }
     slot.stats = {};
     slot.stats.lostShine = m_drawn.uploaded.isShiny() && !keepsShine(m_options);
     slot.stats.lostEmission = m_drawn.uploaded.hasEmission() && !keepsEmission(m_options);
     slot.stats.times.cullMs = watch.lap("cull");
-    m_passes->cutter.cut(slot.view, *m_visible,
-                         delivery.host != nullptr ? std::span<const depth::Interval>(delivery.host->occupied)
-                                                  : std::span<const depth::Interval>());
+    if (delivery.shared != nullptr) {
+        m_passes->cutter.take(slot.view, *delivery.shared);
+    } else {
+        m_passes->cutter.cut(slot.view, *m_visible,
+                             delivery.host != nullptr
+                                 ? std::span<const depth::Interval>(delivery.host->occupied)
+                                 : std::span<const depth::Interval>());
+    }
     slot.shading.update(m_drawn.scene, camera, slot.view.frustum, slot.view.anchorsView());
     if (slot.motion) {
         m_passes->motion->update(*slot.motion, slot.view, motion);

@@ -110,6 +110,7 @@ class CDR_EXPORT Renderer {
     const RenderOptions& options() const { return m_options; }
 
   private:
+    friend class ViewsRenderer; // culls and cuts for several at once
     struct Slot;
     struct Passes;
     struct Delivery;
@@ -145,6 +146,8 @@ class CDR_EXPORT Renderer {
     Slot& nextSlot();
     /// Lists what is drawn into the G-buffer: all that is seen but blended instances.
     void cull(const FrameView& view);
+    /// Whether a frame of the slot reads that list.
+    bool readsVisible(const Slot& slot) const;
     void shade(Slot& slot);
     /// Resolves the G-buffer of a visibility buffer where somebody reads it, and works out motion.
     void recordSurfaces(Slot& slot, const Delivery& delivery);

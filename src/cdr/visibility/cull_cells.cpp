@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <limits>
 
 namespace cdr::visibility {
 
@@ -14,52 +15,68 @@ namespace {
 constexpr std::size_t kJobTests = 256;
 constexpr std::size_t kFetchedAhead = 2; ///< cells
 
-/// Goes down the tree and lists the cells that are not wholly outside. Those that are not wholly inside go to
-/// `across` too, by index into the list.
+/// A cell that is not wholly inside a camera's frustum, by index into the camera's list.
+struct CellAcross {
+    std::size_t camera = 0;
+    std::size_t part = 0;
+};
+
+/// Cameras, a bit each.
+using CameraBits = std::uint32_t;
+static_assert(kMostTogether <= std::numeric_limits<CameraBits>::digits);
+
+/// Goes down the tree once for all cameras and lists for each the cells that are not wholly outside.
 class Descent {
   public:
-    Descent(const InstanceCells& cells, const SphereTest& test, VisibleCells& visible,
-            std::vector<std::uint32_t>& across)
+    Descent(const InstanceCells& cells, std::span<const SphereTest> tests,
+            std::span<VisibleCells* const> visible, std::vector<CellAcross>& across)
         : m_cells(cells),
-          m_test(test),
+          m_tests(tests.begin(), tests.end()),
           m_visible(visible),
           m_across(across) {}
 
-    void visit(std::size_t level, std::size_t node, bool isInside) {
+    /// @param seeing cameras that may see the node. @param inside those of them that see it whole.
+    void visit(std::size_t level, std::size_t node, CameraBits seeing, CameraBits inside) {
         const InstanceCells::Box& box = m_cells.levels()[level][node];
-        if (!isInside) {
-            const BoxSide side = m_test.sideOf(box);
-            if (side == BoxSide::outside) {
-                return;
-            }
-            isInside = side == BoxSide::inside;
+        for (CameraBits left = seeing & ~inside; left != 0; left &= left - 1) {
+            const CameraBits camera = left & ~(left - 1);
+            const BoxSide side = m_tests[static_cast<std::size_t>(std::countr_zero(left))].sideOf(box);
+            seeing &= side == BoxSide::outside ? ~camera : ~CameraBits{0};
+            inside |= side == BoxSide::inside ? camera : 0;
+        }
+        if (seeing == 0) {
+            return;
         }
         if (level == 0) {
-            list(node, isInside);
+            list(node, seeing, inside);
             return;
         }
         const std::size_t end =
             std::min((node + 1) * InstanceCells::kFan, m_cells.levels()[level - 1].size());
         for (std::size_t child = node * InstanceCells::kFan; child < end; ++child) {
-            visit(level - 1, child, isInside);
+            visit(level - 1, child, seeing, inside);
         }
     }
 
   private:
-    void list(std::size_t cell, bool isInside) {
+    void list(std::size_t cell, CameraBits seeing, CameraBits inside) {
         if (m_cells.held(cell) == 0) {
             return;
         }
-        if (!isInside) {
-            m_across.push_back(static_cast<std::uint32_t>(m_visible.parts.size()));
+        for (CameraBits left = seeing; left != 0; left &= left - 1) {
+            const auto camera = static_cast<std::size_t>(std::countr_zero(left));
+            std::vector<VisibleCells::Part>& parts = m_visible[camera]->parts;
+            if ((inside >> camera & 1u) == 0) {
+                m_across.push_back({camera, parts.size()});
+            }
+            parts.push_back({static_cast<std::uint32_t>(cell), m_cells.held(cell)});
         }
-        m_visible.parts.push_back({static_cast<std::uint32_t>(cell), m_cells.held(cell)});
     }
 
     const InstanceCells& m_cells;
-    BoxTest m_test;
-    VisibleCells& m_visible;
-    std::vector<std::uint32_t>& m_across;
+    std::vector<BoxTest> m_tests; ///< by camera
+    std::span<VisibleCells* const> m_visible;
+    std::vector<CellAcross>& m_across;
 };
 
 /// A bit for each of a cell's slots whose margin is not below 0.
@@ -115,26 +132,40 @@ std::size_t VisibleCells::count() const {
 
 void cullCells(const InstanceCells& cells, const scene::Camera& camera, const scene::Frustum& frustum,
                host::WorkerPool& workers, VisibleCells& visible) {
-    visible.cells = &cells;
-    visible.test = SphereTest(camera, frustum);
-    visible.parts.clear();
-    std::vector<std::uint32_t> across;
+    const std::array<SphereTest, 1> test{SphereTest(camera, frustum)};
+    const std::array<VisibleCells*, 1> list{&visible};
+    cullCells(cells, test, workers, list);
+}
+
+void cullCells(const InstanceCells& cells, std::span<const SphereTest> tests, host::WorkerPool& workers,
+               std::span<VisibleCells* const> visible) {
+    CameraBits all = 0;
+    for (std::size_t camera = 0; camera < tests.size(); ++camera) {
+        visible[camera]->cells = &cells;
+        visible[camera]->test = tests[camera];
+        visible[camera]->parts.clear();
+        all |= CameraBits{1} << camera;
+    }
+    std::vector<CellAcross> across;
     if (!cells.levels().empty()) {
         const std::size_t top = cells.levels().size() - 1;
-        Descent descent(cells, visible.test, visible, across);
+        Descent descent(cells, tests, visible, across);
         for (std::size_t node = 0; node < cells.levels()[top].size(); ++node) {
-            descent.visit(top, node, false);
+            descent.visit(top, node, all, 0);
         }
     }
+    const auto partOf = [&](const CellAcross& cell) -> VisibleCells::Part& {
+        return visible[cell.camera]->parts[cell.part];
+    };
     const std::size_t jobs = (across.size() + kJobTests - 1) / kJobTests;
     workers.run(jobs, [&](std::size_t job, std::size_t) {
         const host::IndexRange range = host::evenRange(across.size(), job, jobs);
         for (std::size_t i = range.begin; i < range.end; ++i) {
             if (i + kFetchedAhead < range.end) {
-                fetchAhead(cells, visible.parts[across[i + kFetchedAhead]].cell);
+                fetchAhead(cells, partOf(across[i + kFetchedAhead]).cell);
             }
-            VisibleCells::Part& part = visible.parts[across[i]];
-            part.slots = passing(cells, part.cell, visible.test);
+            VisibleCells::Part& part = partOf(across[i]);
+            part.slots = passing(cells, part.cell, tests[across[i].camera]);
         }
     });
 }

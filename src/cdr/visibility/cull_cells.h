@@ -4,6 +4,7 @@
 #include <cdr/visibility/instance_cells.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cdr::visibility {
@@ -28,6 +29,15 @@ struct VisibleCells {
 /// @param visible overwritten, and kept from frame to frame so that a warm one allocates nothing.
 void cullCells(const InstanceCells& cells, const scene::Camera& camera, const scene::Frustum& frustum,
                host::WorkerPool& workers, VisibleCells& visible);
+
+/// Most cameras that cull together.
+inline constexpr std::size_t kMostTogether = 32;
+
+/// cullCells() of several cameras in one walk over the cells: a cell that none of them sees is not looked into, and each
+/// camera gets the list that it would get alone.
+/// @param tests at most kMostTogether, a camera each. @param visible as many, overwritten.
+void cullCells(const InstanceCells& cells, std::span<const SphereTest> tests, host::WorkerPool& workers,
+               std::span<VisibleCells* const> visible);
 
 /// Appends the view distances [w - r, w + r] of every visible instance, in no particular order.
 void appendIntervals(const VisibleCells& visible, std::vector<depth::Interval>& intervals);

@@ -36,6 +36,7 @@ struct RenderPlan {
     experiments::FrameCameras cameras;
     FrameDivision division;
     render::RenderOptions options;
+    experiments::ViewsPlan views;
 };
 
 /// Of the files that are read and written.
@@ -63,6 +64,26 @@ void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, Comman
     }
 }
 
+/// Of what is of one view alone.
+void requireOneView(const RenderArguments& arguments, const RenderPlan& plan) {
+    if (plan.views.kind() == experiments::ViewsKind::one) {
+        return;
+    }
+    if (plan.views.kind() == experiments::ViewsKind::six && arguments.camera.fovDegrees) {
+        throw base::InputError("--views six sees 90 degrees to each side: leave out --fov");
+    }
+    if (!arguments.certify.empty()) {
+        throw base::InputError("--certify is of one view: leave out --stereo and --views");
+    }
+    if (plan.division == FrameDivision::cascades) {
+        throw base::InputError("--ranks cascades is of one view: leave out --stereo and --views");
+    }
+    if (plan.views.isAnaglyph() && plan.aov != experiments::Aov::color) {
+        throw base::InputError(
+            "--stereo-picture anaglyph is of colors: leave out --aov, or take side-by-side");
+    }
+}
+
 RenderPlan planOf(Command& command, const RenderArguments& arguments) {
     const experiments::Aov aov = experiments::parseAov(arguments.aov);
     const scenes::Colours colours = scenes::parseColours(arguments.colours);
@@ -76,7 +97,9 @@ RenderPlan planOf(Command& command, const RenderArguments& arguments) {
                     .name = name,
                     .cameras = experiments::FrameCameras(arguments.camera),
                     .division = parseFrameDivision(arguments.ranks),
-                    .options = options};
+                    .options = options,
+                    .views = experiments::ViewsPlan(arguments.views, arguments.width, arguments.height)};
+    requireOneView(arguments, plan);
     checkFiles(arguments, plan, command.files());
     const ranks::Place& place = command.ranks().place();
     if (plan.division == FrameDivision::cascades) {
@@ -117,8 +140,8 @@ scene::SceneSetup openDrawn(Command& command, RenderArguments& arguments, const 
     scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed,
                                                 scenes::shownChoice(arguments.scene, arguments.choice));
     scenes::paint(setup.scene, plan.colours);
-    plan.cameras.at(setup.path,
-                    plan.cameras.first); // an unusable camera ends here, before the device is made
+    // An unusable camera ends here, before the device is made.
+    plan.views.camerasOf(plan.cameras.at(setup.path, plan.cameras.first));
     if (plan.division == FrameDivision::cascades) {
         requireDivisible(plan.options, hasBlended(setup.scene)); // one process refuses what several do
         if (plan.options.part.count > 1 && !setup.motion && !wanted.truth && !wanted.certificate) {
@@ -188,8 +211,8 @@ void runRender(Command& command, RenderArguments& arguments) {
         moving.emplace(std::move(setup.scene), setup.motion);
     }
     FrameMaker maker(command.device(), moving ? moving->world().scene() : setup.scene,
-                     moving ? &*moving : nullptr, plan.options, wanted, workers);
-    RenderResults results(command, arguments, plan.options, plan.name, plan.aov, plan.cameras);
+                     moving ? &*moving : nullptr, plan.options, plan.views, wanted, workers);
+    RenderResults results(command, arguments, plan.options, plan.views, plan.name, plan.aov, plan.cameras);
     drawFrames(command, plan, setup.path, arguments.scene, maker, results);
     if (trace) {
         trace->write(arguments.trace);

@@ -6,20 +6,21 @@
 
 #include <chrono>
 #include <utility>
+#include <vector>
 
 namespace cdr::cli {
 
 FrameMaker::FrameMaker(const gpu::Device& device, const scene::Scene& scene, scenes::MovingScene* moving,
-                       const render::RenderOptions& options, const WantedOfFrames& wanted,
-                       host::WorkerPool& workers)
+                       const render::RenderOptions& options, const experiments::ViewsPlan& views,
+                       const WantedOfFrames& wanted, host::WorkerPool& workers)
     : m_options(options),
+      m_plan(views),
       m_subPixelBits(device.info().subPixelBits),
       m_workers(workers),
       m_moving(moving),
       m_onDevice(moving != nullptr ? render::GpuScene(device, moving->world())
-                                   : render::GpuScene(device, scene)),
-      m_renderer(moving != nullptr ? render::Renderer(device, m_onDevice, options)
-                                   : render::Renderer(device, scene, m_onDevice, options)) {
+                                   : render::GpuScene(device, scene)) {
+    makeRenderer(device, scene);
     if (wanted.truth) {
         m_caster.emplace(scene, workers);
     }
@@ -28,9 +29,26 @@ FrameMaker::FrameMaker(const gpu::Device& device, const scene::Scene& scene, sce
     }
 }
 
+void FrameMaker::makeRenderer(const gpu::Device& device, const scene::Scene& scene) {
+    const std::size_t views = m_plan.count();
+    if (views == 1 && m_moving != nullptr) {
+        m_renderer = std::make_unique<render::Renderer>(device, m_onDevice, m_options);
+    } else if (views == 1) {
+        m_renderer = std::make_unique<render::Renderer>(device, scene, m_onDevice, m_options);
+    } else if (m_moving != nullptr) {
+        m_views = std::make_unique<render::ViewsRenderer>(device, m_onDevice, m_options, views);
+    } else {
+        m_views = std::make_unique<render::ViewsRenderer>(device, scene, m_onDevice, m_options, views);
+    }
+}
+
 void FrameMaker::skip(std::uint32_t number, const scene::Camera& camera) {
     show(number);
-    m_renderer.skip(camera);
+    if (m_views != nullptr) {
+        m_views->skip(m_plan.camerasOf(camera));
+    } else {
+        m_renderer->skip(camera);
+    }
 }
 
 render::Frame FrameMaker::draw(std::uint32_t number, const scene::Camera& camera) {
@@ -38,7 +56,12 @@ render::Frame FrameMaker::draw(std::uint32_t number, const scene::Camera& camera
     if (m_options.trace != nullptr) {
         m_options.trace->beginFrame(fmt::format("frame {}", number));
     }
-    return m_renderer.render(camera);
+    if (m_views == nullptr) {
+        return m_renderer->render(camera);
+    }
+    render::Frame joined = m_plan.join(m_views->render(m_plan.camerasOf(camera)), camera);
+    joined.color = m_plan.shown(std::move(joined.color));
+    return joined;
 }
 
 FrameOutput FrameMaker::finish(std::uint32_t number, render::Frame frame) {
@@ -48,9 +71,17 @@ FrameOutput FrameMaker::finish(std::uint32_t number, render::Frame frame) {
     }
     std::optional<measure::TruthImage> truth;
     if (m_caster) {
-        truth = m_caster->cast(frame.camera, m_options.width, m_options.height, m_workers);
+        truth = castAll(frame.camera);
     }
     return {number, std::move(frame), std::move(truth), std::move(certified)};
+}
+
+measure::TruthImage FrameMaker::castAll(const scene::Camera& camera) const {
+    std::vector<measure::TruthImage> truths;
+    for (const scene::Camera& view : m_plan.camerasOf(camera)) {
+        truths.push_back(m_caster->cast(view, m_options.width, m_options.height, m_workers));
+    }
+    return m_plan.join(truths, camera);
 }
 
 CertifiedOutput FrameMaker::certify(render::Frame& frame) {

@@ -7,9 +7,12 @@
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
+#include <cdr/render/views/views_renderer.h>
+#include <experiments/views/views_plan.h>
 #include <scenes/moving_scene.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace cdr::cli {
@@ -20,12 +23,13 @@ struct WantedOfFrames {
     bool certificate = false;
 };
 
-/// Draws frame after frame of a scene, and casts its truth or certifies it where that is wanted.
+/// Draws frame after frame of a scene, from one view or several at a time, and casts its truth or certifies it where that is wanted.
 class FrameMaker {
   public:
     /// @param moving the scene, where it moves; else null. What is given by reference must outlive the maker.
     FrameMaker(const gpu::Device& device, const scene::Scene& scene, scenes::MovingScene* moving,
-               const render::RenderOptions& options, const WantedOfFrames& wanted, host::WorkerPool& workers);
+               const render::RenderOptions& options, const experiments::ViewsPlan& views,
+               const WantedOfFrames& wanted, host::WorkerPool& workers);
 
     /// Goes past a frame that another rank makes.
     void skip(std::uint32_t number, const scene::Camera& camera);
@@ -34,15 +38,19 @@ class FrameMaker {
     FrameOutput finish(std::uint32_t number, render::Frame frame);
 
   private:
+    void makeRenderer(const gpu::Device& device, const scene::Scene& scene);
     CertifiedOutput certify(render::Frame& frame); ///< and repairs it
+    measure::TruthImage castAll(const scene::Camera& camera) const;
     void show(std::uint32_t number);
 
     const render::RenderOptions& m_options;
+    const experiments::ViewsPlan& m_plan;
     std::uint32_t m_subPixelBits;
     host::WorkerPool& m_workers;
     scenes::MovingScene* m_moving;
     render::GpuScene m_onDevice;
-    render::Renderer m_renderer;
+    std::unique_ptr<render::Renderer> m_renderer;   ///< of one view
+    std::unique_ptr<render::ViewsRenderer> m_views; ///< of several
     std::optional<measure::TruthCaster> m_caster;
     std::optional<measure::Certifier> m_certifier;
 };

@@ -77,6 +77,8 @@ experiments::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
         {.key = "batching", .value = [](const RenderRow& row) { return nameOf(row.options.batching); }},
         {.key = "surface", .value = [](const RenderRow& row) { return nameOf(row.options.surface); }},
         {.key = "detail", .value = [](const RenderRow& row) { return nameOf(row.options.detail); }},
+        {.key = "views", .value = [](const RenderRow& row) { return row.views.count(); }},
+        {.key = "stereo", .value = [](const RenderRow& row) { return row.views.stereoName(); }},
         {.key = "threads", .value = [](const RenderRow& row) { return row.options.threads; }},
         {.key = "cascades",
          .value = [](const RenderRow& row) { return row.made.frame().cascades.size(); },

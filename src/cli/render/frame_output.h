@@ -8,6 +8,7 @@
 #include <cdr/render/renderer.h>
 #include <experiments/aov.h>
 #include <experiments/columns.h>
+#include <experiments/views/views_plan.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -49,6 +50,7 @@ class FrameOutput {
 struct RenderRow {
     const FrameOutput& made;
     const render::RenderOptions& options;
+    const experiments::ViewsPlan& views;
     std::string scene;
     std::string technique;
     std::string hash;

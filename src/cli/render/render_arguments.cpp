@@ -67,6 +67,7 @@ nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth
     add("animation", arguments.choice.animation);
     add("time", arguments.choice.seconds);
     add("fps", arguments.choice.framesPerSecond);
+    experiments::addViewsJson(options, arguments.views);
     return options;
 }
 
@@ -122,6 +123,9 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     command.option_defaults()->group("Camera");
     experiments::addFrameOptions(command, arguments.camera);
     experiments::addCameraOptions(command, arguments.camera);
+    command.option_defaults()->group("Views");
+    experiments::addStereoOptions(command, arguments.views);
+    experiments::addViewsOption(command, arguments.views);
     command.option_defaults()->group("Scene");
     experiments::addSceneChoice(command, arguments.choice);
     experiments::addAnimationChoice(command, arguments.choice);

@@ -7,6 +7,7 @@
 #include <experiments/aov.h>
 #include <experiments/camera_options.h>
 #include <experiments/effect_options.h>
+#include <experiments/views/views_plan.h>
 #include <scenes/open_scene.h>
 
 #include <nlohmann/json.hpp>
@@ -44,6 +45,7 @@ struct RenderArguments {
     std::filesystem::path certify;
     std::filesystem::path state;
     experiments::CameraOptions camera;
+    experiments::ViewsArguments views;
     std::string colours = "thesis";
     std::uint64_t seed = scenes::kDefaultSeed;
     scene::GltfChoice choice;

@@ -37,11 +37,13 @@ std::vector<std::string> notesOn(Command& command, bool isFirst, const FrameOutp
 } // namespace
 
 RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
-                             const render::RenderOptions& options, const SequenceName& name,
-                             experiments::Aov aov, const experiments::FrameCameras& cameras)
+                             const render::RenderOptions& options, const experiments::ViewsPlan& views,
+                             const SequenceName& name, experiments::Aov aov,
+                             const experiments::FrameCameras& cameras)
     : m_command(command),
       m_arguments(arguments),
       m_options(options),
+      m_views(views),
       m_name(name),
       m_aov(aov),
       m_cameras(cameras),
@@ -85,8 +87,13 @@ std::vector<std::size_t> RenderResults::missing() {
 experiments::Json RenderResults::describe(const FrameOutput& made, bool isFirst) {
     const std::string hash =
         m_arguments.hash || m_command.output().json || !m_arguments.state.empty() ? made.hash(m_aov) : "";
-    const RenderRow row{made,        m_options, m_arguments.scene,
-                        m_technique, hash,      scene::secondsAt(m_arguments.choice, made.number())};
+    const RenderRow row{made,
+                        m_options,
+                        m_views,
+                        m_arguments.scene,
+                        m_technique,
+                        hash,
+                        scene::secondsAt(m_arguments.choice, made.number())};
     const auto& certified = made.certified();
     const bool isWritten = !m_arguments.file.empty() && !(certified && certified->certificate.isRefused());
     return experiments::Json{

@@ -9,6 +9,7 @@
 
 #include <experiments/camera_options.h>
 #include <experiments/columns.h>
+#include <experiments/views/views_plan.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +25,8 @@ class RenderResults {
   public:
     /// @param options as the frames are drawn. What is given by reference must outlive the results.
     RenderResults(Command& command, const RenderArguments& arguments, const render::RenderOptions& options,
-                  const SequenceName& name, experiments::Aov aov, const experiments::FrameCameras& cameras);
+                  const experiments::ViewsPlan& views, const SequenceName& name, experiments::Aov aov,
+                  const experiments::FrameCameras& cameras);
 
     /// The frames of the run, counted from its first, that are still to make; the same on all ranks, which all ask.
     std::vector<std::size_t> missing();
@@ -48,6 +50,7 @@ class RenderResults {
     Command& m_command;
     const RenderArguments& m_arguments;
     const render::RenderOptions& m_options;
+    const experiments::ViewsPlan& m_views;
     const SequenceName& m_name;
     experiments::Aov m_aov;
     const experiments::FrameCameras& m_cameras;

@@ -1,0 +1,54 @@
+#pragma once
+
+/// @file
+/// @errors None.
+
+#include <cdr/image/image.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+namespace cdr::image {
+
+/// Pictures beside each other, from the left, all of the height of the first. The first `shift` / 2 columns of the first
+/// one and as many of the last columns of the others, the odd one included, are moved out of their pictures: the first
+/// moves to the left and the others to the right. What that uncovers is `fill`.
+template <typename Pixel>
+Raster<Pixel> beside(std::span<const Raster<Pixel>* const> pictures, std::uint32_t shift = 0,
+                     Pixel fill = {}) {
+    if (pictures.empty()) {
+        return {};
+    }
+    const std::uint32_t width = pictures.front()->width;
+    const std::uint32_t height = pictures.front()->height;
+    Raster<Pixel> joined(width * static_cast<std::uint32_t>(pictures.size()), height, fill);
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const std::uint32_t moved = std::min(i == 0 ? shift / 2 : shift - shift / 2, width);
+        const std::uint32_t from = i == 0 ? moved : 0;
+        const std::uint32_t to = static_cast<std::uint32_t>(i) * width + (i == 0 ? 0 : moved);
+        for (std::uint32_t y = 0; y < height; ++y) {
+            const Pixel* row = &pictures[i]->pixels[static_cast<std::size_t>(y) * width];
+            std::copy(row + from, row + from + (width - moved),
+                      joined.pixels.begin() + static_cast<std::ptrdiff_t>(y) * joined.width + to);
+        }
+    }
+    return joined;
+}
+
+/// One picture for glasses with a red left and a cyan right lens, of a picture with both eyes beside each other: red of
+/// the left half, green and blue of the right half.
+inline ImageRgba8 anaglyphOf(const ImageRgba8& besides) {
+    const std::uint32_t width = besides.width / 2;
+    ImageRgba8 anaglyph(width, besides.height);
+    for (std::uint32_t y = 0; y < besides.height; ++y) {
+        for (std::uint32_t x = 0; x < width; ++x) {
+            const Rgba8& left = besides.at(x, y);
+            const Rgba8& right = besides.at(width + x, y);
+            anaglyph.at(x, y) = {left[0], right[1], right[2], left[3]};
+        }
+    }
+    return anaglyph;
+}
+
+} // namespace cdr::image

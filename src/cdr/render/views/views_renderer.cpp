@@ -1,0 +1,177 @@
+#include "../frame_slot.h"
+
+#include <cdr/base/error.h>
+#include <cdr/render/frame_split.h>
+#include <cdr/render/views/views_renderer.h>
+#include <cdr/visibility/cull_cells.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace cdr::render {
+
+namespace {
+
+void requireCameras(std::span<const scene::Camera> cameras, std::size_t views) {
+    if (cameras.size() != views) {
+        throw base::InputError(fmt::format("{} cameras were given for {} views", cameras.size(), views));
+    }
+    for (const scene::Camera& camera : cameras) {
+        scene::requireUsable(camera);
+        const scene::Camera& first = cameras.front();
+        if (camera.fovY != first.fovY || camera.nearView != first.nearView ||
+            camera.farView != first.farView) {
+            throw base::InputError("cameras of one frame must have the same field of view, near and far");
+        }
+    }
+}
+
+} // namespace
+
+template <typename Make>
+ViewsRenderer::ViewsRenderer(std::size_t views, const RenderOptions& options, const Make& make)
+    : m_split(std::make_unique<FrameSplit>(options.technique)) {
+    if (views == 0 || views > kMostViews) {
+        throw base::InputError(fmt::format("views must be 1 to {}, not {}", kMostViews, views));
+    }
+    for (std::size_t view = 0; view < views; ++view) {
+        m_renderers.push_back(make());
+    }
+}
+
+ViewsRenderer::ViewsRenderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
+                             const RenderOptions& options, std::size_t views)
+    : ViewsRenderer(views, options,
+                    [&] { return std::make_unique<Renderer>(device, scene, gpuScene, options); }) {}
+
+ViewsRenderer::ViewsRenderer(const gpu::Device& device, GpuScene& live, const RenderOptions& options,
+                             std::size_t views)
+    : ViewsRenderer(views, options, [&] { return std::make_unique<Renderer>(device, live, options); }) {}
+
+ViewsRenderer::~ViewsRenderer() = default;
+
+depth::Cascades ViewsRenderer::look(Cameras cameras) {
+    bool isRead = m_split->needsVisible();
+    std::vector<FrameView> views;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        Renderer& renderer = *m_renderers[i];
+        renderer.followScene();
+        views.push_back(renderer.m_passes->cutter.look(cameras[i]));
+        isRead = isRead || renderer.readsVisible(renderer.m_passes->slots.front());
+    }
+    std::vector<visibility::VisibleCells*> visible;
+    for (const auto& renderer : m_renderers) {
+        visible.push_back(renderer->m_visible.get());
+    }
+    if (isRead) {
+        std::vector<visibility::SphereTest> tests;
+        for (const FrameView& view : views) {
+            tests.emplace_back(view.camera, view.frustum);
+        }
+        Renderer& first = *m_renderers.front();
+        visibility::cullCells(first.m_drawn.uploaded.cells(first.m_workers), tests, first.m_workers, visible);
+    }
+    const std::vector<const visibility::VisibleCells*> seen(visible.begin(), visible.end());
+    return m_split->cut(views.front().camera, views.front().frustum, seen, {});
+}
+
+void ViewsRenderer::launch(Cameras cameras, Renderer::Destination destination, const FrameSync& sync) {
+    requireCameras(cameras, views());
+    const auto begin = std::chrono::steady_clock::now();
+    const depth::Cascades cascades = look(cameras);
+    const double lookMs =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        Renderer::Delivery delivery{.destination = destination, .shared = &cascades};
+        if (i == 0) {
+            delivery.sync.waits = sync.waits;
+        }
+        if (i + 1 == cameras.size()) {
+            delivery.sync.signals = sync.signals;
+        }
+        Renderer::Slot& slot = m_renderers[i]->run(cameras[i], delivery);
+        slot.stats.times.cullMs += i == 0 ? lookMs : 0.0;
+    }
+}
+
+std::vector<Frame> ViewsRenderer::render(Cameras cameras, FrameCopy copy) {
+    launch(cameras, copy == FrameCopy::color ? Renderer::Destination::hostColor : Renderer::Destination::host,
+           {});
+    std::vector<Frame> frames;
+    for (const auto& renderer : m_renderers) {
+        Renderer::Slot& slot = renderer->slotOf(renderer->m_frames - 1);
+        renderer->waitFor(slot);
+        frames.push_back(renderer->fetch(slot));
+    }
+    return frames;
+}
+
+std::vector<FrameStats> ViewsRenderer::draw(Cameras cameras) {
+    launch(cameras, Renderer::Destination::device, {});
+    std::vector<FrameStats> stats;
+    for (const auto& renderer : m_renderers) {
+        Renderer::Slot& slot = renderer->slotOf(renderer->m_frames - 1);
+        renderer->waitFor(slot);
+        stats.push_back(slot.stats);
+    }
+    return stats;
+}
+
+void ViewsRenderer::submit(Cameras cameras, const FrameSync& sync) {
+    launch(cameras, Renderer::Destination::device, sync);
+}
+
+void ViewsRenderer::finish() {
+    for (const auto& renderer : m_renderers) {
+        renderer->finish();
+    }
+}
+
+void ViewsRenderer::skip(Cameras cameras) {
+    requireCameras(cameras, views());
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        Renderer& renderer = *m_renderers[i];
+        renderer.followScene();
+        if (renderer.m_motion != nullptr) {
+            renderer.m_motion->follow(renderer.m_drawn, cameras[i]);
+        }
+    }
+    if (m_split->needsVisible()) {
+        look(cameras);
+    }
+}
+
+void ViewsRenderer::forgetFrames() {
+    m_split->forget();
+    for (const auto& renderer : m_renderers) {
+        renderer->forgetFrames();
+    }
+}
+
+Surfaces ViewsRenderer::surfaces(std::size_t view) const {
+    return m_renderers[view]->surfaces();
+}
+
+void ViewsRenderer::resize(std::uint32_t width, std::uint32_t height) {
+    finish();
+    const std::uint32_t widthBefore = options().width;
+    const std::uint32_t heightBefore = options().height;
+    std::size_t resized = 0;
+    try {
+        for (const auto& renderer : m_renderers) {
+            renderer->resize(width, height);
+            ++resized;
+        }
+    } catch (...) {
+        for (std::size_t view = 0; view < resized; ++view) {
+            m_renderers[view]->resize(widthBefore, heightBefore);
+        }
+        throw;
+    }
+    m_split->forget();
+}
+
+} // namespace cdr::render

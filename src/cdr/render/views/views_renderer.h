@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cdr/base/export.h>
+#include <cdr/render/renderer.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace cdr::render {
+
+class FrameSplit;
+
+/// Renders one scene from several cameras at a time: the two eyes of a scene::StereoRig, the six scene::cubeSides().
+///
+/// The cameras have one lens. They share one walk over the scene's cells and one set of cascades, which fits what any of
+/// them sees. Each has targets, lists of draws and memories of the last frame of its own. So the picture of each camera
+/// is the one of a Renderer with the same cascades, to the bit.
+/// @threads One thread at a time, as Renderer. Each view has a pool of RenderOptions::threads, which work in turn.
+/// @errors None but those that a function names.
+/// @lifetime The device and what is drawn must outlive it, and stay where they are.
+class CDR_EXPORT ViewsRenderer {
+  public:
+    /// Of a scene that stays as it is.
+    /// @param views how many cameras look, 1 to kMostViews
+    /// @throws base::InputError for another number of views, or as Renderer.
+    /// @throws base::RunError, std::system_error as Renderer.
+    ViewsRenderer(const gpu::Device& device, const scene::Scene& scene, const GpuScene& gpuScene,
+                  const RenderOptions& options, std::size_t views);
+    /// Of a world: all views of a frame show it as it is when the frame begins.
+    /// @errors base::InputError, base::RunError and std::system_error as above.
+    ViewsRenderer(const gpu::Device& device, GpuScene& live, const RenderOptions& options, std::size_t views);
+    /// Waits for what is in flight.
+    ~ViewsRenderer();
+    ViewsRenderer(const ViewsRenderer&) = delete;
+    ViewsRenderer& operator=(const ViewsRenderer&) = delete;
+
+    /// Renders one frame of each camera, waits for all and copies them to the host.
+    /// @param cameras one for each view, with one lens
+    /// @throws base::InputError for another number of cameras, for lenses that differ, or as Renderer::render().
+    /// @throws base::RunError, std::system_error as Renderer::render().
+    std::vector<Frame> render(std::span<const scene::Camera> cameras, FrameCopy copy = FrameCopy::everything);
+    /// Renders one frame of each camera and waits for all, but leaves them on the device. FrameTimes::cullMs of
+    /// the first is of all, their split included; executeMs begins when the view is submitted, so it contains the views before it.
+    /// @errors base::InputError, base::RunError and std::system_error as render().
+    std::vector<FrameStats> draw(std::span<const scene::Camera> cameras);
+    /// Renders one frame of each camera without waiting, as Renderer::submit().
+    /// @param sync waited for before the first view and signalled after the last.
+    /// @errors base::InputError, base::RunError and std::system_error as render(), of earlier frames too.
+    void submit(std::span<const scene::Camera> cameras, const FrameSync& sync = {});
+    /// Waits for all that was submitted.
+    /// @errors base::RunError and std::system_error of these frames, as render().
+    void finish();
+    /// Goes past a frame without drawing it, as Renderer::skip().
+    /// @errors base::InputError, base::RunError and std::system_error as render().
+    void skip(std::span<const scene::Camera> cameras);
+    /// The next frame is rendered as a first one is.
+    void forgetFrames();
+    /// Where the last frame of a view is.
+    /// @param view below views()
+    /// @lifetime The images are valid until the next frame, or resize().
+    Surfaces surfaces(std::size_t view) const;
+    /// Makes pictures of another size, as Renderer::resize().
+    /// @param width of each in pixels. @param height the same.
+    /// @errors base::InputError, base::RunError and std::system_error as the constructor. Where one is thrown after some
+    ///         views have changed, those are changed back.
+    void resize(std::uint32_t width, std::uint32_t height);
+
+    /// How many cameras look.
+    std::size_t views() const { return m_renderers.size(); }
+    /// What it was made with; resize() changes the size.
+    /// @lifetime As long as the renderer.
+    const RenderOptions& options() const { return m_renderers.front()->options(); }
+
+  private:
+    using Cameras = std::span<const scene::Camera>;
+    template <typename Make>
+    ViewsRenderer(std::size_t views, const RenderOptions& options, const Make& make);
+    /// Culls and cuts for all cameras.
+    depth::Cascades look(Cameras cameras);
+    /// Submits a frame of each camera.
+    void launch(Cameras cameras, Renderer::Destination destination, const FrameSync& sync);
+
+    std::vector<std::unique_ptr<Renderer>> m_renderers; ///< by view
+    std::unique_ptr<FrameSplit> m_split;
+};
+
+/// Most views of a ViewsRenderer.
+inline constexpr std::size_t kMostViews = 32;
+
+} // namespace cdr::render

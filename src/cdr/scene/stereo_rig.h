@@ -1,0 +1,53 @@
+#pragma once
+
+/// @file
+/// @errors None but those that a function names.
+/// @units Distances are in scene units.
+/// @lifetime Names live as long as the program.
+
+#include <cdr/base/export.h>
+#include <cdr/scene/camera.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+namespace cdr::scene {
+
+/// How the two eyes of a rig look.
+enum class StereoMode : std::uint8_t {
+    parallel, ///< along the same direction: objects at infinity coincide in both pictures
+    toedIn    ///< at one point, which coincides in both pictures
+};
+
+/// Both modes.
+inline constexpr std::array<StereoMode, 2> kStereoModes{StereoMode::parallel, StereoMode::toedIn};
+/// "parallel" or "toed-in".
+CDR_EXPORT std::string_view nameOf(StereoMode mode);
+/// The mode of such a name.
+/// @throws base::InputError with a suggestion for another name.
+CDR_EXPORT StereoMode parseStereoMode(std::string_view name);
+
+/// Two eyes beside a camera.
+struct StereoRig {
+    Camera centre;            ///< between the eyes, with the lens of both
+    double eyeDistance = 0.0; ///< between the eyes, > 0
+    /// From the centre along its view axis to where the eyes' pictures coincide, > 0; infinity for parallel eyes alone.
+    double convergence = std::numeric_limits<double>::infinity();
+    StereoMode mode = StereoMode::parallel; ///< how the eyes look
+};
+
+/// The left eye, then the right: half the eye distance beside the centre along its right axis. In toed-in rigs both turn
+/// to the point at `convergence`, about the centre's up axis.
+/// @throws base::InputError for a camera that is not usable, a distance that is not above 0 or not finite, or an eye
+///         distance that the rounding of the camera's position swallows.
+CDR_EXPORT std::array<Camera, 2> eyesOf(const StereoRig& rig);
+
+/// By how many pixels in all a rig's pictures are moved towards each other, so that what lies at `convergence`
+/// coincides: the left picture to the left, the right one to the right. 0 for toed-in rigs, whose eyes turn instead.
+/// @param width of an eye's picture in pixels. @param height the same.
+/// @throws base::InputError as eyesOf(), and where the pictures would not overlap any more.
+CDR_EXPORT std::uint32_t stereoShift(const StereoRig& rig, std::uint32_t width, std::uint32_t height);
+
+} // namespace cdr::scene

@@ -1,0 +1,170 @@
+#include "views_plan.h"
+
+#include <CLI/CLI.hpp>
+#include <cdr/base/enum_names.h>
+#include <cdr/base/error.h>
+#include <cdr/image/beside.h>
+#include <cdr/render/views/joined_frame.h>
+#include <cdr/scene/cube_sides.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace cdr::experiments {
+
+namespace {
+
+constexpr base::EnumNames<StereoPicture, 2> kStereoPictureNames{"stereo picture",
+                                                                {"side-by-side", "anaglyph"}};
+constexpr base::EnumNames<ViewsKind, 2> kViewsNames{"views", {"one", "six"}};
+
+void requireStereoAlone(const ViewsArguments& arguments) {
+    const auto refuse = [](bool isGiven, const char* option) {
+        if (isGiven) {
+            throw base::InputError(fmt::format("{} is of two eyes: give --stereo too", option));
+        }
+    };
+    refuse(arguments.eyeDistance.has_value(), "--eye-distance");
+    refuse(arguments.converge.has_value(), "--converge");
+    refuse(arguments.picture != ViewsArguments{}.picture, "--stereo-picture");
+}
+
+} // namespace
+
+std::string_view nameOf(StereoPicture picture) {
+    return kStereoPictureNames.nameOf(picture);
+}
+
+StereoPicture parseStereoPicture(std::string_view name) {
+    return kStereoPictureNames.parse(name);
+}
+
+void addStereoOptions(CLI::App& command, ViewsArguments& arguments) {
+    command.add_option("--stereo", arguments.stereo, "Two eyes in one picture: none, parallel or toed-in")
+        ->capture_default_str();
+    command.add_option("--eye-distance", arguments.eyeDistance, "Between the eyes, in scene units");
+    command.add_option("--converge", arguments.converge,
+                       "Distance at which both eyes' pictures coincide, in scene units; without it that of "
+                       "parallel eyes is infinite");
+    command
+        .add_option("--stereo-picture", arguments.picture,
+                    "How the eyes become one picture: side-by-side or anaglyph (red left, cyan right)")
+        ->capture_default_str();
+}
+
+void addViewsOption(CLI::App& command, ViewsArguments& arguments) {
+    command
+        .add_option("--views", arguments.views,
+                    "one, or six: the sides of a cube about the camera, side by side: right, left, up, down, "
+                    "behind, ahead")
+        ->capture_default_str();
+}
+
+ViewsPlan::ViewsPlan(const ViewsArguments& arguments, std::uint32_t width, std::uint32_t height)
+    : m_kind(kViewsNames.parse(arguments.views)),
+      m_picture(kStereoPictureNames.parse(arguments.picture)),
+      m_rig{},
+      m_width(width),
+      m_height(height) {
+    if (m_kind == ViewsKind::six && width != height) {
+        throw base::InputError(fmt::format(
+            "--views six has square pictures: give a --size such as 512x512, not {}x{}", width, height));
+    }
+    if (arguments.stereo == "none") {
+        requireStereoAlone(arguments);
+        return;
+    }
+    m_rig.mode = scene::parseStereoMode(arguments.stereo);
+    if (m_kind == ViewsKind::six) {
+        throw base::InputError("give either --stereo or --views six");
+    }
+    m_kind = ViewsKind::stereo;
+    if (!arguments.eyeDistance) {
+        throw base::InputError("--stereo needs an --eye-distance");
+    }
+    if (!arguments.converge && m_rig.mode == scene::StereoMode::toedIn) {
+        throw base::InputError("--stereo toed-in needs a distance to --converge at");
+    }
+    m_rig.eyeDistance = *arguments.eyeDistance;
+    if (arguments.converge && !std::isfinite(*arguments.converge)) {
+        throw base::InputError("--converge takes a finite distance; parallel eyes go without it too");
+    }
+    m_rig.convergence = arguments.converge.value_or(m_rig.convergence);
+    eyesOf(m_rig); // distances that no camera can have end here
+}
+
+std::size_t ViewsPlan::count() const {
+    switch (m_kind) {
+    case ViewsKind::six:
+        return 6;
+    case ViewsKind::stereo:
+        return 2;
+    case ViewsKind::one:
+        break;
+    }
+    return 1;
+}
+
+std::string_view ViewsPlan::stereoName() const {
+    return m_kind == ViewsKind::stereo ? nameOf(m_rig.mode) : "none";
+}
+
+scene::StereoRig ViewsPlan::rigOf(const scene::Camera& camera) const {
+    scene::StereoRig rig = m_rig;
+    rig.centre = camera;
+    return rig;
+}
+
+std::uint32_t ViewsPlan::shiftOf(const scene::Camera& camera) const {
+    return m_kind == ViewsKind::stereo ? stereoShift(rigOf(camera), m_width, m_height) : 0;
+}
+
+std::vector<scene::Camera> ViewsPlan::camerasOf(const scene::Camera& camera) const {
+    if (m_kind == ViewsKind::six) {
+        const auto sides = scene::cubeSides(camera);
+        return {sides.begin(), sides.end()};
+    }
+    if (m_kind == ViewsKind::stereo) {
+        static_cast<void>(shiftOf(camera)); // refuses pictures that would not overlap before they are drawn
+        const auto eyes = eyesOf(rigOf(camera));
+        return {eyes.begin(), eyes.end()};
+    }
+    return {camera};
+}
+
+render::Frame ViewsPlan::join(const std::vector<render::Frame>& views, const scene::Camera& camera) const {
+    return render::joinedFrame(views, camera, shiftOf(camera));
+}
+
+image::ImageRgba8 ViewsPlan::shown(image::ImageRgba8 joined) const {
+    return isAnaglyph() ? image::anaglyphOf(joined) : joined;
+}
+
+measure::TruthImage ViewsPlan::join(const std::vector<measure::TruthImage>& views,
+                                    const scene::Camera& camera) const {
+    std::vector<const measure::TruthImage*> pictures;
+    for (const measure::TruthImage& view : views) {
+        pictures.push_back(&view);
+    }
+    return image::beside<measure::TruthPixel>(pictures, shiftOf(camera));
+}
+
+void addViewsJson(nlohmann::ordered_json& options, const ViewsArguments& arguments) {
+    if (arguments.views != ViewsArguments{}.views) {
+        options["views"] = arguments.views;
+    }
+    if (arguments.stereo == ViewsArguments{}.stereo) {
+        return;
+    }
+    options["stereo"] = arguments.stereo;
+    options["stereo_picture"] = arguments.picture;
+    if (arguments.eyeDistance) {
+        options["eye_distance"] = *arguments.eyeDistance;
+    }
+    if (arguments.converge) {
+        options["converge"] = *arguments.converge;
+    }
+}
+
+} // namespace cdr::experiments

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cdr/measure/truth/truth.h>
+#include <cdr/render/frame.h>
+#include <cdr/scene/stereo_rig.h>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
+namespace CLI {
+class App;
+}
+
+namespace cdr::experiments {
+
+/// What a command line says of several views.
+struct ViewsArguments {
+    std::string views = "one";
+    std::string stereo = "none";
+    std::optional<double> eyeDistance;
+    std::optional<double> converge;
+    std::string picture = "side-by-side";
+
+    bool operator==(const ViewsArguments&) const = default;
+};
+
+/// Adds --stereo, --eye-distance, --converge and --stereo-picture.
+void addStereoOptions(CLI::App& command, ViewsArguments& arguments);
+/// Adds --views.
+void addViewsOption(CLI::App& command, ViewsArguments& arguments);
+
+/// Which views a picture is of: one, the sides of a cube, or two eyes.
+enum class ViewsKind : std::uint8_t { one, six, stereo };
+
+/// How two eyes become one picture.
+enum class StereoPicture : std::uint8_t { sideBySide, anaglyph };
+/// "side-by-side" or "anaglyph".
+std::string_view nameOf(StereoPicture picture);
+/// base::InputError with a suggestion for another name.
+StereoPicture parseStereoPicture(std::string_view name);
+inline constexpr std::array kStereoPictures{StereoPicture::sideBySide, StereoPicture::anaglyph};
+
+/// From which cameras a frame is rendered, and how the pictures become one.
+class ViewsPlan {
+  public:
+    /// base::InputError for unknown names, and for options that contradict each other or the size of a view.
+    ViewsPlan(const ViewsArguments& arguments, std::uint32_t width, std::uint32_t height);
+
+    ViewsKind kind() const { return m_kind; }
+    std::size_t count() const;           ///< of views
+    std::string_view stereoName() const; ///< of how eyes look; "none" without
+    bool isAnaglyph() const { return m_kind == ViewsKind::stereo && m_picture == StereoPicture::anaglyph; }
+
+    /// Of a frame whose camera that is. base::InputError where there is none.
+    std::vector<scene::Camera> camerasOf(const scene::Camera& camera) const;
+    /// The frames of those cameras beside each other.
+    render::Frame join(const std::vector<render::Frame>& views, const scene::Camera& camera) const;
+    /// The truths of those cameras beside each other.
+    measure::TruthImage join(const std::vector<measure::TruthImage>& views,
+                             const scene::Camera& camera) const;
+
+    /// A picture of a joined frame as it is shown: an anaglyph where that is wanted.
+    image::ImageRgba8 shown(image::ImageRgba8 joined) const;
+
+  private:
+    scene::StereoRig rigOf(const scene::Camera& camera) const;
+    std::uint32_t shiftOf(const scene::Camera& camera) const;
+
+    ViewsKind m_kind = ViewsKind::one;
+    StereoPicture m_picture = StereoPicture::sideBySide;
+    scene::StereoRig m_rig; ///< but for its camera
+    std::uint32_t m_width;
+    std::uint32_t m_height;
+};
+
+/// What "options" of the command's JSON says of views, where there are several.
+void addViewsJson(nlohmann::ordered_json& options, const ViewsArguments& arguments);
+
+} // namespace cdr::experiments
