@@ -102,6 +102,9 @@ INSTANTIATE_TEST_SUITE_P(
               kMoved + "click Draw\nclick submission\n"
                        "click submission=gpu-driven\n",
               "800x720"},
+        Shown{"sideBySide", "alley --technique anchored", kMoved + "key G\nkey G shift\n"},
+        Shown{"anaglyph", "alley --technique anchored", kMoved + "key G\nkey G\n"},
+        Shown{"eyesOfTheLine", "alley --technique cdr --stereo parallel --eye-distance 0.2", kMoved},
         Shown{"split", "afc --compare standard,anchored", kMoved},
         Shown{"splitMoved", "mixed --compare cdr,reversed",
               "move 226 300\npress\nmove 150 300\nmove 113 300\nwait-ui 2\nrelease\n"}),

@@ -2,6 +2,7 @@
 
 #include <cdr/base/enum_names.h>
 #include <viewer/state/command_line.h>
+#include <viewer/state/stereo_view.h>
 #include <viewer/state/technique_label.h>
 
 #include <fmt/format.h>
@@ -24,6 +25,10 @@ std::string stateLine(const ViewerModel& model) {
         nameOf(settings.targets), settings.threads, settings.divider, scene::degreesOf(model.camera.now.fovY),
         model.camera.orbits ? 1 : 0, kMotions.nameOf(model.camera.motion), nameOf(settings.colours),
         exactText(model.camera.now.position));
+    if (const auto eyes = stereoPictureOf(settings)) {
+        line += fmt::format(" eyes={} stereo={} apart={} meet={}", nameOf(*eyes), settings.views.stereo,
+                            settings.views.eyeDistance.value_or(0.0), settings.views.converge.value_or(0.0));
+    }
     if (model.picture.shown != nullptr && !model.picture.shown->sides.empty()) {
         const SideResult& side = model.picture.shown->sides.front();
         line += fmt::format(" shown={} size={}x{} cascades={} draws={}", model.picture.shown->sceneName,

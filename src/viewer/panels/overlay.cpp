@@ -3,6 +3,7 @@
 #include <cdr/base/quantity_text.h>
 #include <cdr/scene/frustum.h>
 #include <viewer/state/plain_words.h>
+#include <viewer/state/stereo_view.h>
 #include <viewer/state/technique_label.h>
 #include <viewer/state/tour.h>
 
@@ -134,7 +135,8 @@ std::optional<ImVec2> onCanvas(const Canvas& canvas, const scene::Camera& camera
 
 void drawMeasuring(const Canvas& canvas, const PictureModel& picture) {
     const auto& first = picture.measuring.first();
-    if (!first || picture.shown == nullptr) {
+    // Of two eyes, a place is at two places of the picture: none is marked.
+    if (!first || picture.shown == nullptr || stereoPictureOf(picture.shown->settings)) {
         return;
     }
     const auto mark = [&](const PickedPoint& point) {

@@ -15,6 +15,8 @@ void drawViewPanel(const Widgets& widgets, ViewSettings& settings);
 /// How the frame is made. New renderer switches belong here.
 void drawRenderingPanel(const Widgets& widgets, ViewSettings& settings);
 void drawFinishPanel(const Widgets& widgets, ViewSettings& settings);
+/// One eye or two.
+void drawEyesPanel(const Widgets& widgets, ViewerModel& model);
 void drawCameraPanel(const Widgets& widgets, ViewerModel& model);
 void drawFrameGraph(const Widgets& widgets, const PerformanceModel& performance);
 void drawTimeline(const Widgets& widgets, const RenderResult* result);

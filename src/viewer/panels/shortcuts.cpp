@@ -1,6 +1,7 @@
 #include "shortcuts.h"
 
 #include <cdr/gpu/vulkan_hpp.h>
+#include <viewer/state/stereo_view.h>
 
 #include <GLFW/glfw3.h>
 
@@ -100,6 +101,10 @@ void applyShortcut(const KeyInput& key, ViewerModel& model) {
         break;
     case GLFW_KEY_V:
         stepView(model.settings, shift ? kViewKinds.size() - 1 : 1);
+        break;
+    case GLFW_KEY_G:
+        model.settings = shift ? withOtherEyes(std::move(model.settings))
+                               : withNextStereo(std::move(model.settings), model.camera.surfaceView);
         break;
     case GLFW_KEY_O:
         setOrbiting(model.camera, model.picture.measuring, !model.camera.orbits);

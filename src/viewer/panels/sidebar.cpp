@@ -57,6 +57,7 @@ void drawSidebar(const Widgets& widgets, ItemPlaces& places, float width, Viewer
             drawScenePanel(widgets, result, model.settings);
             drawTechniquePanel(widgets, model.settings);
             drawViewPanel(widgets, model.settings);
+            drawEyesPanel(widgets, model);
         });
         drawTab(1, places, keys, [&] {
             drawAnimationPanel(widgets, result, model.settings, model.camera.playback);

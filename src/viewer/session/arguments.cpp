@@ -56,6 +56,7 @@ void addRenderLine(CLI::App& program, Arguments& arguments) {
         ->capture_default_str();
     program.add_option("--detail", arguments.detail, "none, object or cascade")->capture_default_str();
     experiments::addEffectOptions(program, arguments.effects);
+    experiments::addStereoOptions(program, arguments.views);
     program.add_option("--aov", arguments.aov, "View: color, cascade, distance, id or wrong")
         ->capture_default_str();
     program.add_option("-o,--output", arguments.output,

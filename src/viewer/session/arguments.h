@@ -2,6 +2,7 @@
 
 #include <experiments/camera_options.h>
 #include <experiments/effect_options.h>
+#include <experiments/views/views_plan.h>
 #include <scenes/open_scene.h>
 
 #include <cstdint>
@@ -33,6 +34,7 @@ struct Arguments {
     std::string batching = "instanced";
     std::string detail = "none";
     experiments::EffectArguments effects;
+    experiments::ViewsArguments views; ///< one eye, or two
     std::string aov = "color";
     std::string output; ///< of a line that renders a picture, which is shown instead; empty without
     std::string targets = "single";

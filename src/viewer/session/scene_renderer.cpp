@@ -9,6 +9,14 @@
 
 namespace cdr::viewer {
 
+namespace {
+
+experiments::ViewsPlan planOf(const RenderRequest& request, const render::RenderOptions& options) {
+    return {request.settings.views, options.width, options.height};
+}
+
+} // namespace
+
 void SceneRenderer::open(const ViewSettings& settings) {
     const bool needsLevels = settings.finish.detail != visibility::DetailMode::none;
     if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
@@ -60,7 +68,7 @@ SideResult SceneRenderer::renderSide(const RenderRequest& request, std::size_t s
     SideResult result{};
     result.options = renderOptions(request.settings, side, request.extent);
     result.frame = std::make_shared<const render::Frame>(m_sides.at(side).render(
-        set(), result.options, camera,
+        set(), result.options, planOf(request, result.options), camera,
         readsSurfaces ? render::FrameCopy::everything : render::FrameCopy::color, request.isAtRest));
     result.timeline = timelineOf(m_sides.at(side).trace());
     return result;
@@ -69,7 +77,8 @@ SideResult SceneRenderer::renderSide(const RenderRequest& request, std::size_t s
 render::Frame SceneRenderer::renderReference(const RenderRequest& request, const scene::Camera& camera) {
     render::RenderOptions options = renderOptions(request.settings, 0, request.extent);
     options.technique = referenceTechnique();
-    return m_reference.render(set(), options, camera, render::FrameCopy::everything, request.isAtRest);
+    return m_reference.render(set(), options, planOf(request, options), camera, render::FrameCopy::everything,
+                              request.isAtRest);
 }
 
 /// A count that is only beside the picture must not cost the picture.
@@ -149,6 +158,11 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
     const auto painted = Clock::now();
     for (std::size_t side = 0; side < sides; ++side) {
         paint(request.settings.view, side, reference ? &*reference : nullptr, result.sides[side]);
+        const experiments::ViewsPlan plan = planOf(request, result.sides[side].options);
+        if (plan.isAnaglyph()) {
+            result.sides[side].picture =
+                std::make_shared<const image::ImageRgba8>(plan.shown(*result.sides[side].picture));
+        }
     }
     result.compositeMs = millisecondsSince(painted);
     result.frameMs = millisecondsSince(begin);

@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 #include <viewer/state/camera/fly_controller.h>
 #include <viewer/state/requests/next_request.h>
+#include <viewer/state/stereo_view.h>
 #include <viewer/state/tour.h>
 #include <viewer/window/window.h>
 
@@ -196,7 +197,7 @@ void Session::adopt(RenderResult result) {
     const bool isReadable = !result.sides.front().frame->gbuffer.pixels.empty();
     if (isReadable) {
         const render::Frame& frame = *result.sides.front().frame;
-        const double seen = surfaceView(frame, glm::dvec2(frame.width(), frame.height()) / 2.0);
+        const double seen = surfaceView(frame, middleOf(frame));
         m_model.picture.seesNothing = !std::isfinite(seen);
         // The camera flew on while the picture was made.
         const double ahead = isEntered ? seen : surfaceAhead(m_model.camera.now, result.camera, seen);
@@ -254,10 +255,10 @@ void Session::pickOrAsk() {
         m_click.reset(); // another scene is being opened
         return;
     }
-    const render::RenderOptions& options = shown.sides.front().options;
+    const image::ImageRgba8& picture = *shown.sides.front().picture;
     ask({.serial = m_serial + 1,
          .settings = shown.settings,
-         .extent = {options.width, options.height},
+         .extent = {picture.width, picture.height},
          .camera = shown.camera});
     m_click->serial = m_serial;
 }
@@ -280,8 +281,9 @@ void Session::pick(const Click& click, const RenderResult& result) {
     const auto at = [](double share, std::uint32_t size) {
         return std::min(static_cast<std::uint32_t>(share * size), size - 1);
     };
-    const auto point = pickAt(frame, result.scene->setup.scene, side.options.technique,
-                              at(click.share.x, frame.width()), at(click.share.y, frame.height()));
+    const auto point =
+        pickAt(frame, result.scene->setup.scene, side.options.technique,
+               at(click.share.x, columnsShown(result.settings, frame)), at(click.share.y, frame.height()));
     if (point) {
         m_model.picture.measuring.click(*point);
         m_model.camera.pivot = point->position;
@@ -310,10 +312,11 @@ void Session::readCursor(const PictureArea& area, const glm::dvec2& cursor) {
         }
         // The frame may be of another size while the window changes its own.
         const glm::dvec2 share = cursor / glm::dvec2(area.extent.width, area.extent.height);
-        m_model.picture.underCursor[side] = pickAt(*frame, m_model.picture.shown->scene->setup.scene,
-                                                   m_model.picture.shown->sides[side].options.technique,
-                                                   static_cast<std::uint32_t>(share.x * frame->width()),
-                                                   static_cast<std::uint32_t>(share.y * frame->height()));
+        m_model.picture.underCursor[side] = pickAt(
+            *frame, m_model.picture.shown->scene->setup.scene,
+            m_model.picture.shown->sides[side].options.technique,
+            static_cast<std::uint32_t>(share.x * columnsShown(m_model.picture.shown->settings, *frame)),
+            static_cast<std::uint32_t>(share.y * frame->height()));
     }
 }
 

@@ -4,7 +4,10 @@
 #include <cdr/host/trace.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
+#include <cdr/render/views/views_renderer.h>
+#include <experiments/views/views_plan.h>
 
+#include <cstddef>
 #include <memory>
 
 namespace cdr::viewer {
@@ -16,20 +19,26 @@ struct SceneOnDevice {
     render::GpuScene& onDevice; ///< of `scene`, or of a world that began as it
 };
 
-/// One renderer and its trace, made anew when what it is made from changes.
+/// One renderer, of one eye or two, and its trace, made anew when what it is made from changes.
 class SideRenderer {
   public:
+    /// Of two eyes, their frames beside each other.
     /// @param forgets the frames before, see render::Renderer::forgetFrames().
-    render::Frame render(const SceneOnDevice& set, render::RenderOptions options, const scene::Camera& camera,
+    render::Frame render(const SceneOnDevice& set, render::RenderOptions options,
+                         const experiments::ViewsPlan& plan, const scene::Camera& camera,
                          render::FrameCopy copy, bool forgets);
     /// Of the last frame.
     const host::Trace& trace() const { return *m_trace; }
-    void drop() { m_renderer.reset(); }
+    void drop();
 
   private:
-    render::RenderOptions m_asked;        ///< what the renderer is made from, without the trace
-    std::unique_ptr<host::Trace> m_trace; ///< outlives the renderer
-    std::unique_ptr<render::Renderer> m_renderer;
+    void make(const SceneOnDevice& set, const render::RenderOptions& options, std::size_t views);
+
+    render::RenderOptions m_asked;                  ///< what it is made from, without the trace
+    std::size_t m_viewsAsked = 0;                   ///< the same
+    std::unique_ptr<host::Trace> m_trace;           ///< outlives the renderers
+    std::unique_ptr<render::Renderer> m_renderer;   ///< of one eye
+    std::unique_ptr<render::ViewsRenderer> m_views; ///< of two
 };
 
 } // namespace cdr::viewer

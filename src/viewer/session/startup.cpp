@@ -47,6 +47,8 @@ ViewSettings settingsOf(const Arguments& arguments) {
                        .shadows = experiments::shadowsOf(arguments.effects).method,
                        .effects = experiments::effectsOf(arguments.effects),
                        .focus = experiments::focusOf(arguments.effects)};
+    settings.views = arguments.views;
+    experiments::ViewsPlan(settings.views, 1, 1); // refuses what contradicts itself
     chooseTechniques(arguments, settings);
     return settings;
 }

@@ -1,5 +1,7 @@
 #include "command_line.h"
 
+#include "stereo_view.h"
+
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 
@@ -80,6 +82,20 @@ void addFinish(Words& words, const ViewSettings& settings) {
     words.addUnless(effects.fog.visibility == 0.0, "--fog", fmt::format("{}", effects.fog.visibility));
 }
 
+void addEyes(Words& words, const ViewSettings& settings) {
+    const std::optional<experiments::StereoPicture> picture = stereoPictureOf(settings);
+    if (!picture) {
+        return;
+    }
+    const experiments::ViewsArguments& views = settings.views;
+    words.add("--stereo", views.stereo);
+    words.add("--eye-distance", fmt::format("{}", views.eyeDistance.value_or(0.0)));
+    words.addUnless(!views.converge, "--converge", fmt::format("{}", views.converge.value_or(0.0)));
+    const bool isOfColours = aovOf(settings.view) == "color"; // other outputs have no anaglyph
+    words.addUnless(*picture == experiments::StereoPicture::sideBySide || !isOfColours, "--stereo-picture",
+                    nameOf(*picture));
+}
+
 void addTechnique(Words& words, const ViewSettings& settings, const depth::Technique& technique) {
     if (const std::string name = depth::nameOf(technique); name != depth::partsOf(technique)) {
         words.add("--technique", name);
@@ -127,6 +143,7 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     addTechnique(words, settings, renderOptions(settings, view.side, view.extent).technique);
     words.addUnless(view.frame == 0, "--frame", fmt::format("{}", view.frame));
     addCamera(words, view.camera, view.sceneCamera, view.frame == 0);
+    addEyes(words, settings);
     const bool isGrey = settings.colours == scenes::Colours::thesis || scene::isGltfPath(settings.scene);
     words.addUnless(isGrey, "--colours", nameOf(settings.colours));
     const auto addChoice = [&words](std::string_view option, const std::optional<std::uint32_t>& number) {

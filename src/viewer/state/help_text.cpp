@@ -35,6 +35,10 @@ constexpr std::array kComparing{
              "next view: shaded, cascades, distance, ids, wrong pixels, flips; with shift, the one before"},
 };
 
+constexpr std::array kEyes{
+    HelpLine{"G", "two eyes side by side, then as an anaglyph, then one; with shift, parallel or toed-in"},
+};
+
 constexpr std::array kMeasuring{
     HelpLine{"click", "name what is there, its place and distance; a second click measures from the first"},
     HelpLine{"X", "forget both"},
@@ -60,8 +64,8 @@ constexpr std::array kKeeping{
 
 constexpr std::array kSections{
     HelpSection{"Moving", kMoving},       HelpSection{"Lens", kLens},
-    HelpSection{"Comparing", kComparing}, HelpSection{"Measuring", kMeasuring},
-    HelpSection{"Keeping", kKeeping},
+    HelpSection{"Comparing", kComparing}, HelpSection{"Eyes", kEyes},
+    HelpSection{"Measuring", kMeasuring}, HelpSection{"Keeping", kKeeping},
 };
 
 } // namespace

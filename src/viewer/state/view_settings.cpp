@@ -1,5 +1,7 @@
 #include "view_settings.h"
 
+#include "stereo_view.h"
+
 #include <cdr/base/enum_names.h>
 
 #include <algorithm>
@@ -35,7 +37,8 @@ bool remembersFrames(const ViewSettings& settings) {
 
 render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t side,
                                     const PictureExtent& extent) {
-    render::RenderOptions options{.width = extent.width,
+    const std::uint32_t eyes = stereoPictureOf(settings) == experiments::StereoPicture::sideBySide ? 2 : 1;
+    render::RenderOptions options{.width = std::max(extent.width / eyes, 1u),
                                   .height = extent.height,
                                   .technique =
                                       side == 1 && settings.second ? *settings.second : settings.technique,

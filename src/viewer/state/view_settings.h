@@ -4,6 +4,7 @@
 #include "finish.h"
 
 #include <cdr/render/renderer.h>
+#include <experiments/views/views_plan.h>
 #include <scenes/colours.h>
 #include <scenes/open_scene.h>
 
@@ -43,6 +44,7 @@ struct ViewSettings {
     std::size_t threads = 1;
     ViewKind view = ViewKind::shaded;
     Finish finish{};
+    experiments::ViewsArguments views{}; ///< one eye, or two
 
     bool operator==(const ViewSettings&) const = default;
 };
@@ -50,7 +52,7 @@ struct ViewSettings {
 /// Whether what is drawn depends on the frames before, as fitted splits do.
 bool remembersFrames(const ViewSettings& settings);
 
-/// How one side, 0 left or 1 right, is rendered.
+/// How one side, 0 left or 1 right, is rendered. With two eyes beside each other, each has half of the width.
 render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t side,
                                     const PictureExtent& extent);
 

@@ -1,0 +1,91 @@
+#include "stereo_view.h"
+
+#include <cdr/base/number_text.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+namespace cdr::viewer {
+
+namespace {
+
+constexpr double kEyeShare = 1.0 / 30.0;
+
+/// So that a copied command line is short.
+double threeDigits(double value) {
+    return std::strtod(fmt::format("{:.3g}", value).c_str(), nullptr);
+}
+
+} // namespace
+
+std::optional<experiments::StereoPicture> stereoPictureOf(const ViewSettings& settings) {
+    if (settings.views.stereo == experiments::ViewsArguments{}.stereo) {
+        return std::nullopt;
+    }
+    return experiments::parseStereoPicture(settings.views.picture);
+}
+
+void fitEyes(experiments::ViewsArguments& views, double surfaceView) {
+    const bool isUsable = std::isfinite(surfaceView) && surfaceView > 0.0;
+    views.converge = threeDigits(isUsable ? surfaceView : 1.0);
+    views.eyeDistance = threeDigits(*views.converge * kEyeShare);
+}
+
+ViewSettings withStereo(ViewSettings settings, std::optional<experiments::StereoPicture> picture,
+                        double surfaceView) {
+    if (!picture) {
+        settings.views = {};
+        return settings;
+    }
+    if (!stereoPictureOf(settings)) {
+        settings.views.stereo = nameOf(scene::StereoMode::parallel);
+        fitEyes(settings.views, surfaceView);
+    }
+    settings.views.picture = nameOf(*picture);
+    return settings;
+}
+
+ViewSettings withNextStereo(ViewSettings settings, double surfaceView) {
+    using experiments::StereoPicture;
+    const std::optional<StereoPicture> now = stereoPictureOf(settings);
+    const std::optional<StereoPicture> next = !now ? StereoPicture::sideBySide
+                                              : *now == StereoPicture::sideBySide
+                                                  ? std::optional(StereoPicture::anaglyph)
+                                                  : std::nullopt;
+    return withStereo(std::move(settings), next, surfaceView);
+}
+
+glm::dvec2 middleOf(const render::Frame& frame) {
+    const double views = frame.views.empty() ? 1.0 : static_cast<double>(frame.views.size());
+    return {frame.width() / (2.0 * views), frame.height() / 2.0};
+}
+
+std::uint32_t columnsShown(const ViewSettings& settings, const render::Frame& frame) {
+    const bool isAnaglyph = stereoPictureOf(settings) == experiments::StereoPicture::anaglyph;
+    return isAnaglyph && !frame.views.empty()
+               ? frame.gbuffer.width / static_cast<std::uint32_t>(frame.views.size())
+               : frame.width();
+}
+
+std::string_view explain(std::optional<experiments::StereoPicture> picture) {
+    if (!picture) {
+        return "One eye.";
+    }
+    return *picture == experiments::StereoPicture::anaglyph
+               ? "Two eyes in one picture: for glasses with a red left and a cyan right lens."
+               : "Two eyes side by side, the left one at the left: look through the window until they meet.";
+}
+
+ViewSettings withOtherEyes(ViewSettings settings) {
+    if (stereoPictureOf(settings)) {
+        const bool isToedIn = settings.views.stereo == nameOf(scene::StereoMode::toedIn);
+        settings.views.stereo = nameOf(isToedIn ? scene::StereoMode::parallel : scene::StereoMode::toedIn);
+    }
+    return settings;
+}
+
+} // namespace cdr::viewer

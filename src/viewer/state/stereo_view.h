@@ -1,0 +1,35 @@
+#pragma once
+
+#include "view_settings.h"
+
+#include <cdr/render/frame.h>
+
+#include <optional>
+
+namespace cdr::viewer {
+
+/// How two eyes are shown; empty where there is one.
+std::optional<experiments::StereoPicture> stereoPictureOf(const ViewSettings& settings);
+
+/// The settings with two eyes shown so, or with one. Eyes that were not there before are fitted to a distance by
+/// fitEyes().
+/// @param surfaceView view distance of what is looked at; where nothing is, eyes are fitted to 1 unit.
+ViewSettings withStereo(ViewSettings settings, std::optional<experiments::StereoPicture> picture,
+                        double surfaceView);
+/// One eye, two side by side, an anaglyph, one eye.
+ViewSettings withNextStereo(ViewSettings settings, double surfaceView);
+/// Toed-in eyes become parallel and the other way round. Nothing with one eye.
+ViewSettings withOtherEyes(ViewSettings settings);
+/// The eyes coincide at that distance and are a thirtieth of it apart, to three digits: a distance at which most people
+/// see one picture.
+void fitEyes(experiments::ViewsArguments& views, double surfaceView);
+
+/// The pixel in the middle of what a camera sees: of two eyes, the left one.
+glm::dvec2 middleOf(const render::Frame& frame);
+/// How many columns of a frame, from its first, the picture's width stands for: in an anaglyph those of the left eye.
+std::uint32_t columnsShown(const ViewSettings& settings, const render::Frame& frame);
+
+/// What a way to show two eyes, or one, means, in a sentence.
+std::string_view explain(std::optional<experiments::StereoPicture> picture);
+
+} // namespace cdr::viewer

@@ -1,0 +1,69 @@
+#include "viewer_run.h"
+
+#include <gtest/gtest.h>
+
+namespace cdr::viewer_test {
+
+namespace {
+
+const std::string kEyes = "--size 800x480 --technique anchored alley";
+
+/// One eye, two side by side, an anaglyph, one eye: by the key, and by the panel.
+TEST_F(ViewerTest, ShowsTwoEyes) {
+    const RunResult run = play(
+        kEyes, "wait-frame\npicture one.png\nkey G\nwait-frame\nstate\npicture beside.png\nkey G shift\n"
+               "wait-frame\nstate\nkey G\nwait-frame\nstate\npicture both.png\nkey G\nwait-frame\n"
+               "picture again.png\nstate\nclick eyes\nclick eyes=side-by-side\nwait-frame\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 5u) << run.out;
+    EXPECT_EQ(valueOf(states[0], "eyes"), "side-by-side");
+    EXPECT_EQ(valueOf(states[0], "stereo"), "parallel");
+    EXPECT_EQ(valueOf(states[1], "stereo"), "toed-in");
+    EXPECT_EQ(valueOf(states[2], "eyes"), "anaglyph");
+    EXPECT_EQ(valueOf(states[3], "eyes"), "");
+    EXPECT_EQ(valueOf(states[4], "eyes"), "side-by-side");
+    EXPECT_NEAR(std::stod(valueOf(states[0], "meet")) / std::stod(valueOf(states[0], "apart")), 30.0, 0.5);
+    const image::ImageRgba8 one = picture("one.png");
+    const image::ImageRgba8 beside = picture("beside.png");
+    EXPECT_EQ(beside.width, one.width / 2 * 2);
+    image::ImageRgba8 left(one.width / 2, one.height);
+    image::ImageRgba8 right(one.width / 2, one.height);
+    for (std::uint32_t y = 0; y < one.height; ++y) {
+        for (std::uint32_t x = 0; x < left.width; ++x) {
+            left.at(x, y) = beside.at(x, y);
+            right.at(x, y) = beside.at(left.width + x, y);
+        }
+    }
+    EXPECT_GT(difference(left, right), 0.001);
+    EXPECT_GT(colors(left), 100u);
+    EXPECT_GT(difference(picture("both.png"), one), 0.001);
+    EXPECT_EQ(picture("again.png"), one);
+}
+
+/// What is under the cursor is what the eye sees there whose picture it is in.
+TEST_F(ViewerTest, PicksInEachEye) {
+    const auto at = [&](const std::string& option, int x) {
+        const RunResult run = play(option + kEyes, "wait-frame\nmove " + std::to_string(x) +
+                                                       " 200\nwait-frame 2\nwait-ui 5\npress\nrelease\n"
+                                                       "wait-state picked=\nstate\nquit\n");
+        return valueOf(run.lines("scene=").at(0), "picked-at");
+    };
+    const std::string eyes = "--stereo parallel --eye-distance 1e-6 ";
+    const auto close = [](const std::string& a, const std::string& b) {
+        double ax = 0.0, ay = 0.0, az = 0.0, bx = 0.0, by = 0.0, bz = 0.0;
+        EXPECT_EQ(std::sscanf(a.c_str(), "%lf,%lf,%lf", &ax, &ay, &az), 3) << a;
+        EXPECT_EQ(std::sscanf(b.c_str(), "%lf,%lf,%lf", &bx, &by, &bz), 3) << b;
+        return std::abs(ax - bx) + std::abs(ay - by) + std::abs(az - bz) < 1e-3;
+    };
+    const RunResult run = play(eyes + kEyes, "wait-frame\nstate\nquit\n");
+    const std::string size = valueOf(run.lines("scene=").at(0), "size");
+    const int half = std::stoi(size);
+    EXPECT_TRUE(close(at(eyes, 60), at(eyes, half + 60)));
+    EXPECT_FALSE(close(at(eyes, 60), at(eyes, half + 110)));
+    // An anaglyph is picked through the left eye, which here stands where one eye would.
+    EXPECT_TRUE(close(at(eyes + "--stereo-picture anaglyph ", 200), at("", 200)));
+}
+
+} // namespace
+
+} // namespace cdr::viewer_test

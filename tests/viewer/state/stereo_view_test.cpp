@@ -1,0 +1,64 @@
+#include "frames.h"
+
+#include <viewer/state/command_line.h>
+#include <viewer/state/stereo_view.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace cdr::viewer {
+
+namespace {
+
+using experiments::StereoPicture;
+
+TEST(StereoViewTest, StepsThroughOneEyeTwoAndAnAnaglyph) {
+    const ViewSettings one;
+    EXPECT_FALSE(stereoPictureOf(one));
+    const ViewSettings beside = withNextStereo(one, 61.234);
+    EXPECT_EQ(stereoPictureOf(beside), StereoPicture::sideBySide);
+    EXPECT_EQ(beside.views.converge, 61.2);
+    EXPECT_EQ(beside.views.eyeDistance, 2.04);
+    const ViewSettings anaglyph = withNextStereo(withOtherEyes(beside), 5.0);
+    EXPECT_EQ(stereoPictureOf(anaglyph), StereoPicture::anaglyph);
+    EXPECT_EQ(anaglyph.views.stereo, "toed-in");
+    EXPECT_EQ(anaglyph.views.converge, 61.2); // fitted once
+    EXPECT_EQ(withNextStereo(anaglyph, 5.0), one);
+    EXPECT_EQ(withOtherEyes(one), one);
+    EXPECT_EQ(withOtherEyes(withOtherEyes(beside)), beside);
+}
+
+TEST(StereoViewTest, FitsEyesToOneUnitWhereNothingIsSeen) {
+    for (const double nothing : {0.0, -3.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
+        EXPECT_EQ(withNextStereo({}, nothing).views.converge, 1.0) << nothing;
+    }
+}
+
+TEST(StereoViewTest, EyesBesideEachOtherShareTheWidth) {
+    const ViewSettings beside = withNextStereo({}, 10.0);
+    EXPECT_EQ(renderOptions(beside, 0, {641, 360}).width, 320u);
+    EXPECT_EQ(renderOptions(withNextStereo(beside, 10.0), 0, {641, 360}).width, 641u);
+    EXPECT_EQ(renderOptions(beside, 0, {1, 360}).width, 1u);
+    render::Frame frame = viewer_test::makeFrame(8, 4, [](auto, auto) { return viewer_test::MadePixel{}; });
+    EXPECT_EQ(middleOf(frame), glm::dvec2(4.0, 2.0));
+    frame.views.resize(2);
+    EXPECT_EQ(middleOf(frame), glm::dvec2(2.0, 2.0));
+    EXPECT_EQ(columnsShown(beside, frame), 8u);
+    EXPECT_EQ(columnsShown(withNextStereo(beside, 10.0), frame), 4u);
+}
+
+TEST(StereoViewTest, TheCopiedLineSaysTheEyes) {
+    ReproducedView view{.settings = withNextStereo({}, 30.0), .extent = {320, 360}};
+    EXPECT_NE(renderCommand(view).find("--stereo=parallel --eye-distance=1 --converge=30 --size=320x360"),
+              std::string::npos)
+        << renderCommand(view);
+    view.settings = withNextStereo(view.settings, 30.0);
+    EXPECT_NE(renderCommand(view).find("--stereo-picture=anaglyph"), std::string::npos);
+    view.settings.view = ViewKind::ids; // of which there is no anaglyph
+    EXPECT_EQ(renderCommand(view).find("--stereo-picture"), std::string::npos);
+}
+
+} // namespace
+
+} // namespace cdr::viewer
