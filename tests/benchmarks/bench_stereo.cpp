@@ -80,10 +80,10 @@ void stereo(benchmark::State& state) {
                                   .submission = drawn.submission};
     options.shadows.method = drawn.shadows;
     const scene::Camera centre = setup.path.at(0);
-    const auto eyes = eyesOf({.centre = centre,
-                              .eyeDistance = 0.065,
-                              .convergence = 5.0,
-                              .mode = scene::kStereoModes[static_cast<std::size_t>(state.range(2))]});
+    const auto eyes = scene::eyesOf({.centre = centre,
+                                     .eyeDistance = 0.065,
+                                     .convergence = 5.0,
+                                     .mode = scene::kStereoModes[static_cast<std::size_t>(state.range(2))]});
     render::Renderer mono(gpu.device, setup.scene, onDevice, options);
     render::ViewsRenderer both(gpu.device, setup.scene, onDevice, options, eyes.size());
     for (int warm = 0; warm < 4; ++warm) {

@@ -10,10 +10,11 @@ const std::string kEyes = "--size 800x480 --technique anchored alley";
 
 /// One eye, two side by side, an anaglyph, one eye: by the key, and by the panel.
 TEST_F(ViewerTest, ShowsTwoEyes) {
-    const RunResult run = play(
-        kEyes, "wait-frame\npicture one.png\nkey G\nwait-frame\nstate\npicture beside.png\nkey G shift\n"
-               "wait-frame\nstate\nkey G\nwait-frame\nstate\npicture both.png\nkey G\nwait-frame\n"
-               "picture again.png\nstate\nclick eyes\nclick eyes=side-by-side\nwait-frame\nstate\nquit\n");
+    const RunResult run =
+        play("--size 800x1400 --technique anchored alley",
+             "wait-frame\npicture one.png\nkey G\nwait-frame\nstate\npicture beside.png\nkey G shift\n"
+             "wait-frame\nstate\nkey G\nwait-frame\nstate\npicture both.png\nkey G\nwait-frame\n"
+             "picture again.png\nstate\nclick eyes\nclick eyes=side-by-side\nwait-frame\nstate\nquit\n");
     const auto states = run.lines("scene=");
     ASSERT_EQ(states.size(), 5u) << run.out;
     EXPECT_EQ(valueOf(states[0], "eyes"), "side-by-side");
@@ -44,7 +45,7 @@ TEST_F(ViewerTest, ShowsTwoEyes) {
 TEST_F(ViewerTest, PicksInEachEye) {
     const auto at = [&](const std::string& option, int x) {
         const RunResult run = play(option + kEyes, "wait-frame\nmove " + std::to_string(x) +
-                                                       " 200\nwait-frame 2\nwait-ui 5\npress\nrelease\n"
+                                                       " 400\nwait-frame\nwait-ui 5\npress\nrelease\n"
                                                        "wait-state picked=\nstate\nquit\n");
         return valueOf(run.lines("scene=").at(0), "picked-at");
     };

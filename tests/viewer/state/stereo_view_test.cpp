@@ -49,7 +49,11 @@ TEST(StereoViewTest, EyesBesideEachOtherShareTheWidth) {
 }
 
 TEST(StereoViewTest, TheCopiedLineSaysTheEyes) {
-    ReproducedView view{.settings = withNextStereo({}, 30.0), .extent = {320, 360}};
+    ReproducedView view{.settings = withNextStereo({}, 30.0),
+                        .side = 0,
+                        .camera = {},
+                        .sceneCamera = {},
+                        .extent = {320, 360}};
     EXPECT_NE(renderCommand(view).find("--stereo=parallel --eye-distance=1 --converge=30 --size=320x360"),
               std::string::npos)
         << renderCommand(view);
