@@ -15,9 +15,9 @@ constexpr const char* kRig = " --eye-distance 0.4 --converge 12";
 
 class ViewsCommand : public testing::Test {
   protected:
-    json row(const std::string& options) {
-        const ProgramResult result =
-            runProgram("--validate render alley --size 160x90 --json r.json " + options, m_folder.path());
+    json row(const std::string& options, const std::string& size = "160x90") {
+        const ProgramResult result = runProgram(
+            "--validate render alley --size " + size + " --json r.json " + options, m_folder.path());
         EXPECT_EQ(result.status, 0) << result.err;
         m_document = json::parse(readText(m_folder.path() / "r.json"));
         return m_document["results"][0];
@@ -102,12 +102,12 @@ TEST_F(ViewsCommand, OtherOutputsAreOfBothEyesToo) {
 }
 
 TEST_F(ViewsCommand, SixViewsAreTheSidesOfACube) {
-    const json six = row("--size 64x64 --views six -o six.png");
+    const json six = row("--views six -o six.png", "64x64");
     EXPECT_EQ(six["views"], 6);
     EXPECT_EQ(m_document["options"]["views"], "six");
     const image::ImageRgba8 sides = picture("six.png");
     EXPECT_EQ(sides.width, 6u * 64);
-    row("--size 64x64 --fov 90 -o ahead.png");
+    row("--fov 90 -o ahead.png", "64x64");
     const image::ImageRgba8 ahead = picture("ahead.png");
     std::size_t like = 0;
     for (std::uint32_t y = 0; y < 64; ++y) {

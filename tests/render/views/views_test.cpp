@@ -34,6 +34,9 @@ scene::Scene floorAndBoxes() {
                    glm::mat3(static_cast<float>(0.1 * w)));
         }
     }
+    for (int column = -60; column <= 60; ++column) { // so close that some are in one eye's view alone
+        addBox(scene, glm::dvec3(0.1 * column, 0.3, -3.0), glm::mat3(0.05f));
+    }
     return scene;
 }
 
