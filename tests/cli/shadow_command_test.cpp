@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
+#include <map>
+#include <string>
+
 namespace cdr::cli_test {
 
 namespace {
@@ -30,6 +34,30 @@ TEST(ShadowCommand, ComparesBothMethodsWithTheTruth) {
     EXPECT_EQ(document["results"][0]["method"], "plain");
     EXPECT_EQ(document["results"][1]["method"], "anchored");
     EXPECT_LE(document["results"][1]["wrong_fraction"], document["results"][0]["wrong_fraction"]);
+}
+
+/// Of frames after the first, where the camera moves.
+TEST(ShadowCommand, CountsFlipsSinceTheFrameBefore) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram(
+        "shadows afc --size 320x180 --frames 3 --methods plain,anchored --json s.json", folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json rows = json::parse(readText(folder.path() / "s.json"))["results"];
+    std::map<std::string, std::uint64_t> flips;
+    std::size_t first = 0;
+    for (const json& row : rows) {
+        if (row["frame"] == 0) {
+            EXPECT_FALSE(row.contains("flips"));
+            ++first;
+            continue;
+        }
+        EXPECT_GT(row["flips_compared"], 500);
+        EXPECT_LE(row["flips"], row["flips_compared"]);
+        flips[row["method"].get<std::string>()] += row["flips"].get<std::uint64_t>();
+    }
+    EXPECT_EQ(first, 2u);
+    EXPECT_GT(flips["plain"], 0u);
+    EXPECT_LT(flips["anchored"], flips["plain"]);
 }
 
 TEST(ShadowCommand, RenderCastsThem) {

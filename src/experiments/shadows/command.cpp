@@ -23,6 +23,17 @@ struct ShadowArguments {
     std::filesystem::path folder;
 };
 
+/// Of what changed since the frame before; absent in the first.
+experiments::Columns<experiments::ShadowResult> shadowFlipColumns() {
+    const auto of = [](auto member) {
+        return [member](const experiments::ShadowResult& row) {
+            return row.flips ? experiments::Json((*row.flips).*member) : experiments::absent();
+        };
+    };
+    return {{.key = "flips", .value = of(&measure::FlipCount::flips), .heading = "flips"},
+            {.key = "flips_compared", .value = of(&measure::FlipCount::compared)}};
+}
+
 experiments::Columns<experiments::ShadowResult> shadowColumns() {
     using Result = experiments::ShadowResult;
     using Wrong = measure::WrongShadows;
@@ -41,6 +52,7 @@ experiments::Columns<experiments::ShadowResult> shadowColumns() {
           {.key = "frame", .value = &Result::frame, .heading = "frame"},
           {.key = "light", .value = &Result::light, .heading = "light"}},
          experiments::columnsOf(&Result::wrong, wrong),
+         shadowFlipColumns(),
          {{.key = "maps", .value = &Result::maps, .heading = "maps"},
           {.key = "casters", .value = &Result::casters, .heading = "casters"},
           {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"}}});

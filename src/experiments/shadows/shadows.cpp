@@ -76,6 +76,7 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const
     }
     for (const Variant& variant : variants) {
         render::Renderer renderer(device, scene, gpuScene, variant.options);
+        image::ImageRgba8 reachedBefore;
         for (std::uint32_t i = 0; i < cameras.frames; ++i) {
             progress(done++, steps);
             const render::Frame frame = renderer.render(cameras.at(setup.path, cameras.first + i));
@@ -85,8 +86,14 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const
                 result.method = nameOf(variant.options.shadows.method);
                 result.frame = cameras.first + i;
                 result.light = light;
+                if (i > 0) {
+                    result.flips = measure::countShadowFlips(
+                        {.light = {reachedBefore, light}, .truth = truths[(i - 1) * lights + light]},
+                        {.light = {frame.reached, light}, .truth = truths[i * lights + light]});
+                }
                 take(compared(frame, truths[i * lights + light], std::move(result)));
             }
+            reachedBefore = frame.reached;
         }
     }
 }

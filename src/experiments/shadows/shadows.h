@@ -2,6 +2,7 @@
 
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
+#include <cdr/measure/shadows/shadow_flips.h>
 #include <cdr/measure/shadows/wrong_shadows.h>
 #include <cdr/render/render_options.h>
 #include <cdr/scene/scene_setup.h>
@@ -30,11 +31,13 @@ struct ShadowResult {
     std::uint32_t frame = 0;
     std::size_t light = 0;       ///< index
     measure::WrongShadows wrong; ///< of the frame
-    std::size_t maps = 0;        ///< that the frame drew, of all lights
-    std::size_t casters = 0;     ///< draws into those
-    double executeMs = 0.0;      ///< of the frame
-    image::ImageRgba8 picture;   ///< as rendered
-    image::ImageRgba8 heatMap;   ///< measure::shadowHeatMap()
+    /// Since the frame before; empty for the first.
+    std::optional<measure::FlipCount> flips{};
+    std::size_t maps = 0;      ///< that the frame drew, of all lights
+    std::size_t casters = 0;   ///< draws into those
+    double executeMs = 0.0;    ///< of the frame
+    image::ImageRgba8 picture; ///< as rendered
+    image::ImageRgba8 heatMap; ///< measure::shadowHeatMap()
 };
 
 /// Called before each step with how many of all are done.

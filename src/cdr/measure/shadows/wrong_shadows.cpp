@@ -13,25 +13,16 @@ constexpr image::Rgba8 kWrongAtEdge{255, 165, 0, 255};
 
 enum class Verdict : std::uint8_t { uncounted, right, wrong, edgeRight, edgeWrong };
 
-bool isInner(const ShadowImage& truth, std::uint32_t x, std::uint32_t y) {
-    if (x == 0 || y == 0 || x + 1 == truth.width || y + 1 == truth.height) {
-        return false;
-    }
-    for (std::uint32_t i = 0; i < 9; ++i) {
-        if (truth.at(x - 1 + i % 3, y - 1 + i / 3) != truth.at(x, y)) {
-            return false;
-        }
-    }
-    return true;
+bool facesLight(const ShadowPixel& pixel) {
+    return pixel.reach == Reach::reached || pixel.reach == Reach::shadowed;
 }
 
 Verdict verdictAt(const RenderedLight& light, const ShadowImage& truth, std::uint32_t x, std::uint32_t y) {
-    const Reach reach = truth.at(x, y).reach;
-    if (reach != Reach::reached && reach != Reach::shadowed) {
+    if (!facesLight(truth.at(x, y))) {
         return Verdict::uncounted;
     }
-    const bool isRight = light.reaches(x, y) == (reach == Reach::reached);
-    if (isInner(truth, x, y)) {
+    const bool isRight = light.reaches(x, y) == (truth.at(x, y).reach == Reach::reached);
+    if (isInnerShadow(truth, x, y)) {
         return isRight ? Verdict::right : Verdict::wrong;
     }
     return isRight ? Verdict::edgeRight : Verdict::edgeWrong;
@@ -51,6 +42,18 @@ void forVerdicts(const RenderedLight& light, const ShadowImage& truth, const Tak
 }
 
 } // namespace
+
+bool isInnerShadow(const ShadowImage& truth, std::uint32_t x, std::uint32_t y) {
+    if (x == 0 || y == 0 || x + 1 >= truth.width || y + 1 >= truth.height || !facesLight(truth.at(x, y))) {
+        return false;
+    }
+    for (std::uint32_t i = 0; i < 9; ++i) {
+        if (truth.at(x - 1 + i % 3, y - 1 + i / 3) != truth.at(x, y)) {
+            return false;
+        }
+    }
+    return true;
+}
 
 WrongShadows& WrongShadows::operator+=(const WrongShadows& other) {
     pixels += other.pixels;

@@ -31,6 +31,9 @@ struct RenderedLight {
     bool reaches(std::uint32_t x, std::uint32_t y) const { return reached.at(x, y)[channel] != 0; }
 };
 
+/// Whether a pixel of the picture is an inner one: its surface faces the light, and its eight neighbours are alike.
+bool isInnerShadow(const ShadowImage& truth, std::uint32_t x, std::uint32_t y);
+
 /// base::InputError when the sizes differ.
 WrongShadows countWrongShadows(const RenderedLight& light, const ShadowImage& truth);
 
