@@ -60,7 +60,7 @@ render::Frame FrameMaker::draw(std::uint32_t number, const scene::Camera& camera
         return m_renderer->render(camera);
     }
     render::Frame joined = m_plan.join(m_views->render(m_plan.camerasOf(camera)), camera);
-    joined.color = m_plan.shown(std::move(joined.color));
+    joined.color = m_plan.shown(joined.color);
     return joined;
 }
 

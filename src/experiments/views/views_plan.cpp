@@ -137,7 +137,7 @@ render::Frame ViewsPlan::join(const std::vector<render::Frame>& views, const sce
     return render::joinedFrame(views, camera, shiftOf(camera));
 }
 
-image::ImageRgba8 ViewsPlan::shown(image::ImageRgba8 joined) const {
+image::ImageRgba8 ViewsPlan::shown(const image::ImageRgba8& joined) const {
     return isAnaglyph() ? image::anaglyphOf(joined) : joined;
 }
 

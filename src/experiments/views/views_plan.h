@@ -68,7 +68,7 @@ class ViewsPlan {
                              const scene::Camera& camera) const;
 
     /// A picture of a joined frame as it is shown: an anaglyph where that is wanted.
-    image::ImageRgba8 shown(image::ImageRgba8 joined) const;
+    image::ImageRgba8 shown(const image::ImageRgba8& joined) const;
 
   private:
     scene::StereoRig rigOf(const scene::Camera& camera) const;
