@@ -30,11 +30,11 @@ struct ModelResult {
     double coveredFraction = 0.0; ///< of the pixels: those that show an opaque surface
     double flip = 0.0;            ///< mean FLIP over the picture
     double coveredFlip = 0.0;     ///< mean FLIP over the covered pixels
-    double meanSteps = 0.0;  ///< over inner pixels: mean of the largest channel's difference, 8-bit steps
-    image::ImageRgba8 plain; ///< base colour and the factors of shine alone
-    image::ImageRgba8 picture;
-    image::ImageRgba8 reference;
-    image::ImageRgba8 difference; ///< FLIP of each pixel, from black to white
+    double meanSteps = 0.0;    ///< over inner pixels: mean of the largest channel's difference, 8-bit steps
+    image::ImageRgba8 plain{}; ///< base colour and the factors of shine alone
+    image::ImageRgba8 picture{};
+    image::ImageRgba8 reference{};
+    image::ImageRgba8 difference{}; ///< FLIP of each pixel, from black to white
 };
 
 /// @param plain the same model, lit for a picture of base colour alone.
