@@ -139,7 +139,8 @@ TEST_F(ShapedLightsTest, AnEndlessRangeIsNoneToTheBit) {
     for (const std::size_t count : {1u, 4u, 7u}) {
         scene::Scene scene = room(glm::dvec3(0.0));
         for (std::size_t i = 0; i < count; ++i) {
-            scene.lights.push_back({.position = {2.0 * i - 4.0, 4.0, 1.0 + i}, .halfDistance = 2.0});
+            const auto at = static_cast<double>(i);
+            scene.lights.push_back({.position = {2.0 * at - 4.0, 4.0, 1.0 + at}, .halfDistance = 2.0});
         }
         scene::Scene ranged = scene;
         ranged.lights.back().range = 1e30;

@@ -23,7 +23,7 @@ TEST(LagText, SpeaksFromHalfASecondOn) {
 TEST(LightLines, NameTypesAndBoundTheirNumber) {
     EXPECT_TRUE(lightLines({}).empty());
     const std::vector<scene::ListedLight> two{{.name = "lamp", .type = scene::LightType::spot, .moves = true},
-                                              {.type = scene::LightType::directional}};
+                                              {.name = {}, .type = scene::LightType::directional}};
     EXPECT_EQ(lightLines(two), (std::vector<std::string>{"spot light 'lamp', moves", "directional light"}));
     const std::vector<std::string> many = lightLines(std::vector<scene::ListedLight>(14));
     ASSERT_EQ(many.size(), 13u);
