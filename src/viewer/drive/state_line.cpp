@@ -1,8 +1,8 @@
 #include "state_line.h"
 
 #include <cdr/base/enum_names.h>
+#include <viewer/state/camera/stereo_view.h>
 #include <viewer/state/command_line.h>
-#include <viewer/state/stereo_view.h>
 #include <viewer/state/technique_label.h>
 
 #include <fmt/format.h>

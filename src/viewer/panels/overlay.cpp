@@ -2,8 +2,8 @@
 
 #include <cdr/base/quantity_text.h>
 #include <cdr/scene/frustum.h>
+#include <viewer/state/camera/stereo_view.h>
 #include <viewer/state/plain_words.h>
-#include <viewer/state/stereo_view.h>
 #include <viewer/state/technique_label.h>
 #include <viewer/state/tour.h>
 

@@ -1,7 +1,7 @@
 #include "panels.h"
 
 #include <cdr/base/quantity_text.h>
-#include <viewer/state/stereo_view.h>
+#include <viewer/state/camera/stereo_view.h>
 
 #include <array>
 #include <string_view>

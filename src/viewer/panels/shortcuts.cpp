@@ -1,7 +1,7 @@
 #include "shortcuts.h"
 
 #include <cdr/gpu/vulkan_hpp.h>
-#include <viewer/state/stereo_view.h>
+#include <viewer/state/camera/stereo_view.h>
 
 #include <GLFW/glfw3.h>
 

@@ -2,8 +2,8 @@
 
 #include <cdr/base/error.h>
 #include <viewer/state/camera/fly_controller.h>
+#include <viewer/state/camera/stereo_view.h>
 #include <viewer/state/requests/next_request.h>
-#include <viewer/state/stereo_view.h>
 #include <viewer/state/tour.h>
 #include <viewer/window/window.h>
 

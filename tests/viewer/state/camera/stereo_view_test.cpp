@@ -1,7 +1,7 @@
 #include "frames.h"
 
+#include <viewer/state/camera/stereo_view.h>
 #include <viewer/state/command_line.h>
-#include <viewer/state/stereo_view.h>
 
 #include <gtest/gtest.h>
 
