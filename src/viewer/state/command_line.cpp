@@ -1,9 +1,8 @@
 #include "command_line.h"
 
-#include "stereo_view.h"
-
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
+#include <viewer/state/camera/stereo_view.h>
 
 #include <fmt/format.h>
 

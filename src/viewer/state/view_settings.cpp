@@ -1,8 +1,7 @@
 #include "view_settings.h"
 
-#include "stereo_view.h"
-
 #include <cdr/base/enum_names.h>
+#include <viewer/state/camera/stereo_view.h>
 
 #include <algorithm>
 

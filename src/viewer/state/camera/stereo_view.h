@@ -1,8 +1,7 @@
 #pragma once
 
-#include "view_settings.h"
-
 #include <cdr/render/frame.h>
+#include <viewer/state/view_settings.h>
 
 #include <optional>
 
