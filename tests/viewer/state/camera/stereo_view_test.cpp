@@ -1,4 +1,4 @@
-#include "frames.h"
+#include "../frames.h"
 
 #include <viewer/state/camera/stereo_view.h>
 #include <viewer/state/command_line.h>
