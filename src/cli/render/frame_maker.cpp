@@ -1,5 +1,6 @@
 #include "frame_maker.h"
 
+#include <cdr/image/beside.h>
 #include <experiments/certified_frame.h>
 
 #include <fmt/format.h>
@@ -19,8 +20,8 @@ FrameMaker::FrameMaker(const gpu::Device& device, const scene::Scene& scene, sce
       m_workers(workers),
       m_moving(moving),
       m_onDevice(moving != nullptr ? render::GpuScene(device, moving->world())
-                                   : render::GpuScene(device, scene)) {
-    makeRenderer(device, scene);
+                                   : render::GpuScene(device, scene)),
+      m_drawer(device, scene, m_onDevice, options, views.count()) {
     if (wanted.truth) {
         m_caster.emplace(scene, workers);
     }
@@ -29,26 +30,9 @@ FrameMaker::FrameMaker(const gpu::Device& device, const scene::Scene& scene, sce
     }
 }
 
-void FrameMaker::makeRenderer(const gpu::Device& device, const scene::Scene& scene) {
-    const std::size_t views = m_plan.count();
-    if (views == 1 && m_moving != nullptr) {
-        m_renderer = std::make_unique<render::Renderer>(device, m_onDevice, m_options);
-    } else if (views == 1) {
-        m_renderer = std::make_unique<render::Renderer>(device, scene, m_onDevice, m_options);
-    } else if (m_moving != nullptr) {
-        m_views = std::make_unique<render::ViewsRenderer>(device, m_onDevice, m_options, views);
-    } else {
-        m_views = std::make_unique<render::ViewsRenderer>(device, scene, m_onDevice, m_options, views);
-    }
-}
-
 void FrameMaker::skip(std::uint32_t number, const scene::Camera& camera) {
     show(number);
-    if (m_views != nullptr) {
-        m_views->skip(m_plan.camerasOf(camera));
-    } else {
-        m_renderer->skip(camera);
-    }
+    m_drawer.skip(m_plan, camera);
 }
 
 render::Frame FrameMaker::draw(std::uint32_t number, const scene::Camera& camera) {
@@ -56,12 +40,11 @@ render::Frame FrameMaker::draw(std::uint32_t number, const scene::Camera& camera
     if (m_options.trace != nullptr) {
         m_options.trace->beginFrame(fmt::format("frame {}", number));
     }
-    if (m_views == nullptr) {
-        return m_renderer->render(camera);
+    render::Frame frame = m_drawer.render(m_plan, camera);
+    if (m_plan.isAnaglyph()) {
+        frame.color = image::anaglyphOf(frame.color);
     }
-    render::Frame joined = m_plan.join(m_views->render(m_plan.camerasOf(camera)), camera);
-    joined.color = m_plan.shown(joined.color);
-    return joined;
+    return frame;
 }
 
 FrameOutput FrameMaker::finish(std::uint32_t number, render::Frame frame) {

@@ -7,12 +7,11 @@
 #include <cdr/measure/certify/certifier.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
-#include <cdr/render/views/views_renderer.h>
+#include <experiments/views/views_drawer.h>
 #include <experiments/views/views_plan.h>
 #include <scenes/moving_scene.h>
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 
 namespace cdr::cli {
@@ -23,7 +22,8 @@ struct WantedOfFrames {
     bool certificate = false;
 };
 
-/// Draws frame after frame of a scene, from one view or several at a time, and casts its truth or certifies it where that is wanted.
+/// Draws frame after frame of a scene, from one view or several at a time, and casts its truth or certifies it where that is
+/// wanted.
 class FrameMaker {
   public:
     /// @param moving the scene, where it moves; else null. What is given by reference must outlive the maker.
@@ -38,7 +38,6 @@ class FrameMaker {
     FrameOutput finish(std::uint32_t number, render::Frame frame);
 
   private:
-    void makeRenderer(const gpu::Device& device, const scene::Scene& scene);
     CertifiedOutput certify(render::Frame& frame); ///< and repairs it
     measure::TruthImage castAll(const scene::Camera& camera) const;
     void show(std::uint32_t number);
@@ -49,8 +48,7 @@ class FrameMaker {
     host::WorkerPool& m_workers;
     scenes::MovingScene* m_moving;
     render::GpuScene m_onDevice;
-    std::unique_ptr<render::Renderer> m_renderer;   ///< of one view
-    std::unique_ptr<render::ViewsRenderer> m_views; ///< of several
+    experiments::ViewsDrawer m_drawer;
     std::optional<measure::TruthCaster> m_caster;
     std::optional<measure::Certifier> m_certifier;
 };

@@ -137,10 +137,6 @@ render::Frame ViewsPlan::join(const std::vector<render::Frame>& views, const sce
     return render::joinedFrame(views, camera, shiftOf(camera));
 }
 
-image::ImageRgba8 ViewsPlan::shown(const image::ImageRgba8& joined) const {
-    return isAnaglyph() ? image::anaglyphOf(joined) : joined;
-}
-
 measure::TruthImage ViewsPlan::join(const std::vector<measure::TruthImage>& views,
                                     const scene::Camera& camera) const {
     std::vector<const measure::TruthImage*> pictures;

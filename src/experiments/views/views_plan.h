@@ -67,9 +67,6 @@ class ViewsPlan {
     measure::TruthImage join(const std::vector<measure::TruthImage>& views,
                              const scene::Camera& camera) const;
 
-    /// A picture of a joined frame as it is shown: an anaglyph where that is wanted.
-    image::ImageRgba8 shown(const image::ImageRgba8& joined) const;
-
   private:
     scene::StereoRig rigOf(const scene::Camera& camera) const;
     std::uint32_t shiftOf(const scene::Camera& camera) const;

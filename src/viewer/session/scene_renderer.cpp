@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/memory.h>
+#include <cdr/image/beside.h>
 #include <cdr/scene/lod/levels.h>
 #include <viewer/state/view_picture.h>
 
@@ -158,10 +159,9 @@ RenderResult SceneRenderer::answer(const RenderRequest& request, const std::stop
     const auto painted = Clock::now();
     for (std::size_t side = 0; side < sides; ++side) {
         paint(request.settings.view, side, reference ? &*reference : nullptr, result.sides[side]);
-        const experiments::ViewsPlan plan = planOf(request, result.sides[side].options);
-        if (plan.isAnaglyph()) {
+        if (planOf(request, result.sides[side].options).isAnaglyph()) {
             result.sides[side].picture =
-                std::make_shared<const image::ImageRgba8>(plan.shown(*result.sides[side].picture));
+                std::make_shared<const image::ImageRgba8>(image::anaglyphOf(*result.sides[side].picture));
         }
     }
     result.compositeMs = millisecondsSince(painted);

@@ -4,7 +4,7 @@
 #include <cdr/host/trace.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/renderer.h>
-#include <cdr/render/views/views_renderer.h>
+#include <experiments/views/views_drawer.h>
 #include <experiments/views/views_plan.h>
 
 #include <cstddef>
@@ -29,16 +29,13 @@ class SideRenderer {
                          render::FrameCopy copy, bool forgets);
     /// Of the last frame.
     const host::Trace& trace() const { return *m_trace; }
-    void drop();
+    void drop() { m_drawer.reset(); }
 
   private:
-    void make(const SceneOnDevice& set, const render::RenderOptions& options, std::size_t views);
-
-    render::RenderOptions m_asked;                  ///< what it is made from, without the trace
-    std::size_t m_viewsAsked = 0;                   ///< the same
-    std::unique_ptr<host::Trace> m_trace;           ///< outlives the renderers
-    std::unique_ptr<render::Renderer> m_renderer;   ///< of one eye
-    std::unique_ptr<render::ViewsRenderer> m_views; ///< of two
+    render::RenderOptions m_asked;        ///< what it is made from, without the trace
+    std::size_t m_viewsAsked = 0;         ///< the same
+    std::unique_ptr<host::Trace> m_trace; ///< outlives the renderer
+    std::unique_ptr<experiments::ViewsDrawer> m_drawer;
 };
 
 } // namespace cdr::viewer
