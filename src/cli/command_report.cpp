@@ -40,6 +40,7 @@ void addExperiments(CLI::App& program, const GlobalOptions& global) {
     addFocus(program, global);
     addOrbit(program, global);
     addInspect(program, global);
+    addModels(program, global);
 }
 
 namespace {

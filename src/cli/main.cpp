@@ -47,7 +47,6 @@ void addCommands(CLI::App& program, const cdr::cli::GlobalOptions& global) {
     cdr::cli::addDevices(program, global);
     program.group("Measure");
     cdr::cli::addExperiments(program, global);
-    cdr::cli::addModels(program, global);
     cdr::cli::addReport(program, global);
     program.group("Shell");
     cdr::cli::addShellCommands(program);

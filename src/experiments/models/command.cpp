@@ -20,7 +20,7 @@ namespace cdr::cli {
 namespace {
 
 constexpr const char* kModelSheet = "models_sheet.png";
-/// The truth tries each triangle at each pixel that it may cover.
+/// Each is a row of the sheet, and its four pictures stay in memory for that.
 constexpr std::size_t kMostModels = 256;
 
 struct ModelsArguments {
@@ -70,7 +70,6 @@ void requireModels(const std::vector<std::string>& files) {
 scene::SceneSetup openModel(Command& command, const std::string& file, const scene::GltfChoice& choice,
                             std::optional<double> seconds) {
     scene::GltfChoice chosen = choice;
-    chosen.textureMiB = command.global().textureMiB;
     scene::OpenedScene opened = scene::openGltf(file, chosen);
     if (seconds && !opened.animations.empty()) {
         chosen.seconds = seconds;
@@ -106,6 +105,7 @@ void run(Command& command, ModelsArguments& arguments) {
         scene::GltfChoice choice;
         choice.camera = arguments.camera;
         choice.light = light;
+        choice.textureMiB = command.global().textureMiB;
         const scene::SceneSetup model = openModel(command, file, choice, arguments.seconds);
         choice.light = scene::ModelLight::lamps;
         scene::OpenedScene plain = scene::openGltf(file, choice);
