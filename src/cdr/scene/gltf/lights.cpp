@@ -25,18 +25,6 @@ constexpr std::size_t kMostLights = 256;
 /// Half pi, as programs round it that write few digits.
 constexpr double kMostAngle = 1.5709;
 
-double intensityOf(const json& light, const std::string& where) {
-    const json* value = member(light, "intensity");
-    if (value == nullptr) {
-        return 1.0;
-    }
-    const double intensity = value->is_number() ? value->get<double>() : -1.0;
-    if (!(intensity >= 0.0 && std::isfinite(intensity))) {
-        refuse("{}: its intensity is {}", where, oneLine(value->dump()));
-    }
-    return intensity;
-}
-
 glm::vec3 colorOf(const json& light, const std::string& where) {
     glm::vec3 color(1.0f);
     if (const auto numbers = numbersMember(light, "color", 3, where)) {
@@ -60,6 +48,14 @@ double numberOf(const json& light, const char* key, double otherwise, const std:
         refuse("{}: its {} is {}", where, key, oneLine(value->dump()));
     }
     return value->get<double>();
+}
+
+double intensityOf(const json& light, const std::string& where) {
+    const double intensity = numberOf(light, "intensity", 1.0, where);
+    if (!(intensity >= 0.0 && std::isfinite(intensity))) {
+        refuse("{}: its intensity is {}", where, intensity);
+    }
+    return intensity;
 }
 
 /// Of a spot light; its direction is that of a node without rotation.
