@@ -1,6 +1,7 @@
 #include "weakened_barriers.h"
 
-#include <cdr/gpu/functions.h>
+#include "../support/own_loader.h"
+
 #include <cdr/gpu/vulkan_hpp.h>
 
 #include <fmt/format.h>
@@ -26,11 +27,6 @@ struct Counter {
 Counter& counter() {
     static Counter only;
     return only;
-}
-
-PFN_vkGetInstanceProcAddr systemsLoader() {
-    static const vk::DynamicLoader kLibrary;
-    return kLibrary.getProcAddress<PFN_vkGetInstanceProcAddr>("vkGetInstanceProcAddr");
 }
 
 template <typename Barrier>
@@ -84,12 +80,8 @@ PFN_vkVoidFunction VKAPI_PTR weakeningLoader(VkInstance instance, const char* na
     return reinterpret_cast<PFN_vkVoidFunction>(&weakeningBarrier);
 }
 
-/// A process has one loader, so it is brought before any test.
-class BringLoader final : public testing::Environment {
-  public:
-    void SetUp() override { gpu::loadFunctions(&weakeningLoader); }
-};
-const testing::Environment* const kBringLoader = testing::AddGlobalTestEnvironment(new BringLoader);
+const testing::Environment* const kBringLoader =
+    testing::AddGlobalTestEnvironment(new OwnLoader(&weakeningLoader));
 
 } // namespace
 

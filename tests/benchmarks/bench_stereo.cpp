@@ -1,52 +1,21 @@
 // Two eyes against one, of the same size for each eye. Frames take turns, and what is reported is the median of the ratios
 // of neighbours: of time, and of CPU time. `mono_twice` is a renderer of one eye that draws both, one after the other.
 
-#include <cdr/gpu/device.h>
+#include "paired_cost.h"
+
 #include <cdr/render/views/views_renderer.h>
 #include <cdr/scene/stereo_rig.h>
 #include <scenes/open_scene.h>
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <array>
-#include <chrono>
-#include <ctime>
 #include <string>
 #include <vector>
 
 namespace {
 
 using namespace cdr;
-
-struct StereoGpu {
-    gpu::Instance instance{{.validate = false, .extensions = {}}};
-    gpu::Device device{instance, ""};
-};
-
-/// Of one piece of work: seconds, and CPU seconds of all threads.
-struct StereoCost {
-    double seconds = 0.0;
-    double cpuSeconds = 0.0;
-};
-
-StereoCost stereoCostOf(const auto& work) {
-    const std::clock_t cpuBegin = std::clock();
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
-            static_cast<double>(std::clock() - cpuBegin) / CLOCKS_PER_SEC};
-}
-
-void report(benchmark::State& state, const std::string& name, std::vector<double>& ratios) {
-    std::sort(ratios.begin(), ratios.end());
-    const auto at = [&](double share) {
-        return ratios[static_cast<std::size_t>(share * static_cast<double>(ratios.size() - 1))];
-    };
-    state.counters[name] = at(0.5);
-    state.counters[name + "_05"] = at(0.05);
-    state.counters[name + "_95"] = at(0.95);
-}
 
 struct StereoCase {
     const char* scene;
@@ -67,7 +36,7 @@ constexpr std::array kCases{
 
 /// @param state case, width, eyes toed in
 void stereo(benchmark::State& state) {
-    static const StereoGpu gpu;
+    static const benchmarks::Gpu gpu;
     const StereoCase& drawn = kCases[static_cast<std::size_t>(state.range(0))];
     state.SetLabel(std::string(drawn.scene) + " " + drawn.technique + " " +
                    std::string(nameOf(drawn.submission)) +
@@ -94,9 +63,9 @@ void stereo(benchmark::State& state) {
     std::vector<double> cpuRatios;
     std::vector<double> twice;
     for (auto iteration : state) {
-        const StereoCost one = stereoCostOf([&] { mono.draw(eyes[0]); });
-        const StereoCost two = stereoCostOf([&] { both.draw(eyes); });
-        const StereoCost alone = stereoCostOf([&] {
+        const benchmarks::Cost one = benchmarks::costOf([&] { mono.draw(eyes[0]); });
+        const benchmarks::Cost two = benchmarks::costOf([&] { both.draw(eyes); });
+        const benchmarks::Cost alone = benchmarks::costOf([&] {
             mono.draw(eyes[0]);
             mono.draw(eyes[1]);
         });
@@ -105,9 +74,9 @@ void stereo(benchmark::State& state) {
         cpuRatios.push_back(two.cpuSeconds / one.cpuSeconds);
         twice.push_back(alone.seconds / one.seconds);
     }
-    report(state, "ratio", ratios);
-    report(state, "cpu_ratio", cpuRatios);
-    report(state, "mono_twice", twice);
+    benchmarks::report(state, "ratio", ratios);
+    benchmarks::report(state, "cpu_ratio", cpuRatios);
+    benchmarks::report(state, "mono_twice", twice);
 }
 
 BENCHMARK(stereo)

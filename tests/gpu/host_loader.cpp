@@ -1,6 +1,7 @@
 #include "host_loader.h"
 
-#include <cdr/gpu/functions.h>
+#include "../support/own_loader.h"
+
 #include <cdr/gpu/vulkan_hpp.h>
 
 #include <gtest/gtest.h>
@@ -11,11 +12,6 @@
 namespace cdr::test {
 
 namespace {
-
-PFN_vkGetInstanceProcAddr systemsLoader() {
-    static const vk::DynamicLoader kLibrary;
-    return kLibrary.getProcAddress<PFN_vkGetInstanceProcAddr>("vkGetInstanceProcAddr");
-}
 
 PFN_vkGetPhysicalDeviceFeatures2 realFeatures2 = nullptr;
 
@@ -49,12 +45,8 @@ PFN_vkVoidFunction VKAPI_PTR hostsLoader(VkInstance instance, const char* name) 
     return reinterpret_cast<PFN_vkVoidFunction>(&withholdingFeatures2);
 }
 
-/// A process has one loader, so it is brought before any test.
-class BringLoader final : public testing::Environment {
-  public:
-    void SetUp() override { gpu::loadFunctions(&hostsLoader); }
-};
-const testing::Environment* const kBringLoader = testing::AddGlobalTestEnvironment(new BringLoader);
+const testing::Environment* const kBringLoader =
+    testing::AddGlobalTestEnvironment(new OwnLoader(&hostsLoader));
 
 } // namespace
 
