@@ -11,6 +11,7 @@
 #include <scenes/open_scene.h>
 #include <scenes/orbit/orbit.h>
 #include <scenes/sheets.h>
+#include <scenes/terrain.h>
 #include <scenes/traffic.h>
 
 #include <algorithm>
@@ -38,6 +39,7 @@ constexpr std::array kGenerators{
     Generator{"city", [](std::uint64_t seed) { return makeCity(seed); }},
     Generator{"coplanar", [](std::uint64_t) { return makeCoplanar(); }},
     Generator{"orbit", [](std::uint64_t) { return openOrbit(orbitFiles()).setup; }},
+    Generator{"terrain", [](std::uint64_t seed) { return makeTerrain(seed); }},
     Generator{"traffic", [](std::uint64_t seed) { return makeTraffic(seed); }},
 };
 

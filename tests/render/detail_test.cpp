@@ -2,9 +2,11 @@
 
 #include <cdr/base/error.h>
 #include <cdr/measure/compare/cracks.h>
+#include <cdr/scene/lod/clusters.h>
 #include <cdr/scene/lod/levels.h>
 #include <scenes/boulders.h>
 #include <scenes/globe.h>
+#include <scenes/terrain.h>
 
 #include <cmath>
 #include <limits>
@@ -218,6 +220,93 @@ TEST_F(DetailRenderTest, AnUnusableErrorIsRefused) {
                                       optionsOf("none", {.mode = DetailMode::perObject, .pixels = pixels})),
                      base::InputError);
     }
+}
+
+/// Hills of 131,072 triangles with clusters.
+scene::SceneSetup clusteredHills() {
+    scene::SceneSetup setup = scenes::makeTerrain(2013, 256);
+    host::WorkerPool workers(2);
+    scene::makeClusters(setup.scene, workers);
+    return setup;
+}
+
+TEST_F(DetailRenderTest, ClustersAreOneImageHoweverDrawn) {
+    const scene::SceneSetup setup = clusteredHills();
+    const render::GpuScene gpuScene(device(), setup.scene);
+    const Detail detail{.mode = DetailMode::perCluster, .pixels = 1.0};
+    std::string wanted;
+    for (const render::TargetsKind targets : {render::TargetsKind::single, render::TargetsKind::accumulate,
+                                              render::TargetsKind::pool, render::TargetsKind::layers}) {
+        for (const render::Submission submission :
+             {render::Submission::secondaries, render::Submission::primaries}) {
+            for (const std::size_t threads : {1u, 3u, 16u}) {
+                for (const bool occlusionCulling : {false, true}) {
+                    render::RenderOptions options = optionsOf("count:5", detail);
+                    options.submission = submission;
+                    options.targets = targets;
+                    options.threads = threads;
+                    options.occlusionCulling = occlusionCulling;
+                    render::Renderer renderer(device(), setup.scene, gpuScene, options);
+                    renderer.render(setup.path.at(49));
+                    const std::string image = hashOf(renderer.render(setup.path.at(50)));
+                    wanted = wanted.empty() ? image : wanted;
+                    EXPECT_EQ(image, wanted) << nameOf(options.targets) << " " << nameOf(submission) << " "
+                                             << threads << " " << occlusionCulling;
+                }
+            }
+        }
+    }
+}
+
+/// With no error allowed the clusters are the mesh, in another order: without cascades to the bit. Across cascades the whole
+/// mesh is wide and cut per fragment, and most clusters are clipped, which rounds distances in another way.
+TEST_F(DetailRenderTest, TheFinestClustersAreThePictureInFull) {
+    const scene::SceneSetup setup = clusteredHills();
+    const render::GpuScene gpuScene(device(), setup.scene);
+    for (const char* split : {"none", "count:5", "ratio:3"}) {
+        render::Renderer whole(device(), setup.scene, gpuScene, optionsOf(split, {}));
+        render::Renderer clusters(device(), setup.scene, gpuScene,
+                                  optionsOf(split, {.mode = DetailMode::perCluster, .pixels = 1e-9}));
+        for (const std::uint32_t frame : {0u, 100u, 200u}) {
+            const scene::Camera camera = setup.path.at(frame);
+            const render::Frame wanted = whole.render(camera);
+            const render::Frame shown = clusters.render(camera);
+            EXPECT_TRUE(std::string(split) != "none" || hashOf(shown) == hashOf(wanted)) << frame;
+            const auto pixels = shown.width() * shown.height();
+            std::size_t others = 0;
+            for (std::uint32_t i = 0; i < pixels; ++i) {
+                const std::uint32_t x = i % shown.width();
+                const std::uint32_t y = i / shown.width();
+                const double apart = shown.distanceView(x, y) - wanted.distanceView(x, y);
+                const bool isSame =
+                    shown.id(x, y) == wanted.id(x, y) &&
+                    (wanted.id(x, y) == 0 || std::abs(apart) <= 1e-5 * wanted.distanceView(x, y));
+                others += isSame ? 0 : 1;
+            }
+            EXPECT_EQ(others, 0u) << split << " " << frame;
+        }
+    }
+}
+
+TEST_F(DetailRenderTest, ClustersOpenNoCracks) {
+    const scene::SceneSetup setup = clusteredHills();
+    for (const double pixels : {4.0, 12.0}) {
+        EXPECT_EQ(hunt(setup.scene, camerasAlong(setup.path, 8),
+                       {.mode = DetailMode::perCluster, .pixels = pixels}),
+                  0u);
+    }
+    scene::Scene boulder = largeBoulder();
+    host::WorkerPool workers(2);
+    scene::makeClusters(boulder, workers);
+    EXPECT_EQ(hunt(boulder, camerasAround(8), {.mode = DetailMode::perCluster, .pixels = 1.0}), 0u);
+}
+
+TEST_F(DetailRenderTest, ClustersAreRefusedGpuDriven) {
+    const scene::SceneSetup setup = clusteredHills();
+    const render::GpuScene gpuScene(device(), setup.scene);
+    render::RenderOptions options = optionsOf("none", {.mode = DetailMode::perCluster});
+    options.submission = render::Submission::gpuDriven;
+    EXPECT_THROW(render::Renderer(device(), setup.scene, gpuScene, options), base::InputError);
 }
 
 } // namespace

@@ -139,6 +139,7 @@ TEST(Detail, NamesAreReadBack) {
     EXPECT_EQ(parseDetail("object").mode, DetailMode::perObject);
     EXPECT_EQ(parseDetail("object").pixels, 0.5);
     EXPECT_EQ(parseDetail("cascade:2.5").mode, DetailMode::perCascade);
+    EXPECT_EQ(parseDetail("cluster:1").mode, DetailMode::perCluster);
     EXPECT_EQ(parseDetail("cascade:2.5").pixels, 2.5);
     EXPECT_EQ(nameOf(parseDetail("cascade:2.5")), "cascade:2.5");
     EXPECT_EQ(nameOf(parseDetail("none")), "none");

@@ -23,8 +23,9 @@ struct MeshRange {
     std::int32_t vertexOffset = 0; ///< the same for all levels
     std::uint32_t firstLevel = 0;  ///< its coarser levels, into GpuScene::levels()
     std::uint32_t levelCount = 0;
-    float boundingRadius = 0.0f; ///< object space
-    bool isFaceted = false;      ///< the vertices of every triangle share their normal and colour
+    std::uint32_t firstClusterIndex = 0; ///< where its scene::ClusterTree::indices begin
+    float boundingRadius = 0.0f;         ///< object space
+    bool isFaceted = false;              ///< the vertices of every triangle share their normal and colour
 
     bool operator==(const MeshRange&) const = default;
 };

@@ -34,6 +34,15 @@ void requireFocusable(const RenderOptions& options) {
     }
 }
 
+void requireDetail(const RenderOptions& options) {
+    visibility::requireUsable(options.detail);
+    if (options.detail.mode == visibility::DetailMode::perCluster &&
+        options.submission == Submission::gpuDriven) {
+        throw base::InputError("levels of detail by cluster are chosen by the CPU: not with gpu-driven "
+                               "submission");
+    }
+}
+
 std::uint64_t predictOcclusionBytes(const gpu::Device& device, vk::Extent2D extent,
                                     const RenderOptions& options) {
     if (!options.occlusionCulling) {
@@ -145,7 +154,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
                                            "(accumulate, pool or layers), not {}",
                                            nameOf(options.targets.kind)));
     }
-    visibility::requireUsable(options.detail);
+    requireDetail(options);
     const std::uint32_t most = device.info().maxImageSide;
     for (const std::uint32_t side : {options.width, options.height}) {
         if (side < 1 || side > most) {

@@ -51,6 +51,7 @@ Mesh unshareVertices(const Mesh& mesh) {
     unshared.vertices.clear();
     unshared.details.clear();
     unshared.levels.clear();
+    unshared.clusters = {};
     for (std::uint32_t& index : unshared.indices) {
         unshared.vertices.push_back(mesh.vertices[index]);
         if (!mesh.details.empty()) {

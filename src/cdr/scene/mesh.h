@@ -5,6 +5,7 @@
 
 #include <cdr/base/export.h>
 #include <cdr/image/image.h>
+#include <cdr/scene/cluster_tree.h>
 
 #include <glm/glm.hpp>
 
@@ -57,6 +58,8 @@ struct Mesh {
     /// Half the sides, if the mesh is exactly an axis-aligned box about its origin. Ray casts then need no
     /// triangles.
     std::optional<glm::vec3> boxHalfSides;
+    /// For a large mesh, levels of detail that differ from place to place; else empty.
+    ClusterTree clusters{};
 };
 
 /// Most levels beside the mesh itself; a level's number must fit a byte.

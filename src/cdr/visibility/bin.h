@@ -13,6 +13,14 @@
 
 namespace cdr::visibility {
 
+/// Neighbouring clusters of a mesh: a run of scene::ClusterTree::indices.
+struct ClusterRun {
+    std::uint32_t firstIndex = 0;
+    std::uint32_t indexCount = 0; ///< 0: no clusters, but the mesh at a level
+
+    bool operator==(const ClusterRun&) const = default;
+};
+
 /// What each cascade draws, nearest cascade first. Within a cascade the compact instances come first, then
 /// the wide ones, each in instance order.
 struct DrawLists {
@@ -30,6 +38,8 @@ struct DrawLists {
     /// By entry of `instance`: the level of detail it is drawn at (chooseLevels()); empty where all are drawn
     /// in full.
     std::vector<std::uint8_t> level;
+    /// By entry of `instance`: the clusters of its mesh that are drawn (chooseClusters()); empty where none has any.
+    std::vector<ClusterRun> runs;
 
     std::vector<Landing> landings; ///< scratch of binByDistance(), by index into the visible list
 

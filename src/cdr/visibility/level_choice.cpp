@@ -1,6 +1,8 @@
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
+#include <cdr/scene/lod/clusters.h>
+#include <cdr/scene/lod/levels.h>
 #include <cdr/visibility/level_choice.h>
 
 #include <fmt/format.h>
@@ -13,7 +15,8 @@ namespace cdr::visibility {
 namespace {
 
 constexpr std::size_t kJobDraws = 16'384;
-constexpr base::EnumNames<DetailMode, kDetailModes.size()> kNames{"detail", {"none", "object", "cascade"}};
+constexpr base::EnumNames<DetailMode, kDetailModes.size()> kNames{"detail",
+                                                                  {"none", "object", "cascade", "cluster"}};
 
 /// View distance of an instance's centre, by cullSpheres()' operations in their order.
 double distanceOf(const scene::Instances& instances, std::uint32_t instance, const scene::Camera& camera) {
@@ -67,12 +70,22 @@ void requireUsable(const Detail& detail) {
     }
 }
 
+void prepareDetail(scene::Scene& scene, DetailMode mode, host::WorkerPool& workers) {
+    if (mode == DetailMode::perCluster) {
+        scene::makeClusters(scene, workers);
+    }
+    if (mode != DetailMode::none) {
+        scene::makeLevels(scene, workers);
+    }
+}
+
 LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::uint32_t height) {
     return {.mode = detail.mode, .slope = detail.pixels * 2.0 * frustum.tanY / height};
 }
 
 void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const depth::Cascades& clipRanges,
                   const LevelRule& rule, host::WorkerPool& workers, DrawLists& lists) {
+    lists.runs.clear();
     if (rule.mode == DetailMode::none) {
         lists.level.clear();
         return;
@@ -101,6 +114,10 @@ void chooseLevels(const scene::Scene& scene, const scene::Camera& camera, const 
 std::uint64_t trianglesDrawn(const scene::Scene& scene, const DrawLists& lists) {
     std::uint64_t indices = 0;
     for (std::size_t draw = 0; draw < lists.draws(); ++draw) {
+        if (!lists.runs.empty() && lists.runs[draw].indexCount > 0) {
+            indices += lists.runs[draw].indexCount;
+            continue;
+        }
         const scene::Mesh& mesh = scene.meshes[scene.instances.mesh[lists.instance[draw]]];
         const std::size_t level = lists.level.empty() ? 0 : lists.level[draw];
         indices += level == 0 ? mesh.indices.size() : mesh.levels[level - 1].indices.size();

@@ -23,12 +23,14 @@ enum class DetailMode : std::uint8_t {
     perObject,  ///< each instance by its own distance, one level in all cascades it straddles
     perCascade, ///< the cascade (thesis chapter 3): what straddles a boundary is drawn at two levels and may
                 ///< crack
+    perCluster, ///< each piece of a large mesh by its own distance, without cracks; other meshes as perObject
 };
 
 /// All of them.
-inline constexpr std::array kDetailModes{DetailMode::none, DetailMode::perObject, DetailMode::perCascade};
+inline constexpr std::array kDetailModes{DetailMode::none, DetailMode::perObject, DetailMode::perCascade,
+                                         DetailMode::perCluster};
 
-/// "none", "object" or "cascade".
+/// "none", "object", "cascade" or "cluster".
 /// @lifetime The program's.
 CDR_EXPORT std::string_view nameOf(DetailMode mode);
 
@@ -40,13 +42,17 @@ struct Detail {
     bool operator==(const Detail&) const = default;
 };
 
-/// "none", "object:0.5" or "cascade:0.5".
+/// "none", "object:0.5", "cascade:0.5" or "cluster:0.5".
 CDR_EXPORT std::string nameOf(const Detail& detail);
-/// `none`, `object[:PIXELS]` or `cascade[:PIXELS]`.
+/// `none`, `object[:PIXELS]`, `cascade[:PIXELS]` or `cluster[:PIXELS]`.
 /// @throws base::InputError for anything else, with a suggestion for an unknown name.
 CDR_EXPORT Detail parseDetail(std::string_view text);
 /// @throws base::InputError unless the pixels are finite and above 0.
 CDR_EXPORT void requireUsable(const Detail& detail);
+
+/// Makes what a mode chooses from, where meshes have none: levels, or clusters of large meshes and levels of the others. Takes
+/// seconds for a million triangles.
+CDR_EXPORT void prepareDetail(scene::Scene& scene, DetailMode mode, host::WorkerPool& workers);
 
 /// A Detail for one lens and picture.
 struct LevelRule {
@@ -60,7 +66,7 @@ CDR_EXPORT LevelRule levelRule(const Detail& detail, const scene::Frustum& frust
 
 /// Fills DrawLists::level: of each draw the coarsest level whose error, in world space, is at most
 /// `rule.slope` times a view distance; the mesh itself where no level's is. That distance is the nearest of
-/// the instance's bounding sphere, w - r, but no nearer than the near plane (perObject), or the near end of
+/// the instance's bounding sphere, w - r, but no nearer than the near plane (perObject, perCluster), or the near end of
 /// the draw's cascade (perCascade). Errors grow with an instance as its bounding sphere does. The same levels
 /// for any number of workers.
 /// @param lists of binByDistance() over the same camera and ranges.

@@ -9,7 +9,6 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 #include <cdr/render/part_scene.h>
-#include <cdr/scene/lod/levels.h>
 #include <experiments/certified_frame.h>
 #include <scenes/colours.h>
 #include <scenes/moving_scene.h>
@@ -148,9 +147,7 @@ scene::SceneSetup openDrawn(Command& command, RenderArguments& arguments, const 
             dropOtherParts(setup.scene, plan.options, camerasOf(setup.path, plan.cameras), workers);
         }
     }
-    if (plan.options.detail.mode != visibility::DetailMode::none) {
-        scene::makeLevels(setup.scene, workers);
-    }
+    visibility::prepareDetail(setup.scene, plan.options.detail.mode, workers);
     return setup;
 }
 

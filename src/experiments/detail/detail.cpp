@@ -4,8 +4,10 @@
 #include <cdr/measure/compare/cracks.h>
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/render/renderer.h>
+#include <cdr/scene/lod/clusters.h>
 #include <cdr/scene/lod/levels.h>
 #include <cdr/visibility/bin_cells.h>
+#include <cdr/visibility/cluster_choice.h>
 #include <experiments/interleaved_frames.h>
 #include <experiments/units.h>
 
@@ -30,7 +32,8 @@ struct Mode {
 /// The first is what all others are compared with.
 constexpr std::array kModes{
     Mode{"none", visibility::DetailMode::none}, Mode{"none-again", visibility::DetailMode::none},
-    Mode{"object", visibility::DetailMode::perObject}, Mode{"cascade", visibility::DetailMode::perCascade}};
+    Mode{"object", visibility::DetailMode::perObject}, Mode{"cascade", visibility::DetailMode::perCascade},
+    Mode{"cluster", visibility::DetailMode::perCluster}};
 
 double millisecondsSince(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
@@ -203,7 +206,8 @@ class Comparison {
 
     double makeLevels() {
         const auto begin = Clock::now();
-        scene::makeLevels(m_setup.scene, m_workers);
+        scene::makeLevels(m_setup.scene, m_workers); // of large meshes too, for the modes without clusters
+        scene::makeClusters(m_setup.scene, m_workers);
         return millisecondsSince(begin);
     }
 
@@ -223,9 +227,17 @@ class Comparison {
         constexpr double kNoneWide = std::numeric_limits<double>::infinity();
         m_binner.bin(m_visible, ranges, kNoneWide, m_workers, m_lists);
         const visibility::Detail detail{.mode = mode, .pixels = m_options.pixels};
-        visibility::chooseLevels(m_setup.scene, frame.camera, ranges,
-                                 visibility::levelRule(detail, frustum, m_options.height), m_workers,
-                                 m_lists);
+        const visibility::LevelRule rule = visibility::levelRule(detail, frustum, m_options.height);
+        visibility::chooseLevels(m_setup.scene, frame.camera, ranges, rule, m_workers, m_lists);
+        if (mode == visibility::DetailMode::perCluster) {
+            visibility::chooseClusters(m_setup.scene,
+                                       {.camera = frame.camera,
+                                        .frustum = frustum,
+                                        .clipRanges = ranges,
+                                        .wideSpan = kNoneWide,
+                                        .slope = rule.slope},
+                                       m_workers, m_lists);
+        }
         return visibility::trianglesDrawn(m_setup.scene, m_lists);
     }
 

@@ -3,7 +3,6 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/image/beside.h>
-#include <cdr/scene/lod/levels.h>
 #include <viewer/state/view_picture.h>
 
 #include <utility>
@@ -16,21 +15,26 @@ experiments::ViewsPlan planOf(const RenderRequest& request, const render::Render
     return {request.settings.views, options.width, options.height};
 }
 
+/// Whether what was made for one mode is enough for another.
+bool suffices(visibility::DetailMode made, visibility::DetailMode needed) {
+    using visibility::DetailMode;
+    return needed == DetailMode::none || (made != DetailMode::none && (made == DetailMode::perCluster) ==
+                                                                          (needed == DetailMode::perCluster));
+}
+
 } // namespace
 
 void SceneRenderer::open(const ViewSettings& settings) {
-    const bool needsLevels = settings.finish.detail != visibility::DetailMode::none;
     if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
-        settings.colours == m_colours && settings.choice == m_choice && (m_hasLevels || !needsLevels)) {
+        settings.colours == m_colours && settings.choice == m_choice &&
+        suffices(m_detail, settings.finish.detail)) {
         return;
     }
     auto opened = std::make_shared<scene::OpenedScene>(scenes::openScene(
         settings.scene, settings.seed, scenes::shownChoice(settings.scene, settings.choice)));
     scenes::paint(opened->setup.scene, settings.colours);
     host::WorkerPool workers(settings.threads);
-    if (needsLevels) {
-        scene::makeLevels(opened->setup.scene, workers);
-    }
+    visibility::prepareDetail(opened->setup.scene, settings.finish.detail, workers);
     const scene::SceneSetup& setup = opened->setup;
     auto moving = setup.motion ? std::make_unique<scenes::MovingScene>(setup.scene, setup.motion) : nullptr;
     render::GpuScene onDevice = moving != nullptr ? render::GpuScene(m_device, moving->world())
@@ -50,7 +54,7 @@ void SceneRenderer::open(const ViewSettings& settings) {
     m_seed = settings.seed;
     m_colours = settings.colours;
     m_choice = settings.choice;
-    m_hasLevels = needsLevels;
+    m_detail = settings.finish.detail;
 }
 
 void SceneRenderer::clearFlips() {

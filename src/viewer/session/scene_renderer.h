@@ -51,7 +51,8 @@ class SceneRenderer {
     std::uint64_t m_seed = 0;
     scenes::Colours m_colours = scenes::Colours::thesis;
     scene::GltfChoice m_choice;
-    bool m_hasLevels = false; ///< of detail, which are made when first asked for
+    visibility::DetailMode m_detail =
+        visibility::DetailMode::none; ///< that prepareDetail() made something for
     std::unique_ptr<OpenScene> m_scene;
     std::array<SideRenderer, 2> m_sides;
     SideRenderer m_reference;

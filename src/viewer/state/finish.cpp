@@ -19,12 +19,14 @@ void apply(const Finish& finish, render::RenderOptions& options) {
 }
 
 std::string_view explain(visibility::DetailMode detail) {
-    constexpr std::array<std::string_view, 3> kTexts{
+    constexpr std::array<std::string_view, 4> kTexts{
         "Every mesh in full: slow where they are dense and small.",
         "Each object at the coarsest level whose error stays under half a pixel, the same level in all its "
         "cascades: nothing cracks.",
         "Each cascade chooses, as the thesis has it: an object that straddles a boundary is drawn at two "
-        "levels, and may crack there."};
+        "levels, and may crack there.",
+        "Each piece of a large mesh at a level of its own, by its distance: near parts are fine, far ones coarse, "
+        "and nothing cracks. Small meshes are drawn by object."};
     return kTexts[static_cast<std::size_t>(detail)];
 }
 

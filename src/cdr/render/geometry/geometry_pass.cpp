@@ -111,6 +111,7 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
     const std::size_t wideBegin = recording.lists.wideBegin(job.cascade);
     const std::uint32_t* instances = recording.lists.instance.data();
     const std::uint8_t* levels = recording.lists.level.empty() ? nullptr : recording.lists.level.data();
+    const visibility::ClusterRun* runs = recording.lists.runs.empty() ? nullptr : recording.lists.runs.data();
     const DrawSource* sources = m_scene.sources().data();
     const MaterialWords* materials = m_scene.materials().data();
     const DrawKind* kinds = m_scene.kinds().data();
@@ -120,13 +121,16 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
     for (std::size_t first = job.draws.begin; first < job.draws.end;) {
         const std::uint32_t kindIndex = sources[instances[first]].kind;
         const std::uint32_t level = levels == nullptr ? 0 : levels[first];
+        const visibility::ClusterRun clusters = runs == nullptr ? visibility::ClusterRun{} : runs[first];
         const bool wide = first >= wideBegin;
-        // A run ends with its kind, its level, its bucket or its job.
+        // A run ends with its kind, its level, its clusters, its bucket or its job.
         const std::size_t limit = m_batching != Batching::instanced ? first + 1
                                   : wide                            ? job.draws.end
                                                                     : std::min(wideBegin, job.draws.end);
         const auto isOfRun = [&](std::size_t draw) {
-            return sources[instances[draw]].kind == kindIndex && (levels == nullptr || levels[draw] == level);
+            return sources[instances[draw]].kind == kindIndex &&
+                   (levels == nullptr || levels[draw] == level) &&
+                   (runs == nullptr || runs[draw] == clusters);
         };
         std::size_t end = first;
         for (; end < limit && isOfRun(end); ++end) {
@@ -142,7 +146,11 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
                 commands, m_pipelines.layout(), static_cast<VkShaderStageFlags>(GeometryPipelines::kStages),
                 shaders::kPushedRecordOffset, sizeof(shaders::DrawRecord), &recording.records[first]);
         }
-        const LevelRange indices = m_scene.indicesOf(kind.mesh, level);
+        const LevelRange indices =
+            clusters.indexCount > 0
+                ? LevelRange{.firstIndex = kind.mesh.firstClusterIndex + clusters.firstIndex,
+                             .indexCount = clusters.indexCount}
+                : m_scene.indicesOf(kind.mesh, level);
         m_drawIndexed(commands, indices.indexCount, static_cast<std::uint32_t>(end - first),
                       indices.firstIndex, kind.mesh.vertexOffset, static_cast<std::uint32_t>(first));
         first = end;

@@ -1,4 +1,5 @@
 #include <cdr/render/submit/host_draws.h>
+#include <cdr/visibility/cluster_choice.h>
 
 #include <algorithm>
 
@@ -12,6 +13,15 @@ void HostDraws::bin(const FrameView& view, const visibility::VisibleCells& visib
     stats.duplication = m_lists.duplication();
     visibility::keepCascades(m_lists, view.drawn);
     visibility::chooseLevels(m_context.scene, view.camera, clipRanges, view.levels, workers(), m_lists);
+    if (view.levels.mode == visibility::DetailMode::perCluster) {
+        visibility::chooseClusters(m_context.scene,
+                                   {.camera = view.camera,
+                                    .frustum = view.frustum,
+                                    .clipRanges = clipRanges,
+                                    .wideSpan = wideSpan(mapping(), clipRanges.size()),
+                                    .slope = view.levels.slope},
+                                   workers(), m_lists);
+    }
     makeRoom(m_lists.draws());
 }
 

@@ -28,9 +28,9 @@ bool areFaceted(const std::vector<scene::Vertex>& vertices, const std::vector<st
     return true;
 }
 
-/// At every level, since they share pipelines.
+/// At every level and in every cluster, since they share pipelines.
 bool isFaceted(const scene::Mesh& mesh) {
-    return areFaceted(mesh.vertices, mesh.indices) &&
+    return areFaceted(mesh.vertices, mesh.indices) && areFaceted(mesh.vertices, mesh.clusters.indices) &&
            std::all_of(mesh.levels.begin(), mesh.levels.end(), [&](const scene::MeshLevel& level) {
                return areFaceted(mesh.vertices, level.indices);
            });
@@ -65,7 +65,8 @@ struct SceneMeshes::Packed {
 };
 
 SceneMeshes::Counts SceneMeshes::countsOf(const scene::Mesh& mesh) {
-    Counts counts{.vertices = mesh.vertices.size(), .indices = mesh.indices.size()};
+    Counts counts{.vertices = mesh.vertices.size(),
+                  .indices = mesh.indices.size() + mesh.clusters.indices.size()};
     for (const scene::MeshLevel& level : mesh.levels) {
         counts.indices += level.indices.size();
     }
@@ -94,6 +95,7 @@ MeshRange SceneMeshes::place(const scene::Mesh& mesh, Packed& into) {
                           .vertexOffset = static_cast<std::int32_t>(m_used.vertices),
                           .firstLevel = static_cast<std::uint32_t>(m_levels.size()),
                           .levelCount = static_cast<std::uint32_t>(mesh.levels.size()),
+                          .firstClusterIndex = placeIndices(mesh.clusters.indices),
                           .boundingRadius = mesh.boundingRadius,
                           .isFaceted = isFaceted(mesh)};
     for (const scene::MeshLevel& level : mesh.levels) {

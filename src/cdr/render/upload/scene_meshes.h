@@ -51,7 +51,7 @@ class SceneMeshes {
     static std::uint64_t predictBytes(const scene::Scene& scene);
 
   private:
-    /// Those of coarser levels among them.
+    /// Those of coarser levels and of clusters among them.
     struct Counts {
         std::size_t vertices = 0;
         std::size_t indices = 0;

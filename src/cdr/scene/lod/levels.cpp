@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/scene/lod/levels.h>
+#include <cdr/scene/lod/shared_mesh.h>
 #include <cdr/scene/lod/surface_distance.h>
 
 #include <fmt/format.h>
@@ -11,9 +12,6 @@
 namespace cdr::scene {
 
 namespace {
-
-// Vertices are compared byte by byte, so none may lie between members.
-static_assert(sizeof(Vertex) == 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(glm::u8vec4));
 
 void requireUsable(const LevelOptions& options) {
     if (!(options.ratio > 0.0 && options.ratio < 1.0)) {
@@ -30,35 +28,7 @@ void requireUsable(const LevelOptions& options) {
     }
 }
 
-/// A mesh as the simplifier wants it: equal vertices are one, so that triangles of meshes without an index
-/// buffer touch, and none is unused, since one in the same place would count as a seam.
-struct Shared {
-    std::vector<std::uint32_t> indices;
-    std::vector<glm::vec3> positions;
-    std::vector<std::uint32_t> vertices; ///< by position: the mesh's
-};
-
-Shared sharedBy(const Mesh& mesh) {
-    constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
-    Shared shared;
-    shared.indices.resize(mesh.indices.size());
-    meshopt_generateShadowIndexBuffer(shared.indices.data(), mesh.indices.data(), mesh.indices.size(),
-                                      mesh.vertices.data(), mesh.vertices.size(), sizeof(Vertex),
-                                      sizeof(Vertex));
-    std::vector<std::uint32_t> places(mesh.vertices.size(), kUnseen);
-    for (std::uint32_t& index : shared.indices) {
-        std::uint32_t& place = places[index];
-        if (place == kUnseen) {
-            place = static_cast<std::uint32_t>(shared.positions.size());
-            shared.positions.push_back(mesh.vertices[index].position);
-            shared.vertices.push_back(index);
-        }
-        index = place;
-    }
-    return shared;
-}
-
-std::vector<std::uint32_t> simplified(const Shared& mesh, std::size_t targetTriangles) {
+std::vector<std::uint32_t> simplified(const SharedMesh& mesh, std::size_t targetTriangles) {
     std::vector<std::uint32_t> coarse(mesh.indices.size());
     // The target alone decides how far to go; what it costs is measured afterwards.
     constexpr float kAnyError = std::numeric_limits<float>::max();
@@ -76,7 +46,7 @@ std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options)
     if (mesh.indices.empty()) {
         return levels;
     }
-    const Shared full = sharedBy(mesh);
+    const SharedMesh full = sharedBy(mesh);
     std::size_t triangles = full.indices.size() / 3;
     while (levels.size() < options.most) {
         const auto target = static_cast<std::size_t>(static_cast<double>(triangles) * options.ratio);
@@ -105,7 +75,7 @@ std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options)
 void makeLevels(Scene& scene, host::WorkerPool& workers, const LevelOptions& options) {
     workers.run(scene.meshes.size(), [&](std::size_t job, std::size_t) {
         Mesh& mesh = scene.meshes[job];
-        if (mesh.levels.empty()) {
+        if (mesh.levels.empty() && mesh.clusters.clusters.empty()) {
             mesh.levels = makeLevels(mesh, options);
         }
     });

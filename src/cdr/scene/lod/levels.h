@@ -31,7 +31,7 @@ struct LevelOptions {
 /// @throws base::InputError for unusable options.
 CDR_EXPORT std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options = {});
 
-/// Makes the levels of every mesh that has none; those the scene's maker gave stay. The same levels for any
+/// Makes the levels of every mesh that has none, and no clusters; those the scene's maker gave stay. The same levels for any
 /// number of workers.
 /// @throws base::InputError for unusable options, where a mesh has no levels.
 CDR_EXPORT void makeLevels(Scene& scene, host::WorkerPool& workers, const LevelOptions& options = {});

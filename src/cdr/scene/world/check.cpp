@@ -43,6 +43,28 @@ void requireIndices(const std::vector<std::uint32_t>& indices, std::size_t verti
     }
 }
 
+void requireClusters(const ClusterTree& tree, std::size_t vertices, const std::string& what) {
+    requireIndices(tree.indices, vertices, what);
+    const auto isRun = [](std::size_t first, std::size_t count, std::size_t all) {
+        return first <= all && count <= all - first;
+    };
+    for (const MeshCluster& cluster : tree.clusters) {
+        const bool isInPlace = isRun(cluster.firstIndex, cluster.indexCount, tree.indices.size()) &&
+                               cluster.firstIndex % 3 == 0 && cluster.indexCount % 3 == 0;
+        const auto isGroup = [&](std::uint32_t group) {
+            return group == kNoGroup || group < tree.groups.size();
+        };
+        if (!isInPlace || !isGroup(cluster.madeBy) || !isGroup(cluster.coarserBy)) {
+            refuseUse("{}: a cluster refers to indices or groups that are not there", what);
+        }
+    }
+    for (const ClusterGroup& group : tree.groups) {
+        if (!isRun(group.firstCluster, group.clusterCount, tree.clusters.size())) {
+            refuseUse("{}: a group of clusters refers to clusters that are not there", what);
+        }
+    }
+}
+
 void requireInstance(const Scene& scene, std::size_t i) {
     const Instances& instances = scene.instances;
     const std::string what = "instance " + std::to_string(i);
@@ -131,6 +153,7 @@ void requireUsable(const Mesh& mesh, const std::string& what) {
     for (const MeshLevel& level : mesh.levels) {
         requireIndices(level.indices, mesh.vertices.size(), what);
     }
+    requireClusters(mesh.clusters, mesh.vertices.size(), what);
     if (!mesh.details.empty() && mesh.details.size() != mesh.vertices.size()) {
         refuseUse("{}: {} details for {} vertices", what, mesh.details.size(), mesh.vertices.size());
     }

@@ -182,7 +182,7 @@ void World::setVertices(MeshHandle handle, std::vector<Vertex> vertices) {
         throw base::InputError(fmt::format("{}: {} vertices cannot stand in the place of {}", what,
                                            vertices.size(), mesh.vertices.size()));
     }
-    if (!mesh.levels.empty()) {
+    if (!mesh.levels.empty() || !mesh.clusters.clusters.empty()) {
         throw base::InputError(what + ": its levels of detail would not hold for other vertices");
     }
     const float radius = boundingRadiusOf(vertices);

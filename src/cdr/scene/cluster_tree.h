@@ -1,0 +1,59 @@
+#pragma once
+
+/// @file
+/// @errors None.
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace cdr::scene {
+
+/// No group of a ClusterTree.
+inline constexpr std::uint32_t kNoGroup = 0xffffffffu;
+
+/// A ball in the object space of a mesh.
+struct ClusterSphere {
+    glm::vec3 centre{0.0f};
+    float radius = 0.0f;
+};
+
+/// A few hundred triangles of a mesh, or of a coarser form of a part of it.
+struct MeshCluster {
+    std::uint32_t firstIndex = 0; ///< into ClusterTree::indices
+    std::uint32_t indexCount = 0; ///< three per triangle
+    /// The group whose coarser form this cluster is part of; kNoGroup: it is part of the mesh itself.
+    std::uint32_t madeBy = kNoGroup;
+    /// The group whose coarser form takes the place of this cluster; kNoGroup: there is none coarser.
+    std::uint32_t coarserBy = kNoGroup;
+    ClusterSphere bounds;     ///< holds its triangles
+    glm::vec3 coneAxis{0.0f}; ///< the mean direction that its triangles face, of length 1
+    /// All its triangles face away from a camera at c where dot(centre - c, coneAxis) >= coneCutoff * length(centre - c) +
+    /// radius. 1 where they face all ways.
+    float coneCutoff = 1.0f;
+};
+
+/// Neighbouring clusters that are drawn together in full, or together in a coarser form.
+struct ClusterGroup {
+    std::uint32_t firstCluster = 0; ///< those that the coarser form takes the place of
+    std::uint32_t clusterCount = 0;
+    /// Holds these clusters, and the spheres of the groups that they were made by: so error over distance only grows from
+    /// the mesh to its coarsest form.
+    ClusterSphere bounds;
+    /// Object space: how far the coarser form lies from the mesh's own surface at most. It grows likewise.
+    float error = 0.0f;
+};
+
+/// A mesh as clusters at many levels of detail, which can be mixed in one picture without cracks: the border of a group is
+/// the same in full and in its coarser form. Empty unless scene::makeClusters() was called (lod/clusters.h).
+///
+/// Which clusters stand for the mesh: those whose `madeBy` group is coarse enough to be drawn and whose `coarserBy` group
+/// is too coarse (visibility::chooseClusters()).
+struct ClusterTree {
+    std::vector<std::uint32_t> indices; ///< each below the mesh's vertices.size()
+    std::vector<MeshCluster> clusters;
+    std::vector<ClusterGroup> groups; ///< each after the groups that its clusters were made by
+};
+
+} // namespace cdr::scene

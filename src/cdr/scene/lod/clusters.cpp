@@ -1,0 +1,252 @@
+#include <cdr/scene/lod/cluster_groups.h>
+#include <cdr/scene/lod/clusters.h>
+#include <cdr/scene/lod/shared_mesh.h>
+#include <cdr/scene/lod/surface_distance.h>
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace cdr::scene {
+
+namespace {
+
+constexpr std::size_t kClusterVertices = 160;
+constexpr std::size_t kClusterTriangles = 256;
+constexpr std::size_t kGroupClusters = 8;
+/// A coarser form with more of the triangles than this is not worth a level.
+constexpr double kMostLeft = 0.8;
+/// For roundings of float32 spheres.
+constexpr double kSphereMargin = 1.0 + 1e-6;
+
+using Indices = std::vector<std::uint32_t>;
+
+/// A cluster that no coarser form takes the place of yet.
+struct LooseCluster {
+    Indices indices; ///< into SharedMesh::positions
+    std::uint32_t madeBy = kNoGroup;
+};
+
+/// The coarser form of a group.
+struct CoarserForm {
+    std::vector<Indices> clusters; ///< none: the group does not get coarser
+    double error = 0.0;            ///< from the finer form
+};
+
+/// The vertices of some triangles alone, since the simplifier takes time by all that it is given.
+struct PartOfMesh {
+    std::vector<glm::vec3> positions;
+    Indices indices;  ///< into these
+    Indices vertices; ///< by position: those of the whole
+};
+
+PartOfMesh partOf(const SharedMesh& mesh, const Indices& indices) {
+    PartOfMesh part;
+    part.vertices = indices;
+    std::sort(part.vertices.begin(), part.vertices.end());
+    part.vertices.erase(std::unique(part.vertices.begin(), part.vertices.end()), part.vertices.end());
+    for (const std::uint32_t vertex : part.vertices) {
+        part.positions.push_back(mesh.positions[vertex]);
+    }
+    for (const std::uint32_t index : indices) {
+        const auto found = std::lower_bound(part.vertices.begin(), part.vertices.end(), index);
+        part.indices.push_back(static_cast<std::uint32_t>(found - part.vertices.begin()));
+    }
+    return part;
+}
+
+/// Cuts triangles into clusters.
+std::vector<Indices> cut(const Indices& indices, const std::vector<glm::vec3>& positions) {
+    constexpr float kConeWeight = 0.25f; // of facing alike, against being round
+    std::vector<meshopt_Meshlet> meshlets(
+        meshopt_buildMeshletsBound(indices.size(), kClusterVertices, kClusterTriangles));
+    std::vector<unsigned int> vertices(meshlets.size() * kClusterVertices);
+    std::vector<unsigned char> triangles(meshlets.size() * kClusterTriangles * 3);
+    meshlets.resize(meshopt_buildMeshlets(
+        meshlets.data(), vertices.data(), triangles.data(), indices.data(), indices.size(), &positions[0].x,
+        positions.size(), sizeof(glm::vec3), kClusterVertices, kClusterTriangles, kConeWeight));
+    std::vector<Indices> clusters;
+    for (const meshopt_Meshlet& meshlet : meshlets) {
+        Indices& cluster = clusters.emplace_back(std::size_t{meshlet.triangle_count} * 3);
+        for (std::size_t i = 0; i < cluster.size(); ++i) {
+            cluster[i] = vertices[meshlet.vertex_offset + triangles[meshlet.triangle_offset + i]];
+        }
+    }
+    return clusters;
+}
+
+CoarserForm coarserFormOf(const SharedMesh& mesh, const Indices& indices) {
+    const PartOfMesh part = partOf(mesh, indices);
+    Indices coarse(part.indices.size());
+    constexpr float kAnyError = std::numeric_limits<float>::max();
+    coarse.resize(meshopt_simplify(
+        coarse.data(), part.indices.data(), part.indices.size(), &part.positions[0].x, part.positions.size(),
+        sizeof(glm::vec3), part.indices.size() / 6 * 3, kAnyError, meshopt_SimplifyLockBorder, nullptr));
+    if (coarse.empty() ||
+        static_cast<double>(coarse.size()) > kMostLeft * static_cast<double>(part.indices.size())) {
+        return {};
+    }
+    CoarserForm form{.clusters = cut(coarse, part.positions),
+                     .error = surfaceDeviation(part.positions, part.indices, coarse)};
+    for (Indices& cluster : form.clusters) {
+        for (std::uint32_t& index : cluster) {
+            index = part.vertices[index];
+        }
+    }
+    return form;
+}
+
+float roundedUp(double value) {
+    return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
+}
+
+/// Puts finished clusters and groups into a tree.
+class TreeBuilder {
+  public:
+    explicit TreeBuilder(const SharedMesh& mesh) : m_mesh(mesh) {}
+
+    void add(const LooseCluster& cluster, std::uint32_t coarserBy) {
+        const meshopt_Bounds bounds =
+            meshopt_computeClusterBounds(cluster.indices.data(), cluster.indices.size(),
+                                         &m_mesh.positions[0].x, m_mesh.positions.size(), sizeof(glm::vec3));
+        const glm::vec3 centre(bounds.center[0], bounds.center[1], bounds.center[2]);
+        double radius = 0.0;
+        for (const std::uint32_t index : cluster.indices) {
+            radius = std::max(radius, glm::distance(glm::dvec3(centre), glm::dvec3(m_mesh.positions[index])));
+        }
+        m_tree.clusters.push_back(
+            {.firstIndex = static_cast<std::uint32_t>(m_tree.indices.size()),
+             .indexCount = static_cast<std::uint32_t>(cluster.indices.size()),
+             .madeBy = cluster.madeBy,
+             .coarserBy = coarserBy,
+             .bounds = {.centre = centre, .radius = roundedUp(radius * kSphereMargin)},
+             .coneAxis = {bounds.cone_axis[0], bounds.cone_axis[1], bounds.cone_axis[2]},
+             .coneCutoff = bounds.cone_cutoff});
+        for (const std::uint32_t index : cluster.indices) {
+            m_tree.indices.push_back(m_mesh.vertices[index]);
+        }
+    }
+
+    /// Its number. @param error from the clusters to their coarser form.
+    std::uint32_t addGroup(std::span<const LooseCluster* const> clusters, double error) {
+        const auto group = static_cast<std::uint32_t>(m_tree.groups.size());
+        const auto first = static_cast<std::uint32_t>(m_tree.clusters.size());
+        double finerError = 0.0;
+        std::vector<ClusterSphere> held;
+        for (const LooseCluster* cluster : clusters) {
+            add(*cluster, group);
+            held.push_back(m_tree.clusters.back().bounds);
+            if (cluster->madeBy != kNoGroup) {
+                const ClusterGroup& finer = m_tree.groups[cluster->madeBy];
+                finerError = std::max(finerError, static_cast<double>(finer.error));
+                held.push_back(finer.bounds);
+            }
+        }
+        m_tree.groups.push_back({.firstCluster = first,
+                                 .clusterCount = static_cast<std::uint32_t>(clusters.size()),
+                                 .bounds = sphereOver(held),
+                                 .error = roundedUp(finerError + error)});
+        return group;
+    }
+
+    ClusterTree finish() { return std::move(m_tree); }
+
+  private:
+    static ClusterSphere sphereOver(std::span<const ClusterSphere> spheres) {
+        glm::dvec3 low(std::numeric_limits<double>::infinity());
+        glm::dvec3 high = -low;
+        for (const ClusterSphere& sphere : spheres) {
+            low = glm::min(low, glm::dvec3(sphere.centre - sphere.radius));
+            high = glm::max(high, glm::dvec3(sphere.centre + sphere.radius));
+        }
+        const glm::vec3 centre(0.5 * (low + high));
+        double radius = 0.0;
+        for (const ClusterSphere& sphere : spheres) {
+            radius = std::max(radius, glm::distance(glm::dvec3(centre), glm::dvec3(sphere.centre)) +
+                                          static_cast<double>(sphere.radius));
+        }
+        return {.centre = centre, .radius = roundedUp(radius * kSphereMargin)};
+    }
+
+    const SharedMesh& m_mesh;
+    ClusterTree m_tree;
+};
+
+/// By index of a shared mesh: the point of space where it is.
+Indices placesOf(const SharedMesh& mesh) {
+    Indices places(mesh.positions.size());
+    meshopt_generateVertexRemap(places.data(), mesh.indices.data(), mesh.indices.size(),
+                                mesh.positions.data(), mesh.positions.size(), sizeof(glm::vec3));
+    return places;
+}
+
+/// One level coarser: groups that get coarser go into the tree, and what is loose afterwards is returned.
+std::vector<LooseCluster> coarsened(const SharedMesh& mesh, const Indices& places,
+                                    std::vector<LooseCluster> loose, host::WorkerPool& workers,
+                                    TreeBuilder& tree) {
+    std::vector<Indices> clusters;
+    for (const LooseCluster& cluster : loose) {
+        clusters.push_back(cluster.indices);
+    }
+    const std::vector<std::vector<std::size_t>> groups = groupClusters(clusters, places, kGroupClusters);
+    std::vector<CoarserForm> forms(groups.size());
+    workers.run(groups.size(), [&](std::size_t group, std::size_t) {
+        Indices joined;
+        for (const std::size_t cluster : groups[group]) {
+            joined.insert(joined.end(), clusters[cluster].begin(), clusters[cluster].end());
+        }
+        forms[group] = coarserFormOf(mesh, joined);
+    });
+    std::vector<LooseCluster> next;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (forms[i].clusters.empty()) {
+            for (const std::size_t cluster : groups[i]) {
+                next.push_back(std::move(loose[cluster]));
+            }
+            continue;
+        }
+        std::vector<const LooseCluster*> finer;
+        for (const std::size_t cluster : groups[i]) {
+            finer.push_back(&loose[cluster]);
+        }
+        const std::uint32_t group = tree.addGroup(finer, forms[i].error);
+        for (Indices& cluster : forms[i].clusters) {
+            next.push_back({.indices = std::move(cluster), .madeBy = group});
+        }
+    }
+    return next;
+}
+
+} // namespace
+
+ClusterTree makeClusters(const Mesh& mesh, host::WorkerPool& workers) {
+    const SharedMesh shared = sharedBy(mesh);
+    const Indices places = placesOf(shared);
+    std::vector<LooseCluster> loose;
+    for (Indices& cluster : cut(shared.indices, shared.positions)) {
+        loose.push_back({.indices = std::move(cluster)});
+    }
+    TreeBuilder tree(shared);
+    for (std::size_t before = loose.size() + 1; loose.size() > 1 && loose.size() < before;) {
+        before = loose.size();
+        loose = coarsened(shared, places, std::move(loose), workers, tree);
+    }
+    for (const LooseCluster& cluster : loose) {
+        tree.add(cluster, kNoGroup);
+    }
+    return tree.finish();
+}
+
+void makeClusters(Scene& scene, host::WorkerPool& workers) {
+    for (Mesh& mesh : scene.meshes) {
+        if (mesh.clusters.clusters.empty() && mesh.indices.size() / 3 >= kLeastClusteredTriangles) {
+            mesh.clusters = makeClusters(mesh, workers);
+        }
+    }
+}
+
+} // namespace cdr::scene

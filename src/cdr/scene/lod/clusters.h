@@ -1,0 +1,30 @@
+#pragma once
+
+/// @file
+/// @errors None.
+
+#include <cdr/base/export.h>
+#include <cdr/host/worker_pool.h>
+#include <cdr/scene/scene.h>
+
+#include <cstddef>
+
+namespace cdr::scene {
+
+/// Meshes of fewer triangles get no clusters: one level for all of such a mesh is enough.
+inline constexpr std::size_t kLeastClusteredTriangles = 8192;
+
+/// Cuts a mesh into clusters (meshoptimizer), and again and again makes coarser ones of neighbouring clusters by edge
+/// collapses that leave the border of their group as it is. Errors are measured, from each form to the next coarser one
+/// (surfaceDeviation()), and added up. The same tree each time, for any number of workers. Takes about twice the indices of
+/// the mesh.
+///
+/// After Ponchio, Cignoni, Ganovelli, Gobbetti, Marton and Scopigno (Batched Multi Triangulation, 2005) and Karis, Stubbe
+/// and Wihlidal (A Deep Dive into Nanite, 2021).
+/// @param mesh that requireUsable() lets pass, which is not checked, of a triangle at least.
+CDR_EXPORT ClusterTree makeClusters(const Mesh& mesh, host::WorkerPool& workers);
+
+/// Makes those of each mesh of kLeastClusteredTriangles or more that has none.
+CDR_EXPORT void makeClusters(Scene& scene, host::WorkerPool& workers);
+
+} // namespace cdr::scene

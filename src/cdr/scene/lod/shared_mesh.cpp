@@ -1,0 +1,32 @@
+#include <cdr/scene/lod/shared_mesh.h>
+
+#include <meshoptimizer.h>
+
+#include <limits>
+
+namespace cdr::scene {
+
+// Vertices are compared byte by byte, so none may lie between members.
+static_assert(sizeof(Vertex) == 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(glm::u8vec4));
+
+SharedMesh sharedBy(const Mesh& mesh) {
+    constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
+    SharedMesh shared;
+    shared.indices.resize(mesh.indices.size());
+    meshopt_generateShadowIndexBuffer(shared.indices.data(), mesh.indices.data(), mesh.indices.size(),
+                                      mesh.vertices.data(), mesh.vertices.size(), sizeof(Vertex),
+                                      sizeof(Vertex));
+    std::vector<std::uint32_t> places(mesh.vertices.size(), kUnseen);
+    for (std::uint32_t& index : shared.indices) {
+        std::uint32_t& place = places[index];
+        if (place == kUnseen) {
+            place = static_cast<std::uint32_t>(shared.positions.size());
+            shared.positions.push_back(mesh.vertices[index].position);
+            shared.vertices.push_back(index);
+        }
+        index = place;
+    }
+    return shared;
+}
+
+} // namespace cdr::scene

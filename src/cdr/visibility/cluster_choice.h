@@ -1,0 +1,33 @@
+#pragma once
+
+/// @file
+/// @errors None: what is wanted of arguments is not checked.
+
+#include <cdr/base/export.h>
+#include <cdr/depth/cascade.h>
+#include <cdr/host/worker_pool.h>
+#include <cdr/scene/frustum.h>
+#include <cdr/scene/scene.h>
+#include <cdr/visibility/bin.h>
+
+namespace cdr::visibility {
+
+/// What clusters are chosen for.
+struct ClusterRule {
+    const scene::Camera& camera;
+    const scene::Frustum& frustum;     ///< of the camera and the picture
+    const depth::Cascades& clipRanges; ///< as binByDistance() took them
+    double wideSpan = 0.0;             ///< likewise
+    double slope = 0.0;                ///< LevelRule::slope
+};
+
+/// Puts runs of clusters in the place of each draw of a mesh that has them (scene::ClusterTree): at each place the
+/// coarsest form whose error, in world space, is at most `slope` times the view distance of its group's sphere, w - r, but
+/// no nearer than the near plane. Clusters outside the frustum or the draw's cascade are left out, and those that face away
+/// from the camera, unless the material has two sides. A run is wide by its own clusters, whatever the instance is. Draws of
+/// one instance follow one another in the order of its clusters. The same lists for any number of workers.
+/// @param lists of binByDistance() over the same camera and ranges, after chooseLevels().
+CDR_EXPORT void chooseClusters(const scene::Scene& scene, const ClusterRule& rule, host::WorkerPool& workers,
+                               DrawLists& lists);
+
+} // namespace cdr::visibility

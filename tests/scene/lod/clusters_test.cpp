@@ -1,0 +1,195 @@
+#include <cdr/scene/lod/clusters.h>
+#include <cdr/scene/lod/surface_distance.h>
+#include <scenes/boulders.h>
+#include <scenes/terrain.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace cdr::scene;
+
+ClusterTree clustersOf(const Mesh& mesh, std::size_t threads = 2) {
+    cdr::host::WorkerPool workers(threads);
+    return makeClusters(mesh, workers);
+}
+
+const Mesh& boulder() {
+    static const Mesh mesh = cdr::scenes::makeBoulder(3, 5); // 20,480 triangles
+    return mesh;
+}
+
+const ClusterTree& boulderTree() {
+    static const ClusterTree tree = clustersOf(boulder());
+    return tree;
+}
+
+/// The indices of all clusters whose coarser form is not wanted while they are.
+std::vector<std::uint32_t> indicesWhere(const ClusterTree& tree, const auto& isCoarseWanted) {
+    std::vector<std::uint32_t> indices;
+    for (const MeshCluster& cluster : tree.clusters) {
+        const bool isFineEnough = cluster.madeBy == kNoGroup || isCoarseWanted(tree.groups[cluster.madeBy]);
+        const bool isCoarsest =
+            cluster.coarserBy == kNoGroup || !isCoarseWanted(tree.groups[cluster.coarserBy]);
+        if (isFineEnough && isCoarsest) {
+            const auto first = tree.indices.begin() + cluster.firstIndex;
+            indices.insert(indices.end(), first, first + cluster.indexCount);
+        }
+    }
+    return indices;
+}
+
+std::vector<std::array<std::uint32_t, 3>> sortedTriangles(const std::vector<std::uint32_t>& indices) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        std::array triangle{indices[i], indices[i + 1], indices[i + 2]};
+        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+        triangles.push_back(triangle);
+    }
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+}
+
+/// How many edges have no partner that runs the other way.
+std::size_t openEdges(const std::vector<std::uint32_t>& indices) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t from = indices[i + k];
+            const std::uint32_t to = indices[i + (k + 1) % 3];
+            edges[std::minmax(from, to)] += from < to ? 1 : -1;
+        }
+    }
+    return static_cast<std::size_t>(
+        std::count_if(edges.begin(), edges.end(), [](const auto& edge) { return edge.second != 0; }));
+}
+
+TEST(Clusters, TheFinestAreTheMesh) {
+    const std::vector<std::uint32_t> finest =
+        indicesWhere(boulderTree(), [](const ClusterGroup&) { return false; });
+    EXPECT_EQ(sortedTriangles(finest), sortedTriangles(boulder().indices));
+}
+
+TEST(Clusters, TheCoarsestAreFew) {
+    const std::vector<std::uint32_t> coarsest =
+        indicesWhere(boulderTree(), [](const ClusterGroup&) { return true; });
+    EXPECT_GT(coarsest.size() / 3, 0u);
+    EXPECT_LT(coarsest.size() / 3, boulder().indices.size() / 3 / 40);
+    EXPECT_LT(boulderTree().indices.size(), 3 * boulder().indices.size());
+}
+
+/// A closed mesh stays closed, whatever error is allowed where.
+TEST(Clusters, AnyMixtureIsWithoutCracks) {
+    float largest = 0.0f;
+    for (const ClusterGroup& group : boulderTree().groups) {
+        largest = std::max(largest, group.error);
+    }
+    std::size_t mixtures = 0;
+    for (const float pixels : {0.02f, 0.1f, 0.3f, 1.0f}) {
+        for (const glm::vec3& eye :
+             {glm::vec3(1.1f, 0.0f, 0.0f), glm::vec3(0.0f, -1.5f, 0.3f), glm::vec3(-2.0f, 1.0f, 1.0f)}) {
+            const std::vector<std::uint32_t> drawn =
+                indicesWhere(boulderTree(), [&](const ClusterGroup& group) {
+                    const float distance = glm::distance(group.bounds.centre, eye) - group.bounds.radius;
+                    return group.error <= pixels * largest * std::max(distance, 0.01f);
+                });
+            EXPECT_EQ(openEdges(drawn), 0u) << pixels;
+            mixtures += drawn.size() < boulder().indices.size() ? 1 : 0;
+        }
+    }
+    EXPECT_GE(mixtures, 9u);
+}
+
+TEST(Clusters, ErrorsAndSpheresGrowWithCoarseness) {
+    const ClusterTree& tree = boulderTree();
+    for (const ClusterGroup& group : tree.groups) {
+        EXPECT_GT(group.error, 0.0f);
+        for (std::uint32_t i = 0; i < group.clusterCount; ++i) {
+            const MeshCluster& cluster = tree.clusters[group.firstCluster + i];
+            EXPECT_EQ(&tree.groups[cluster.coarserBy], &group);
+            if (cluster.madeBy == kNoGroup) {
+                continue;
+            }
+            const ClusterGroup& finer = tree.groups[cluster.madeBy];
+            EXPECT_LE(finer.error, group.error);
+            EXPECT_LE(glm::distance(finer.bounds.centre, group.bounds.centre) + finer.bounds.radius,
+                      group.bounds.radius * 1.000001f);
+        }
+    }
+}
+
+TEST(Clusters, BoundsHoldTheirTriangles) {
+    const ClusterTree& tree = boulderTree();
+    for (const MeshCluster& cluster : tree.clusters) {
+        for (std::uint32_t i = 0; i < cluster.indexCount; ++i) {
+            const glm::vec3& corner = boulder().vertices[tree.indices[cluster.firstIndex + i]].position;
+            EXPECT_LE(glm::distance(corner, cluster.bounds.centre), cluster.bounds.radius);
+        }
+    }
+}
+
+/// Nothing of a coarser form is farther from the mesh than its group says, and nothing of the mesh farther from the coarsest
+/// form than the largest error.
+TEST(Clusters, ErrorsAreNotExceeded) {
+    const ClusterTree& tree = boulderTree();
+    std::vector<glm::vec3> positions;
+    for (const Vertex& vertex : boulder().vertices) {
+        positions.push_back(vertex.position);
+    }
+    const SurfaceDistance toMesh(positions, boulder().indices);
+    double largest = 0.0;
+    for (const MeshCluster& cluster : tree.clusters) {
+        const double error =
+            cluster.madeBy == kNoGroup ? 0.0 : static_cast<double>(tree.groups[cluster.madeBy].error);
+        largest = std::max(largest, error);
+        for (std::uint32_t i = 0; i < cluster.indexCount; i += 3) {
+            glm::dvec3 middle(0.0);
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                middle += glm::dvec3(positions[tree.indices[cluster.firstIndex + i + k]]) / 3.0;
+            }
+            EXPECT_LE(std::sqrt(toMesh.squaredTo(middle)), error + 1e-6);
+        }
+    }
+    const std::vector<std::uint32_t> coarsest = indicesWhere(tree, [](const ClusterGroup&) { return true; });
+    const SurfaceDistance toCoarsest(positions, coarsest);
+    for (const glm::vec3& position : positions) {
+        EXPECT_LE(std::sqrt(toCoarsest.squaredTo(position)), largest + 1e-6);
+    }
+}
+
+TEST(Clusters, AreTheSameForAnyNumberOfThreads) {
+    const ClusterTree alone = clustersOf(boulder(), 1);
+    const ClusterTree four = clustersOf(boulder(), 4);
+    EXPECT_EQ(alone.indices, four.indices);
+    ASSERT_EQ(alone.groups.size(), four.groups.size());
+    for (std::size_t i = 0; i < alone.groups.size(); ++i) {
+        EXPECT_EQ(alone.groups[i].error, four.groups[i].error);
+    }
+}
+
+/// Seams of colour lie where groups meet, too: no hole opens between points at one place.
+TEST(Clusters, SeamsStayClosed) {
+    Mesh mesh = cdr::scenes::makeTerrain(1, 96).scene.meshes.front();
+    const ClusterTree tree = clustersOf(mesh);
+    const std::vector<std::uint32_t> coarsest = indicesWhere(tree, [](const ClusterGroup&) { return true; });
+    EXPECT_LT(coarsest.size(), mesh.indices.size() / 4);
+    EXPECT_EQ(openEdges(coarsest), std::size_t{4 * 96}); // the border of the field, as it was
+}
+
+TEST(Clusters, SmallMeshesGetNone) {
+    cdr::host::WorkerPool workers(1);
+    Scene scene;
+    scene.meshes = {cdr::scenes::makeBoulder(1, 2), boulder()};
+    makeClusters(scene, workers);
+    EXPECT_TRUE(scene.meshes[0].clusters.clusters.empty());
+    EXPECT_FALSE(scene.meshes[1].clusters.clusters.empty());
+}
+
+} // namespace
