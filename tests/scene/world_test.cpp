@@ -94,6 +94,38 @@ TEST(World, RefusesVerticesThatDoNotFit) {
     EXPECT_EQ(refusalOf([&] { world.setVertices(other, before); }),
               "mesh 1: its levels of detail would not hold for other vertices");
     EXPECT_EQ(world.scene().meshes[0].vertices[7].position, before[7].position);
+    Mesh clustered = makeBox(glm::vec3(1.0f));
+    clustered.clusters = {
+        .indices = clustered.indices, .clusters = {{.firstIndex = 0, .indexCount = 36}}, .groups = {}};
+    const MeshHandle third = world.addMesh(clustered);
+    EXPECT_EQ(refusalOf([&] { world.setVertices(third, before); }),
+              "mesh 2: its levels of detail would not hold for other vertices");
+}
+
+TEST(World, RefusesClustersThatReferToNothing) {
+    World world = boxWorld();
+    const auto refusal = [&](const ClusterTree& tree) {
+        Mesh mesh = makeBox(glm::vec3(1.0f));
+        mesh.clusters = tree;
+        return refusalOf([&] { world.addMesh(mesh); });
+    };
+    const std::vector<std::uint32_t> whole = makeBox(glm::vec3(1.0f)).indices;
+    const std::string noIndices = "a cluster refers to indices or groups that are not there";
+    for (const MeshCluster& cluster :
+         {MeshCluster{.firstIndex = 0, .indexCount = 39}, MeshCluster{.firstIndex = 0xfffffffdu, .indexCount = 3},
+          MeshCluster{.firstIndex = 1, .indexCount = 3}, MeshCluster{.firstIndex = 0, .indexCount = 4},
+          MeshCluster{.firstIndex = 0, .indexCount = 3, .madeBy = 1},
+          MeshCluster{.firstIndex = 0, .indexCount = 3, .coarserBy = 2}}) {
+        EXPECT_NE(refusal({.indices = whole, .clusters = {cluster}, .groups = {{}}}).find(noIndices),
+                  std::string::npos);
+    }
+    EXPECT_NE(refusal({.indices = whole,
+                       .clusters = {{.firstIndex = 0, .indexCount = 36}},
+                       .groups = {{.firstCluster = 1, .clusterCount = 1}}})
+                  .find("a group of clusters refers to clusters that are not there"),
+              std::string::npos);
+    EXPECT_NE(refusal({.indices = {0, 1, 99}, .clusters = {}, .groups = {}}), "");
+    EXPECT_EQ(refusal({.indices = whole, .clusters = {{.firstIndex = 0, .indexCount = 36}}, .groups = {}}), "");
 }
 
 TEST(World, RefusesStaleHandlesByName) {

@@ -31,10 +31,10 @@ Scene clusteredScene() {
     scene.meshes = {cdr::scenes::makeBoulder(4, 5), makeBox(glm::vec3(0.5f))};
     scene.materials = {Material{}, Material{.doubleSided = true}};
     const glm::mat3 one(1.0f);
-    addInstance(scene, 0, 0, 0, {-2.5, 0.0, -6.0}, one);
+    addInstance(scene, 0, 0, 0, {-5.0, 0.0, -6.0}, one); // cut by the picture's edge
     addInstance(scene, 0, 0, 1, {2.5, 0.5, -7.0}, glm::mat3(-1, 0, 0, 0, 1, 0, 0, 0, 1));
     addInstance(scene, 1, 0, 2, {0.0, 1.0, -8.0}, one);
-    addInstance(scene, 0, 0, 3, {0.5, -2.0, -9.0}, glm::mat3(2, 0, 0, 0.3f, 0.5f, 0, 0, 0, 1));
+    addInstance(scene, 0, 0, 3, {0.5, -4.3, -9.0}, glm::mat3(2, 0, 0, 0.3f, 0.5f, 0, 0, 0, 1));
     addInstance(scene, 0, 1, 4, {0.0, 0.3, -2.5}, one);
     addInstance(scene, 0, 0, 5, {3.0, 3.0, -800.0}, one);
     cdr::host::WorkerPool workers(2);
@@ -217,6 +217,37 @@ TEST(ClusterChoice, DrawsStayInInstanceOrderAndMeshesWithoutClustersStay) {
     }
     EXPECT_GT(compactOfNear, 0u);
     EXPECT_EQ(clustersDrawn(lists), clustersDrawn(chosen(0.3)));
+}
+
+/// Each run is wide or not by its own clusters.
+TEST(ClusterChoice, RunsAreWideByTheirClusters) {
+    constexpr double kSpan = 0.1;
+    const DrawLists lists = chosen(0.3, 1, kSpan);
+    const ClusterTree& tree = theScene().meshes[0].clusters;
+    std::array<std::size_t, 2> clusters{};
+    for (std::size_t bucket = 0; bucket + 1 < lists.begins.size(); ++bucket) {
+        for (std::size_t draw = lists.begins[bucket]; draw < lists.begins[bucket + 1]; ++draw) {
+            const std::uint32_t instance = lists.instance[draw];
+            const ClusterRun& run = lists.runs[draw];
+            for (const MeshCluster& cluster : tree.clusters) {
+                if (cluster.firstIndex < run.firstIndex ||
+                    cluster.firstIndex >= run.firstIndex + run.indexCount) {
+                    continue;
+                }
+                const Instances& instances = theScene().instances;
+                const double w = -(instances.position(instance) + glm::dmat3(instances.basis[instance]) *
+                                                                      glm::dvec3(cluster.bounds.centre))
+                                      .z;
+                const double radius = static_cast<double>(cluster.bounds.radius * instances.radius[instance] /
+                                                          theScene().meshes[0].boundingRadius);
+                const double excess = 2.0 * radius - kSpan * std::max(w - radius, 0.0);
+                EXPECT_TRUE(std::abs(excess) < 1e-4 || (excess > 0.0) == (bucket % 2 == 1));
+                ++clusters[bucket % 2];
+            }
+        }
+    }
+    EXPECT_GT(clusters[0], 0u);
+    EXPECT_GT(clusters[1], 0u);
 }
 
 TEST(ClusterChoice, IsTheSameForAnyNumberOfThreads) {
