@@ -25,6 +25,7 @@ TEST(DetailCommand, ComparesEveryModeWithNone) {
     EXPECT_EQ(document.at("options").at("split"), "count:5");
     EXPECT_EQ(document.at("scene_triangles"), 200 * 20'480);
     EXPECT_GT(document.at("levels").get<int>(), 4 * 5);
+    EXPECT_GT(document.at("clusters").get<int>(), 4 * 100);
     std::vector<std::string> modes;
     for (const json& row : document.at("results")) {
         modes.push_back(row.at("mode"));
@@ -40,7 +41,7 @@ TEST(DetailCommand, ComparesEveryModeWithNone) {
         }
         EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / (modes.back() + ".png")));
     }
-    EXPECT_EQ(modes, (std::vector<std::string>{"none", "none-again", "object", "cascade"}));
+    EXPECT_EQ(modes, (std::vector<std::string>{"none", "none-again", "object", "cascade", "cluster"}));
     EXPECT_NE(result.out.find("speed-up"), std::string::npos);
 }
 
@@ -64,12 +65,28 @@ TEST(DetailCommand, RenderTakesADetailHoweverSubmitted) {
     EXPECT_EQ(hashes.size(), 2u);
 }
 
+TEST(DetailCommand, RenderTakesClusters) {
+    const TemporaryFolder folder;
+    std::set<std::string> hashes;
+    for (const char* how : {"cluster", "cluster:0.5 --threads 3 --targets layers", "none"}) {
+        const ProgramResult result =
+            runProgram(std::string("--validate render boulders --size 96x54 --json r.json --detail ") + how,
+                       folder.path());
+        ASSERT_EQ(result.status, 0) << how << ": " << result.err;
+        const json row = json::parse(readText(folder.path() / "r.json")).at("results").at(0);
+        EXPECT_EQ(row.at("detail"), std::string(how) == "none" ? "none" : "cluster:0.5");
+        hashes.insert(row.at("hash").get<std::string>());
+    }
+    EXPECT_EQ(hashes.size(), 2u);
+}
+
 TEST(DetailCommand, BadDetailsAreOneLine) {
     const TemporaryFolder folder;
     for (const char* bad :
          {"render cubes --detail objects", "render cubes --detail object:0", "render cubes --detail none:1",
-          "render cubes --detail cascade:x", "detail cubes --pixels -1", "detail cubes --pixels nan",
-          "detail nowhere.glb", "detail cubes --split count:0"}) {
+          "render cubes --detail cascade:x", "render boulders --detail cluster --submission gpu-driven",
+          "detail cubes --pixels -1", "detail cubes --pixels nan", "detail nowhere.glb",
+          "detail cubes --split count:0"}) {
         const ProgramResult result = runProgram(bad, folder.path());
         EXPECT_EQ(result.status, 2) << bad << ": " << result.err;
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << bad << ": " << result.err;

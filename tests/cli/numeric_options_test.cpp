@@ -107,6 +107,7 @@ const std::vector<Numbers> kNumbersOfCommands{
       "--depth anchored --split fitted:@",
       "--detail object:@",
       "--detail cascade:@",
+      "--detail cluster:@",
       "--targets pool:@",
       "--occlusion @",
       "--fog @",

@@ -112,7 +112,8 @@ TEST(World, RefusesClustersThatReferToNothing) {
     const std::vector<std::uint32_t> whole = makeBox(glm::vec3(1.0f)).indices;
     const std::string noIndices = "a cluster refers to indices or groups that are not there";
     for (const MeshCluster& cluster :
-         {MeshCluster{.firstIndex = 0, .indexCount = 39}, MeshCluster{.firstIndex = 0xfffffffdu, .indexCount = 3},
+         {MeshCluster{.firstIndex = 0, .indexCount = 39},
+          MeshCluster{.firstIndex = 0xfffffffdu, .indexCount = 3},
           MeshCluster{.firstIndex = 1, .indexCount = 3}, MeshCluster{.firstIndex = 0, .indexCount = 4},
           MeshCluster{.firstIndex = 0, .indexCount = 3, .madeBy = 1},
           MeshCluster{.firstIndex = 0, .indexCount = 3, .coarserBy = 2}}) {
@@ -125,7 +126,8 @@ TEST(World, RefusesClustersThatReferToNothing) {
                   .find("a group of clusters refers to clusters that are not there"),
               std::string::npos);
     EXPECT_NE(refusal({.indices = {0, 1, 99}, .clusters = {}, .groups = {}}), "");
-    EXPECT_EQ(refusal({.indices = whole, .clusters = {{.firstIndex = 0, .indexCount = 36}}, .groups = {}}), "");
+    EXPECT_EQ(refusal({.indices = whole, .clusters = {{.firstIndex = 0, .indexCount = 36}}, .groups = {}}),
+              "");
 }
 
 TEST(World, RefusesStaleHandlesByName) {

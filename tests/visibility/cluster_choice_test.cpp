@@ -235,8 +235,8 @@ TEST(ClusterChoice, RunsAreWideByTheirClusters) {
                     continue;
                 }
                 const Instances& instances = theScene().instances;
-                const double w = -(instances.position(instance) + glm::dmat3(instances.basis[instance]) *
-                                                                      glm::dvec3(cluster.bounds.centre))
+                const double w = -(instances.position(instance) +
+                                   glm::dmat3(instances.basis[instance]) * glm::dvec3(cluster.bounds.centre))
                                       .z;
                 const double radius = static_cast<double>(cluster.bounds.radius * instances.radius[instance] /
                                                           theScene().meshes[0].boundingRadius);

@@ -102,8 +102,9 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
     command.add_flag("--occlusion-culling", arguments.occlusionCulling,
                      "Leave out what opaque surfaces hide; the picture is the same");
     command
-        .add_option("--detail", arguments.detail,
-                    "Level of detail by projected error: none, object[:PIXELS] or cascade[:PIXELS]")
+        .add_option(
+            "--detail", arguments.detail,
+            "Level of detail by projected error: none, object[:PIXELS], cascade[:PIXELS] or cluster[:PIXELS]")
         ->capture_default_str();
     command.add_option("--threads", arguments.threads, "Threads that cull, bin and record")
         ->capture_default_str();

@@ -66,9 +66,9 @@ void run(Command& command, DetailArguments& arguments) {
     const auto columns = detailColumns();
     command.console().table(experiments::tableOf(columns, report.results));
     command.console().line(fmt::format(
-        "\n{}; {} of {} triangles, {} levels made in {} ms; {} frames, {}x{}, {} "
+        "\n{}; {} of {} triangles, {} levels and {} clusters made in {} ms; {} frames, {}x{}, {} "
         "pixels of error, {} {}, {} threads; commit {}",
-        command.opened().text(), options.scene, report.sceneTriangles, report.meshLevels,
+        command.opened().text(), options.scene, report.sceneTriangles, report.meshLevels, report.clusters,
         experiments::Readable{report.makeMs}, options.frames, options.width, options.height, options.pixels,
         arguments.depth, arguments.split, options.threads, host::buildInfo().commit));
     nlohmann::ordered_json settings = settingsOf(options);
@@ -83,6 +83,7 @@ void run(Command& command, DetailArguments& arguments) {
     }
     document["scene_triangles"] = report.sceneTriangles;
     document["levels"] = report.meshLevels;
+    document["clusters"] = report.clusters;
     document["make_levels_ms"] = report.makeMs;
     command.writeDocument(document);
 }
@@ -102,7 +103,7 @@ void addOptions(CLI::App& command, DetailArguments& arguments) {
 void addDetail(CLI::App& program, const GlobalOptions& global) {
     addCommand<DetailArguments>(
         program, global, "detail",
-        "What levels of detail save and change, chosen by object and by cascade (thesis chapter 3)",
+        "What levels of detail save and change, chosen by object, by cascade (thesis chapter 3) and by cluster",
         addOptions, run, RankUse::all);
 }
 

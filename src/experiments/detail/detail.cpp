@@ -178,13 +178,14 @@ class Comparison {
     }
 
     DetailReport report() {
-        DetailReport report{.sceneTriangles = 0, .meshLevels = 0, .makeMs = m_makeMs, .results = m_results};
+        DetailReport report{.makeMs = m_makeMs, .results = m_results};
         const scene::Scene& scene = m_setup.scene;
         for (const std::uint32_t mesh : scene.instances.mesh) {
             report.sceneTriangles += scene.meshes[mesh].indices.size() / 3;
         }
         for (const scene::Mesh& mesh : scene.meshes) {
             report.meshLevels += mesh.levels.size();
+            report.clusters += mesh.clusters.clusters.size();
         }
         for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
             summarise(mode, report.results[mode]);

@@ -16,8 +16,8 @@
 
 namespace cdr::experiments {
 
-/// What levels of detail save and what they change (thesis chapter 3): the same frames in full, by object and
-/// by cascade.
+/// What levels of detail save and what they change (thesis chapter 3): the same frames in full, by object, by
+/// cascade and by cluster.
 struct DetailOptions {
     std::string scene = "boulders"; ///< as scenes::openScene() takes it
     std::uint64_t seed = scenes::kDefaultSeed;
@@ -32,7 +32,7 @@ struct DetailOptions {
 
 /// One mode over all frames. Times are medians, milliseconds.
 struct DetailResult {
-    std::string mode; ///< "none", "none-again" (the noise floor), "object" or "cascade"
+    std::string mode; ///< "none", "none-again" (the noise floor), "object", "cascade" or "cluster"
     double frameMs = 0.0;
     double recordMs = 0.0;
     double executeMs = 0.0;
@@ -51,6 +51,7 @@ struct DetailResult {
 struct DetailReport {
     std::uint64_t sceneTriangles = 0; ///< instances times their meshes'
     std::size_t meshLevels = 0;       ///< that were made or came with the scene, of all meshes
+    std::size_t clusters = 0;         ///< likewise
     double makeMs = 0.0;              ///< making them took, on all threads
     std::vector<DetailResult> results;
 };

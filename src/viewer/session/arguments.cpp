@@ -54,7 +54,8 @@ void addRenderLine(CLI::App& program, Arguments& arguments) {
         ->capture_default_str();
     program.add_option("--batching", arguments.batching, "per-object, push-constants or instanced")
         ->capture_default_str();
-    program.add_option("--detail", arguments.detail, "none, object or cascade")->capture_default_str();
+    program.add_option("--detail", arguments.detail, "none, object, cascade or cluster")
+        ->capture_default_str();
     experiments::addEffectOptions(program, arguments.effects);
     experiments::addStereoOptions(program, arguments.views);
     program.add_option("--aov", arguments.aov, "View: color, cascade, distance, id or wrong")
