@@ -27,7 +27,7 @@ struct MeshCluster {
     std::uint32_t madeBy = kNoGroup;
     /// The group whose coarser form takes the place of this cluster; kNoGroup: there is none coarser.
     std::uint32_t coarserBy = kNoGroup;
-    ClusterSphere bounds;     ///< holds its triangles
+    ClusterSphere bounds{};   ///< holds its triangles
     glm::vec3 coneAxis{0.0f}; ///< the mean direction that its triangles face, of length 1
     /// All its triangles face away from a camera at c where dot(centre - c, coneAxis) >= coneCutoff * length(centre - c) +
     /// radius. 1 where they face all ways.
@@ -40,8 +40,9 @@ struct ClusterGroup {
     std::uint32_t clusterCount = 0;
     /// Holds these clusters, and the spheres of the groups that they were made by: so error over distance only grows from
     /// the mesh to its coarsest form.
-    ClusterSphere bounds;
-    /// Object space: how far the coarser form lies from the mesh's own surface at most. It grows likewise.
+    ClusterSphere bounds{};
+    /// Object space: the Hausdorff distance between the coarser form and what it stands for of the mesh, or that of a finer
+    /// group where that is larger. It grows likewise.
     float error = 0.0f;
 };
 

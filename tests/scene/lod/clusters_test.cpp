@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -135,32 +134,25 @@ TEST(Clusters, BoundsHoldTheirTriangles) {
     }
 }
 
-/// Nothing of a coarser form is farther from the mesh than its group says, and nothing of the mesh farther from the coarsest
-/// form than the largest error.
-TEST(Clusters, ErrorsAreNotExceeded) {
+/// A mixture is as far from the mesh as the largest error in it says, and no farther.
+TEST(Clusters, ErrorsAreThoseOfTheSurface) {
     const ClusterTree& tree = boulderTree();
     std::vector<glm::vec3> positions;
     for (const Vertex& vertex : boulder().vertices) {
         positions.push_back(vertex.position);
     }
-    const SurfaceDistance toMesh(positions, boulder().indices);
-    double largest = 0.0;
-    for (const MeshCluster& cluster : tree.clusters) {
-        const double error =
-            cluster.madeBy == kNoGroup ? 0.0 : static_cast<double>(tree.groups[cluster.madeBy].error);
-        largest = std::max(largest, error);
-        for (std::uint32_t i = 0; i < cluster.indexCount; i += 3) {
-            glm::dvec3 middle(0.0);
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                middle += glm::dvec3(positions[tree.indices[cluster.firstIndex + i + k]]) / 3.0;
-            }
-            EXPECT_LE(std::sqrt(toMesh.squaredTo(middle)), error + 1e-6);
-        }
+    std::vector<float> errors;
+    for (const ClusterGroup& group : tree.groups) {
+        errors.push_back(group.error);
     }
-    const std::vector<std::uint32_t> coarsest = indicesWhere(tree, [](const ClusterGroup&) { return true; });
-    const SurfaceDistance toCoarsest(positions, coarsest);
-    for (const glm::vec3& position : positions) {
-        EXPECT_LE(std::sqrt(toCoarsest.squaredTo(position)), largest + 1e-6);
+    std::sort(errors.begin(), errors.end());
+    for (const double share : {0.3, 0.7, 0.9, 1.0}) {
+        const float most = errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
+        const std::vector<std::uint32_t> drawn =
+            indicesWhere(tree, [&](const ClusterGroup& group) { return group.error <= most; });
+        const double measured = surfaceDeviation(positions, boulder().indices, drawn);
+        EXPECT_LE(measured, static_cast<double>(most) * 1.05) << share;
+        EXPECT_GE(measured, static_cast<double>(most) * 0.7) << share;
     }
 }
 

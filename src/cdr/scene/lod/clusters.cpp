@@ -1,7 +1,7 @@
+#include <cdr/scene/lod/cluster_errors.h>
 #include <cdr/scene/lod/cluster_groups.h>
 #include <cdr/scene/lod/clusters.h>
 #include <cdr/scene/lod/shared_mesh.h>
-#include <cdr/scene/lod/surface_distance.h>
 
 #include <meshoptimizer.h>
 
@@ -20,22 +20,12 @@ constexpr std::size_t kClusterTriangles = 256;
 constexpr std::size_t kGroupClusters = 8;
 /// A coarser form with more of the triangles than this is not worth a level.
 constexpr double kMostLeft = 0.8;
+/// No coarser form of a group has fewer triangles.
+constexpr std::size_t kLeastTriangles = 12;
 /// For roundings of float32 spheres.
 constexpr double kSphereMargin = 1.0 + 1e-6;
 
 using Indices = std::vector<std::uint32_t>;
-
-/// A cluster that no coarser form takes the place of yet.
-struct LooseCluster {
-    Indices indices; ///< into SharedMesh::positions
-    std::uint32_t madeBy = kNoGroup;
-};
-
-/// The coarser form of a group.
-struct CoarserForm {
-    std::vector<Indices> clusters; ///< none: the group does not get coarser
-    double error = 0.0;            ///< from the finer form
-};
 
 /// The vertices of some triangles alone, since the simplifier takes time by all that it is given.
 struct PartOfMesh {
@@ -79,25 +69,25 @@ std::vector<Indices> cut(const Indices& indices, const std::vector<glm::vec3>& p
     return clusters;
 }
 
-CoarserForm coarserFormOf(const SharedMesh& mesh, const Indices& indices) {
+/// The clusters of a coarser form; none: the triangles do not get fewer.
+std::vector<Indices> coarserFormOf(const SharedMesh& mesh, const Indices& indices) {
     const PartOfMesh part = partOf(mesh, indices);
     Indices coarse(part.indices.size());
     constexpr float kAnyError = std::numeric_limits<float>::max();
     coarse.resize(meshopt_simplify(
         coarse.data(), part.indices.data(), part.indices.size(), &part.positions[0].x, part.positions.size(),
         sizeof(glm::vec3), part.indices.size() / 6 * 3, kAnyError, meshopt_SimplifyLockBorder, nullptr));
-    if (coarse.empty() ||
+    if (coarse.size() / 3 < kLeastTriangles ||
         static_cast<double>(coarse.size()) > kMostLeft * static_cast<double>(part.indices.size())) {
         return {};
     }
-    CoarserForm form{.clusters = cut(coarse, part.positions),
-                     .error = surfaceDeviation(part.positions, part.indices, coarse)};
-    for (Indices& cluster : form.clusters) {
+    std::vector<Indices> clusters = cut(coarse, part.positions);
+    for (Indices& cluster : clusters) {
         for (std::uint32_t& index : cluster) {
             index = part.vertices[index];
         }
     }
-    return form;
+    return clusters;
 }
 
 float roundedUp(double value) {
@@ -131,28 +121,37 @@ class TreeBuilder {
         }
     }
 
-    /// Its number. @param error from the clusters to their coarser form.
-    std::uint32_t addGroup(std::span<const LooseCluster* const> clusters, double error) {
+    /// Its number. Its error is that of its clusters until it is measured.
+    std::uint32_t addGroup(std::span<const LooseCluster* const> clusters) {
         const auto group = static_cast<std::uint32_t>(m_tree.groups.size());
         const auto first = static_cast<std::uint32_t>(m_tree.clusters.size());
-        double finerError = 0.0;
+        float finerError = 0.0f;
         std::vector<ClusterSphere> held;
         for (const LooseCluster* cluster : clusters) {
             add(*cluster, group);
             held.push_back(m_tree.clusters.back().bounds);
             if (cluster->madeBy != kNoGroup) {
                 const ClusterGroup& finer = m_tree.groups[cluster->madeBy];
-                finerError = std::max(finerError, static_cast<double>(finer.error));
+                finerError = std::max(finerError, finer.error);
                 held.push_back(finer.bounds);
             }
         }
         m_tree.groups.push_back({.firstCluster = first,
                                  .clusterCount = static_cast<std::uint32_t>(clusters.size()),
                                  .bounds = sphereOver(held),
-                                 .error = roundedUp(finerError + error)});
+                                 .error = finerError});
         return group;
     }
 
+    /// @param errors by group, of those from `first` on.
+    void setErrors(std::size_t first, std::span<const double> errors) {
+        for (std::size_t group = first; group < m_tree.groups.size(); ++group) {
+            float& error = m_tree.groups[group].error;
+            error = std::max(error, roundedUp(errors[group]));
+        }
+    }
+
+    std::size_t groups() const { return m_tree.groups.size(); }
     ClusterTree finish() { return std::move(m_tree); }
 
   private:
@@ -193,7 +192,7 @@ std::vector<LooseCluster> coarsened(const SharedMesh& mesh, const Indices& place
         clusters.push_back(cluster.indices);
     }
     const std::vector<std::vector<std::size_t>> groups = groupClusters(clusters, places, kGroupClusters);
-    std::vector<CoarserForm> forms(groups.size());
+    std::vector<std::vector<Indices>> forms(groups.size());
     workers.run(groups.size(), [&](std::size_t group, std::size_t) {
         Indices joined;
         for (const std::size_t cluster : groups[group]) {
@@ -203,7 +202,7 @@ std::vector<LooseCluster> coarsened(const SharedMesh& mesh, const Indices& place
     });
     std::vector<LooseCluster> next;
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        if (forms[i].clusters.empty()) {
+        if (forms[i].empty()) {
             for (const std::size_t cluster : groups[i]) {
                 next.push_back(std::move(loose[cluster]));
             }
@@ -213,8 +212,8 @@ std::vector<LooseCluster> coarsened(const SharedMesh& mesh, const Indices& place
         for (const std::size_t cluster : groups[i]) {
             finer.push_back(&loose[cluster]);
         }
-        const std::uint32_t group = tree.addGroup(finer, forms[i].error);
-        for (Indices& cluster : forms[i].clusters) {
+        const std::uint32_t group = tree.addGroup(finer);
+        for (Indices& cluster : forms[i]) {
             next.push_back({.indices = std::move(cluster), .madeBy = group});
         }
     }
@@ -231,9 +230,14 @@ ClusterTree makeClusters(const Mesh& mesh, host::WorkerPool& workers) {
         loose.push_back({.indices = std::move(cluster)});
     }
     TreeBuilder tree(shared);
-    for (std::size_t before = loose.size() + 1; loose.size() > 1 && loose.size() < before;) {
-        before = loose.size();
+    const SurfaceDistance toMesh(shared.positions, shared.indices);
+    for (std::size_t grouped = 0;;) {
         loose = coarsened(shared, places, std::move(loose), workers, tree);
+        if (tree.groups() == grouped) {
+            break; // nothing got coarser
+        }
+        tree.setErrors(grouped, measureErrors(shared, toMesh, loose, {grouped, tree.groups()}, workers));
+        grouped = tree.groups();
     }
     for (const LooseCluster& cluster : loose) {
         tree.add(cluster, kNoGroup);

@@ -15,8 +15,8 @@ namespace cdr::scene {
 inline constexpr std::size_t kLeastClusteredTriangles = 8192;
 
 /// Cuts a mesh into clusters (meshoptimizer), and again and again makes coarser ones of neighbouring clusters by edge
-/// collapses that leave the border of their group as it is. Errors are measured, from each form to the next coarser one
-/// (surfaceDeviation()), and added up. The same tree each time, for any number of workers. Takes about twice the indices of
+/// collapses that leave the border of their group as it is. Errors are measured against the mesh, sampled,
+/// both ways. The same tree each time, for any number of workers. Takes about twice the indices of
 /// the mesh.
 ///
 /// After Ponchio, Cignoni, Ganovelli, Gobbetti, Marton and Scopigno (Batched Multi Triangulation, 2005) and Karis, Stubbe

@@ -66,12 +66,15 @@ std::vector<Box> SurfaceDistance::boxesOf(std::span<const Triangle> triangles) {
     return boxes;
 }
 
-void SurfaceDistance::search(std::uint32_t node, const glm::dvec3& point, double& best) const {
+void SurfaceDistance::search(std::uint32_t node, const glm::dvec3& point, Nearest& best) const {
     const BoxTree::Node& self = m_tree.nodes()[node];
     if (self.count > 0) {
         for (const std::uint32_t item : m_tree.order().subspan(self.first, self.count)) {
             const Triangle& t = m_triangles[item];
-            best = std::min(best, squaredToTriangle(point, t.a, t.b, t.c));
+            const double found = squaredToTriangle(point, t.a, t.b, t.c);
+            if (found < best.squared) {
+                best = {.squared = found, .triangle = item};
+            }
         }
         return;
     }
@@ -79,18 +82,32 @@ void SurfaceDistance::search(std::uint32_t node, const glm::dvec3& point, double
     const double toSecond = squaredToBox(point, m_tree.nodes()[self.first + 1].box);
     const std::uint32_t nearer = toFirst <= toSecond ? self.first : self.first + 1;
     const std::uint32_t farther = toFirst <= toSecond ? self.first + 1 : self.first;
-    if (std::min(toFirst, toSecond) < best) {
+    if (std::min(toFirst, toSecond) < best.squared) {
         search(nearer, point, best);
     }
-    if (std::max(toFirst, toSecond) < best) {
+    if (std::max(toFirst, toSecond) < best.squared) {
         search(farther, point, best);
     }
 }
 
-double SurfaceDistance::squaredTo(const glm::dvec3& point) const {
-    double best = std::numeric_limits<double>::infinity();
+SurfaceDistance::Nearest SurfaceDistance::nearestTo(const glm::dvec3& point) const {
+    Nearest best;
     search(0, point, best);
     return best;
+}
+
+double SurfaceDistance::largestSquaredTo(const std::array<glm::dvec3, 3>& triangle, double points) const {
+    const int parts = static_cast<int>(std::clamp(std::ceil(std::sqrt(points)), 2.0, kMostParts));
+    const glm::dvec3 u = (triangle[1] - triangle[0]) / static_cast<double>(parts);
+    const glm::dvec3 v = (triangle[2] - triangle[0]) / static_cast<double>(parts);
+    double largest = 0.0;
+    for (int j = 0; j <= parts; ++j) {
+        for (int k = 0; j + k <= parts; ++k) {
+            largest = std::max(
+                largest, squaredTo(triangle[0] + static_cast<double>(j) * u + static_cast<double>(k) * v));
+        }
+    }
+    return largest;
 }
 
 double surfaceDeviation(std::span<const glm::vec3> positions, std::span<const std::uint32_t> full,
@@ -106,17 +123,10 @@ double surfaceDeviation(std::span<const glm::vec3> positions, std::span<const st
         }
     }
     const double perTriangle = static_cast<double>(full.size()) / static_cast<double>(coarse.size());
-    const int parts = static_cast<int>(std::clamp(std::ceil(std::sqrt(perTriangle)), 2.0, kMostParts));
     for (std::size_t i = 0; i + 2 < coarse.size(); i += 3) {
-        const glm::dvec3 a(positions[coarse[i]]);
-        const glm::dvec3 u = (glm::dvec3(positions[coarse[i + 1]]) - a) / static_cast<double>(parts);
-        const glm::dvec3 v = (glm::dvec3(positions[coarse[i + 2]]) - a) / static_cast<double>(parts);
-        for (int j = 0; j <= parts; ++j) {
-            for (int k = 0; j + k <= parts; ++k) {
-                greatest = std::max(
-                    greatest, toFull.squaredTo(a + static_cast<double>(j) * u + static_cast<double>(k) * v));
-            }
-        }
+        const std::array corners{glm::dvec3(positions[coarse[i]]), glm::dvec3(positions[coarse[i + 1]]),
+                                 glm::dvec3(positions[coarse[i + 2]])};
+        greatest = std::max(greatest, toFull.largestSquaredTo(corners, perTriangle));
     }
     return std::sqrt(greatest);
 }

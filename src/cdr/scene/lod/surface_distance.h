@@ -4,7 +4,9 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,8 +18,19 @@ class SurfaceDistance {
     /// @param indices three per triangle, at least one triangle, each below positions.size().
     SurfaceDistance(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 
+    /// What is nearest to a point.
+    struct Nearest {
+        double squared = std::numeric_limits<double>::infinity(); ///< distance
+        std::uint32_t triangle = 0;                               ///< in the order of the indices
+    };
+    Nearest nearestTo(const glm::dvec3& point) const;
+
     /// Squared distance from a point to the nearest triangle.
-    double squaredTo(const glm::dvec3& point) const;
+    double squaredTo(const glm::dvec3& point) const { return nearestTo(point).squared; }
+
+    /// The largest of points spread evenly over a triangle, corners and edges among them.
+    /// @param points about how many.
+    double largestSquaredTo(const std::array<glm::dvec3, 3>& triangle, double points) const;
 
   private:
     struct Triangle {
@@ -26,7 +39,7 @@ class SurfaceDistance {
     static std::vector<Triangle> trianglesOf(std::span<const glm::vec3> positions,
                                              std::span<const std::uint32_t> indices);
     static std::vector<Box> boxesOf(std::span<const Triangle> triangles);
-    void search(std::uint32_t node, const glm::dvec3& point, double& best) const;
+    void search(std::uint32_t node, const glm::dvec3& point, Nearest& best) const;
 
     std::vector<Triangle> m_triangles;
     BoxTree m_tree;
