@@ -18,6 +18,11 @@ namespace {
 constexpr std::uint32_t kRecordBinding = 1;
 constexpr std::size_t kLeastRecords = 1024;
 
+/// Whether ids and distances of both may come from one draw command: materials do not matter.
+bool drawAlike(const render::DrawKind& one, const render::DrawKind& other) {
+    return one.mesh == other.mesh && one.doubleSided == other.doubleSided && one.mirrored == other.mirrored;
+}
+
 /// Milliseconds since the last lap.
 class LapClock {
   public:
@@ -131,7 +136,8 @@ void FrameDraws::record(vk::CommandBuffer commands, std::size_t cascade, const D
         const bool isWide = first >= wideBegin;
         const std::size_t limit = isWide ? draws.end : std::min(wideBegin, draws.end);
         std::size_t end = first + 1;
-        while (end < limit && kindOf(end) == kindOf(first)) {
+        while (end < limit && (kindOf(end) == kindOf(first) ||
+                               drawAlike(scene.kinds()[kindOf(end)], scene.kinds()[kindOf(first)]))) {
             ++end;
         }
         const vk::Pipeline pipeline = isWide ? pipelines.wide : pipelines.compact;

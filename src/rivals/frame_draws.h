@@ -21,7 +21,7 @@ struct DrawPipelines {
 };
 
 /// What every contender draws in a frame: culled, cut and binned as by render::Renderer, one instanced draw for each run of
-/// instances that share mesh, material and sides. So contenders differ in the test of depth alone.
+/// instances that share mesh and sides. So contenders differ in the test of depth alone.
 class FrameDraws {
   public:
     static constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
