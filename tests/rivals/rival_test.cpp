@@ -5,6 +5,7 @@
 #include <rivals/rival.h>
 
 #include <bit>
+#include <cmath>
 
 namespace {
 
@@ -60,6 +61,9 @@ TEST(Rivals, LogKeysFillTheirFortyBitsAndComeBackWithinAStep) {
         const std::uint64_t last = logKeyOf(farView, push);
         EXPECT_LT(last >> shaders::kIdBits, std::uint64_t{1} << shaders::kLogKeyBits);
         EXPECT_GE(last >> shaders::kIdBits, std::uint64_t{1} << (shaders::kLogKeyBits - 2)) << nearView;
+        // A step is at most twice that of a true logarithm over the same range.
+        const double octaves = std::log2(farView / nearView) + 1.0;
+        EXPECT_LE(std::exp2(static_cast<int>(push.shift) - 52), 2.0 * octaves * std::exp2(-40)) << nearView;
         for (double w = nearView; w < farView; w *= 1.37) {
             const double back = scale.distanceView(logKeyOf(w, push));
             EXPECT_LE(back, w);
