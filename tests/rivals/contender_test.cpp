@@ -85,6 +85,36 @@ TEST_F(Contenders, DepthTestsShowTheIdsAndDistancesOfTheRenderer) {
     }
 }
 
+/// But for one-pass targets, whose slices of the depth range round in their own way.
+TEST_F(Contenders, StandForEveryKindOfTargetsAndEverySubmission) {
+    Arena arena(device(), "afc");
+    const scene::Camera camera = arena.setup.path.at(40);
+    std::vector<render::Submission> submissions{render::Submission::secondaries,
+                                                render::Submission::primaries};
+    if (canDrawGpuDriven()) {
+        submissions.push_back(render::Submission::gpuDriven);
+    }
+    for (const auto& [name, technique] : depth::presets()) {
+        Contender contender = make(arena, technique);
+        const image::ImageU32 ids = contender.render(camera).ids;
+        for (const render::TargetsKind targets : render::kTargetsKinds) {
+            if (targets == render::TargetsKind::onePass) {
+                continue;
+            }
+            for (const render::Submission submission : submissions) {
+                render::Renderer renderer(device(), arena.setup.scene, arena.uploaded,
+                                          {.width = kExtent.width,
+                                           .height = kExtent.height,
+                                           .technique = technique,
+                                           .targets = targets,
+                                           .submission = submission});
+                EXPECT_EQ(renderer.render(camera).ids(), ids)
+                    << name << " " << nameOf(targets) << " " << nameOf(submission);
+            }
+        }
+    }
+}
+
 /// The distance decides what a rival resolves, and not the number of bits that are compared.
 TEST_F(Contenders, DistancesFromTheObjectResolveWhatOnesFromTheCameraDoNot) {
     Arena arena(device(), "mixed");

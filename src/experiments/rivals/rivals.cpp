@@ -276,16 +276,16 @@ std::vector<NamedContender> defaultContenders(const gpu::DeviceInfo& device) {
     return all;
 }
 
-RivalsReport runRivals(const gpu::Device& device, const RivalsOptions& given,
+RivalsReport runRivals(const gpu::Device& device, const RivalsOptions& options,
                        const RivalsProgress& progress) {
-    RivalsOptions options = given;
-    if (options.contenders.empty()) {
-        options.contenders = defaultContenders(device.info());
+    RivalsOptions complete = options;
+    if (complete.contenders.empty()) {
+        complete.contenders = defaultContenders(device.info());
     }
-    if (options.frames < 1) {
+    if (complete.frames < 1) {
         throw base::InputError("rivals: there must be at least one frame");
     }
-    return RivalsRun(device, options, progress).run();
+    return RivalsRun(device, complete, progress).run();
 }
 
 } // namespace cdr::experiments
