@@ -41,6 +41,7 @@ void addExperiments(CLI::App& program, const GlobalOptions& global) {
     addOrbit(program, global);
     addInspect(program, global);
     addModels(program, global);
+    addRivals(program, global);
 }
 
 namespace {

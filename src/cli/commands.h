@@ -25,6 +25,7 @@ void addEffects(CLI::App& program, const GlobalOptions& global);
 void addFocus(CLI::App& program, const GlobalOptions& global);
 void addShadows(CLI::App& program, const GlobalOptions& global);
 void addModels(CLI::App& program, const GlobalOptions& global);
+void addRivals(CLI::App& program, const GlobalOptions& global);
 void addInspect(CLI::App& program, const GlobalOptions& global);
 void addReport(CLI::App& program, const GlobalOptions& global);
 

@@ -16,6 +16,7 @@ import { fillFlicker, fillNearObject } from "./view/section_flicker.js";
 import { fillPictures } from "./view/section_pictures.js";
 import { fillPrecision } from "./view/section_precision.js";
 import { fillProbe } from "./view/section_probe.js";
+import { fillRivals } from "./view/section_rivals.js";
 import { fillScaling } from "./view/section_scaling.js";
 import { fillTiming } from "./view/section_timing.js";
 import { fillFailure, fillSource } from "./view/source.js";
@@ -29,6 +30,7 @@ const fillers = {
     probe: fillProbe,
     timing: fillTiming,
     scaling: fillScaling,
+    rivals: fillRivals,
     detail: fillDetail,
     translucency: fillTranslucency,
     effects: fillEffects,

@@ -35,6 +35,7 @@ class BorrowedDevices : public testing::Test {
         }
     }
     const std::string& name() const { return m_device.info().name; }
+    bool hasFloat64() const { return m_device.info().hasFloat64; }
 
   private:
     Instance m_instance;
@@ -53,6 +54,16 @@ TEST_F(BorrowedDevices, WhatThePhysicalDeviceLacksIsRefusedByItsName) {
               "the borrowed device " + name() + " lacks synchronization2, shaderClipDistance");
     cdr::test::withheldFeatures() = {};
     EXPECT_EQ(refusalOf(lent()), "");
+}
+
+/// Vulkan does not say what a device was created with, so what its owner does not name counts as off.
+TEST_F(BorrowedDevices, HaveTheNumbersOfShadersThatTheirOwnerNames) {
+    BorrowedDevice borrowed = lent();
+    EXPECT_FALSE(Device(borrowed).info().hasFloat64);
+    EXPECT_FALSE(Device(borrowed).info().hasInt64Atomics);
+    borrowed.hasGpuDrivenFeatures = true;
+    EXPECT_EQ(Device(borrowed).info().hasFloat64, hasFloat64());
+    EXPECT_FALSE(Device(borrowed).info().hasInt64Atomics);
 }
 
 TEST_F(BorrowedDevices, AQueueFamilyThatIsNotThereIsRefused) {

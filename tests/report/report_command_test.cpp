@@ -74,8 +74,8 @@ TEST_F(ReportCommand, WritesOneFolderThatHoldsAllOfItsFiles) {
         EXPECT_EQ(row.at("command").get<std::string>().find("/tmp"), std::string::npos) << row;
     }
     EXPECT_EQ(sections, (std::set<std::string>{"precision", "advise", "pictures", "flicker", "flicker-near",
-                                               "probe", "timing", "scaling", "detail", "translucency",
-                                               "effects", "focus", "orbit", "inspect"}));
+                                               "probe", "timing", "scaling", "rivals", "detail",
+                                               "translucency", "effects", "focus", "orbit", "inspect"}));
     for (const char* file : {"index.html", "compare.html", "data.js", "LICENSES.txt"}) {
         const json& files = manifest.at("files");
         EXPECT_NE(std::find(files.begin(), files.end(), file), files.end()) << file;

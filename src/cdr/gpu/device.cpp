@@ -71,8 +71,10 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
     const vk::DeviceQueueCreateInfo queue{
         .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &kPriority};
     vk::PhysicalDeviceVulkan13Features v13{.synchronization2 = true, .dynamicRendering = true};
-    vk::PhysicalDeviceVulkan12Features v12{
-        .pNext = &v13, .drawIndirectCount = gpuDriven, .timelineSemaphore = true};
+    vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13,
+                                           .drawIndirectCount = gpuDriven,
+                                           .shaderBufferInt64Atomics = info.hasInt64Atomics,
+                                           .timelineSemaphore = true};
     const vk::PhysicalDeviceFeatures2 features{
         .pNext = &v12,
         .features = {.multiDrawIndirect = gpuDriven,
@@ -80,7 +82,8 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t queueFami
                      .depthClamp = true,
                      .fragmentStoresAndAtomics = info.hasFragmentStores,
                      .shaderClipDistance = true,
-                     .shaderFloat64 = gpuDriven}};
+                     .shaderFloat64 = info.hasFloat64,
+                     .shaderInt64 = info.hasInt64Atomics}};
     return physical.createDeviceUnique({.pNext = &features,
                                         .queueCreateInfoCount = 1,
                                         .pQueueCreateInfos = &queue,
@@ -232,6 +235,10 @@ Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Hand
                                        ? borrowed.features->features.fragmentStoresAndAtomics != 0
                                        : borrowed.hasFragmentStores;
     info.hasFragmentStores = info.hasFragmentStores && hasFragmentStores;
+    const bool hasFloat64 = borrowed.features != nullptr ? borrowed.features->features.shaderFloat64 != 0
+                                                         : borrowed.hasGpuDrivenFeatures;
+    info.hasFloat64 = info.hasFloat64 && hasFloat64;
+    info.hasInt64Atomics = false;
     finish(borrowed.instance, borrowed.hasDebugNames);
 }
 

@@ -55,6 +55,10 @@ struct DeviceInfo {
     std::uint64_t maxStorageBufferBytes = 0;      ///< that a shader can address in one buffer
     std::uint32_t subPixelBits = 0; ///< that vertices are rounded to at the coarsest (subPixelPrecisionBits)
     bool hasFragmentStores = false; ///< fragment shaders may write buffers (fragmentStoresAndAtomics)
+    bool hasFloat64 = false;        ///< shaders may compute in float64 (shaderFloat64)
+    /// Shaders may order 64-bit integers in buffers (shaderInt64, shaderBufferInt64Atomics). False of a borrowed device,
+    /// since nothing that is drawn for a host needs it.
+    bool hasInt64Atomics = false;
     double timestampPeriodNs = 0.0; ///< nanoseconds that one step of a timestamp counts
 };
 

@@ -106,6 +106,15 @@ std::vector<std::string> missingForGpuDriven(vk::PhysicalDevice physical) {
     return missing;
 }
 
+bool hasBufferInt64Atomics(vk::PhysicalDevice physical) {
+    if (physical.getProperties().apiVersion < VK_API_VERSION_1_3) {
+        return false; // and is refused for it
+    }
+    return physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>()
+               .get<vk::PhysicalDeviceVulkan12Features>()
+               .shaderBufferInt64Atomics != 0;
+}
+
 } // namespace
 
 std::string_view nameOf(DeviceKind kind) {
@@ -155,7 +164,10 @@ DeviceInfo describe(vk::PhysicalDevice physical, std::uint32_t index) {
     info.maxImageSide = core.limits.maxImageDimension2D;
     info.maxStorageBufferBytes = core.limits.maxStorageBufferRange;
     info.subPixelBits = core.limits.subPixelPrecisionBits;
-    info.hasFragmentStores = physical.getFeatures().fragmentStoresAndAtomics != 0;
+    const vk::PhysicalDeviceFeatures features = physical.getFeatures();
+    info.hasFragmentStores = features.fragmentStoresAndAtomics != 0;
+    info.hasFloat64 = features.shaderFloat64 != 0;
+    info.hasInt64Atomics = features.shaderInt64 != 0 && hasBufferInt64Atomics(physical);
     info.timestampPeriodNs = static_cast<double>(core.limits.timestampPeriod);
     return info;
 }

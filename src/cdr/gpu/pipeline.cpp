@@ -100,7 +100,7 @@ vk::UniquePipeline createGraphicsPipeline(const Device& device, const GraphicsPi
         .depthClampEnable = hasDepth, .depthBiasEnable = options.hasDepthBias, .lineWidth = 1.0f};
     const vk::PipelineMultisampleStateCreateInfo multisample{};
     const vk::PipelineDepthStencilStateCreateInfo depth{.depthTestEnable = hasDepth,
-                                                        .depthWriteEnable = hasDepth,
+                                                        .depthWriteEnable = hasDepth && options.writesDepth,
                                                         .depthCompareOp = options.depthCompare,
                                                         .stencilTestEnable = hasStencil,
                                                         .front = stencilState(options.stencil),

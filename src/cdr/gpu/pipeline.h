@@ -81,7 +81,8 @@ struct GraphicsPipelineOptions {
     /// Of the depth attachment; eUndefined: there is none.
     vk::Format depthFormat = vk::Format::eUndefined;
     Stencil stencil = Stencil::none;
-    bool usesDepth = true; ///< tests, writes and clamps depth where there is an attachment
+    bool usesDepth = true;   ///< tests, writes and clamps depth where there is an attachment
+    bool writesDepth = true; ///< where it tests; else the attachment stays as it is
     vk::CompareOp depthCompare = vk::CompareOp::eLessOrEqual;
     bool hasDepthBias = false; ///< set by setDepthBias(), dynamic
     Blend blend = Blend::none; ///< of every attachment

@@ -1,8 +1,8 @@
 #include "probe.h"
 
-#include <cdr/base/error.h>
+#include "resolved.h"
+
 #include <cdr/depth/forecast.h>
-#include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/frustum.h>
@@ -12,62 +12,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace cdr::experiments {
 
 namespace {
-
-/// The ladder as it stands at one distance.
-scenes::LadderOptions ladderAt(double distanceView, const ProbeOptions& options) {
-    if (!std::isfinite(distanceView) || distanceView < 0.1) {
-        throw base::InputError(
-            fmt::format("a probe's distance must be finite and at least 0.1, not {}", distanceView));
-    }
-    return {.distanceView = distanceView,
-            .nearView = options.nearView.value_or(0.001),
-            .farView = std::max(options.farView.value_or(2.0 * distanceView), 1.02 * distanceView),
-            .scale = std::min(1.0, distanceView / 1000.0)};
-}
-
-std::uint32_t pairOf(std::uint32_t id) {
-    return (id - 1) / 2;
-}
-
-/// Which pixels tell whether a pair is resolved: off silhouettes, the pair's second surface behind the first,
-/// and not so close behind that the two are sides in one plane.
-bool tells(const measure::TruthPixel& pixel, bool inner, const scenes::LadderOptions& ladder) {
-    if (!inner || pixel.secondId == 0 || pairOf(pixel.id) != pairOf(pixel.secondId)) {
-        return false;
-    }
-    const double separation = scenes::ladderSeparation(ladder, pairOf(pixel.id));
-    return pixel.gapView() >= 0.5 * separation;
-}
-
-/// The smallest separation that is resolved. Of surfaces a depth buffer cannot tell apart the one drawn last
-/// shows, so a pair whose front is drawn last comes out right by luck: it can fail the test but not pass it.
-std::optional<double> smallestResolved(const image::ImageU32& ids, const measure::TruthImage& truth,
-                                       const scenes::LadderOptions& ladder) {
-    const auto inner = measure::innerMask(truth);
-    std::array<bool, scenes::kLadderPairs> lucky;
-    lucky.fill(true); // nor does a pair that no pixel tells of pass
-    std::array<bool, scenes::kLadderPairs> wrong{};
-    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-        const measure::TruthPixel& pixel = truth.pixels[i];
-        if (tells(pixel, inner.pixels[i] != 0, ladder)) {
-            lucky[pairOf(pixel.id)] = pixel.id > pixel.secondId;
-            wrong[pairOf(pixel.id)] |= ids.pixels[i] != pixel.id;
-        }
-    }
-    std::optional<double> resolved;
-    for (std::uint32_t pair = scenes::kLadderPairs; pair-- > 0 && !wrong[pair];) {
-        if (!lucky[pair]) {
-            resolved = scenes::ladderSeparation(ladder, pair);
-        }
-    }
-    return resolved;
-}
 
 /// Depth of the ladder along the view: cubes on a turned 30 by 30 grid.
 double spanOf(const scene::SceneSetup& setup) {
@@ -123,7 +72,7 @@ class Prober {
     std::vector<Probed>
     probe(double distanceView,
           const std::function<void(std::size_t done, const std::string& name)>& progress) {
-        const scenes::LadderOptions ladder = ladderAt(distanceView, m_options);
+        const scenes::LadderOptions ladder = probeLadder(distanceView, m_options.nearView, m_options.farView);
         const scene::SceneSetup setup = scenes::makeLadder(m_options.seed, ladder);
         const scene::Camera camera = setup.path.at(0);
         const render::GpuScene gpuScene(m_device, setup.scene);
@@ -154,7 +103,7 @@ class Prober {
     /// Their rows.
     void addRows(double distanceView, const std::vector<Probed>& all,
                  std::vector<ProbeResult>& results) const {
-        const scenes::LadderOptions ladder = ladderAt(distanceView, m_options);
+        const scenes::LadderOptions ladder = probeLadder(distanceView, m_options.nearView, m_options.farView);
         auto probed = all.begin();
         for (const auto& [name, technique] : m_options.techniques) {
             for (const depth::DepthFormat format : m_options.formats) {
@@ -184,7 +133,8 @@ std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions&
                                   const ProbeProgress& progress, ranks::Ranks& ranks) {
     const std::vector<double>& distances = options.distancesView;
     for (const double distanceView : distances) {
-        ladderAt(distanceView, options); // an unusable one ends here, before any work
+        probeLadder(distanceView, options.nearView,
+                    options.farView); // an unusable one ends here, before any work
     }
     Prober prober(device, options);
     const auto make = [&](std::size_t unit) {

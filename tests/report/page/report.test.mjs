@@ -244,7 +244,7 @@ test("each section names its command, device and commit, and links its JSON", as
     const page = await openReport();
     const manifest = JSON.parse(readFileSync(join(report, "report.json")));
     const sources = await page.$$eval(".source pre code", (codes) => codes.map((code) => code.textContent));
-    assert.equal(manifest.results.length, 14);
+    assert.equal(manifest.results.length, 15);
     for (const row of manifest.results) {
         assert.equal(row.failure, null);
         assert.ok(sources.includes(row.command), row.command);

@@ -1,0 +1,66 @@
+#include "resolved.h"
+
+#include <cdr/base/error.h>
+#include <cdr/measure/compare/wrong_pixels.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cdr::experiments {
+
+namespace {
+
+std::uint32_t pairOf(std::uint32_t id) {
+    return (id - 1) / 2;
+}
+
+/// Which pixels tell whether a pair is resolved: off silhouettes, the pair's second surface behind the first,
+/// and not so close behind that the two are sides in one plane.
+bool tells(const measure::TruthPixel& pixel, bool inner, const scenes::LadderOptions& ladder) {
+    if (!inner || pixel.secondId == 0 || pairOf(pixel.id) != pairOf(pixel.secondId)) {
+        return false;
+    }
+    const double separation = scenes::ladderSeparation(ladder, pairOf(pixel.id));
+    return pixel.gapView() >= 0.5 * separation;
+}
+
+} // namespace
+
+scenes::LadderOptions probeLadder(double distanceView, std::optional<double> nearView,
+                                  std::optional<double> farView) {
+    if (!std::isfinite(distanceView) || distanceView < 0.1) {
+        throw base::InputError(
+            fmt::format("a probe's distance must be finite and at least 0.1, not {}", distanceView));
+    }
+    return {.distanceView = distanceView,
+            .nearView = nearView.value_or(0.001),
+            .farView = std::max(farView.value_or(2.0 * distanceView), 1.02 * distanceView),
+            .scale = std::min(1.0, distanceView / 1000.0)};
+}
+
+std::optional<double> smallestResolved(const image::ImageU32& ids, const measure::TruthImage& truth,
+                                       const scenes::LadderOptions& ladder) {
+    const auto inner = measure::innerMask(truth);
+    std::array<bool, scenes::kLadderPairs> lucky;
+    lucky.fill(true); // nor does a pair that no pixel tells of pass
+    std::array<bool, scenes::kLadderPairs> wrong{};
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        const measure::TruthPixel& pixel = truth.pixels[i];
+        if (tells(pixel, inner.pixels[i] != 0, ladder)) {
+            lucky[pairOf(pixel.id)] = pixel.id > pixel.secondId;
+            wrong[pairOf(pixel.id)] |= ids.pixels[i] != pixel.id;
+        }
+    }
+    std::optional<double> resolved;
+    for (std::uint32_t pair = scenes::kLadderPairs; pair-- > 0 && !wrong[pair];) {
+        if (!lucky[pair]) {
+            resolved = scenes::ladderSeparation(ladder, pair);
+        }
+    }
+    return resolved;
+}
+
+} // namespace cdr::experiments

@@ -1,0 +1,210 @@
+#include <cdr/base/error.h>
+#include <cli/command.h>
+#include <cli/commands.h>
+#include <experiments/readable.h>
+#include <experiments/rivals/rivals.h>
+#include <experiments/wrong_pixels_columns.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace cdr::cli {
+
+namespace {
+
+struct RivalsArguments {
+    experiments::RivalsOptions options;
+    std::vector<depth::NamedTechnique> techniques; ///< today's
+    std::vector<std::string> rivals;
+};
+
+experiments::Columns<experiments::RivalScene> rivalSceneColumns() {
+    using Result = experiments::RivalScene;
+    return experiments::joined<Result>(
+        {{{.key = "scene", .value = &Result::scene, .heading = "scene"},
+          {.key = "technique", .value = &Result::contender, .heading = "technique"},
+          {.key = "rival", .value = &Result::isRival},
+          {.key = "frames", .value = &Result::frames},
+          {.key = "cascades", .value = &Result::cascades}},
+         experiments::columnsOf(&Result::wrong, experiments::wrongPixelsColumns({.share = "wrong share"})),
+         {{.key = "flips", .value = [](const Result& result) { return result.flips.flips; }},
+          {.key = "compared", .value = [](const Result& result) { return result.flips.compared; }},
+          {.key = "flips_per_thousand",
+           .value = [](const Result& result) { return result.flips.perThousand(); },
+           .heading = "flips / 1000"},
+          {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms"},
+          {.key = "execute_ms", .value = &Result::executeMs},
+          {.key = "frame_ratio", .value = &Result::ratio, .heading = "over anchored"},
+          {.key = "ci95",
+           .value = [](const Result& result) { return experiments::jsonOf(result.ratio95); },
+           .heading = "95 % interval",
+           .format = {"{} to {}"}}}});
+}
+
+experiments::Columns<experiments::RivalResolved> rivalResolvedColumns(base::LengthUnit unit) {
+    using Result = experiments::RivalResolved;
+    const auto textOf = [unit](std::optional<double> Result::*part) {
+        return [unit, part](const Result& result) {
+            const auto text = [unit](double view) {
+                return base::quantityText(view, unit, base::NumberStyle::plain);
+            };
+            return result.*part ? text(*(result.*part)) : "none, > " + text(result.largestView);
+        };
+    };
+    return {
+        {.key = "distance", .value = &Result::distanceView, .heading = "distance", .format = {.unit = unit}},
+        {.key = "technique", .value = &Result::contender, .heading = "technique"},
+        {.key = "rival", .value = &Result::isRival},
+        {.key = "resolved",
+         .value = [](const Result& result) { return experiments::finiteOrNull(result.resolvedView); },
+         .heading = "resolves equal cubes",
+         .text = textOf(&Result::resolvedView)},
+        {.key = "resolved_unlike",
+         .value = [](const Result& result) { return experiments::finiteOrNull(result.unlikeView); },
+         .heading = "unlike ones",
+         .text = textOf(&Result::unlikeView)},
+        {.key = "resolved_ratio",
+         .value = [](const Result& result) { return experiments::finiteOrNull(result.ratio); },
+         .heading = "over anchored"},
+        {.key = "smallest", .value = &Result::smallestView},
+        {.key = "largest", .value = &Result::largestView}};
+}
+
+experiments::Columns<experiments::RivalNeeds> rivalNeedsColumns() {
+    using Result = experiments::RivalNeeds;
+    return {
+        {.key = "technique", .value = &Result::contender, .heading = "technique"},
+        {.key = "geometry_passes", .value = &Result::geometryPasses, .heading = "geometry passes"},
+        {.key = "bytes_per_pixel", .value = &Result::bytesPerPixel, .heading = "bytes a pixel"},
+        {.key = "features",
+         .value = &Result::features,
+         .heading = "features beyond those of cdr",
+         .text = [](const Result& result) { return fmt::format("{}", fmt::join(result.features, ", ")); }}};
+}
+
+experiments::Columns<experiments::RivalWholeFrame> wholeFrameColumns() {
+    using Result = experiments::RivalWholeFrame;
+    return {
+        {.key = "scene", .value = &Result::scene},
+        {.key = "frame_ratio", .value = &Result::ratio},
+        {.key = "ci95", .value = [](const Result& result) { return experiments::jsonOf(result.ratio95); }}};
+}
+
+/// Those asked for; all that the device can draw where none are.
+std::vector<experiments::NamedContender> contendersOf(const gpu::DeviceInfo& device,
+                                                      const RivalsArguments& arguments) {
+    const std::vector<experiments::NamedContender> all = experiments::defaultContenders(device);
+    std::vector<experiments::NamedContender> chosen;
+    for (const depth::NamedTechnique& named : arguments.techniques) {
+        chosen.push_back({named.name, named.technique});
+    }
+    if (chosen.empty()) {
+        std::copy_if(all.begin(), all.end(), std::back_inserter(chosen),
+                     [](const experiments::NamedContender& named) { return !named.isRival(); });
+    }
+    for (const std::string& name : arguments.rivals) {
+        const rivals::NamedRival named = rivals::parseRival(name);
+        chosen.push_back({named.name, named.rival});
+    }
+    if (arguments.rivals.empty()) {
+        std::copy_if(all.begin(), all.end(), std::back_inserter(chosen),
+                     [](const experiments::NamedContender& named) { return named.isRival(); });
+    }
+    return chosen;
+}
+
+/// A line for each rival that is left out because the device lacks what it needs; none where rivals were asked for.
+std::vector<std::string> leftOutBy(const gpu::DeviceInfo& device, const RivalsArguments& arguments) {
+    std::vector<std::string> lines;
+    for (const rivals::NamedRival& named : rivals::namedRivals()) {
+        const auto missing = rivals::missingFeatures(device, named.rival);
+        if (arguments.rivals.empty() && !missing.empty()) {
+            lines.push_back(
+                fmt::format("left out: {}, since the device lacks {}", named.name, fmt::join(missing, ", ")));
+        }
+    }
+    return lines;
+}
+
+void run(Command& command, RivalsArguments& arguments) {
+    experiments::RivalsOptions& options = arguments.options;
+    options.contenders = contendersOf(command.device().info(), arguments);
+    const experiments::RivalsReport report =
+        experiments::runRivals(command.device(), options, command.progress());
+    command.endProgress();
+
+    const Console& console = command.console();
+    const auto sceneColumns = rivalSceneColumns();
+    const auto resolvedColumns = rivalResolvedColumns(command.global().unit);
+    const auto needsColumns = rivalNeedsColumns();
+    if (!report.scenes.empty()) {
+        console.table(experiments::tableOf(sceneColumns, report.scenes));
+        console.line("");
+    }
+    if (!report.resolved.empty()) {
+        console.table(experiments::tableOf(resolvedColumns, report.resolved));
+        console.line("");
+    }
+    console.table(experiments::tableOf(needsColumns, report.needs));
+    console.line("");
+    for (const std::string& line : leftOutBy(command.device().info(), arguments)) {
+        console.line(line);
+    }
+    for (const experiments::RivalWholeFrame& whole : report.wholeFrames) {
+        console.line(
+            fmt::format("{}: the whole frame of {}, lit, takes {} times what its ids and distances take",
+                        whole.scene, options.baseline, experiments::Readable{whole.ratio}));
+    }
+    console.line(fmt::format("{}; ids and distances alone, {} frames of {}x{}, seed {}, {} threads",
+                             command.opened().text(), options.frames, options.width, options.height,
+                             options.seed, options.threads));
+
+    auto document = command.makeDocument({{"width", options.width},
+                                          {"height", options.height},
+                                          {"frames", options.frames},
+                                          {"threads", options.threads},
+                                          {"seed", options.seed},
+                                          {"baseline", options.baseline}});
+    document["results"] = experiments::jsonOf(sceneColumns, report.scenes);
+    document["resolved"] = experiments::jsonOf(resolvedColumns, report.resolved);
+    document["needs"] = experiments::jsonOf(needsColumns, report.needs);
+    document["whole_frames"] = experiments::jsonOf(wholeFrameColumns(), report.wholeFrames);
+    command.writeDocument(document);
+}
+
+void addOptions(CLI::App& command, RivalsArguments& arguments) {
+    experiments::RivalsOptions& options = arguments.options;
+    command.add_option("SCENE", options.scenes, "Scenes: generated ones by name, or .gltf and .glb files")
+        ->capture_default_str();
+    command
+        .add_option("--distances", options.distancesView,
+                    "View distances of the ladder that shows what is resolved, a comma between them")
+        ->delimiter(',')
+        ->capture_default_str();
+    addTechniques(command, arguments.techniques);
+    command
+        .add_option("--rivals", arguments.rivals,
+                    "Rivals, a comma between them: atomic-log, two-float, atomic-log-object, atomic-fixed, "
+                    "object-anchors, each also with /prepass; all that the device can draw")
+        ->delimiter(',');
+    addFrames(command, options.frames,
+              "Frames of each scene, spread over its path, and timed of each technique");
+    addSize(command, options.width, options.height);
+    addThreads(command, options.threads, "Threads that cull, bin and cast the truth");
+    addSeed(command, options.seed, "Seed of the scenes and of the order in which frames are timed");
+}
+
+} // namespace
+
+void addRivals(CLI::App& program, const GlobalOptions& global) {
+    addCommand<RivalsArguments>(
+        program, global, "rivals",
+        "64-bit depths by atomics, pairs of floats and anchors of objects beside today's practice: wrong pixels, flips, "
+        "what is resolved, time",
+        addOptions, run);
+}
+
+} // namespace cdr::cli

@@ -1,0 +1,291 @@
+#include "rivals.h"
+
+#include <cdr/base/error.h>
+#include <cdr/measure/truth/truth.h>
+#include <cdr/render/renderer.h>
+#include <experiments/interleaved_frames.h>
+#include <experiments/orbit/orbit.h>
+#include <experiments/probe/resolved.h>
+#include <scenes/open_scene.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace cdr::experiments {
+
+namespace {
+
+/// Finer than other probes': with a distance from its own object, a rival may be.
+constexpr double kSmallestSeparation = 1e-9;
+/// Of the front of unlike pairs; no power of two, so that its corners round in their own way.
+constexpr double kUnlikeDepth = 0.37;
+/// An odd number, so that the median is one of them.
+constexpr std::uint64_t kLadders = 5;
+
+/// A scene with every contender on it.
+class RivalField {
+  public:
+    RivalField(const gpu::Device& device, const RivalsOptions& options, scene::SceneSetup setup,
+               host::WorkerPool& workers)
+        : m_options(options),
+          m_workers(workers),
+          m_setup(std::move(setup)),
+          m_gpuScene(device, m_setup.scene),
+          m_caster(m_setup.scene, workers) {
+        const vk::Extent2D extent{options.width, options.height};
+        for (const NamedContender& named : options.contenders) {
+            m_contenders.push_back(std::make_unique<rivals::Contender>(
+                device, render::DrawnScene{m_setup.scene, m_gpuScene}, named.competing, extent, workers));
+        }
+    }
+
+    measure::TruthImage truthAt(const scene::Camera& camera) const {
+        return m_caster.cast(camera, m_options.width, m_options.height, m_workers);
+    }
+
+    const scene::SceneSetup& setup() const { return m_setup; }
+    const render::GpuScene& gpuScene() const { return m_gpuScene; }
+    rivals::Contender& contender(std::size_t index) { return *m_contenders[index]; }
+    std::size_t size() const { return m_contenders.size(); }
+
+  private:
+    const RivalsOptions& m_options;
+    host::WorkerPool& m_workers;
+    scene::SceneSetup m_setup;
+    render::GpuScene m_gpuScene;
+    measure::TruthCaster m_caster;
+    std::vector<std::unique_ptr<rivals::Contender>> m_contenders;
+};
+
+/// The experiment as it runs.
+class RivalsRun {
+  public:
+    RivalsRun(const gpu::Device& device, const RivalsOptions& options, const RivalsProgress& progress)
+        : m_device(device),
+          m_options(options),
+          m_progress(progress),
+          m_workers(options.threads),
+          m_baseline(findBaseline(options)),
+          m_steps(options.scenes.size() * 2 * options.frames + options.distancesView.size() * 2 * kLadders) {
+        for (const double distanceView : options.distancesView) {
+            probeLadder(distanceView); // an unusable one ends here, before any work
+        }
+    }
+
+    RivalsReport run() {
+        RivalsReport report;
+        for (const std::string& name : m_options.scenes) {
+            measureScene(name, report);
+        }
+        for (const double distanceView : m_options.distancesView) {
+            measureLadder(distanceView, report);
+        }
+        for (const NamedContender& named : m_options.contenders) {
+            report.needs.push_back(needsOf(named));
+        }
+        return report;
+    }
+
+  private:
+    static std::size_t findBaseline(const RivalsOptions& options) {
+        const auto found =
+            std::find_if(options.contenders.begin(), options.contenders.end(),
+                         [&](const NamedContender& named) { return named.name == options.baseline; });
+        if (found == options.contenders.end() || found->isRival()) {
+            throw base::InputError(fmt::format(
+                "{} is what times are divided by, so it must be among the techniques", options.baseline));
+        }
+        return static_cast<std::size_t>(found - options.contenders.begin());
+    }
+
+    void step(const std::string& what) {
+        if (m_progress) {
+            m_progress(std::min(m_done++, m_steps - 1), m_steps, what);
+        }
+    }
+
+    void measureScene(const std::string& name, RivalsReport& report) {
+        RivalField field(m_device, m_options, scenes::openScene(name, m_options.seed).setup, m_workers);
+        std::vector<RivalScene> results;
+        for (const NamedContender& named : m_options.contenders) {
+            RivalScene result;
+            result.scene = name;
+            result.contender = named.name;
+            result.isRival = named.isRival();
+            results.push_back(result);
+        }
+        const std::vector<std::uint32_t> frames = zoomFrames(field.setup().path.frames, m_options.frames);
+        compareWithTruth(field, frames, results);
+        report.wholeFrames.push_back(time(field, frames, results));
+        report.scenes.insert(report.scenes.end(), results.begin(), results.end());
+    }
+
+    void compareWithTruth(RivalField& field, const std::vector<std::uint32_t>& frames,
+                          std::vector<RivalScene>& results) {
+        measure::TruthImage truthBefore;
+        image::Raster<std::uint8_t> innerBefore;
+        std::vector<image::ImageU32> idsBefore(field.size());
+        for (const std::uint32_t frame : frames) {
+            step(fmt::format("{} against the truth", results.front().scene));
+            const scene::Camera camera = field.setup().path.at(frame);
+            measure::TruthImage truth = field.truthAt(camera);
+            image::Raster<std::uint8_t> inner = measure::innerMask(truth);
+            const bool isFirst = truthBefore.pixels.empty();
+            const image::Raster<std::uint8_t> steady =
+                isFirst ? image::Raster<std::uint8_t>()
+                        : measure::steadyMask(truthBefore, innerBefore, truth, inner);
+            for (std::size_t i = 0; i < field.size(); ++i) {
+                image::ImageU32 ids = field.contender(i).render(camera).ids;
+                results[i].wrong += measure::countWrong(ids, truth, inner);
+                if (!isFirst) {
+                    results[i].flips += measure::countFlips(idsBefore[i], ids, steady);
+                }
+                idsBefore[i] = std::move(ids);
+                results[i].cascades = std::max(results[i].cascades, field.contender(i).cascades());
+                ++results[i].frames;
+            }
+            truthBefore = std::move(truth);
+            innerBefore = std::move(inner);
+        }
+    }
+
+    /// Contenders, and last the library's own frame.
+    RivalWholeFrame time(RivalField& field, const std::vector<std::uint32_t>& frames,
+                         std::vector<RivalScene>& results) {
+        const std::size_t whole = field.size();
+        render::Renderer renderer(
+            m_device, field.setup().scene, field.gpuScene(),
+            {.width = m_options.width,
+             .height = m_options.height,
+             .technique = std::get<depth::Technique>(m_options.contenders[m_baseline].competing),
+             .threads = m_options.threads});
+        InterleavedFrames timings(whole + 1, m_options.seed);
+        for (std::uint32_t i = 0; i < InterleavedFrames::kWarmUp + m_options.frames; ++i) {
+            if (i == InterleavedFrames::kWarmUp) {
+                timings.forget();
+            }
+            if (i >= InterleavedFrames::kWarmUp) {
+                step(fmt::format("{} timed", results.front().scene));
+            }
+            const scene::Camera camera = field.setup().path.at(frames[i % frames.size()]);
+            timings.draw([&](std::size_t mode) {
+                return timed([&] {
+                    return mode == whole ? renderer.draw(camera) : field.contender(mode).draw(camera);
+                });
+            });
+        }
+        for (std::size_t i = 0; i < results.size(); ++i) {
+            const std::vector<double> ratios = timings.ratios(i, m_baseline, &FrameSample::frameMs);
+            results[i].frameMs = timings.median(i, &FrameSample::frameMs);
+            results[i].executeMs = timings.median(i, &FrameSample::executeMs);
+            results[i].ratio = measure::median(ratios);
+            results[i].ratio95 = measure::bootstrapMedian(ratios, m_options.seed + i);
+        }
+        const std::vector<double> ratios = timings.ratios(whole, m_baseline, &FrameSample::frameMs);
+        return {.scene = results.front().scene,
+                .ratio = measure::median(ratios),
+                .ratio95 = measure::bootstrapMedian(ratios, m_options.seed + whole)};
+    }
+
+    void measureLadder(double distanceView, RivalsReport& report) {
+        scenes::LadderOptions ladder = probeLadder(distanceView);
+        ladder.smallestSeparation = kSmallestSeparation;
+        const std::vector<std::optional<double>> equal = resolvedOn(ladder);
+        ladder.frontDepth = kUnlikeDepth;
+        const std::vector<std::optional<double>> unlike = resolvedOn(ladder);
+        const std::optional<double> baseline = unlike[m_baseline];
+        for (std::size_t i = 0; i < equal.size(); ++i) {
+            report.resolved.push_back(
+                {.contender = m_options.contenders[i].name,
+                 .isRival = m_options.contenders[i].isRival(),
+                 .distanceView = distanceView,
+                 .resolvedView = equal[i],
+                 .unlikeView = unlike[i],
+                 .ratio = baseline && unlike[i] ? std::optional(*unlike[i] / *baseline) : std::nullopt,
+                 .smallestView = scenes::ladderSeparation(ladder, 0),
+                 .largestView = scenes::ladderSeparation(ladder, scenes::kLadderPairs - 1)});
+        }
+    }
+
+    /// By contender: the median over ladders of other seeds, since a single pair that rounds well or badly moves one.
+    std::vector<std::optional<double>> resolvedOn(const scenes::LadderOptions& ladder) {
+        constexpr double kNone = std::numeric_limits<double>::infinity();
+        std::vector<std::vector<double>> samples(m_options.contenders.size());
+        for (std::uint64_t i = 0; i < kLadders; ++i) {
+            step(fmt::format("ladder at {}", ladder.distanceView));
+            RivalField field(m_device, m_options, scenes::makeLadder(m_options.seed + i, ladder), m_workers);
+            const scene::Camera camera = field.setup().path.at(0);
+            const measure::TruthImage truth = field.truthAt(camera);
+            for (std::size_t each = 0; each < field.size(); ++each) {
+                const image::ImageU32 ids = field.contender(each).render(camera).ids;
+                samples[each].push_back(smallestResolved(ids, truth, ladder).value_or(kNone));
+            }
+        }
+        std::vector<std::optional<double>> resolved;
+        for (const std::vector<double>& of : samples) {
+            const double middle = measure::median(of);
+            resolved.push_back(std::isfinite(middle) ? std::optional(middle) : std::nullopt);
+        }
+        return resolved;
+    }
+
+    static RivalNeeds needsOf(const NamedContender& named) {
+        if (const auto* rival = std::get_if<rivals::Rival>(&named.competing)) {
+            return {.contender = named.name,
+                    .geometryPasses = rivals::geometryPassesOf(*rival),
+                    .bytesPerPixel = rivals::bytesPerPixelOf(*rival),
+                    .features = rivals::featuresOf(*rival)};
+        }
+        const auto& technique = std::get<depth::Technique>(named.competing);
+        const auto depthBits = static_cast<std::uint32_t>(depth::traitsOf(technique.format).bits);
+        return {.contender = named.name,
+                .geometryPasses = 1,
+                // An attachment of 24 bits takes 4 bytes.
+                .bytesPerPixel = 8 + (depthBits <= 16 ? 2u : 4u),
+                .features = {}};
+    }
+
+    const gpu::Device& m_device;
+    const RivalsOptions& m_options;
+    const RivalsProgress& m_progress;
+    host::WorkerPool m_workers;
+    std::size_t m_baseline;
+    std::size_t m_steps;
+    std::size_t m_done = 0;
+};
+
+} // namespace
+
+std::vector<NamedContender> defaultContenders(const gpu::DeviceInfo& device) {
+    std::vector<NamedContender> all;
+    for (const depth::NamedTechnique& preset : depth::presets()) {
+        all.push_back({preset.name, preset.technique});
+    }
+    for (const char* suffix : {"", "/prepass"}) {
+        for (const rivals::NamedRival& known : rivals::namedRivals()) {
+            if (rivals::missingFeatures(device, known.rival).empty()) {
+                const rivals::NamedRival named = rivals::parseRival(known.name + suffix);
+                all.push_back({named.name, named.rival});
+            }
+        }
+    }
+    return all;
+}
+
+RivalsReport runRivals(const gpu::Device& device, const RivalsOptions& options,
+                       const RivalsProgress& progress) {
+    RivalsOptions complete = options;
+    if (complete.contenders.empty()) {
+        complete.contenders = defaultContenders(device.info());
+    }
+    if (complete.frames < 1) {
+        throw base::InputError("rivals: there must be at least one frame");
+    }
+    return RivalsRun(device, complete, progress).run();
+}
+
+} // namespace cdr::experiments

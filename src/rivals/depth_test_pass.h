@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cdr/gpu/memory.h>
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/readback.h>
+
+#include <rivals/visibility_pass.h>
+
+namespace cdr::rivals {
+
+/// Today's practice: a depth buffer that the device tests, cleared between cascades, and one colour of 8 bytes.
+class DepthTestPass final : public VisibilityPass {
+  public:
+    /// base::InputError for a depth format that the device lacks.
+    DepthTestPass(const gpu::Device& device, const depth::Technique& technique, vk::Extent2D extent);
+
+    void record(vk::CommandBuffer commands, const FrameDraws& draws) override;
+    void recordReadback(vk::CommandBuffer commands) override;
+    VisibleSurfaces fetch(const render::FrameView& view) const override;
+
+  private:
+    enum class Span : std::uint8_t { compact, wide };
+    gpu::Pipeline makePipeline(const gpu::Device& device, Span span) const;
+    vk::ClearDepthStencilValue clearDepth() const;
+
+    depth::Mapping m_mapping;
+    gpu::Image m_surfaces;
+    gpu::Image m_depth;
+    render::Readback m_readback;
+    gpu::PipelineLayout m_layout;
+    gpu::Pipeline m_compact;
+    gpu::Pipeline m_wide;
+};
+
+} // namespace cdr::rivals
