@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <experiments/rivals/rivals.h>
+#include <scenes/open_scene.h>
 
 #include <gtest/gtest.h>
 
@@ -14,11 +15,16 @@ using namespace cdr::experiments;
 
 class RivalsExperiment : public cdr::test::DeviceTest {
   protected:
-    RivalsReport measure(const RivalsOptions& options) { return runRivals(device(), options, {}); }
+    RivalsReport measure(const RivalsOptions& options, const std::vector<std::string>& names = {"mixed"}) {
+        std::vector<NamedScene> scenes;
+        for (const std::string& name : names) {
+            scenes.push_back({name, scenes::openScene(name, options.seed).setup});
+        }
+        return runRivals(device(), scenes, options, {});
+    }
 
     static RivalsOptions small() {
         RivalsOptions options;
-        options.scenes = {"mixed"};
         options.distancesView = {};
         options.width = 320;
         options.height = 180;
@@ -34,9 +40,9 @@ class RivalsExperiment : public cdr::test::DeviceTest {
         return found != rows.end() ? *found : Row{};
     }
 
-    std::string refusalOf(const RivalsOptions& options) {
+    std::string refusalOf(const RivalsOptions& options, const std::string& scene = "mixed") {
         try {
-            measure(options);
+            measure(options, {scene});
         } catch (const base::InputError& error) {
             return error.what();
         }
@@ -78,7 +84,6 @@ TEST_F(RivalsExperiment, TodaysPracticeAndRivalsAreHeldAgainstOneTruth) {
 /// Equal cubes are rounded alike, so a distance from the object tells them apart at a gap below what it tells of others.
 TEST_F(RivalsExperiment, UnlikePairsResolveCoarserThanEqualOnes) {
     RivalsOptions options = small();
-    options.scenes = {};
     options.distancesView = {1e3};
     options.width = 1280;
     options.height = 720;
@@ -89,7 +94,7 @@ TEST_F(RivalsExperiment, UnlikePairsResolveCoarserThanEqualOnes) {
         return;
     }
     options.contenders.push_back({"object-anchors", rivals::parseRival("object-anchors").rival});
-    const RivalsReport report = measure(options);
+    const RivalsReport report = measure(options, {});
     const RivalResolved anchored = of(report.resolved, "anchored");
     const RivalResolved rival = of(report.resolved, "object-anchors");
     ASSERT_TRUE(anchored.unlikeView && anchored.resolvedView && rival.unlikeView && rival.resolvedView);
@@ -104,14 +109,9 @@ TEST_F(RivalsExperiment, WhatCannotBeComparedIsRefused) {
     options.contenders = {{"reversed", depth::parseTechnique("reversed")}};
     EXPECT_NE(refusalOf(options).find("anchored"), std::string::npos);
     options = small();
-    options.scenes = {"afk"};
-    EXPECT_NE(refusalOf(options).find("afc"), std::string::npos);
-    options = small();
     options.distancesView = {0.0};
     EXPECT_NE(refusalOf(options).find("distance"), std::string::npos);
-    options = small();
-    options.scenes = {"coplanar"};
-    EXPECT_NE(refusalOf(options).find("layers"), std::string::npos);
+    EXPECT_NE(refusalOf(small(), "coplanar").find("layers"), std::string::npos);
     options = small();
     options.frames = 0;
     EXPECT_NE(refusalOf(options).find("frame"), std::string::npos);

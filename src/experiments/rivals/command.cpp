@@ -16,6 +16,7 @@ namespace cdr::cli {
 namespace {
 
 struct RivalsArguments {
+    std::vector<std::string> scenes{"afc", "mixed", "orbit"};
     experiments::RivalsOptions options;
     std::vector<depth::NamedTechnique> techniques; ///< today's
     std::vector<std::string> rivals;
@@ -132,8 +133,12 @@ std::vector<std::string> leftOutBy(const gpu::DeviceInfo& device, const RivalsAr
 void run(Command& command, RivalsArguments& arguments) {
     experiments::RivalsOptions& options = arguments.options;
     options.contenders = contendersOf(command.device().info(), arguments);
+    std::vector<experiments::NamedScene> scenes;
+    for (const std::string& name : arguments.scenes) {
+        scenes.push_back({name, command.openScene(name, options.seed)});
+    }
     const experiments::RivalsReport report =
-        experiments::runRivals(command.device(), options, command.progress());
+        experiments::runRivals(command.device(), scenes, options, command.progress());
     command.endProgress();
 
     const Console& console = command.console();
@@ -177,7 +182,7 @@ void run(Command& command, RivalsArguments& arguments) {
 
 void addOptions(CLI::App& command, RivalsArguments& arguments) {
     experiments::RivalsOptions& options = arguments.options;
-    command.add_option("SCENE", options.scenes, "Scenes: generated ones by name, or .gltf and .glb files")
+    command.add_option("SCENE", arguments.scenes, "Scenes: generated ones by name, or .gltf and .glb files")
         ->capture_default_str();
     command
         .add_option("--distances", options.distancesView,

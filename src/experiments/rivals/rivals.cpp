@@ -6,7 +6,7 @@
 #include <experiments/interleaved_frames.h>
 #include <experiments/orbit/orbit.h>
 #include <experiments/probe/resolved.h>
-#include <scenes/open_scene.h>
+#include <scenes/ladder.h>
 
 #include <fmt/format.h>
 
@@ -29,11 +29,12 @@ constexpr std::uint64_t kLadders = 5;
 /// A scene with every contender on it.
 class RivalField {
   public:
-    RivalField(const gpu::Device& device, const RivalsOptions& options, scene::SceneSetup setup,
+    /// What it is made of must outlive it.
+    RivalField(const gpu::Device& device, const RivalsOptions& options, const scene::SceneSetup& setup,
                host::WorkerPool& workers)
         : m_options(options),
           m_workers(workers),
-          m_setup(std::move(setup)),
+          m_setup(setup),
           m_gpuScene(device, m_setup.scene),
           m_caster(m_setup.scene, workers) {
         const vk::Extent2D extent{options.width, options.height};
@@ -55,7 +56,7 @@ class RivalField {
   private:
     const RivalsOptions& m_options;
     host::WorkerPool& m_workers;
-    scene::SceneSetup m_setup;
+    const scene::SceneSetup& m_setup;
     render::GpuScene m_gpuScene;
     measure::TruthCaster m_caster;
     std::vector<std::unique_ptr<rivals::Contender>> m_contenders;
@@ -64,13 +65,15 @@ class RivalField {
 /// The experiment as it runs.
 class RivalsRun {
   public:
-    RivalsRun(const gpu::Device& device, const RivalsOptions& options, const RivalsProgress& progress)
+    RivalsRun(const gpu::Device& device, const std::vector<NamedScene>& scenes, const RivalsOptions& options,
+              const RivalsProgress& progress)
         : m_device(device),
+          m_scenes(scenes),
           m_options(options),
           m_progress(progress),
           m_workers(options.threads),
           m_baseline(findBaseline(options)),
-          m_steps(options.scenes.size() * 2 * options.frames + options.distancesView.size() * 2 * kLadders) {
+          m_steps(scenes.size() * 2 * options.frames + options.distancesView.size() * 2 * kLadders) {
         for (const double distanceView : options.distancesView) {
             probeLadder(distanceView); // an unusable one ends here, before any work
         }
@@ -78,8 +81,8 @@ class RivalsRun {
 
     RivalsReport run() {
         RivalsReport report;
-        for (const std::string& name : m_options.scenes) {
-            measureScene(name, report);
+        for (const NamedScene& scene : m_scenes) {
+            measureScene(scene, report);
         }
         for (const double distanceView : m_options.distancesView) {
             measureLadder(distanceView, report);
@@ -108,12 +111,12 @@ class RivalsRun {
         }
     }
 
-    void measureScene(const std::string& name, RivalsReport& report) {
-        RivalField field(m_device, m_options, scenes::openScene(name, m_options.seed).setup, m_workers);
+    void measureScene(const NamedScene& scene, RivalsReport& report) {
+        RivalField field(m_device, m_options, scene.setup, m_workers);
         std::vector<RivalScene> results;
         for (const NamedContender& named : m_options.contenders) {
             RivalScene result;
-            result.scene = name;
+            result.scene = scene.name;
             result.contender = named.name;
             result.isRival = named.isRival();
             results.push_back(result);
@@ -217,7 +220,8 @@ class RivalsRun {
         std::vector<std::vector<double>> samples(m_options.contenders.size());
         for (std::uint64_t i = 0; i < kLadders; ++i) {
             step(fmt::format("ladder at {}", ladder.distanceView));
-            RivalField field(m_device, m_options, scenes::makeLadder(m_options.seed + i, ladder), m_workers);
+            const scene::SceneSetup setup = scenes::makeLadder(m_options.seed + i, ladder);
+            RivalField field(m_device, m_options, setup, m_workers);
             const scene::Camera camera = field.setup().path.at(0);
             const measure::TruthImage truth = field.truthAt(camera);
             for (std::size_t each = 0; each < field.size(); ++each) {
@@ -250,6 +254,7 @@ class RivalsRun {
     }
 
     const gpu::Device& m_device;
+    const std::vector<NamedScene>& m_scenes;
     const RivalsOptions& m_options;
     const RivalsProgress& m_progress;
     host::WorkerPool m_workers;
@@ -276,8 +281,8 @@ std::vector<NamedContender> defaultContenders(const gpu::DeviceInfo& device) {
     return all;
 }
 
-RivalsReport runRivals(const gpu::Device& device, const RivalsOptions& options,
-                       const RivalsProgress& progress) {
+RivalsReport runRivals(const gpu::Device& device, const std::vector<NamedScene>& scenes,
+                       const RivalsOptions& options, const RivalsProgress& progress) {
     RivalsOptions complete = options;
     if (complete.contenders.empty()) {
         complete.contenders = defaultContenders(device.info());
@@ -285,7 +290,7 @@ RivalsReport runRivals(const gpu::Device& device, const RivalsOptions& options,
     if (complete.frames < 1) {
         throw base::InputError("rivals: there must be at least one frame");
     }
-    return RivalsRun(device, complete, progress).run();
+    return RivalsRun(device, scenes, complete, progress).run();
 }
 
 } // namespace cdr::experiments

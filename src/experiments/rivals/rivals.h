@@ -5,6 +5,7 @@
 #include <cdr/measure/compare/flips.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/statistics/statistics.h>
+#include <cdr/scene/scene_setup.h>
 
 #include <rivals/contender.h>
 
@@ -25,13 +26,18 @@ struct NamedContender {
     bool isRival() const { return std::holds_alternative<rivals::Rival>(competing); }
 };
 
+/// A scene under the name it was asked for.
+struct NamedScene {
+    std::string name;
+    scene::SceneSetup setup;
+};
+
 /// Rivals beside today's practice: 64-bit depths by atomics, pairs of floats, anchors of objects. All draw ids and distances
 /// of the same lists on one device, so that they differ in the test of depth alone.
 struct RivalsOptions {
-    std::vector<std::string> scenes{"afc", "mixed", "orbit"}; ///< as scenes::openScene() takes them
-    std::vector<double> distancesView{1.0, 1e3, 1e6, 1e8};    ///< of the ladder
-    std::vector<NamedContender> contenders;                   ///< defaultContenders() when empty
-    std::string baseline = "anchored";                        ///< that times are divided by
+    std::vector<double> distancesView{1.0, 1e3, 1e6, 1e8}; ///< of the ladder
+    std::vector<NamedContender> contenders;                ///< defaultContenders() when empty
+    std::string baseline = "anchored";                     ///< that times are divided by
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
     std::uint32_t frames = 24; ///< spread over a scene's path, and times measured of each contender
@@ -97,9 +103,9 @@ struct RivalsReport {
 using RivalsProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
 
 /// Each contender draws each frame once to be compared with the float64 truth, then all are timed in an order shuffled anew
-/// for each frame. base::InputError for an unknown scene, a baseline that takes no part or is a rival, an unusable distance,
+/// for each frame. base::InputError for a baseline that takes no part or is a rival, an unusable distance,
 /// no frames, and a rival that the device cannot draw.
-RivalsReport runRivals(const gpu::Device& device, const RivalsOptions& options,
-                       const RivalsProgress& progress);
+RivalsReport runRivals(const gpu::Device& device, const std::vector<NamedScene>& scenes,
+                       const RivalsOptions& options, const RivalsProgress& progress);
 
 } // namespace cdr::experiments
