@@ -8,6 +8,7 @@
 #include <cdr/shaders/shared.h>
 
 namespace cdr::shaders {
+using ivec2 = glm::ivec2;
 #endif
 
 // One caster: object space to a light's view. Per instance.
@@ -33,6 +34,7 @@ struct CasterPush {
     LightLens lens;
 };
 
+// A map, and how surfaces are compared with it.
 struct ReceiverPush {
     // The light's axes along the camera's right, up and ahead in xyz; in w where on them the point lies that is straight ahead
     // of the camera at referenceView.
@@ -40,6 +42,7 @@ struct ReceiverPush {
     vec4 up;
     vec4 ahead;
     vec2 low;            // of the map, in units of right / w and up / w
+    ivec2 mapCorner;     // of the map's first texel in its image
     float nearView;      // of the surfaces that read this map
     float farView;       // the first that does not
     float referenceView; // view distance
@@ -48,12 +51,15 @@ struct ReceiverPush {
     float mapSnap; // the same of casters, texels
     uint channel;  // of the mask
     uint isPlain;  // whether surfaces are compared as today's practice is
+    ivec2 mapLast; // texel of the map
+    uint unused0;  // as wide as an array of them is laid out
+    uint unused1;
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(CasterRecord) == 52);
 static_assert(sizeof(CasterPush) == 36);
-static_assert(sizeof(ReceiverPush) == 104);
+static_assert(sizeof(ReceiverPush) == 128);
 } // namespace cdr::shaders
 #else
 // Clip z per unit of w that a texel's length towards the light amounts to, at a depth.

@@ -16,7 +16,20 @@ layout(constant_id = 1) const uint kShiny = 0u;
 
 layout(set = 0, binding = 0) uniform sampler2D baseColorTexture;
 layout(set = 1, binding = 0) uniform usampler2D gbuffer; // the final opaque G-buffer
+#ifdef SHADOWED
+layout(push_constant) uniform Push {
+    TranslucentPush push;
+    TranslucentSlice slice;
+};
+layout(set = 1, binding = 2) uniform sampler2D mapDepth;
+layout(set = 1, binding = 3) uniform sampler2D mapSlope;
+float mapDepthAt(ivec2 texel) { return texelFetch(mapDepth, texel, 0).r; }
+vec3 mapSlopeAt(ivec2 texel) { return texelFetch(mapSlope, texel, 0).xyz; }
+#include "shadows/reached.glsl"
+layout(set = 1, binding = 4, std430) readonly buffer Maps { ReceiverPush maps[]; };
+#else
 layout(push_constant) uniform Push { TranslucentPush push; };
+#endif
 
 layout(location = 0) in vec4 inNormalAhead;
 layout(location = 1) in vec4 inColor;
@@ -68,6 +81,21 @@ Surface surfaceHere() {
     return surface;
 }
 
+#ifdef SHADOWED
+// Which of the first lights reach a surface: as receiver.frag, the least of what its maps say.
+vec4 reachedBy(Receiver receiver, vec2 ray) {
+    vec4 reached = vec4(1.0);
+    float distanceView = receiver.anchor.x + receiver.ahead;
+    for (uint i = 0u; i < slice.mapCount; ++i) {
+        ReceiverPush map = maps[slice.firstMap + i];
+        if (isOf(map, distanceView) && !isReached(map, receiver, ray)) {
+            reached[map.channel] = 0.0;
+        }
+    }
+    return reached;
+}
+#endif
+
 vec4 seenColor(Surface surface, float ahead) {
     float distanceView = inCentreRange.x + ahead;
     vec2 ray = rayAt(gl_FragCoord.xy, vec2(textureSize(gbuffer, 0)));
@@ -75,7 +103,13 @@ vec4 seenColor(Surface surface, float ahead) {
     if ((inId & kIdUnlit) == 0u) {
         uint shine = kShiny != 0u ? surface.shine : 0u;
         vec3 normal = normalize(gl_FrontFacing ? surface.front : -surface.front);
-        color = litColor(color, shine, LitPoint(normal, ray, inCentreRange.xy, ahead, surface.openness));
+#ifdef SHADOWED
+        vec4 reached = reachedBy(Receiver(inCentreRange.xy, ahead, normal), ray);
+        LitPoint point = LitPoint(normal, ray, inCentreRange.xy, ahead, surface.openness, reached);
+#else
+        LitPoint point = LitPoint(normal, ray, inCentreRange.xy, ahead, surface.openness);
+#endif
+        color = litColor(color, shine, point);
 #ifdef DETAILED
         color = min(color + surface.emission, kBrightest);
 #endif
@@ -98,6 +132,11 @@ TranslucentFragment translucentFragment() {
     if (!(ahead >= inCentreRange.z && ahead < inCentreRange.w)) {
         discard;
     }
+#ifdef SHADOWED
+    if (!(inCentreRange.x + ahead >= slice.nearView && inCentreRange.x + ahead < slice.farView)) {
+        discard;
+    }
+#endif
     vec2 distanceView = cdrPairSum(cdrPairSum(inCentreRange.xy, ahead), -shift);
     if (isOccluded(distanceView)) {
         discard;

@@ -42,6 +42,14 @@ struct TranslucentPush {
         layerSlope; // render::LayerPlace::rank, times the pixels by which the device rounds two vertices apart
 };
 
+// What follows TranslucentPush where translucent surfaces receive shadows: the fragments that a draw keeps, and their maps.
+struct TranslucentSlice {
+    float nearView; // view distance, included
+    float farView;  // left out
+    uint firstMap;
+    uint mapCount;
+};
+
 // One translucent fragment of a pixel's list.
 struct FragmentNode {
     float red; // lit, linear, straight alpha
@@ -61,6 +69,7 @@ CDR_CONST kNoNode = 0u;
 #ifdef __cplusplus
 static_assert(sizeof(TranslucentRecord) == 80);
 static_assert(sizeof(TranslucentPush) == 36);
+static_assert(sizeof(TranslucentSlice) == 16);
 static_assert(sizeof(FragmentNode) == 32);
 } // namespace cdr::shaders
 #endif

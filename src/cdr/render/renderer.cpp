@@ -111,9 +111,9 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
                .preparedLights = options.prepareFor.lights,
                .preparedShapes = options.prepareFor.shapedLights}),
       resolve(drawsFacets(options) ? std::make_unique<ResolvePass>(device, targets.gbuffer()) : nullptr),
-      translucent(needs.blended ? std::make_unique<TranslucentPass>(device, drawn, targets.gbuffer(),
-                                                                    picture.lit(), options.translucency,
-                                                                    blendedVariants(options.prepareFor))
+      translucent(needs.blended ? std::make_unique<TranslucentPass>(
+                                      device, drawn, targets.gbuffer(), picture.lit(), options.translucency,
+                                      options.shadows, blendedVariants(options.prepareFor))
                                 : nullptr),
       motion(options.motion ? std::make_unique<MotionPass>(device, gbuffer()) : nullptr),
       colorCopy(device, extent, sizeof(image::Rgba8), "color copy"),
@@ -387,7 +387,12 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& deliv
         slot.stats.times.occludersMs = watch.lap("occluders");
     }
     if (slot.translucent) {
-        m_passes->translucent->prepare(*slot.translucent, slot.view, m_workers);
+        m_passes->translucent->prepare(*slot.translucent, slot.view, subPixelBits(m_device, m_options),
+                                       m_workers);
+        if (slot.translucent->shadows) {
+            slot.stats.shadows.maps += slot.translucent->shadows->maps();
+            slot.stats.shadows.casters += slot.translucent->shadows->casters();
+        }
         slot.stats.times.translucentMs = watch.lap("translucent draws");
     }
     launch(slot, delivery);

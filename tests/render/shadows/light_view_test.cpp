@@ -43,7 +43,7 @@ class LightViewTest : public testing::Test {
     std::vector<ReceiverSlice> slices() {
         m_cells.build(m_scene, m_workers);
         visibility::cullCells(m_cells, m_camera, frustum(), m_workers, m_visible);
-        return render::receiverSlices(m_camera, frustum(), m_visible);
+        return render::receiverSlices(m_camera, frustum(), render::seenSpheres(m_camera, m_visible));
     }
     std::vector<LightView> viewsOf(const glm::dvec3& lightFromCamera, const ReceiverSlice& slice) const {
         return render::lightViews(m_camera.position + lightFromCamera, m_camera.position, slice,

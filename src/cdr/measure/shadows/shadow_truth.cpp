@@ -79,6 +79,18 @@ bool ShadowTruthCaster::isBlocked(const Ray& ray, const ViewRange& range) const 
     return isBlocked;
 }
 
+bool ShadowTruthCaster::isFree(const glm::dvec3& camera, const glm::dvec3& point,
+                               const glm::dvec3& way) const {
+    const double shareOfPoint = glm::length(point) / glm::length(way);
+    const ViewRange between{kSamePlace * std::max(shareOfPoint, kSamePlace), 1.0 - kSamePlace};
+    return !isBlocked({camera, point, way}, between);
+}
+
+bool ShadowTruthCaster::reaches(const glm::dvec3& camera, const glm::dvec3& fromCamera,
+                                std::size_t light) const {
+    return isFree(camera, fromCamera, (m_scene->lights.at(light).position - camera) - fromCamera);
+}
+
 ShadowPixel ShadowTruthCaster::pixelAt(const scene::Camera& camera, const glm::dvec2& slope,
                                        const glm::dvec2& step, const glm::dvec3& light) const {
     const auto rayAt = [&](const glm::dvec2& at) {
@@ -107,9 +119,7 @@ ShadowPixel ShadowTruthCaster::pixelAt(const scene::Camera& camera, const glm::d
         pixel.reach = Reach::away;
         return pixel;
     }
-    const double length = glm::length(way);
-    const ViewRange between{kSamePlace * std::max(glm::length(point) / length, kSamePlace), 1.0 - kSamePlace};
-    pixel.reach = isBlocked({camera.position, point, way}, between) ? Reach::shadowed : Reach::reached;
+    pixel.reach = isFree(camera.position, point, way) ? Reach::reached : Reach::shadowed;
     return pixel;
 }
 

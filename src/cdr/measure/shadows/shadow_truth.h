@@ -46,6 +46,10 @@ class ShadowTruthCaster {
     ShadowImage cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
                      std::size_t light, host::WorkerPool& workers) const;
 
+    /// Whether nothing opaque lies between a surface and a light.
+    /// @param fromCamera the surface's point less the camera's position.
+    bool reaches(const glm::dvec3& camera, const glm::dvec3& fromCamera, std::size_t light) const;
+
   private:
     /// An instance, its rays' space included.
     struct Caster {
@@ -67,6 +71,8 @@ class ShadowTruthCaster {
     ObjectRay placed(const Ray& ray, std::uint32_t instance) const;
     Hit nearest(const Ray& ray, const ViewRange& range) const;
     bool isBlocked(const Ray& ray, const ViewRange& range) const;
+    /// @param point less the camera's position. @param way from there to a light.
+    bool isFree(const glm::dvec3& camera, const glm::dvec3& point, const glm::dvec3& way) const;
     ShadowPixel pixelAt(const scene::Camera& camera, const glm::dvec2& slope, const glm::dvec2& step,
                         const glm::dvec3& light) const;
 

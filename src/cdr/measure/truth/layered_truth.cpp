@@ -1,4 +1,5 @@
 #include <cdr/base/error.h>
+#include <cdr/measure/shadows/shadow_truth.h>
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/measure/truth/surface_hit.h>
 #include <cdr/measure/truth/truth_light.h>
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -17,9 +19,10 @@ namespace {
 struct Face {
     std::uint32_t id;
     glm::dvec3 facet;
+    glm::dvec4 reached; ///< LitSurface::reached
 
     bool isSameAs(const Face& other) const {
-        return id == other.id && glm::dot(facet, other.facet) > 1.0 - 1e-9;
+        return id == other.id && reached == other.reached && glm::dot(facet, other.facet) > 1.0 - 1e-9;
     }
 };
 
@@ -33,6 +36,7 @@ struct View {
     std::vector<VisibleInstance> instances;
     PixelSlopes slopes;
     const TruthTextures& textures;
+    const ShadowTruthCaster* shadows; ///< null: lights reach everything
 };
 
 /// All that a pixel's ray meets up to the first opaque surface, nearest first.
@@ -59,20 +63,38 @@ std::vector<SurfaceHit> hitsAt(const View& view, std::uint32_t x, std::uint32_t 
     return hits;
 }
 
-glm::dvec3 colorOf(const View& view, const SurfaceHit& hit, std::uint32_t x, std::uint32_t y) {
+/// LitSurface::reached.
+glm::dvec4 reachedAt(const View& view, const SurfaceHit& hit, const glm::dvec3& fromCamera) {
+    glm::dvec4 reached(1.0);
+    if (view.shadows == nullptr || hit.isUnlit) {
+        return reached;
+    }
+    const std::size_t lights = std::min<std::size_t>(view.scene.lights.size(), 4);
+    for (std::size_t light = 0; light < lights; ++light) {
+        const glm::dvec3 way = (view.scene.lights[light].position - view.camera.position) - fromCamera;
+        // To what faces away the light does nothing, whatever lies between.
+        if (glm::dot(hit.normal, way) > 0.0 &&
+            !view.shadows->reaches(view.camera.position, fromCamera, light)) {
+            reached[static_cast<int>(light)] = 0.0;
+        }
+    }
+    return reached;
+}
+
+glm::dvec3 colorOf(const View& view, const SurfaceHit& hit, const glm::dvec3& fromCamera,
+                   const glm::dvec4& reached) {
     const glm::dvec3 albedo(hit.baseColor);
     if (hit.isUnlit) {
         return albedo;
     }
-    const scene::Camera& camera = view.camera;
-    const glm::dvec3 ray = -camera.back + view.slopes.x[x] * camera.right + view.slopes.y[y] * camera.up;
-    return lightFrom(view.scene, camera,
+    return lightFrom(view.scene, view.camera,
                      {.baseColor = albedo,
                       .shine = hit.shine,
-                      .fromCamera = hit.distanceView * ray,
+                      .fromCamera = fromCamera,
                       .normal = hit.normal,
                       .openness = hit.openness,
-                      .emission = hit.emission});
+                      .emission = hit.emission,
+                      .reached = reached});
 }
 
 /// Pixel (x, y) as `pixel` and what it shows as `sequence`.
@@ -80,12 +102,16 @@ void castPixel(const View& view, std::uint32_t x, std::uint32_t y, LayeredPixel&
     pixel = {};
     sequence.clear();
     double transmittance = 1.0;
+    const scene::Camera& camera = view.camera;
+    const glm::dvec3 ray = -camera.back + view.slopes.x[x] * camera.right + view.slopes.y[y] * camera.up;
     for (const SurfaceHit& hit : hitsAt(view, x, y)) {
         const double alpha = hit.isBlended ? std::clamp(hit.baseColor.a, 0.0, 1.0) : 1.0;
-        pixel.color += transmittance * alpha * colorOf(view, hit, x, y);
+        const glm::dvec3 fromCamera = hit.distanceView * ray;
+        const glm::dvec4 reached = reachedAt(view, hit, fromCamera);
+        pixel.color += transmittance * alpha * colorOf(view, hit, fromCamera, reached);
         transmittance *= 1.0 - alpha;
         pixel.fragments += hit.isBlended ? 1 : 0;
-        sequence.push_back({hit.id, hit.facet});
+        sequence.push_back({hit.id, hit.facet, reached});
     }
     pixel.color += transmittance * glm::dvec3(view.scene.background);
 }
@@ -131,27 +157,44 @@ void castBand(const View& view, const host::IndexRange& band, LayeredTruth& trut
     }
 }
 
-} // namespace
+enum class Lights : std::uint8_t { reachAll, castShadows };
 
-LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
-                        std::uint32_t height, host::WorkerPool& workers) {
+LayeredTruth castView(const scene::Scene& scene, const scene::Camera& camera, const glm::uvec2& size,
+                      Lights lights, host::WorkerPool& workers) {
     scene::requireUsable(camera);
-    if (width == 0 || height == 0) {
+    if (size.x == 0 || size.y == 0) {
         throw base::InputError("truth: a picture needs at least one pixel");
     }
     std::vector<Shape> shapes(scene.meshes.begin(), scene.meshes.end());
     const TruthTextures textures(scene);
+    std::optional<ShadowTruthCaster> shadows;
+    if (lights == Lights::castShadows) {
+        shadows.emplace(scene, shapes);
+    }
     const View view{.scene = scene,
                     .camera = camera,
-                    .instances = visibleInstances(scene, shapes, camera, width, height, workers),
-                    .slopes = pixelSlopes(camera, width, height),
-                    .textures = textures};
-    LayeredTruth truth(width, height);
-    const std::size_t bands = (std::size_t{height} + kBandRows - 1) / kBandRows;
+                    .instances = visibleInstances(scene, shapes, camera, size.x, size.y, workers),
+                    .slopes = pixelSlopes(camera, size.x, size.y),
+                    .textures = textures,
+                    .shadows = shadows ? &*shadows : nullptr};
+    LayeredTruth truth(size.x, size.y);
+    const std::size_t bands = (std::size_t{size.y} + kBandRows - 1) / kBandRows;
     workers.run(bands, [&](std::size_t band, std::size_t) {
-        castBand(view, host::evenRange(height, band, bands), truth);
+        castBand(view, host::evenRange(size.y, band, bands), truth);
     });
     return truth;
+}
+
+} // namespace
+
+LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
+                        std::uint32_t height, host::WorkerPool& workers) {
+    return castView(scene, camera, {width, height}, Lights::reachAll, workers);
+}
+
+LayeredTruth castShadowedLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
+                                std::uint32_t height, host::WorkerPool& workers) {
+    return castView(scene, camera, {width, height}, Lights::castShadows, workers);
 }
 
 image::ImageRgba8 pictureOf(const LayeredTruth& truth, const TruthFinish& finish) {

@@ -31,6 +31,11 @@ using LayeredTruth = image::Raster<LayeredPixel>;
 LayeredTruth castLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
                         std::uint32_t height, host::WorkerPool& workers);
 
+/// The same where the first four lights cast shadows: from each surface, translucent ones too, a float64 ray to each of
+/// them. Opaque surfaces alone stop it. A pixel on a shadow's edge is no inner one.
+LayeredTruth castShadowedLayers(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,
+                                std::uint32_t height, host::WorkerPool& workers);
+
 /// The truth as 8-bit sRGB.
 image::ImageRgba8 pictureOf(const LayeredTruth& truth, const TruthFinish& finish = {});
 

@@ -105,16 +105,18 @@ double shapeShare(const scene::PointLight& lamp, const glm::dvec3& toLight, doub
 
 /// Point lights, of each the share that `shareOf` gives for the way to it and its length.
 template <typename ShareOf>
-glm::dvec3 sumLights(const scene::Scene& scene, const scene::Camera& camera, const glm::dvec3& fromCamera,
+glm::dvec3 sumLights(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface,
                      const ShareOf& shareOf) {
     glm::dvec3 light(0.0);
-    for (const scene::PointLight& lamp : scene.lights) {
-        const glm::dvec3 toLight = (lamp.position - camera.position) - fromCamera;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const scene::PointLight& lamp = scene.lights[i];
+        const double reached = i < 4 ? surface.reached[static_cast<int>(i)] : 1.0;
+        const glm::dvec3 toLight = (lamp.position - camera.position) - surface.fromCamera;
         const double squared = glm::dot(toLight, toLight);
         const double half2 = lamp.halfDistance * lamp.halfDistance;
         const double distance = std::sqrt(std::max(squared, 1e-30));
-        light += glm::dvec3(lamp.color) * (shapeShare(lamp, toLight, distance) * shareOf(toLight, distance) *
-                                           half2 / (half2 + squared));
+        light += glm::dvec3(lamp.color) * (reached * shapeShare(lamp, toLight, distance) *
+                                           shareOf(toLight, distance) * half2 / (half2 + squared));
     }
     return light;
 }
@@ -122,7 +124,7 @@ glm::dvec3 sumLights(const scene::Scene& scene, const scene::Camera& camera, con
 glm::dvec3 lightOnMatt(const scene::Scene& scene, const scene::Camera& camera, const LitSurface& surface) {
     const glm::dvec3 around = scene.sky ? skyOnMatt(*scene.sky, surface.normal) : glm::dvec3(scene.ambient);
     const glm::dvec3 lamps =
-        sumLights(scene, camera, surface.fromCamera, [&](const glm::dvec3& toLight, double distance) {
+        sumLights(scene, camera, surface, [&](const glm::dvec3& toLight, double distance) {
             return std::max(glm::dot(surface.normal, toLight) / distance, 0.0);
         });
     return surface.baseColor * (surface.openness * around + lamps);
@@ -136,7 +138,7 @@ glm::dvec3 lightOnShiny(const scene::Scene& scene, const scene::Camera& camera, 
     const glm::dvec3 around =
         scene.sky ? skyOnShiny(*scene.sky, point) : glm::dvec3(scene.ambient) * ambientShare(point);
     const glm::dvec3 lamps =
-        sumLights(scene, camera, surface.fromCamera, [&](const glm::dvec3& toLight, double distance) {
+        sumLights(scene, camera, surface, [&](const glm::dvec3& toLight, double distance) {
             return pointShare(point, toLight / distance);
         });
     return glm::min(surface.openness * around + lamps, kBrightest);

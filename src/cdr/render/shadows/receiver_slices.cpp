@@ -60,31 +60,11 @@ void placeReceivers(const scene::Camera& camera, ReceiverSlice& slice) {
     slice.reach = 0.5 * glm::distance(low, high);
 }
 
-struct SeenSphere {
-    glm::dvec3 centre; ///< world axes, relative to the camera
-    double radius = 0.0;
-    double distanceView = 0.0; ///< of the centre
-};
-
-template <typename Take>
-void forSpheres(const scene::Camera& camera, const visibility::VisibleCells& visible, const Take& take) {
-    for (const visibility::VisibleCells::Part& part : visible.parts) {
-        const visibility::Spheres spheres = visible.cells->spheres(part.cell);
-        for (std::uint64_t slots = part.slots; slots != 0; slots &= slots - 1) {
-            const auto slot = static_cast<std::size_t>(std::countr_zero(slots));
-            const glm::dvec3 centre =
-                glm::dvec3(spheres.x[slot], spheres.y[slot], spheres.z[slot]) - camera.position;
-            take(SeenSphere{centre, static_cast<double>(spheres.radius[slot]),
-                            -glm::dot(camera.back, centre)});
-        }
-    }
-}
-
 /// The slices between neighbouring ends in which something is seen.
 std::vector<ReceiverSlice> cutAt(const std::vector<double>& ends, const scene::Camera& camera,
-                                 const scene::Frustum& frustum, const visibility::VisibleCells& visible) {
+                                 const scene::Frustum& frustum, std::span<const SeenSphere> seen) {
     std::vector<std::optional<Box>> boxes(ends.size() - 1);
-    forSpheres(camera, visible, [&](const SeenSphere& sphere) {
+    for (const SeenSphere& sphere : seen) {
         // From the slice that holds the sphere's near end to the one that holds its far end.
         const auto begin =
             std::upper_bound(ends.begin() + 1, ends.end(), sphere.distanceView - sphere.radius);
@@ -95,7 +75,7 @@ std::vector<ReceiverSlice> cutAt(const std::vector<double>& ends, const scene::C
                 break;
             }
         }
-    });
+    }
     std::vector<ReceiverSlice> slices;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (boxes[i]) {
@@ -113,23 +93,38 @@ std::vector<ReceiverSlice> cutAt(const std::vector<double>& ends, const scene::C
 
 } // namespace
 
+std::vector<SeenSphere> seenSpheres(const scene::Camera& camera, const visibility::VisibleCells& visible) {
+    std::vector<SeenSphere> seen;
+    for (const visibility::VisibleCells::Part& part : visible.parts) {
+        const visibility::Spheres spheres = visible.cells->spheres(part.cell);
+        for (std::uint64_t slots = part.slots; slots != 0; slots &= slots - 1) {
+            const auto slot = static_cast<std::size_t>(std::countr_zero(slots));
+            const glm::dvec3 centre =
+                glm::dvec3(spheres.x[slot], spheres.y[slot], spheres.z[slot]) - camera.position;
+            seen.push_back(
+                {centre, static_cast<double>(spheres.radius[slot]), -glm::dot(camera.back, centre)});
+        }
+    }
+    return seen;
+}
+
 std::vector<ReceiverSlice> receiverSlices(const scene::Camera& camera, const scene::Frustum& frustum,
-                                          const visibility::VisibleCells& visible) {
+                                          std::span<const SeenSphere> seen) {
     std::vector<double> ends{std::exp2(std::floor(std::log2(camera.nearView)))};
     while (ends.back() < camera.farView) {
         ends.push_back(ends.back() * kSliceRatio);
     }
-    return cutAt(ends, camera, frustum, visible);
+    return cutAt(ends, camera, frustum, seen);
 }
 
 std::vector<ReceiverSlice> practicalSlices(const scene::Camera& camera, const scene::Frustum& frustum,
-                                           const visibility::VisibleCells& visible) {
+                                           std::span<const SeenSphere> seen) {
     double nearView = camera.farView;
     double farView = camera.nearView;
-    forSpheres(camera, visible, [&](const SeenSphere& sphere) {
+    for (const SeenSphere& sphere : seen) {
         nearView = std::min(nearView, std::max(sphere.distanceView - sphere.radius, camera.nearView));
         farView = std::max(farView, std::min(sphere.distanceView + sphere.radius, camera.farView));
-    });
+    }
     if (!(nearView < farView)) {
         return {};
     }
@@ -141,7 +136,7 @@ std::vector<ReceiverSlice> practicalSlices(const scene::Camera& camera, const sc
                                 nearView * std::pow(farView / nearView, share), kShareOfLogarithm));
     }
     ends.back() = std::nextafter(static_cast<float>(farView), std::numeric_limits<float>::infinity());
-    std::vector<ReceiverSlice> slices = cutAt(ends, camera, frustum, visible);
+    std::vector<ReceiverSlice> slices = cutAt(ends, camera, frustum, seen);
     for (ReceiverSlice& slice : slices) {
         slice.boxes = slice.view;
         placeReceivers(camera, slice);

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace cdr::render {
@@ -23,14 +24,24 @@ struct ReceiverSlice {
 /// By how much a slice's far end is farther than its near one: then a texel that suits one suits the other.
 inline constexpr double kSliceRatio = 2.0;
 
+/// What is seen, as a sphere around it.
+struct SeenSphere {
+    glm::dvec3 centre{0.0}; ///< world axes, relative to the camera
+    double radius = 0.0;
+    double distanceView = 0.0; ///< of the centre
+};
+
+/// Those of visible instances.
+std::vector<SeenSphere> seenSpheres(const scene::Camera& camera, const visibility::VisibleCells& visible);
+
 /// The slices in which something is seen, nearest first. Their ends are powers of kSliceRatio, whatever is seen: a surface
 /// that keeps its distance keeps its slice.
 std::vector<ReceiverSlice> receiverSlices(const scene::Camera& camera, const scene::Frustum& frustum,
-                                          const visibility::VisibleCells& visible);
+                                          std::span<const SeenSphere> seen);
 
 /// Four slices from the nearest to the farthest that is seen, halfway between even and even in ratio (Zhang and others 2006),
 /// of the whole frustum: today's practice, for comparison.
 std::vector<ReceiverSlice> practicalSlices(const scene::Camera& camera, const scene::Frustum& frustum,
-                                           const visibility::VisibleCells& visible);
+                                           std::span<const SeenSphere> seen);
 inline constexpr int kPracticalSlices = 4;
 } // namespace cdr::render

@@ -5,6 +5,7 @@
 #include <cdr/shaders/caster_frag.h>
 #include <cdr/shaders/caster_vert.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace cdr::render {
@@ -47,6 +48,18 @@ shaders::CasterPush pushOf(const LightView& view) {
     const glm::dvec2 size(view.size.width, view.size.height);
     const glm::dvec2 scale = 2.0 / (view.texel * size);
     return {.scale = scale, .shift = -view.low * scale - 1.0, .lens = view.lens()};
+}
+
+/// Of the part of the map that is drawn.
+vk::Extent2D extentOf(std::span<const ShadowMapPart> parts) {
+    vk::Extent2D extent;
+    for (const ShadowMapPart& part : parts) {
+        extent.width =
+            std::max(extent.width, static_cast<std::uint32_t>(part.corner.x) + part.view.size.width);
+        extent.height =
+            std::max(extent.height, static_cast<std::uint32_t>(part.corner.y) + part.view.size.height);
+    }
+    return extent;
 }
 
 /// From shaders that read both images to attachments, or back.
@@ -98,8 +111,8 @@ ShadowMap::ShadowMap(const gpu::Device& device, std::uint32_t side)
                                              .depthFormat = kDepthFormat,
                                              .depthCompare = vk::CompareOp::eGreaterOrEqual})) {}
 
-void ShadowMap::record(vk::CommandBuffer primary, const LightView& view, const CasterDraws& draws,
-                       std::size_t index) const {
+void ShadowMap::record(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,
+                       const CasterDraws& draws) const {
     handOver(primary, m_depth, m_slope, false);
     const vk::RenderingAttachmentInfo slope{.imageView = m_slope.view(),
                                             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
@@ -110,20 +123,23 @@ void ShadowMap::record(vk::CommandBuffer primary, const LightView& view, const C
                                             .loadOp = vk::AttachmentLoadOp::eClear,
                                             .storeOp = vk::AttachmentStoreOp::eStore,
                                             .clearValue = vk::ClearDepthStencilValue{.depth = 0.0f}};
-    const vk::Rect2D area{{0, 0}, view.size};
-    primary.beginRendering({.renderArea = area,
+    primary.beginRendering({.renderArea = {{0, 0}, extentOf(parts)},
                             .layerCount = 1,
                             .colorAttachmentCount = 1,
                             .pColorAttachments = &slope,
                             .pDepthAttachment = &depth});
     primary.bindPipeline(vk::PipelineBindPoint::eGraphics, *m_pipeline);
-    primary.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(view.size.width),
-                                        static_cast<float>(view.size.height), 0.0f, 1.0f});
-    primary.setScissor(0, area);
     primary.setCullMode(vk::CullModeFlagBits::eNone);
     primary.setFrontFace(vk::FrontFace::eCounterClockwise);
-    primary.pushConstants<shaders::CasterPush>(*m_layout, kPushStages, 0, pushOf(view));
-    draws.record(primary, index);
+    for (const ShadowMapPart& part : parts) {
+        const vk::Extent2D size = part.view.size;
+        primary.setViewport(0, vk::Viewport{static_cast<float>(part.corner.x),
+                                            static_cast<float>(part.corner.y), static_cast<float>(size.width),
+                                            static_cast<float>(size.height), 0.0f, 1.0f});
+        primary.setScissor(0, vk::Rect2D{part.corner, size});
+        primary.pushConstants<shaders::CasterPush>(*m_layout, kPushStages, 0, pushOf(part.view));
+        draws.record(primary, part.index);
+    }
     primary.endRendering();
     handOver(primary, m_depth, m_slope, true);
 }

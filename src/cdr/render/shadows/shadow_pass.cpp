@@ -1,4 +1,5 @@
 #include <cdr/gpu/commands.h>
+#include <cdr/render/shadows/receiver_push.h>
 #include <cdr/render/shadows/receiver_slices.h>
 #include <cdr/render/shadows/shadow_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
@@ -7,8 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 namespace cdr::render {
 
@@ -34,36 +33,6 @@ FullscreenPassOptions receiverOptions(bool facets) {
             .format = kMaskFormat,
             .pushBytes = sizeof(shaders::ReceiverPush),
             .blend = gpu::Blend::least};
-}
-
-/// Of a distance, which may be beyond the range of floats.
-float toFloat(double distance) {
-    return static_cast<float>(std::min(distance, static_cast<double>(std::numeric_limits<float>::max())));
-}
-
-/// Of a view of the light that has this channel of the mask.
-/// @param isPlain whether places are taken from the camera.
-shaders::ReceiverPush pushOf(const LightView& view, const FrameView& frame, bool isPlain, std::size_t light) {
-    const scene::Camera& camera = frame.camera;
-    const float referenceView = isPlain ? 0.0f : toFloat(camera.viewDistance(view.origin));
-    const glm::dvec3 place =
-        view.toLight((camera.position - view.origin) - camera.back * static_cast<double>(referenceView));
-    const auto row = [&](const glm::dvec3& axis, double offset) {
-        return glm::vec4(glm::dot(axis, camera.right), glm::dot(axis, camera.up),
-                         -glm::dot(axis, camera.back), offset);
-    };
-    return {.right = row(view.right, place.x),
-            .up = row(view.up, place.y),
-            .ahead = row(view.ahead, place.z),
-            .low = view.low,
-            .nearView = toFloat(view.nearView),
-            .farView = toFloat(view.farView),
-            .referenceView = referenceView,
-            .lens = view.lens(),
-            .snap = 0.0f,
-            .mapSnap = 0.0f,
-            .channel = static_cast<std::uint32_t>(light),
-            .isPlain = isPlain ? 1u : 0u};
 }
 
 } // namespace
@@ -94,29 +63,28 @@ ShadowPass::Slot ShadowPass::makeSlot(const ShadingInputs& shading) const {
 
 void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::VisibleCells& visible,
                          std::uint32_t subPixelBits, host::WorkerPool& workers) const {
-    slot.views.clear();
-    slot.pushes.clear();
     const bool isPlain = m_options.method == ShadowMethod::plain;
-    const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, visible)
-                                                      : receiverSlices(view.camera, view.frustum, visible);
-    const std::vector<scene::PointLight>& lights = m_scene.scene.lights;
+    const std::vector<SeenSphere> spheres = seenSpheres(view.camera, visible);
+    const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, spheres)
+                                                      : receiverSlices(view.camera, view.frustum, spheres);
+    slot.views.clear();
     std::vector<std::size_t> lightOf;
-    for (std::size_t light = 0; light < std::min(lights.size(), kMostShadowLights); ++light) {
+    const std::size_t lights = std::min(m_scene.scene.lights.size(), kMostShadowLights);
+    for (std::size_t light = 0; light < lights; ++light) {
         for (const ReceiverSlice& slice : slices) {
             const std::vector<LightView> views =
-                lightViews(lights[light].position, view.camera.position, slice, view.frustum.footprintSlope,
-                           m_options.mostTexels);
+                lightViews(m_scene.scene.lights[light].position, view.camera.position, slice,
+                           view.frustum.footprintSlope, m_options.mostTexels);
             slot.views.insert(slot.views.end(), views.begin(), views.end());
             lightOf.resize(slot.views.size(), light);
         }
     }
     slot.casters.prepare(slot.views, workers);
+    slot.pushes.clear();
     for (std::size_t i = 0; i < slot.views.size(); ++i) {
-        shaders::ReceiverPush& push =
-            slot.pushes.emplace_back(pushOf(slot.views[i], view, isPlain, lightOf[i]));
-        const double halfStep = std::exp2(-1.0 - subPixelBits); // pixels, and texels
-        push.snap = static_cast<float>(view.frustum.footprintSlope * halfStep);
-        push.mapSnap = static_cast<float>(halfStep);
+        shaders::ReceiverPush& push = slot.pushes.emplace_back(receiverPush(
+            slot.views[i], view, {.light = lightOf[i], .isPlain = isPlain, .subPixelBits = subPixelBits}));
+        push.mapLast = shaders::ivec2(static_cast<std::int32_t>(m_map.side()) - 1);
     }
 }
 
@@ -125,7 +93,8 @@ void ShadowPass::record(vk::CommandBuffer primary, const Slot& slot) const {
     gpu::pipelineBarrier(primary, {attachBarrier(m_mask)});
     const vk::ClearValue reached{vk::ClearColorValue{std::array{1.0f, 1.0f, 1.0f, 1.0f}}};
     for (std::size_t i = 0; i < slot.views.size(); ++i) {
-        m_map.record(primary, slot.views[i], slot.casters, i);
+        const ShadowMapPart whole{.view = slot.views[i], .index = i};
+        m_map.record(primary, {&whole, 1}, slot.casters);
         const FullscreenPass::Draw draw{.set = slot.inputs.set(),
                                         .push = std::as_bytes(std::span(&slot.pushes[i], 1))};
         if (i > 0) {

@@ -32,7 +32,7 @@ CDR_EXPORT std::string_view nameOf(ShadowMethod method);
 /// @throws base::InputError with a suggestion for an unknown name.
 CDR_EXPORT ShadowMethod parseShadowMethod(std::string_view name);
 
-/// Shadows of opaque surfaces, in full detail, on opaque surfaces.
+/// Shadows of opaque surfaces, in full detail, on opaque and on translucent surfaces.
 struct Shadows {
     ShadowMethod method = ShadowMethod::none; ///< how they are cast
     std::uint32_t mostTexels = 2048;          ///< of a side of a map, kLeastShadowTexels to kMostShadowTexels

@@ -7,6 +7,10 @@
 #include <cdr/shaders/translucent_sorted_detailed_frag.h>
 #include <cdr/shaders/translucent_sorted_frag.h>
 #include <cdr/shaders/translucent_sorted_resolve_frag.h>
+#include <cdr/shaders/translucent_sorted_shadowed_counted_detailed_frag.h>
+#include <cdr/shaders/translucent_sorted_shadowed_counted_frag.h>
+#include <cdr/shaders/translucent_sorted_shadowed_detailed_frag.h>
+#include <cdr/shaders/translucent_sorted_shadowed_frag.h>
 
 #include <vector>
 
@@ -20,15 +24,24 @@ using Access = vk::AccessFlagBits2;
 TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, const gpu::SetLayout& list,
                                         const BlendOptions& blend) {
     TranslucentPipelinesOptions options{.name = "translucent, sorted",
-                                        .fragmentSpirv = kTranslucentSortedFrag,
-                                        .detailedSpirv = kTranslucentSortedDetailedFrag,
+                                        .receivesShadows = blend.receivesShadows,
+                                        .fragmentSpirv = {},
+                                        .detailedSpirv = {},
                                         .sets = {surroundings, list},
                                         .colorFormats = {},
                                         .variants = blend.variants};
+    const auto choose = [&](gpu::Spirv lit, gpu::Spirv shadowed) {
+        return blend.receivesShadows ? shadowed : lit;
+    };
     if (blend.countsFragments) {
-        options.fragmentSpirv = kTranslucentSortedCountedFrag;
-        options.detailedSpirv = kTranslucentSortedCountedDetailedFrag;
+        options.fragmentSpirv = choose(kTranslucentSortedCountedFrag, kTranslucentSortedShadowedCountedFrag);
+        options.detailedSpirv =
+            choose(kTranslucentSortedCountedDetailedFrag, kTranslucentSortedShadowedCountedDetailedFrag);
         options.colorFormats.push_back(FragmentCounter::kFormat);
+    } else {
+        options.fragmentSpirv = choose(kTranslucentSortedFrag, kTranslucentSortedShadowedFrag);
+        options.detailedSpirv =
+            choose(kTranslucentSortedDetailedFrag, kTranslucentSortedShadowedDetailedFrag);
     }
     return options;
 }
@@ -51,7 +64,15 @@ void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fram
                          const FragmentList& list) const {
     m_device.beginLabel(primary, "translucent, sorted");
     list.recordClear(primary);
-    recordDraws(primary, frame, list);
+    if (frame.shadows == nullptr) {
+        recordDraws(primary, frame, list, nullptr);
+    } else {
+        for (const shaders::TranslucentSlice& slice : frame.shadows->slices()) {
+            frame.shadows->recordMaps(primary, slice);
+            recordDraws(primary, frame, list, &slice);
+            recordNext(primary, frame);
+        }
+    }
     gpu::pipelineBarrier(
         primary, {chainBarrier(frame.lit)},
         {{.srcStageMask = Stage::eFragmentShader,
@@ -64,8 +85,21 @@ void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fram
     m_device.endLabel(primary);
 }
 
+void SortedBlend::recordNext(vk::CommandBuffer primary, const TranslucentFrame& frame) {
+    std::vector<vk::ImageMemoryBarrier2> images;
+    if (frame.counter != nullptr) {
+        images.push_back(frame.counter->nextScope());
+    }
+    constexpr auto kLists = Access::eShaderStorageRead | Access::eShaderStorageWrite;
+    gpu::pipelineBarrier(primary, images,
+                         {{.srcStageMask = Stage::eFragmentShader,
+                           .srcAccessMask = kLists,
+                           .dstStageMask = Stage::eFragmentShader,
+                           .dstAccessMask = kLists}});
+}
+
 void SortedBlend::recordDraws(vk::CommandBuffer primary, const TranslucentFrame& frame,
-                              const FragmentList& list) const {
+                              const FragmentList& list, const shaders::TranslucentSlice* slice) const {
     std::vector<vk::RenderingAttachmentInfo> attachments;
     if (frame.counter != nullptr) {
         attachments.push_back(frame.counter->attachment());
@@ -78,8 +112,9 @@ void SortedBlend::recordDraws(vk::CommandBuffer primary, const TranslucentFrame&
     primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 1,
                                {frame.surroundings, list.set()}, {});
     for (std::size_t range = 0; range < frame.draws.ranges(); ++range) {
-        if (!frame.draws.isEmpty(range)) {
-            frame.draws.record(primary, range, m_pipelines, extent, list.capacity());
+        const bool isMet = slice == nullptr || frame.draws.meets(range, *slice);
+        if (isMet && !frame.draws.isEmpty(range)) {
+            frame.draws.record(primary, range, m_pipelines, extent, list.capacity(), slice);
         }
     }
     primary.endRendering();

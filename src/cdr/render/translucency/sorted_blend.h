@@ -25,8 +25,11 @@ class SortedBlend {
     void record(vk::CommandBuffer primary, const TranslucentFrame& frame, const FragmentList& list) const;
 
   private:
-    void recordDraws(vk::CommandBuffer primary, const TranslucentFrame& frame,
-                     const FragmentList& list) const;
+    /// @param slice draws that alone; null: all.
+    void recordDraws(vk::CommandBuffer primary, const TranslucentFrame& frame, const FragmentList& list,
+                     const shaders::TranslucentSlice* slice) const;
+    /// Lets a further slice follow one that was drawn.
+    static void recordNext(vk::CommandBuffer primary, const TranslucentFrame& frame);
 
     const gpu::Device& m_device;
     FullscreenPass m_resolve; ///< its set is the list, which the pipelines fill

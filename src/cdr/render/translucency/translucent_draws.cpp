@@ -50,6 +50,13 @@ class Binder {
     LayerPlace m_layer; ///< as pushOf() has it
 };
 
+/// Whether distances and a slice may have some in common: those of fragments are floats, and may be rounded across an end.
+bool haveCommon(const depth::Interval& distances, const shaders::TranslucentSlice& slice) {
+    constexpr double kRounding = 1e-6;
+    return distances.farView * (1.0 + kRounding) >= static_cast<double>(slice.nearView) &&
+           distances.nearView * (1.0 - kRounding) <= static_cast<double>(slice.farView);
+}
+
 } // namespace
 
 depth::Cascades translucentRanges(const FrameView& view) {
@@ -79,6 +86,14 @@ void TranslucentDraws::prepare(const FrameView& view, host::WorkerPool& workers)
     writeRecords(view.camera);
 }
 
+bool TranslucentDraws::meets(std::size_t range, const shaders::TranslucentSlice& slice) const {
+    return haveCommon({m_ranges[range].nearView, m_ranges[range].farView}, slice);
+}
+
+bool TranslucentDraws::isIn(std::size_t draw, const shaders::TranslucentSlice* slice) const {
+    return slice == nullptr || haveCommon(m_extents[draw], *slice);
+}
+
 void TranslucentDraws::growRecords() {
     const std::size_t draws = m_lists.draws();
     if (m_records.size() > 0 && draws <= m_records.size() / sizeof(shaders::TranslucentRecord)) {
@@ -95,6 +110,7 @@ void TranslucentDraws::growRecords() {
 void TranslucentDraws::writeRecords(const scene::Camera& camera) {
     const auto records = m_records.as<shaders::TranslucentRecord>(m_lists.draws());
     DrawRecordMaker maker(camera, 0.0);
+    m_extents.resize(m_lists.draws());
     for (std::size_t range = 0; range < m_ranges.size(); ++range) {
         const host::IndexRange draws = m_lists.range(range);
         for (std::size_t i = draws.begin; i < draws.end; ++i) {
@@ -102,6 +118,8 @@ void TranslucentDraws::writeRecords(const scene::Camera& camera) {
             const shaders::DrawRecord record =
                 maker.make(source, m_scene.uploaded.materials()[source.material]);
             const double centre = camera.viewDistance(source.position);
+            const auto radius = static_cast<double>(m_scene.scene.instances.radius[m_lists.instance[i]]);
+            m_extents[i] = {centre - radius, centre + radius};
             records[i] = {.right = record.right,
                           .up = record.up,
                           .ahead = record.ahead,
@@ -133,7 +151,7 @@ shaders::TranslucentPush TranslucentDraws::pushOf(std::size_t range, vk::Extent2
 
 void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,
                               const TranslucentPipelines& pipelines, vk::Extent2D extent,
-                              std::uint32_t capacity) const {
+                              std::uint32_t capacity, const shaders::TranslucentSlice* slice) const {
     commands.setViewport(0, vk::Viewport{0.0f, 0.0f, static_cast<float>(extent.width),
                                          static_cast<float>(extent.height), 0.0f, 1.0f});
     commands.setScissor(0, vk::Rect2D{{0, 0}, extent});
@@ -145,12 +163,20 @@ void TranslucentDraws::record(vk::CommandBuffer commands, std::size_t range,
     commands.bindIndexBuffer(scene.indices(), 0, vk::IndexType::eUint32);
     commands.pushConstants<shaders::TranslucentPush>(pipelines.layout(), TranslucentPipelines::kStages, 0,
                                                      pushOf(range, extent, capacity));
+    if (slice != nullptr) {
+        commands.pushConstants<shaders::TranslucentSlice>(pipelines.layout(), TranslucentPipelines::kStages,
+                                                          sizeof(shaders::TranslucentPush), *slice);
+    }
     Binder binder(pipelines, commands, layerSlope(m_device.info().subPixelBits));
     const auto kindOf = [&](std::size_t draw) { return scene.sources()[m_lists.instance[draw]].kind; };
     const host::IndexRange draws = m_lists.range(range);
     for (std::size_t first = draws.begin; first < draws.end;) {
         std::size_t end = first + 1;
-        while (end < draws.end && kindOf(end) == kindOf(first)) {
+        if (!isIn(first, slice)) {
+            first = end;
+            continue;
+        }
+        while (end < draws.end && kindOf(end) == kindOf(first) && isIn(end, slice)) {
             ++end;
         }
         const DrawKind& kind = scene.kinds()[kindOf(first)];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cdr/depth/occupancy.h>
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/drawn_scene.h>
@@ -33,13 +34,19 @@ class TranslucentDraws {
     std::size_t ranges() const { return m_ranges.size(); }
     bool isEmpty(std::size_t range) const { return m_lists.range(range).size() == 0; }
     std::size_t draws() const { return m_lists.draws(); }
+    /// Whether a range and a slice of shadows have distances in common.
+    bool meets(std::size_t range, const shaders::TranslucentSlice& slice) const;
+    /// What prepare() found in view.
+    const visibility::VisibleList& visible() const { return m_visible; }
 
     /// Draws one range. `commands` is inside a rendering scope, with the pipelines' sets from 1 on bound.
     /// @param capacity of the fragment list, if the pipelines fill one.
+    /// @param slice of shadows, if the pipelines receive them; else null.
     void record(vk::CommandBuffer commands, std::size_t range, const TranslucentPipelines& pipelines,
-                vk::Extent2D extent, std::uint32_t capacity) const;
+                vk::Extent2D extent, std::uint32_t capacity, const shaders::TranslucentSlice* slice) const;
 
   private:
+    bool isIn(std::size_t draw, const shaders::TranslucentSlice* slice) const;
     void growRecords();
     void writeRecords(const scene::Camera& camera);
     shaders::TranslucentPush pushOf(std::size_t range, vk::Extent2D extent, std::uint32_t capacity) const;
@@ -52,6 +59,7 @@ class TranslucentDraws {
     scene::Frustum m_frustum;
     double m_nearView = 0.0; ///< the camera's
     gpu::Buffer m_records;
+    std::vector<depth::Interval> m_extents; ///< view distances of each draw's instance
 };
 
 } // namespace cdr::render

@@ -7,6 +7,14 @@ namespace {
 
 constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
 
+constexpr auto kBuffer = vk::DescriptorType::eStorageBuffer;
+constexpr std::uint32_t kShadowBinding = 2; ///< the first of TranslucentShadows::bind()
+
+std::vector<vk::DescriptorType> surroundingBindings(const Shadows& shadows) {
+    return shadows.isOn() ? std::vector{kImage, kBuffer, kImage, kImage, kBuffer}
+                          : std::vector{kImage, kBuffer};
+}
+
 /// The extent, once the memory for the images is known to be there.
 vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent, bool countsFragments) {
     constexpr std::uint64_t kCountBytes = 2;
@@ -26,47 +34,57 @@ std::optional<ListRefusal> refusalOf(const gpu::Device& device, vk::Extent2D ext
 
 TranslucentPass::TranslucentPass(const gpu::Device& device, const DrawnScene& scene,
                                  const gpu::Image& gbuffer, const gpu::Image& lit,
-                                 const TranslucencyOptions& options,
+                                 const TranslucencyOptions& options, const Shadows& shadows,
                                  const std::vector<std::uint32_t>& variants)
     : m_device(device),
       m_scene(scene),
       m_gbuffer(gbuffer),
       m_lit(lit),
       m_options(options),
+      m_shadows(shadows),
       m_sampler(vk::Device(device.handle()).createSamplerUnique({})),
-      m_surroundingsLayout(gpu::makeSetLayout(
-          device, {{kImage, vk::DescriptorType::eStorageBuffer}, vk::ShaderStageFlagBits::eFragment},
-          "translucent surroundings")),
+      m_surroundingsLayout(
+          gpu::makeSetLayout(device, {surroundingBindings(shadows), vk::ShaderStageFlagBits::eFragment},
+                             "translucent surroundings")),
       m_weighted(device, scene.uploaded, m_surroundingsLayout,
                  checkedExtent(device, m_lit.options().extent, options.countsFragments),
-                 {options.countsFragments, variants}),
+                 {options.countsFragments, shadows.isOn(), variants}),
       m_refusal(refusalOf(device, m_lit.options().extent, options)),
       m_counter(options.countsFragments ? std::make_unique<FragmentCounter>(device, m_lit.options().extent)
                                         : nullptr) {
     if (options.method == Translucency::sorted && !m_refusal) {
-        m_sorted = std::make_unique<SortedBlend>(device, scene.uploaded, m_surroundingsLayout,
-                                                 BlendOptions{options.countsFragments, variants});
+        m_sorted =
+            std::make_unique<SortedBlend>(device, scene.uploaded, m_surroundingsLayout,
+                                          BlendOptions{options.countsFragments, shadows.isOn(), variants});
     }
 }
 
 TranslucentPass::Slot TranslucentPass::makeSlot(const ShadingInputs& shading) const {
     Slot slot{.draws = TranslucentDraws(m_device, m_scene),
-              .pool = gpu::makeDescriptorPool(m_device, 1, 1, {kImage, vk::DescriptorType::eStorageBuffer}),
+              .pool = gpu::makeDescriptorPool(m_device, 1, 1, surroundingBindings(m_shadows)),
               .surroundings = {},
+              .shadows = {},
               .list = {},
               .refusal = {}};
     slot.surroundings = gpu::allocateSet(m_device, *slot.pool, *m_surroundingsLayout);
     gpu::writeImageBinding(m_device, slot.surroundings, 0, kImage, m_gbuffer.view(), *m_sampler);
-    gpu::writeBufferBinding(m_device, slot.surroundings, 1, vk::DescriptorType::eStorageBuffer,
-                            shading.lights().handle());
+    gpu::writeBufferBinding(m_device, slot.surroundings, 1, kBuffer, shading.lights().handle());
+    if (m_shadows.isOn()) {
+        slot.shadows.emplace(m_device, m_scene, m_shadows);
+    }
     if (m_sorted != nullptr) {
         slot.list.emplace(m_device, m_sorted->listLayout(), m_lit.options().extent, m_options.mostBytes);
     }
     return slot;
 }
 
-void TranslucentPass::prepare(Slot& slot, const FrameView& view, host::WorkerPool& workers) const {
+void TranslucentPass::prepare(Slot& slot, const FrameView& view, std::uint32_t subPixelBits,
+                              host::WorkerPool& workers) const {
     slot.draws.prepare(view, workers);
+    if (slot.shadows) {
+        slot.shadows->prepare(view, slot.draws.visible(), subPixelBits, workers);
+        slot.shadows->bind(slot.surroundings, kShadowBinding, *m_sampler);
+    }
     slot.refusal = m_refusal;
 }
 
@@ -74,8 +92,11 @@ void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
     if (m_counter != nullptr) {
         m_counter->begin(primary);
     }
-    const TranslucentFrame frame{
-        .draws = slot.draws, .surroundings = slot.surroundings, .lit = m_lit, .counter = m_counter.get()};
+    const TranslucentFrame frame{.draws = slot.draws,
+                                 .surroundings = slot.surroundings,
+                                 .lit = m_lit,
+                                 .counter = m_counter.get(),
+                                 .shadows = slot.shadows ? &*slot.shadows : nullptr};
     if (sorts(slot)) {
         slot.list->resetCount();
         m_sorted->record(primary, frame, *slot.list);

@@ -21,9 +21,10 @@ class TranslucentPass {
     struct Slot {
         TranslucentDraws draws;
         vk::UniqueDescriptorPool pool;
-        vk::DescriptorSet surroundings;     ///< of TranslucentFrame
-        std::optional<FragmentList> list;   ///< when sorting
-        std::optional<ListRefusal> refusal; ///< why this frame is not sorted, though it was to be
+        vk::DescriptorSet surroundings;            ///< of TranslucentFrame
+        std::optional<TranslucentShadows> shadows; ///< where surfaces receive them
+        std::optional<FragmentList> list;          ///< when sorting
+        std::optional<ListRefusal> refusal;        ///< why this frame is not sorted, though it was to be
     };
 
     /// What the scene refers to and the images must outlive the pass. base::RunError, with both figures, when the
@@ -32,14 +33,15 @@ class TranslucentPass {
     /// @param lit linear, of kLitFormat, a colour attachment whenever record() is called.
     /// @param variants of materials that have pipelines from the start, beside those of the scene.
     TranslucentPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer,
-                    const gpu::Image& lit, const TranslucencyOptions& options,
+                    const gpu::Image& lit, const TranslucencyOptions& options, const Shadows& shadows,
                     const std::vector<std::uint32_t>& variants);
 
     /// @param shading of the same frame slot, which must outlive this one.
     Slot makeSlot(const ShadingInputs& shading) const;
 
     /// Decides what a frame draws; the slot's last frame must have finished.
-    void prepare(Slot& slot, const FrameView& view, host::WorkerPool& workers) const;
+    void prepare(Slot& slot, const FrameView& view, std::uint32_t subPixelBits,
+                 host::WorkerPool& workers) const;
     /// After shading; the lit image stays a colour attachment.
     void record(vk::CommandBuffer primary, Slot& slot) const;
     /// After the frame ran. False when its fragments found no room; draw it again.
@@ -59,6 +61,7 @@ class TranslucentPass {
     const gpu::Image& m_gbuffer;
     const gpu::Image& m_lit;
     TranslucencyOptions m_options;
+    Shadows m_shadows;
     vk::UniqueSampler m_sampler;
     gpu::SetLayout m_surroundingsLayout;
     WeightedBlend m_weighted;

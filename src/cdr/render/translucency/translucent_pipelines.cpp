@@ -62,8 +62,10 @@ TranslucentPipelines::TranslucentPipelines(const gpu::Device& device, const GpuS
     std::vector<gpu::SetLayout> sets{scene.textureLayout()};
     sets.insert(sets.end(), options.sets.begin(), options.sets.end());
     sets.push_back(scene.detailLayout());
+    const std::size_t pushBytes =
+        sizeof(shaders::TranslucentPush) + (options.receivesShadows ? sizeof(shaders::TranslucentSlice) : 0);
     m_layout = gpu::makePipelineLayout(
-        device, {sets, {{.stageFlags = kStages, .size = sizeof(shaders::TranslucentPush)}}},
+        device, {sets, {{.stageFlags = kStages, .size = static_cast<std::uint32_t>(pushBytes)}}},
         options.name + " layout");
     for (const std::uint32_t variant : options.variants) {
         for (const bool isShiny : {false, true}) { // a world may begin to shine

@@ -15,12 +15,14 @@ namespace cdr::render {
 /// How a method of translucency is made.
 struct BlendOptions {
     bool countsFragments = false;
+    bool receivesShadows = false;        ///< the surroundings hold TranslucentShadows then
     std::vector<std::uint32_t> variants; ///< TranslucentPipelinesOptions::variants
 };
 
 /// What one method of translucency draws with.
 struct TranslucentPipelinesOptions {
     std::string name;
+    bool receivesShadows = false; ///< push constants hold a TranslucentSlice too
     gpu::Spirv fragmentSpirv;
     gpu::Spirv detailedSpirv;             ///< the same for materials with detail
     std::vector<gpu::SetLayout> sets;     ///< from set 1 on; set 0 is the texture, the last one the detail

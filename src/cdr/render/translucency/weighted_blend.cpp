@@ -7,6 +7,10 @@
 #include <cdr/shaders/translucent_weighted_detailed_frag.h>
 #include <cdr/shaders/translucent_weighted_frag.h>
 #include <cdr/shaders/translucent_weighted_resolve_frag.h>
+#include <cdr/shaders/translucent_weighted_shadowed_counted_detailed_frag.h>
+#include <cdr/shaders/translucent_weighted_shadowed_counted_frag.h>
+#include <cdr/shaders/translucent_weighted_shadowed_detailed_frag.h>
+#include <cdr/shaders/translucent_weighted_shadowed_frag.h>
 
 #include <fmt/format.h>
 
@@ -31,15 +35,25 @@ gpu::Image makeImage(const gpu::Device& device, vk::Extent2D extent, vk::Format 
 
 TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, const BlendOptions& blend) {
     TranslucentPipelinesOptions options{.name = "translucent, weighted",
-                                        .fragmentSpirv = kTranslucentWeightedFrag,
-                                        .detailedSpirv = kTranslucentWeightedDetailedFrag,
+                                        .receivesShadows = blend.receivesShadows,
+                                        .fragmentSpirv = {},
+                                        .detailedSpirv = {},
                                         .sets = {surroundings},
                                         .colorFormats = {kSumFormat, kWeightFormat},
                                         .variants = blend.variants};
+    const auto choose = [&](gpu::Spirv lit, gpu::Spirv shadowed) {
+        return blend.receivesShadows ? shadowed : lit;
+    };
     if (blend.countsFragments) {
-        options.fragmentSpirv = kTranslucentWeightedCountedFrag;
-        options.detailedSpirv = kTranslucentWeightedCountedDetailedFrag;
+        options.fragmentSpirv =
+            choose(kTranslucentWeightedCountedFrag, kTranslucentWeightedShadowedCountedFrag);
+        options.detailedSpirv =
+            choose(kTranslucentWeightedCountedDetailedFrag, kTranslucentWeightedShadowedCountedDetailedFrag);
         options.colorFormats.push_back(FragmentCounter::kFormat);
+    } else {
+        options.fragmentSpirv = choose(kTranslucentWeightedFrag, kTranslucentWeightedShadowedFrag);
+        options.detailedSpirv =
+            choose(kTranslucentWeightedDetailedFrag, kTranslucentWeightedShadowedDetailedFrag);
     }
     return options;
 }
@@ -79,7 +93,7 @@ void WeightedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fr
             continue;
         }
         m_device.beginLabel(primary, fmt::format("translucent, cascade {}", range).c_str());
-        recordSum(primary, frame, range);
+        recordSums(primary, frame, range);
         gpu::pipelineBarrier(primary, {readBarrier(m_sum), readBarrier(m_weight), chainBarrier(frame.lit)});
         const FullscreenPass::Draw sums{.set = m_sums.set()};
         m_resolve.record(primary, {&sums, 1}, frame.lit, vk::AttachmentLoadOp::eLoad);
@@ -87,10 +101,33 @@ void WeightedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fr
     }
 }
 
+void WeightedBlend::recordSums(vk::CommandBuffer primary, const TranslucentFrame& frame,
+                               std::size_t range) const {
+    if (frame.shadows == nullptr) {
+        recordSum(primary, frame, {.range = range});
+        return;
+    }
+    Sum sum{.range = range};
+    for (const shaders::TranslucentSlice& slice : frame.shadows->slices()) {
+        if (frame.draws.meets(range, slice)) {
+            sum.slice = &slice;
+            frame.shadows->recordMaps(primary, slice);
+            recordSum(primary, frame, sum);
+            sum.isFirst = false;
+        }
+    }
+}
+
 void WeightedBlend::recordSum(vk::CommandBuffer primary, const TranslucentFrame& frame,
-                              std::size_t range) const {
+                              const Sum& sum) const {
     std::vector<vk::ImageMemoryBarrier2> before{attachBarrier(m_sum), attachBarrier(m_weight)};
     std::vector<vk::RenderingAttachmentInfo> attachments{cleared(m_sum, 1.0f), cleared(m_weight, 0.0f)};
+    if (!sum.isFirst) {
+        before = {chainBarrier(m_sum), chainBarrier(m_weight)};
+        for (vk::RenderingAttachmentInfo& attachment : attachments) {
+            attachment.loadOp = vk::AttachmentLoadOp::eLoad;
+        }
+    }
     if (frame.counter != nullptr) {
         before.push_back(frame.counter->nextScope());
         attachments.push_back(frame.counter->attachment());
@@ -103,7 +140,7 @@ void WeightedBlend::recordSum(vk::CommandBuffer primary, const TranslucentFrame&
                             .pColorAttachments = attachments.data()});
     primary.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, m_pipelines.layout(), 1, frame.surroundings,
                                {});
-    frame.draws.record(primary, range, m_pipelines, extent, 0);
+    frame.draws.record(primary, sum.range, m_pipelines, extent, 0, sum.slice);
     primary.endRendering();
 }
 

@@ -23,7 +23,14 @@ class WeightedBlend {
     static std::uint64_t predictBytes(vk::Extent2D extent);
 
   private:
-    void recordSum(vk::CommandBuffer primary, const TranslucentFrame& frame, std::size_t range) const;
+    /// What one rendering scope adds.
+    struct Sum {
+        std::size_t range = 0;
+        const shaders::TranslucentSlice* slice = nullptr; ///< that alone; null: all
+        bool isFirst = true;                              ///< of the range
+    };
+    void recordSums(vk::CommandBuffer primary, const TranslucentFrame& frame, std::size_t range) const;
+    void recordSum(vk::CommandBuffer primary, const TranslucentFrame& frame, const Sum& sum) const;
 
     const gpu::Device& m_device;
     gpu::Image m_sum;    ///< weighted colours, and the transmittance

@@ -1,0 +1,104 @@
+// Whether a light reaches a surface, by a map of it. Define the maps' images first:
+// float mapDepthAt(ivec2) and vec3 mapSlopeAt(ivec2).
+#ifndef CDR_SHADERS_REACHED_GLSL
+#define CDR_SHADERS_REACHED_GLSL
+
+#include "shadows/shadows_shared.h"
+
+const float kRounding = 1.0 / 2097152.0; // of what a place and a depth are made from
+const float kHalf = 1.0 / 1024.0;        // of a number kept as a half
+const float kMostSlope = 1000.0;
+// Of today's practice: texels of bias, and times the larger slope of the caster.
+const float kPlainConstant = 0.5;
+const float kPlainSlope = 1.75;
+
+// What receives light; the anchor plane is a float and its rest.
+struct Receiver {
+    vec2 anchor;
+    float ahead;
+    vec3 normal; // view space
+};
+
+// How many texels the surface at a texel of the map, continued to the receiver, lies before it.
+float gapAt(ReceiverPush map, ivec2 texel, vec2 inMap, float z, float perTexel, vec3 slope) {
+    vec2 across = inMap - (vec2(texel) + 0.5);
+    return (mapDepthAt(map.mapCorner + texel) - z) / perTexel + dot(slope.xy, across);
+}
+
+float sumOf(vec2 v) { return abs(v.x) + abs(v.y); }
+
+// Along the light's axes.
+vec3 alongLight(ReceiverPush map, vec3 v) { return vec3(dot(map.right.xyz, v), dot(map.up.xyz, v), dot(map.ahead.xyz, v)); }
+
+// Texels towards the light per texel across and down, of a surface.
+vec2 slopeOf(ReceiverPush map, vec3 normalView, vec2 inView) {
+    vec3 normal = alongLight(map, vec3(normalView.xy, -normalView.z));
+    float facing = normal.z + map.lens.wPerUnit * dot(normal.xy, inView);
+    return clamp(normal.xy / (abs(facing) < 1e-4 ? 1e-4 : facing), -kMostSlope, kMostSlope);
+}
+
+// Whether the light reaches a surface. What the map has of that surface lies in one plane with it, and what it has of a
+// neighbouring one of a curved body differs by no more than their slopes do: only what is farther before it casts a shadow.
+bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
+    LightLens lens = map.lens;
+    float beyond = (receiver.anchor.x - map.referenceView) + receiver.anchor.y + receiver.ahead;
+    float distanceView = receiver.anchor.x + receiver.ahead;
+    vec3 offset = vec3(map.right.w, map.up.w, map.ahead.w);
+    vec3 point = vec3(ray * distanceView, beyond);
+    vec3 place = alongLight(map, point) + offset;
+    float w = lens.wOffset + lens.wPerUnit * place.z;
+    if (lens.wOffset == 0.0 && max(abs(place.x), abs(place.y)) > w) {
+        return true; // another side of the light says
+    }
+    float z = (lens.zOffset + lens.zPerUnit * place.z) / w;
+    float perTexel = depthPerTexel(lens, z);
+    float texelLength = lens.texel * w; // scene units
+    vec2 inMap = (place.xy / w - map.low) / lens.texel;
+    vec2 slope = slopeOf(map, receiver.normal, place.xy / w);
+
+    ivec2 last = map.mapLast;
+    ivec2 corner = clamp(ivec2(floor(inMap - 0.5)), ivec2(0), last - 1);
+    ivec2 nearest = clamp(ivec2(floor(inMap)) - corner, ivec2(0), ivec2(1));
+    float gaps[4];
+    vec3 slopes[4];
+    vec2 lowest = slope;
+    vec2 highest = slope;
+    float steepest = sumOf(slope);
+    float rounding = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 texel = corner + ivec2(i & 1, i >> 1);
+        slopes[i] = mapSlopeAt(map.mapCorner + texel);
+        gaps[i] = gapAt(map, texel, inMap, z, perTexel, slopes[i]);
+        lowest = min(lowest, slopes[i].xy);
+        highest = max(highest, slopes[i].xy);
+        steepest = max(steepest, sumOf(slopes[i].xy));
+        rounding = max(rounding, slopes[i].z);
+    }
+    // Roundings of the point, of both pictures' snapped vertices, of slopes kept as halves, and of depths.
+    float numbers = sumOf(point.xy) + abs(beyond) + abs(receiver.ahead) + sumOf(offset.xy) + abs(offset.z);
+    float shift = (map.snap * distanceView + kRounding * numbers) / texelLength;
+    float allowed = shift * (1.0 + steepest) + steepest * (map.mapSnap + kHalf) + rounding + kRounding * z / perTexel +
+                    sumOf(highest - lowest);
+    float gap = gaps[nearest.x + 2 * nearest.y];
+    if (map.isPlain != 0u) {
+        vec3 caster = slopes[nearest.x + 2 * nearest.y];
+        float atTexel = (mapDepthAt(map.mapCorner + corner + nearest) - z) / perTexel;
+        return atTexel <= kPlainConstant + kPlainSlope * max(abs(caster.x), abs(caster.y));
+    }
+    if (!(gap > allowed)) { // what is not a number casts no shadow
+        return true;
+    }
+    // Near an edge of facets smaller than a texel another one may be the point's own.
+    bool isAnyBehind = false;
+    for (int i = 0; i < 4; ++i) {
+        isAnyBehind = isAnyBehind || gaps[i] <= allowed;
+    }
+    return isAnyBehind && gap <= 2.0 * steepest;
+}
+
+// Whether a map is of surfaces at that view distance.
+bool isOf(ReceiverPush map, float distanceView) {
+    return distanceView >= map.nearView && distanceView < map.farView;
+}
+
+#endif

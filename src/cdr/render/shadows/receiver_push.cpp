@@ -1,0 +1,47 @@
+#include <cdr/render/shadows/receiver_push.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cdr::render {
+
+namespace {
+
+/// Of a distance, which may be beyond the range of floats.
+float toFloat(double distance) {
+    return static_cast<float>(std::min(distance, static_cast<double>(std::numeric_limits<float>::max())));
+}
+
+} // namespace
+
+shaders::ReceiverPush receiverPush(const LightView& view, const FrameView& frame,
+                                   const ReceiverOptions& options) {
+    const scene::Camera& camera = frame.camera;
+    const float referenceView = options.isPlain ? 0.0f : toFloat(camera.viewDistance(view.origin));
+    const glm::dvec3 place =
+        view.toLight((camera.position - view.origin) - camera.back * static_cast<double>(referenceView));
+    const double halfStep = std::exp2(-1.0 - options.subPixelBits); // pixels, and texels
+    const auto row = [&](const glm::dvec3& axis, double offset) {
+        return glm::vec4(glm::dot(axis, camera.right), glm::dot(axis, camera.up),
+                         -glm::dot(axis, camera.back), offset);
+    };
+    return {.right = row(view.right, place.x),
+            .up = row(view.up, place.y),
+            .ahead = row(view.ahead, place.z),
+            .low = view.low,
+            .mapCorner = {},
+            .nearView = toFloat(view.nearView),
+            .farView = toFloat(view.farView),
+            .referenceView = referenceView,
+            .lens = view.lens(),
+            .snap = static_cast<float>(frame.frustum.footprintSlope * halfStep),
+            .mapSnap = static_cast<float>(halfStep),
+            .channel = static_cast<std::uint32_t>(options.light),
+            .isPlain = options.isPlain ? 1u : 0u,
+            .mapLast = {},
+            .unused0 = 0,
+            .unused1 = 0};
+}
+
+} // namespace cdr::render

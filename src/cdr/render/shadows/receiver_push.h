@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cdr/render/frame_view.h>
+#include <cdr/render/shadows/light_view.h>
+#include <cdr/shaders/shadows_shared.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace cdr::render {
+
+/// Which light a map is of, and how surfaces are compared with it.
+struct ReceiverOptions {
+    std::size_t light = 0;          ///< below kMostShadowLights
+    bool isPlain = false;           ///< ShadowMethod::plain: places are taken from the camera
+    std::uint32_t subPixelBits = 0; ///< to which vertices snap
+};
+
+/// How the surfaces of a frame are compared with the map of a view, whose first texel is the image's. The caller sets
+/// ReceiverPush::mapLast.
+shaders::ReceiverPush receiverPush(const LightView& view, const FrameView& frame,
+                                   const ReceiverOptions& options);
+
+} // namespace cdr::render

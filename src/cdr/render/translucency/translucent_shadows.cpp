@@ -1,0 +1,156 @@
+#include <cdr/gpu/pipeline.h>
+#include <cdr/render/shadows/receiver_push.h>
+#include <cdr/render/translucency/translucent_shadows.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cdr::render {
+
+namespace {
+
+/// How many maps of full size the image has room for, along a side. Where a slice has more maps, they are smaller.
+constexpr std::uint32_t kFullMapsAlong = 2;
+
+/// Of a square that holds so many maps of one size.
+std::uint32_t mapsAlong(std::size_t maps) {
+    std::uint32_t along = 1;
+    while (std::size_t{along} * along < maps) {
+        ++along;
+    }
+    return along;
+}
+
+std::vector<SeenSphere> spheresOf(const scene::Scene& scene, const scene::Camera& camera,
+                                  const visibility::VisibleList& visible) {
+    std::vector<SeenSphere> seen;
+    for (std::size_t i = 0; i < visible.count; ++i) {
+        seen.push_back({scene.instances.position(visible.instance[i]) - camera.position,
+                        static_cast<double>(visible.radius[i]), visible.distanceView[i]});
+    }
+    return seen;
+}
+
+} // namespace
+
+TranslucentShadows::TranslucentShadows(const gpu::Device& device, const DrawnScene& scene,
+                                       const Shadows& options)
+    : m_device(device),
+      m_scene(scene),
+      m_options(options),
+      m_casters(device, scene),
+      m_map(device, kLeastShadowTexels) {
+    growReceivers();
+}
+
+std::vector<LightView> TranslucentShadows::viewsOf(const ReceiverSlice& slice, std::size_t light,
+                                                   const FrameView& view, std::uint32_t mostTexels) const {
+    return lightViews(m_scene.scene.lights[light].position, view.camera.position, slice,
+                      view.frustum.footprintSlope, mostTexels);
+}
+
+std::uint32_t TranslucentShadows::mostTexels(std::span<const ReceiverSlice> slices,
+                                             const FrameView& view) const {
+    const std::size_t lights = std::min(m_scene.scene.lights.size(), kMostShadowLights);
+    std::uint32_t along = 1;
+    for (const ReceiverSlice& slice : slices) {
+        std::size_t maps = 0;
+        for (std::size_t light = 0; light < lights; ++light) {
+            maps += viewsOf(slice, light, view, m_options.mostTexels).size();
+        }
+        along = std::max(along, mapsAlong(maps));
+    }
+    const std::uint32_t side = std::min(kFullMapsAlong * m_options.mostTexels, m_device.info().maxImageSide);
+    return std::min(m_options.mostTexels, std::max(side / along, std::uint32_t{8}));
+}
+
+void TranslucentShadows::prepare(const FrameView& view, const visibility::VisibleList& seen,
+                                 std::uint32_t subPixelBits, host::WorkerPool& workers) {
+    const bool isPlain = m_options.method == ShadowMethod::plain;
+    const std::vector<SeenSphere> spheres = spheresOf(m_scene.scene, view.camera, seen);
+    const std::vector<ReceiverSlice> slices = isPlain ? practicalSlices(view.camera, view.frustum, spheres)
+                                                      : receiverSlices(view.camera, view.frustum, spheres);
+    const std::uint32_t most = mostTexels(slices, view);
+    m_views.clear();
+    m_lights.clear();
+    // What lies between two slices, or before the first, is drawn with the farther one, and is in none of its maps.
+    m_slices.assign(1, {.nearView = 0.0f, .farView = 0.0f, .firstMap = 0, .mapCount = 0});
+    for (const ReceiverSlice& slice : slices) {
+        if (&slice != &slices.front()) {
+            m_slices.push_back(m_slices.back());
+            m_slices.back().nearView = m_slices.back().farView;
+        }
+        shaders::TranslucentSlice& drawn = m_slices.back();
+        drawn.farView = static_cast<float>(slice.farView);
+        drawn.firstMap = static_cast<std::uint32_t>(m_views.size());
+        for (std::size_t light = 0; light < std::min(m_scene.scene.lights.size(), kMostShadowLights);
+             ++light) {
+            const std::vector<LightView> views = viewsOf(slice, light, view, most);
+            m_views.insert(m_views.end(), views.begin(), views.end());
+            m_lights.resize(m_views.size(), light);
+        }
+        drawn.mapCount = static_cast<std::uint32_t>(m_views.size()) - drawn.firstMap;
+    }
+    m_slices.back().farView = std::numeric_limits<float>::infinity();
+    m_casters.prepare(m_views, workers);
+    placeMaps();
+    growReceivers();
+    const auto receivers = m_receivers.as<shaders::ReceiverPush>(m_views.size());
+    for (std::size_t i = 0; i < m_views.size(); ++i) {
+        receivers[i] = receiverPush(m_views[i], view,
+                                    {.light = m_lights[i], .isPlain = isPlain, .subPixelBits = subPixelBits});
+        receivers[i].mapCorner = {m_corners[i].x, m_corners[i].y};
+        receivers[i].mapLast = {static_cast<std::int32_t>(m_views[i].size.width) - 1,
+                                static_cast<std::int32_t>(m_views[i].size.height) - 1};
+    }
+    m_receivers.flush();
+}
+
+void TranslucentShadows::placeMaps() {
+    m_corners.assign(m_views.size(), {});
+    std::uint32_t side = m_map.side();
+    for (const shaders::TranslucentSlice& slice : m_slices) {
+        std::uint32_t cell = 0; // of a side
+        for (std::uint32_t i = slice.firstMap; i < slice.firstMap + slice.mapCount; ++i) {
+            cell = std::max({cell, m_views[i].size.width, m_views[i].size.height});
+        }
+        const std::uint32_t along = mapsAlong(slice.mapCount);
+        for (std::uint32_t i = 0; i < slice.mapCount; ++i) {
+            m_corners[slice.firstMap + i] = vk::Offset2D{static_cast<std::int32_t>(i % along * cell),
+                                                         static_cast<std::int32_t>(i / along * cell)};
+        }
+        side = std::max(side, along * cell);
+    }
+    if (side > m_map.side()) {
+        gpu::requireDeviceBytes(m_device, ShadowMap::predictBytes(m_device, side),
+                                "shadow maps of translucent surfaces");
+        m_map = ShadowMap(m_device, side);
+    }
+}
+
+void TranslucentShadows::growReceivers() {
+    const std::size_t bytes = std::max<std::size_t>(m_views.size(), 1) * sizeof(shaders::ReceiverPush);
+    if (bytes > m_receivers.size()) {
+        m_receivers = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eStorageBuffer,
+                                  gpu::MemoryUse::hostWrites, "translucent receivers");
+    }
+}
+
+void TranslucentShadows::bind(vk::DescriptorSet set, std::uint32_t first, vk::Sampler sampler) const {
+    constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
+    gpu::writeImageBinding(m_device, set, first, kImage, m_map.depth().view(), sampler);
+    gpu::writeImageBinding(m_device, set, first + 1, kImage, m_map.slope().view(), sampler);
+    gpu::writeBufferBinding(m_device, set, first + 2, vk::DescriptorType::eStorageBuffer,
+                            m_receivers.handle());
+}
+
+void TranslucentShadows::recordMaps(vk::CommandBuffer primary, const shaders::TranslucentSlice& slice) const {
+    std::vector<ShadowMapPart> parts;
+    for (std::size_t i = slice.firstMap; i < slice.firstMap + slice.mapCount; ++i) {
+        parts.push_back({.view = m_views[i], .index = i, .corner = m_corners[i]});
+    }
+    m_map.record(primary, parts, m_casters);
+}
+
+} // namespace cdr::render

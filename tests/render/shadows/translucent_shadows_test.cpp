@@ -1,0 +1,131 @@
+#include "../fixture.h"
+
+#include <cdr/measure/truth/layered_truth.h>
+#include <scenes/sheets.h>
+
+namespace cdr::render_test {
+
+namespace {
+
+using render::RenderOptions;
+using render::ShadowMethod;
+using render::Translucency;
+
+class TranslucentShadowsTest : public RenderTest {
+  protected:
+    RenderOptions optionsFor(const char* technique, Translucency method) const {
+        RenderOptions options = smallOptions(depth::namedTechnique(technique).technique);
+        options.shadows.method = ShadowMethod::anchored;
+        options.translucency = {.method = method, .countsFragments = true};
+        return options;
+    }
+    measure::LayeredTruth truthOf(const scene::Scene& scene, const scene::Camera& camera) const {
+        host::WorkerPool workers(2);
+        return measure::castShadowedLayers(scene, camera, 480, 270, workers);
+    }
+
+    scene::SceneSetup m_sheets = scenes::makeSheets(2013);
+    scene::Camera m_camera = m_sheets.path.at(0);
+};
+
+/// Sheets from 0.1 to 10^6 units, a light beyond them all and one among the nearest.
+TEST_F(TranslucentShadowsTest, SortedSheetsReceiveThoseOfTheTruth) {
+    const measure::LayeredTruth truth = truthOf(m_sheets.scene, m_camera);
+    const RenderOptions options = optionsFor("anchored", Translucency::sorted);
+    const render::Frame frame = draw(m_sheets.scene, m_camera, options);
+    EXPECT_EQ(frame.stats.translucency.method, Translucency::sorted);
+    const measure::LayerDifference difference =
+        measure::compareLayers(frame.color, frame.fragmentCounts, truth);
+    EXPECT_GT(difference.translucent, 20'000u);
+    EXPECT_EQ(difference.miscounted, 0u) << "each fragment is drawn in one slice";
+    EXPECT_GE(difference.withinFraction(), 0.9999);
+    RenderOptions lit = options;
+    lit.shadows = {};
+    const render::Frame without = draw(m_sheets.scene, m_camera, lit);
+    EXPECT_LT(measure::compareLayers(without.color, without.fragmentCounts, truth).withinFraction(), 0.98);
+}
+
+TEST_F(TranslucentShadowsTest, WeightedCountsEachFragmentOnce) {
+    const measure::LayeredTruth truth = truthOf(m_sheets.scene, m_camera);
+    const render::Frame frame =
+        draw(m_sheets.scene, m_camera, optionsFor("anchored", Translucency::weighted));
+    EXPECT_EQ(measure::compareLayers(frame.color, frame.fragmentCounts, truth).miscounted, 0u);
+}
+
+/// One sheet over each pixel, so that weights cancel: both methods show its shadow.
+TEST_F(TranslucentShadowsTest, ASheetUnderABoxShowsItsShadowByBothMethods) {
+    scene::Scene scene = boxScene();
+    scene.ambient = glm::vec3(0.2f);
+    scene.meshes.push_back(scenes::makeSquare(1.0f));
+    scene.materials.push_back({.name = "glass",
+                               .baseColorFactor = glm::vec4(0.5f, 0.7f, 0.9f, 0.5f),
+                               .doubleSided = true,
+                               .alphaMode = scene::AlphaMode::blend});
+    scene.lights.front() = {.position = glm::dvec3(1e9, 2e9, 1e9), .halfDistance = 1e12};
+    // It lies flat, with a box over it.
+    const glm::dvec3 place(3e6, -2.0, -1e5);
+    addInstance(scene, 1, 1, 0, place, glm::mat3(8, 0, 0, 0, 0, -8, 0, 8, 0));
+    addInstance(scene, 0, 0, 1, place + glm::dvec3(0.0, 2.5, 0.0), glm::mat3(3.0f));
+    const scene::Camera camera{
+        .position = place + glm::dvec3(0.0, 3.0, 12.0), .fovY = 1.0, .nearView = 0.1, .farView = 1e6};
+    const measure::LayeredTruth truth = truthOf(scene, camera);
+    host::WorkerPool workers(1);
+    const measure::LayeredTruth lit = measure::castLayers(scene, camera, 480, 270, workers);
+    for (const Translucency method : render::kTranslucencies) {
+        const render::Frame frame = draw(scene, camera, optionsFor("anchored", method));
+        const measure::LayerDifference difference =
+            measure::compareLayers(frame.color, frame.fragmentCounts, truth);
+        EXPECT_GT(difference.translucent, 10'000u);
+        EXPECT_GE(difference.withinFraction(), 0.9999) << nameOf(method);
+        EXPECT_LT(measure::compareLayers(frame.color, frame.fragmentCounts, lit).withinFraction(), 0.99);
+    }
+}
+
+TEST_F(TranslucentShadowsTest, ThreadsTargetsAndSubmissionsChangeNoBit) {
+    for (const Translucency method : render::kTranslucencies) {
+        RenderOptions options = optionsFor("cdr", method);
+        options.shadows.mostTexels = 256;
+        options.width = 192;
+        options.height = 108;
+        const std::string wanted = hashOf(draw(m_sheets.scene, m_camera, options));
+        for (const std::size_t threads : {2u, 16u}) {
+            RenderOptions other = options;
+            other.threads = threads;
+            EXPECT_EQ(hashOf(draw(m_sheets.scene, m_camera, other)), wanted) << threads;
+        }
+        for (const render::TargetsKind targets :
+             {render::TargetsKind::accumulate, render::TargetsKind::pool, render::TargetsKind::layers}) {
+            RenderOptions other = options;
+            other.targets = targets;
+            EXPECT_EQ(hashOf(draw(m_sheets.scene, m_camera, other)), wanted) << nameOf(targets);
+        }
+        for (const render::Submission submission : submissions()) {
+            RenderOptions other = options;
+            other.submission = submission;
+            EXPECT_EQ(hashOf(draw(m_sheets.scene, m_camera, other)), wanted) << nameOf(submission);
+        }
+    }
+}
+
+TEST_F(TranslucentShadowsTest, FramesInFlightLeaveTheNextFrameAsItIs) {
+    const render::GpuScene gpuScene(device(), m_sheets.scene);
+    for (const Translucency method : render::kTranslucencies) {
+        RenderOptions options = optionsFor("anchored", method);
+        options.shadows.mostTexels = 128;
+        options.width = 192;
+        options.height = 108;
+        const std::string wanted = hashOf(draw(m_sheets.scene, m_camera, options));
+        options.framesInFlight = 3;
+        render::Renderer renderer(device(), m_sheets.scene, gpuScene, options);
+        scene::Camera moved = m_camera;
+        for (int frame = 0; frame < 5; ++frame) {
+            moved.position.x = 0.02 * frame;
+            renderer.submit(moved);
+        }
+        EXPECT_EQ(hashOf(renderer.render(m_camera)), wanted) << nameOf(method);
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test
