@@ -9,6 +9,7 @@
 #include <scenes/ladder.h>
 #include <scenes/mixed.h>
 #include <scenes/open_scene.h>
+#include <scenes/orbit/eclipse.h>
 #include <scenes/orbit/orbit.h>
 #include <scenes/sheets.h>
 #include <scenes/traffic.h>
@@ -38,6 +39,7 @@ constexpr std::array kGenerators{
     Generator{"city", [](std::uint64_t seed) { return makeCity(seed); }},
     Generator{"coplanar", [](std::uint64_t) { return makeCoplanar(); }},
     Generator{"orbit", [](std::uint64_t) { return openOrbit(orbitFiles()).setup; }},
+    Generator{"eclipse", [](std::uint64_t) { return openEclipse(orbitFiles()); }},
     Generator{"traffic", [](std::uint64_t seed) { return makeTraffic(seed); }},
 };
 
