@@ -9,6 +9,7 @@
 #include <scenes/ladder.h>
 #include <scenes/mixed.h>
 #include <scenes/open_scene.h>
+#include <scenes/orbit/eclipse.h>
 #include <scenes/orbit/orbit.h>
 #include <scenes/sheets.h>
 #include <scenes/terrain.h>
@@ -40,6 +41,7 @@ constexpr std::array kGenerators{
     Generator{"coplanar", [](std::uint64_t) { return makeCoplanar(); }},
     Generator{"orbit", [](std::uint64_t) { return openOrbit(orbitFiles()).setup; }},
     Generator{"terrain", [](std::uint64_t seed) { return makeTerrain(seed); }},
+    Generator{"eclipse", [](std::uint64_t) { return openEclipse(orbitFiles()); }},
     Generator{"traffic", [](std::uint64_t seed) { return makeTraffic(seed); }},
 };
 

@@ -15,8 +15,8 @@ inline constexpr std::uint32_t kNoGroup = 0xffffffffu;
 
 /// A ball in the object space of a mesh.
 struct ClusterSphere {
-    glm::vec3 centre{0.0f};
-    float radius = 0.0f;
+    glm::vec3 centre{0.0f}; ///< object space
+    float radius = 0.0f;    ///< 0 or more
 };
 
 /// A few hundred triangles of a mesh, or of a coarser form of a part of it.
@@ -37,7 +37,7 @@ struct MeshCluster {
 /// Neighbouring clusters that are drawn together in full, or together in a coarser form.
 struct ClusterGroup {
     std::uint32_t firstCluster = 0; ///< those that the coarser form takes the place of
-    std::uint32_t clusterCount = 0;
+    std::uint32_t clusterCount = 0; ///< how many follow one another
     /// Holds these clusters, and the spheres of the groups that they were made by: so error over distance only grows from
     /// the mesh to its coarsest form.
     ClusterSphere bounds{};
@@ -53,7 +53,7 @@ struct ClusterGroup {
 /// is too coarse (visibility::chooseClusters()).
 struct ClusterTree {
     std::vector<std::uint32_t> indices; ///< each below the mesh's vertices.size()
-    std::vector<MeshCluster> clusters;
+    std::vector<MeshCluster> clusters;  ///< those of groups first, group by group
     std::vector<ClusterGroup> groups; ///< each after the groups that its clusters were made by
 };
 

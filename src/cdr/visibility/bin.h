@@ -15,7 +15,7 @@ namespace cdr::visibility {
 
 /// Neighbouring clusters of a mesh: a run of scene::ClusterTree::indices.
 struct ClusterRun {
-    std::uint32_t firstIndex = 0;
+    std::uint32_t firstIndex = 0; ///< into scene::ClusterTree::indices
     std::uint32_t indexCount = 0; ///< 0: no clusters, but the mesh at a level
 
     bool operator==(const ClusterRun&) const = default;

@@ -14,7 +14,7 @@ namespace cdr::visibility {
 
 /// What clusters are chosen for.
 struct ClusterRule {
-    const scene::Camera& camera;
+    const scene::Camera& camera;       ///< of the frame
     const scene::Frustum& frustum;     ///< of the camera and the picture
     const depth::Cascades& clipRanges; ///< as binByDistance() took them
     double wideSpan = 0.0;             ///< likewise
