@@ -54,7 +54,7 @@ struct ClusterGroup {
 struct ClusterTree {
     std::vector<std::uint32_t> indices; ///< each below the mesh's vertices.size()
     std::vector<MeshCluster> clusters;  ///< those of groups first, group by group
-    std::vector<ClusterGroup> groups; ///< each after the groups that its clusters were made by
+    std::vector<ClusterGroup> groups;   ///< each after the groups that its clusters were made by
 };
 
 } // namespace cdr::scene
