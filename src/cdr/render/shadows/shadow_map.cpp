@@ -114,6 +114,14 @@ ShadowMap::ShadowMap(const gpu::Device& device, std::uint32_t side)
 void ShadowMap::record(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,
                        const CasterDraws& draws) const {
     handOver(primary, m_depth, m_slope, false);
+    if (!parts.empty()) { // a scope must cover some texels
+        draw(primary, parts, draws);
+    }
+    handOver(primary, m_depth, m_slope, true);
+}
+
+void ShadowMap::draw(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,
+                     const CasterDraws& draws) const {
     const vk::RenderingAttachmentInfo slope{.imageView = m_slope.view(),
                                             .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
                                             .loadOp = vk::AttachmentLoadOp::eClear,
@@ -141,7 +149,6 @@ void ShadowMap::record(vk::CommandBuffer primary, std::span<const ShadowMapPart>
         draws.record(primary, part.index);
     }
     primary.endRendering();
-    handOver(primary, m_depth, m_slope, true);
 }
 
 std::uint64_t ShadowMap::predictBytes(const gpu::Device& device, std::uint32_t side) {

@@ -24,7 +24,7 @@ class ShadowMap {
     /// @param side texels of the map's sides.
     ShadowMap(const gpu::Device& device, std::uint32_t side);
 
-    /// Draws views, waiting for whoever read the map before. Leaves both images in the shader read layout.
+    /// Draws views, if any, waiting for whoever read the map before. Leaves both images in the shader read layout.
     void record(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,
                 const CasterDraws& draws) const;
 
@@ -35,6 +35,9 @@ class ShadowMap {
     static std::uint64_t predictBytes(const gpu::Device& device, std::uint32_t side);
 
   private:
+    void draw(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,
+              const CasterDraws& draws) const;
+
     gpu::Image m_depth;
     gpu::Image m_slope;
     gpu::PipelineLayout m_layout;
