@@ -191,8 +191,8 @@ TEST_F(RanksCommand, OrbitFindsWhatOneProcessDoes) {
 TEST_F(RanksCommand, DetailComparesWhatOneProcessDoes) {
     expectSameFiles(
         "detail afc --depth anchored --frames 7 --split fitted:0.1,max=3 --size 96x54 --out out --json all.json",
-        1 + 2 * 4);
-    expectSameFiles("detail boulders --frames 2 --size 96x54 --out out --json all.json", 1 + 2 * 4, {2});
+        1 + 2 * 5);
+    expectSameFiles("detail boulders --frames 2 --size 96x54 --out out --json all.json", 1 + 2 * 5, {2});
 }
 
 TEST_F(RanksCommand, TranslucencyComparesWhatOneProcessDoes) {

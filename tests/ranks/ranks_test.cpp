@@ -6,7 +6,9 @@
 #include <ranks/unit_order.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -136,15 +138,14 @@ TEST_P(LaunchedRanks, EndWhereTheFirstCannotStart) {
     EXPECT_EQ(outcome.err, "cannot start\n");
 }
 
-/// The lines of standard error that are about one rank; MPI may add some of its own.
+/// What lines of standard error say of one rank. MPI may add lines of its own, and one of these may begin while another
+/// process writes a line in pieces.
 std::vector<std::string> linesOnRanks(const std::string& text) {
+    static const std::regex kLine("rank [0-9]+ of [0-9]+ on [^\n]*");
+    const std::sregex_iterator first(text.begin(), text.end(), kLine);
     std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) {
-        if (line.starts_with("rank ")) {
-            lines.push_back(line);
-        }
-    }
+    std::transform(first, std::sregex_iterator(), std::back_inserter(lines),
+                   [](const std::smatch& match) { return match.str(); });
     return lines;
 }
 
