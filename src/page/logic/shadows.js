@@ -1,0 +1,33 @@
+// Shadows from the JSON of `cdr shadows`, a document for each scene.
+
+import { median } from "./statistics.js";
+
+/** A row for each scene and method, over its frames and lights. `flips` and `flipsPerThousand` are null after one frame. */
+export function shadowRows(documents) {
+    return documents.flatMap(({ options, results }) => [...new Set(results.map((row) => row.method))].map((method) =>
+        ({ scene: options.scene, method, ...summed(results.filter((row) => row.method === method)) })));
+}
+
+function summed(rows) {
+    const sum = (field) => rows.reduce((all, row) => all + (row[field] ?? 0), 0);
+    const compared = sum("flips_compared");
+    const frames = rows.filter((row) => row.light === rows[0].light); // maps and times are the frame's, whatever the light
+    const hasFlips = rows.some((row) => Number.isFinite(row.flips));
+    return {
+        pixels: sum("pixels"),
+        wrong: sum("wrong"),
+        wrongFraction: sum("pixels") > 0 ? sum("wrong") / sum("pixels") : 0,
+        edgeWrong: sum("edge_wrong"),
+        flips: hasFlips ? sum("flips") : null,
+        flipsPerThousand: hasFlips && compared > 0 ? 1000 * sum("flips") / compared : null,
+        maps: median(frames.map((row) => row.maps)),
+        executeMs: median(frames.map((row) => row.execute_ms)),
+    };
+}
+
+/** Of each method the last frame under the first light, where its pictures are. */
+export function lastPictures(results) {
+    const shown = results.filter((row) => row.picture && row.light === 0);
+    const last = Math.max(...shown.map((row) => row.frame));
+    return shown.filter((row) => row.frame === last);
+}
