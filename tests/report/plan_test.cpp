@@ -50,14 +50,14 @@ TEST(Plan, CommandsDifferByEffort) {
     EXPECT_EQ(lineOf({}, "precision"), "cdr precision --json data/precision.json");
 }
 
-/// A row for each scene; the page shows the pictures of the first.
+/// A row for each scene; the page shows the pictures of one.
 TEST(Plan, ShadowsAndCertificatesAreOfEachScene) {
     EXPECT_EQ(lineOf({}, "shadows-alley"),
               "cdr shadows alley --methods plain,anchored --frames 3 --size 640x360 --threads 1 --seed 2013 "
-              "--out shadows --json data/shadows-alley.json");
+              "--json data/shadows-alley.json");
     EXPECT_EQ(lineOf({.effort = Effort::full}, "shadows-orbit"),
               "cdr shadows orbit --methods plain,anchored --frames 8 --size 1280x720 --threads 1 --seed 2013 "
-              "--json data/shadows-orbit.json");
+              "--out shadows --json data/shadows-orbit.json");
     EXPECT_EQ(lineOf({}, "certificates-orbit-standard"),
               "cdr render orbit --technique standard --aov wrong --frames 5 --size 640x360 --threads 1 "
               "--seed 2013 --certify data/certificate-orbit-standard.json "

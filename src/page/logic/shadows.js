@@ -25,9 +25,10 @@ function summed(rows) {
     };
 }
 
-/** Of each method the last frame under the first light, where its pictures are. */
+/** Of each method the last frame, where its pictures are, under the light that has the most wrong shadows with any. */
 export function lastPictures(results) {
-    const shown = results.filter((row) => row.picture && row.light === 0);
-    const last = Math.max(...shown.map((row) => row.frame));
-    return shown.filter((row) => row.frame === last);
+    const last = Math.max(...results.map((row) => row.frame));
+    const shown = results.filter((row) => row.picture && row.frame === last);
+    const worst = shown.reduce((most, row) => (row.wrong > (most?.wrong ?? -1) ? row : most), null);
+    return shown.filter((row) => row.light === worst.light);
 }

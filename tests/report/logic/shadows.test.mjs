@@ -22,7 +22,10 @@ test("one frame has no flips, and no pixels no share", () => {
     assert.deepEqual([plain.flips, plain.flipsPerThousand, plain.wrongFraction], [null, null, 0]);
 });
 
-test("pictures are of the last frame under the first light", () => {
+test("pictures are of the last frame under the light that has the most wrong shadows", () => {
     assert.deepEqual(lastPictures(twoFrames).map(({ picture }) => picture), ["p1", "a1"]);
+    const second = [row("plain", 1, 0, { picture: "p" }), row("plain", 1, 1, { picture: "p_1", wrong: 9 }),
+        row("anchored", 1, 0, { picture: "a" }), row("anchored", 1, 1, { picture: "a_1" })];
+    assert.deepEqual(lastPictures(second).map(({ picture }) => picture), ["p_1", "a_1"]);
     assert.deepEqual(lastPictures([row("plain", 0, 0)]), []);
 });
