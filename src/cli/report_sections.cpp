@@ -33,6 +33,7 @@ constexpr std::uintmax_t kMaxJsonBytes = 200'000'000;
 void runCommand(const GlobalOptions& global, std::vector<std::string> command) {
     CLI::App program;
     program.require_subcommand(1);
+    addRender(program, global);
     addExperiments(program, global);
     std::reverse(command.begin(), command.end()); // as CLI11 takes them
     program.parse(std::move(command));

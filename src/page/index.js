@@ -4,6 +4,7 @@ import { summary, verdicts } from "./logic/verdicts.js";
 import { h } from "./view/elements.js";
 import { copyInFull, unitChoice } from "./view/figures.js";
 import { fillAdvise } from "./view/section_advise.js";
+import { fillCertificates } from "./view/section_certificates.js";
 import { fillDetail } from "./view/section_detail.js";
 import { fillEffects } from "./view/section_effects.js";
 import { fillFocus } from "./view/section_focus.js";
@@ -18,8 +19,9 @@ import { fillPrecision } from "./view/section_precision.js";
 import { fillProbe } from "./view/section_probe.js";
 import { fillRivals } from "./view/section_rivals.js";
 import { fillScaling } from "./view/section_scaling.js";
+import { fillShadows } from "./view/section_shadows.js";
 import { fillTiming } from "./view/section_timing.js";
-import { fillFailure, fillSource } from "./view/source.js";
+import { fillFailure, fillSource, partOf } from "./view/source.js";
 import { fillVerdicts, repeatInSections } from "./view/verdict_list.js";
 
 const fillers = {
@@ -40,6 +42,9 @@ const fillers = {
     inspect: fillInspect,
 };
 
+/** Parts of the page that several results fill together. */
+const gatherers = { shadows: fillShadows, certificates: fillCertificates };
+
 function fillPage({ report, sections }) {
     const judged = verdicts(sections);
     document.getElementById("facts").append(...facts(report).map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))));
@@ -56,6 +61,10 @@ function fillPage({ report, sections }) {
             fillers[row.section](results, row.folder);
         }
         fillSource(row, results, report);
+    }
+    for (const [part, gather] of Object.entries(gatherers)) {
+        const rows = report.results.filter((row) => partOf(row.section) === part && sections[row.section]);
+        gather(rows.map((row) => ({ document: sections[row.section], folder: row.folder })));
     }
     fillEnvironment(report);
     document.getElementById("reading").append(unitChoice(), " Numbers show four digits; what you copy has all of them.");

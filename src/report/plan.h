@@ -20,8 +20,8 @@ enum class Effort : std::uint8_t {
 struct Section {
     std::string name;                   ///< of the section and of its JSON, such as "probe"
     std::vector<std::string> arguments; ///< as typed, without where its results go
-    std::string folderOption{};         ///< such as "--out"; empty when it makes no pictures or videos
-    std::string folder{};               ///< of those
+    std::string folderOption{};         ///< such as "--out"; empty when JSON is all it writes
+    std::string folder{};               ///< that the option takes, or one file: "inspect.png"
     bool isTimed = false;               ///< measures time, so that nothing else may run meanwhile
     double expectedSeconds = 0.0;       ///< where cli::measuredPace() gives 1
 

@@ -1,6 +1,55 @@
 #include "plan_table.h"
 
+#include <string>
+
 namespace cdr::report {
+
+namespace {
+
+/// A scene, and what a row of it takes.
+struct TimedScene {
+    std::string name;
+    double quickSeconds = 0.0;
+    double fullSeconds = 0.0;
+};
+
+/// Shadows of a scene. The page shows the pictures of the one that has a folder.
+PlanRow shadowsOf(const TimedScene& scene, const std::string& folder = "") {
+    return {.name = "shadows-" + scene.name,
+            .command = "shadows",
+            .options = {{"", {scene.name}},
+                        {"--methods", {"plain,anchored"}},
+                        {"--frames", {"2", "3", "8"}},
+                        {"--size", {"160x90", "640x360", "1280x720"}},
+                        {"--threads", {kThreads}},
+                        {"--seed", {kSeed}}},
+            .folderOption = folder.empty() ? "" : "--out",
+            .folder = folder,
+            .isTimed = true,
+            .quickSeconds = scene.quickSeconds,
+            .fullSeconds = scene.fullSeconds};
+}
+
+/// A certificate of a scene. The output `wrong` casts every pixel after repair, which a certificate does not.
+PlanRow certificateOf(const TimedScene& scene, const std::string& technique) {
+    const std::string name = scene.name + "-" + technique;
+    return {.name = "certificates-" + name,
+            .command = "render",
+            .options = {{"", {scene.name}},
+                        {"--technique", {technique}},
+                        {"--aov", {"wrong"}},
+                        {"--frames", {"2", "5", "9"}},
+                        {"--size", {"160x90", "640x360", "1280x720"}},
+                        {"--threads", {kThreads}},
+                        {"--seed", {kSeed}}},
+            .folderOption = "--certify",
+            .folder = "data/certificate-" + name + ".json",
+            .isTimed = true,
+            .quickSeconds = scene.quickSeconds,
+            .fullSeconds = scene.fullSeconds};
+}
+
+} // namespace
 
 const std::vector<PlanRow>& planTable() {
     const std::vector<std::string> hd{"160x90", "1280x720", "1280x720"};
@@ -116,6 +165,10 @@ const std::vector<PlanRow>& planTable() {
          .isTimed = true,
          .quickSeconds = 18.0,
          .fullSeconds = 60.0},
+        shadowsOf({"alley", 2.0, 15.0}),
+        shadowsOf({"afc", 2.5, 15.0}),
+        shadowsOf({"mixed", 0.7, 5.0}),
+        shadowsOf({"orbit", 16.0, 100.0}, "shadows"),
         {.name = "effects",
          .command = "effects",
          .options = {{"--frames", lensFrames}, {"--size", hd}, threads, seed},
@@ -149,7 +202,16 @@ const std::vector<PlanRow>& planTable() {
          .folderOption = "--heat-map",
          .folder = "inspect.png",
          .quickSeconds = 8.0,
-         .fullSeconds = 120.0}};
+         .fullSeconds = 120.0},
+        certificateOf({"afc", 0.2, 2.0}, "standard"),
+        certificateOf({"afc", 0.2, 2.0}, "reversed"),
+        certificateOf({"afc", 0.2, 2.0}, "anchored"),
+        certificateOf({"mixed", 0.2, 2.0}, "standard"),
+        certificateOf({"mixed", 0.2, 2.0}, "reversed"),
+        certificateOf({"mixed", 0.2, 2.0}, "anchored"),
+        certificateOf({"orbit", 5.0, 50.0}, "standard"),
+        certificateOf({"orbit", 3.0, 20.0}, "reversed"),
+        certificateOf({"orbit", 3.0, 20.0}, "anchored")};
     return kTable;
 }
 

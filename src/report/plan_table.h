@@ -20,7 +20,7 @@ struct PlanRow {
     std::string name;    ///< of the section
     std::string command; ///< with its positional arguments as options without a name
     std::vector<PlanOption> options{};
-    std::string folderOption{};
+    std::string folderOption{}; ///< as Section has both
     std::string folder{};
     bool isTimed = false;      ///< whether what it is about is time
     double quickSeconds = 0.0; ///< the smallest effort takes a fiftieth

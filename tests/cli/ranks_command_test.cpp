@@ -222,7 +222,8 @@ TEST_F(RanksCommand, ReportHoldsWhatOneProcessFinds) {
     ASSERT_GT(expected.size(), 30u);
     ASSERT_EQ(files.size(), expected.size());
     const std::regex isTimed(
-        "r/(report.json|data.js|data/(timing|scaling|detail|translucency|effects|focus|rivals).json)");
+        "r/(report.json|data.js|data/((timing|scaling|detail|translucency|effects|focus|rivals)|"
+        "(shadows|certificates)-[a-z-]+).json)");
     for (const auto& [name, text] : expected) {
         ASSERT_TRUE(files.contains(name)) << name;
         EXPECT_TRUE(std::regex_match(name, isTimed) || files.at(name) == text) << name;

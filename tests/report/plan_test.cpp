@@ -50,6 +50,28 @@ TEST(Plan, CommandsDifferByEffort) {
     EXPECT_EQ(lineOf({}, "precision"), "cdr precision --json data/precision.json");
 }
 
+/// A row for each scene; the page shows the pictures of one.
+TEST(Plan, ShadowsAndCertificatesAreOfEachScene) {
+    EXPECT_EQ(lineOf({}, "shadows-alley"),
+              "cdr shadows alley --methods plain,anchored --frames 3 --size 640x360 --threads 1 --seed 2013 "
+              "--json data/shadows-alley.json");
+    EXPECT_EQ(lineOf({.effort = Effort::full}, "shadows-orbit"),
+              "cdr shadows orbit --methods plain,anchored --frames 8 --size 1280x720 --threads 1 --seed 2013 "
+              "--out shadows --json data/shadows-orbit.json");
+    EXPECT_EQ(lineOf({}, "certificates-orbit-standard"),
+              "cdr render orbit --technique standard --aov wrong --frames 5 --size 640x360 --threads 1 "
+              "--seed 2013 --certify data/certificate-orbit-standard.json "
+              "--json data/certificates-orbit-standard.json");
+    const std::vector<Section> plan = makePlan({});
+    const auto countOf = [&](const std::string& part) {
+        return std::count_if(plan.begin(), plan.end(), [&](const Section& each) {
+            return each.name.starts_with(part) && each.isTimed;
+        });
+    };
+    EXPECT_EQ(countOf("shadows-"), 4);
+    EXPECT_EQ(countOf("certificates-"), 9);
+}
+
 } // namespace
 
 } // namespace cdr::report_test

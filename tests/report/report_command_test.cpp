@@ -73,13 +73,61 @@ TEST_F(ReportCommand, WritesOneFolderThatHoldsAllOfItsFiles) {
         EXPECT_TRUE(fs::is_regular_file(path("made") / row.at("json").get<std::string>())) << row;
         EXPECT_EQ(row.at("command").get<std::string>().find("/tmp"), std::string::npos) << row;
     }
-    EXPECT_EQ(sections, (std::set<std::string>{"precision", "advise", "pictures", "flicker", "flicker-near",
-                                               "probe", "timing", "scaling", "rivals", "detail",
-                                               "translucency", "effects", "focus", "orbit", "inspect"}));
+    EXPECT_EQ(sections, (std::set<std::string>{"precision",
+                                               "advise",
+                                               "pictures",
+                                               "flicker",
+                                               "flicker-near",
+                                               "probe",
+                                               "timing",
+                                               "scaling",
+                                               "rivals",
+                                               "detail",
+                                               "translucency",
+                                               "effects",
+                                               "focus",
+                                               "orbit",
+                                               "inspect",
+                                               "shadows-alley",
+                                               "shadows-afc",
+                                               "shadows-mixed",
+                                               "shadows-orbit",
+                                               "certificates-afc-standard",
+                                               "certificates-afc-reversed",
+                                               "certificates-afc-anchored",
+                                               "certificates-mixed-standard",
+                                               "certificates-mixed-reversed",
+                                               "certificates-mixed-anchored",
+                                               "certificates-orbit-standard",
+                                               "certificates-orbit-reversed",
+                                               "certificates-orbit-anchored"}));
     for (const char* file : {"index.html", "compare.html", "data.js", "LICENSES.txt"}) {
         const json& files = manifest.at("files");
         EXPECT_NE(std::find(files.begin(), files.end(), file), files.end()) << file;
     }
+}
+
+/// What the page says to be after repair is counted by rays of its own, and the certificate lies beside it.
+TEST_F(ReportCommand, HoldsCertificatesOfFramesThatRaysFindRight) {
+    copyReport();
+    std::size_t certificates = 0;
+    for (const auto& entry : fs::directory_iterator(path("made/data"))) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with("certificates-")) {
+            continue;
+        }
+        ++certificates;
+        const json measured = json::parse(readText(entry.path()));
+        const json certificate =
+            json::parse(readText(path("made/data") / ("certificate-" + name.substr(name.find('-') + 1))));
+        ASSERT_EQ(measured.at("results").size(), certificate.at("results").size()) << name;
+        for (std::size_t i = 0; i < measured.at("results").size(); ++i) {
+            const json& row = measured["results"][i];
+            EXPECT_EQ(row.at("wrong").get<int>() + row.at("edge_wrong").get<int>(), 0) << name << row;
+            EXPECT_EQ(row.at("certified"), certificate["results"][i].at("certified")) << name;
+        }
+    }
+    EXPECT_EQ(certificates, 9u);
 }
 
 /// The name of a device up to and with its first space.

@@ -1,5 +1,5 @@
 // The statistics of the two-alternative forced choice: chi-squared of the thesis (section 6.1.5), and the exact binomial
-// test beside it, since its approximation is poor for twelve answers.
+// test beside it, since its approximation is poor for twelve answers. Medians of measured times.
 
 /** Chi-squared of two counts against equal expectation, one degree of freedom. NaN without any answer. */
 export function chiSquared(a, b) {
@@ -24,6 +24,13 @@ export function binomialP(a, b) {
         term *= (n - i) / (i + 1);
     }
     return Math.min(1, 2 * tail);
+}
+
+/** The middle one of values in order, of two the mean. NaN without any. */
+export function median(values) {
+    const ordered = [...values].sort((a, b) => a - b);
+    const middle = ordered.length / 2;
+    return Number.isInteger(middle) ? (ordered[middle - 1] + ordered[middle]) / 2 : ordered[Math.floor(middle)];
 }
 
 /** Wilson's 95 % interval of a share, as [low, high] in 0..1. */

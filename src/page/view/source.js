@@ -21,7 +21,7 @@ export function fillFailure(row) {
 }
 
 /** The part of the page that a section fills: "flicker" for "flicker-near", too. */
-function partOf(section) {
+export function partOf(section) {
     return section.split("-")[0];
 }
 

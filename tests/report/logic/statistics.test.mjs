@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { binomialP, chiSquared, chiSquaredP, wilson95 } from "../../../src/page/logic/statistics.js";
+import { binomialP, chiSquared, chiSquaredP, median, wilson95 } from "../../../src/page/logic/statistics.js";
 
 const near = (actual, expected, tolerance) =>
     assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected} within ${tolerance}`);
@@ -43,4 +43,10 @@ test("Wilson's interval holds its share and stays in 0 to 1", () => {
     const middle = wilson95(6, 12);
     near(middle[0] + middle[1], 1, 1e-12);
     assert.deepEqual(wilson95(0, 0), [0, 1]);
+});
+
+test("a median is the middle one, or the mean of the two there", () => {
+    assert.equal(median([10, 9, 2]), 9);
+    assert.equal(median([4, 1, 10, 2]), 3);
+    assert.ok(Number.isNaN(median([])));
 });

@@ -244,7 +244,7 @@ test("each section names its command, device and commit, and links its JSON", as
     const page = await openReport();
     const manifest = JSON.parse(readFileSync(join(report, "report.json")));
     const sources = await page.$$eval(".source pre code", (codes) => codes.map((code) => code.textContent));
-    assert.equal(manifest.results.length, 15);
+    assert.equal(manifest.results.length, 28);
     for (const row of manifest.results) {
         assert.equal(row.failure, null);
         assert.ok(sources.includes(row.command), row.command);
@@ -255,6 +255,23 @@ test("each section names its command, device and commit, and links its JSON", as
     }
     assert.deepEqual(manifest.files.filter((file) => !existsSync(join(report, file))), []);
     assert.match(readFileSync(join(report, "LICENSES.txt"), "utf8"), /uplot 1\.6\.32[^]*Leon Sorokin[^]*WITHOUT WARRANTY OF ANY KIND/);
+    await close(page);
+});
+
+test("shadows and certificates have a table each over all of their scenes", async () => {
+    const page = await openReport();
+    const cells = (section) => page.$$eval(`#${section} tbody tr`, (rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
+    const shadows = await cells("shadows");
+    assert.deepEqual(shadows.map(([method, scene]) => [method, scene]),
+        ["alley", "afc", "mixed", "orbit"].flatMap((scene) => [["Plain", scene], ["Anchored", scene]]));
+    assert.deepEqual(await page.$$eval("#shadows .wipe-name", (names) => names.map((name) => name.textContent)), ["Plain", "Anchored"]);
+    const certificates = await cells("certificates");
+    assert.deepEqual(certificates.map(([technique, scene]) => [technique, scene]),
+        ["afc", "mixed", "orbit"].flatMap((scene) => ["Standard", "Reversed", "Anchored"].map((technique) => [technique, scene])));
+    assert.ok(certificates.every((row) => row[6] === "0"), "wrong after");
+    const files = await page.$$eval("#certificates tbody a", (links) => links.map((link) => link.getAttribute("href")));
+    assert.equal(new Set(files).size, 9);
+    files.forEach((file) => assert.equal(JSON.parse(readFileSync(join(report, file))).rule, "the float64 ray through a pixel's centre decides"));
     await close(page);
 });
 
