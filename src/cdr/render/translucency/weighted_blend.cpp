@@ -41,7 +41,7 @@ TranslucentPipelinesOptions drawOptions(const gpu::SetLayout& surroundings, cons
                                         .sets = {surroundings},
                                         .colorFormats = {kSumFormat, kWeightFormat},
                                         .variants = blend.variants};
-    const auto choose = [&](gpu::Spirv lit, gpu::Spirv shadowed) {
+    const auto choose = [&](const gpu::Spirv& lit, const gpu::Spirv& shadowed) {
         return blend.receivesShadows ? shadowed : lit;
     };
     if (blend.countsFragments) {
