@@ -67,17 +67,8 @@ void FrameDraws::prepare(const scene::Camera& camera, render::FrameStats& stats)
 
 void FrameDraws::cut() {
     const depth::Cascades ranges = m_split.cut(m_view.camera, m_view.frustum, m_visible, {});
-    m_view.cascades.clear();
+    m_view.cascades = render::cascadeViews(m_mapping, ranges, ranges, m_split.farEnd(), m_extent);
     m_view.drawn = {0, ranges.size()};
-    for (std::size_t i = 0; i < ranges.size(); ++i) {
-        const depth::FarEnd farEnd = i + 1 == ranges.size() ? m_split.farEnd() : depth::FarEnd::closed;
-        const depth::Cascade clipRange = depth::clipRange(m_mapping, ranges, i);
-        m_view.cascades.push_back({.range = ranges[i],
-                                   .clipRange = clipRange,
-                                   .terms = depth::clipTerms(depth::depthRange(m_mapping, clipRange, farEnd)),
-                                   .slice = {},
-                                   .extent = m_extent});
-    }
 }
 
 void FrameDraws::makeRoom() {

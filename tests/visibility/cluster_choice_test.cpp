@@ -58,16 +58,14 @@ DrawLists chosen(double pixels, std::size_t threads = 1,
     cdr::host::WorkerPool workers(threads);
     DrawLists lists;
     binByDistance(flatCull(theScene().instances, camera, frustum), kThreeRanges, wideSpan, workers, lists);
-    const LevelRule rule =
-        levelRule({.mode = DetailMode::perCluster, .pixels = pixels}, frustum, kClusterHeight);
-    chooseLevels(theScene(), camera, kThreeRanges, rule, workers, lists);
-    chooseClusters(theScene(),
-                   {.camera = camera,
-                    .frustum = frustum,
-                    .clipRanges = kThreeRanges,
-                    .wideSpan = wideSpan,
-                    .slope = rule.slope},
-                   workers, lists);
+    chooseDetail(
+        theScene(),
+        {.camera = camera,
+         .frustum = frustum,
+         .clipRanges = kThreeRanges,
+         .wideSpan = wideSpan,
+         .levels = levelRule({.mode = DetailMode::perCluster, .pixels = pixels}, frustum, kClusterHeight)},
+        workers, lists);
     return lists;
 }
 

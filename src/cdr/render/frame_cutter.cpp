@@ -42,17 +42,13 @@ void FrameCutter::take(FrameView& view, const depth::Cascades& ranges) const {
         lens.emplace(m_focus, view.frustum.tanY, m_extent.height);
     }
     const depth::Cascades drawn = lens && m_focus.blend ? lens->overlapping(ranges) : ranges;
-    view.cascades.clear();
     view.drawn = m_part.of(ranges.size());
+    view.cascades = cascadeViews(m_mapping, ranges, drawn, m_split.farEnd(), m_extent);
     for (std::size_t i = 0; i < ranges.size(); ++i) {
-        const bool isLast = i + 1 == ranges.size();
-        const depth::FarEnd farEnd = isLast ? m_split.farEnd() : depth::FarEnd::closed;
-        const depth::Cascade clipRange = depth::clipRange(m_mapping, drawn, i);
-        view.cascades.push_back({.range = ranges[i],
-                                 .clipRange = clipRange,
-                                 .terms = depth::clipTerms(depth::depthRange(m_mapping, clipRange, farEnd)),
-                                 .slice = m_targets.depthSlice(i, ranges.size()),
-                                 .extent = lens ? shrunk(m_extent, lens->scaleOf(ranges[i])) : m_extent});
+        view.cascades[i].slice = m_targets.depthSlice(i, ranges.size());
+        if (lens) {
+            view.cascades[i].extent = shrunk(m_extent, lens->scaleOf(ranges[i]));
+        }
     }
 }
 

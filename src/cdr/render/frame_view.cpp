@@ -31,6 +31,22 @@ std::vector<double> FrameView::anchorsView() const {
     return ofEach(cascades, [](const CascadeView& cascade) { return cascade.terms.anchorView; });
 }
 
+std::vector<CascadeView> cascadeViews(depth::Mapping mapping, const depth::Cascades& ranges,
+                                      const depth::Cascades& drawn, depth::FarEnd farEnd,
+                                      vk::Extent2D extent) {
+    std::vector<CascadeView> views;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        const depth::Cascade clipRange = depth::clipRange(mapping, drawn, i);
+        const depth::FarEnd end = i + 1 == ranges.size() ? farEnd : depth::FarEnd::closed;
+        views.push_back({.range = ranges[i],
+                         .clipRange = clipRange,
+                         .terms = depth::clipTerms(depth::depthRange(mapping, clipRange, end)),
+                         .slice = {},
+                         .extent = extent});
+    }
+    return views;
+}
+
 shaders::CascadePush makeCascadePush(const FrameView& view, std::size_t cascade) {
     const CascadeView& made = view.cascades[cascade];
     const depth::ClipTerms& terms = made.terms;

@@ -29,6 +29,13 @@ struct CascadeView {
     vk::Extent2D extent;      ///< of what the cascade is drawn into
 };
 
+/// Of cascades that each have all of the depth range and of the picture.
+/// @param drawn what each draws of the view: `ranges`, or more where cascades overlap.
+/// @param farEnd of the last one.
+std::vector<CascadeView> cascadeViews(depth::Mapping mapping, const depth::Cascades& ranges,
+                                      const depth::Cascades& drawn, depth::FarEnd farEnd,
+                                      vk::Extent2D extent);
+
 /// One frame as the CPU sees it: who looks, through what, and the cascades that the view is cut into.
 struct FrameView {
     scene::Camera camera;

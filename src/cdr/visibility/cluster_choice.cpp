@@ -36,12 +36,12 @@ void appendMerged(const std::vector<Entry>& a, const std::vector<Entry>& b, std:
 /// Puts runs of clusters in the place of draws.
 class ClusterChoice {
   public:
-    ClusterChoice(const scene::Scene& scene, const ClusterRule& rule, host::WorkerPool& workers,
+    ClusterChoice(const scene::Scene& scene, const DetailView& view, host::WorkerPool& workers,
                   DrawLists& lists)
         : m_scene(scene),
-          m_rule(rule),
-          m_test(rule.camera, rule.frustum),
-          m_ranges(rule.clipRanges, rule.wideSpan),
+          m_view(view),
+          m_test(view.camera, view.frustum),
+          m_ranges(view.clipRanges, view.wideSpan),
           m_workers(workers),
           m_lists(lists),
           m_cuts(workers.threads()) {}
@@ -103,7 +103,7 @@ class ClusterChoice {
                 into.add({.instance = instance, .run = run}, isWide);
             }
         };
-        for (const std::uint32_t chosen : cut.of(tree, view, m_rule.slope)) {
+        for (const std::uint32_t chosen : cut.of(tree, view, m_view.levels.slope)) {
             const scene::MeshCluster& cluster = tree.clusters[chosen];
             const ClusterView::Seen seen = view.see(cluster.bounds);
             const double low = seen.distanceView - seen.radius;
@@ -123,7 +123,7 @@ class ClusterChoice {
     }
 
     const scene::Scene& m_scene;
-    const ClusterRule& m_rule;
+    const DetailView& m_view;
     SphereTest m_test;
     LandingRanges m_ranges;
     host::WorkerPool& m_workers;
@@ -133,13 +133,21 @@ class ClusterChoice {
 
 } // namespace
 
-void chooseClusters(const scene::Scene& scene, const ClusterRule& rule, host::WorkerPool& workers,
+void chooseClusters(const scene::Scene& scene, const DetailView& view, host::WorkerPool& workers,
                     DrawLists& lists) {
     const bool hasClusters =
         std::any_of(scene.meshes.begin(), scene.meshes.end(),
                     [](const scene::Mesh& mesh) { return !mesh.clusters.clusters.empty(); });
     if (hasClusters) {
-        ClusterChoice(scene, rule, workers, lists).run();
+        ClusterChoice(scene, view, workers, lists).run();
+    }
+}
+
+void chooseDetail(const scene::Scene& scene, const DetailView& view, host::WorkerPool& workers,
+                  DrawLists& lists) {
+    chooseLevels(scene, view.camera, view.clipRanges, view.levels, workers, lists);
+    if (view.levels.mode == DetailMode::perCluster) {
+        chooseClusters(scene, view, workers, lists);
     }
 }
 

@@ -9,25 +9,30 @@
 #include <cdr/scene/frustum.h>
 #include <cdr/scene/scene.h>
 #include <cdr/visibility/bin.h>
+#include <cdr/visibility/level_choice.h>
 
 namespace cdr::visibility {
 
-/// What clusters are chosen for.
-struct ClusterRule {
+/// What levels of detail are chosen for.
+struct DetailView {
     const scene::Camera& camera;       ///< of the frame
     const scene::Frustum& frustum;     ///< of the camera and the picture
     const depth::Cascades& clipRanges; ///< as binByDistance() took them
     double wideSpan = 0.0;             ///< likewise
-    double slope = 0.0;                ///< LevelRule::slope
+    LevelRule levels{};                ///< of the frustum and the picture
 };
 
 /// Puts runs of clusters in the place of each draw of a mesh that has them (scene::ClusterTree): at each place the
-/// coarsest form whose error, in world space, is at most `slope` times the view distance of its group's sphere, w - r, but
+/// coarsest form whose error, in world space, is at most `levels.slope` times the view distance of its group's sphere, w - r, but
 /// no nearer than the near plane. Clusters outside the frustum or the draw's cascade are left out, and those that face away
 /// from the camera, unless the material has two sides. A run is wide by its own clusters, whatever the instance is. Draws of
 /// one instance follow one another in the order of its clusters. The same lists for any number of workers.
 /// @param lists of binByDistance() over the same camera and ranges, after chooseLevels().
-CDR_EXPORT void chooseClusters(const scene::Scene& scene, const ClusterRule& rule, host::WorkerPool& workers,
+CDR_EXPORT void chooseClusters(const scene::Scene& scene, const DetailView& view, host::WorkerPool& workers,
                                DrawLists& lists);
+
+/// Chooses as `levels.mode` says: chooseLevels(), and chooseClusters() where clusters are wanted.
+CDR_EXPORT void chooseDetail(const scene::Scene& scene, const DetailView& view, host::WorkerPool& workers,
+                             DrawLists& lists);
 
 } // namespace cdr::visibility

@@ -228,17 +228,13 @@ class Comparison {
         constexpr double kNoneWide = std::numeric_limits<double>::infinity();
         m_binner.bin(m_visible, ranges, kNoneWide, m_workers, m_lists);
         const visibility::Detail detail{.mode = mode, .pixels = m_options.pixels};
-        const visibility::LevelRule rule = visibility::levelRule(detail, frustum, m_options.height);
-        visibility::chooseLevels(m_setup.scene, frame.camera, ranges, rule, m_workers, m_lists);
-        if (mode == visibility::DetailMode::perCluster) {
-            visibility::chooseClusters(m_setup.scene,
-                                       {.camera = frame.camera,
-                                        .frustum = frustum,
-                                        .clipRanges = ranges,
-                                        .wideSpan = kNoneWide,
-                                        .slope = rule.slope},
-                                       m_workers, m_lists);
-        }
+        visibility::chooseDetail(m_setup.scene,
+                                 {.camera = frame.camera,
+                                  .frustum = frustum,
+                                  .clipRanges = ranges,
+                                  .wideSpan = kNoneWide,
+                                  .levels = visibility::levelRule(detail, frustum, m_options.height)},
+                                 m_workers, m_lists);
         return visibility::trianglesDrawn(m_setup.scene, m_lists);
     }
 

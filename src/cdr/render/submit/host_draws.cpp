@@ -12,16 +12,13 @@ void HostDraws::bin(const FrameView& view, const visibility::VisibleCells& visib
     stats.draws = m_lists.draws();
     stats.duplication = m_lists.duplication();
     visibility::keepCascades(m_lists, view.drawn);
-    visibility::chooseLevels(m_context.scene, view.camera, clipRanges, view.levels, workers(), m_lists);
-    if (view.levels.mode == visibility::DetailMode::perCluster) {
-        visibility::chooseClusters(m_context.scene,
-                                   {.camera = view.camera,
-                                    .frustum = view.frustum,
-                                    .clipRanges = clipRanges,
-                                    .wideSpan = wideSpan(mapping(), clipRanges.size()),
-                                    .slope = view.levels.slope},
-                                   workers(), m_lists);
-    }
+    visibility::chooseDetail(m_context.scene,
+                             {.camera = view.camera,
+                              .frustum = view.frustum,
+                              .clipRanges = clipRanges,
+                              .wideSpan = wideSpan(mapping(), clipRanges.size()),
+                              .levels = view.levels},
+                             workers(), m_lists);
     makeRoom(m_lists.draws());
 }
 

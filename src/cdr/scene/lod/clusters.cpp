@@ -72,11 +72,7 @@ std::vector<Indices> cut(const Indices& indices, const std::vector<glm::vec3>& p
 /// The clusters of a coarser form; none: the triangles do not get fewer.
 std::vector<Indices> coarserFormOf(const SharedMesh& mesh, const Indices& indices) {
     const PartOfMesh part = partOf(mesh, indices);
-    Indices coarse(part.indices.size());
-    constexpr float kAnyError = std::numeric_limits<float>::max();
-    coarse.resize(meshopt_simplify(
-        coarse.data(), part.indices.data(), part.indices.size(), &part.positions[0].x, part.positions.size(),
-        sizeof(glm::vec3), part.indices.size() / 6 * 3, kAnyError, meshopt_SimplifyLockBorder, nullptr));
+    const Indices coarse = simplified(part.indices, part.positions, part.indices.size() / 6);
     if (coarse.size() / 3 < kLeastTriangles ||
         static_cast<double>(coarse.size()) > kMostLeft * static_cast<double>(part.indices.size())) {
         return {};

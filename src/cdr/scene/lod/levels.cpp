@@ -4,7 +4,6 @@
 #include <cdr/scene/lod/surface_distance.h>
 
 #include <fmt/format.h>
-#include <meshoptimizer.h>
 
 #include <algorithm>
 #include <limits>
@@ -28,16 +27,6 @@ void requireUsable(const LevelOptions& options) {
     }
 }
 
-std::vector<std::uint32_t> simplified(const SharedMesh& mesh, std::size_t targetTriangles) {
-    std::vector<std::uint32_t> coarse(mesh.indices.size());
-    // The target alone decides how far to go; what it costs is measured afterwards.
-    constexpr float kAnyError = std::numeric_limits<float>::max();
-    coarse.resize(meshopt_simplify(coarse.data(), mesh.indices.data(), mesh.indices.size(),
-                                   &mesh.positions[0].x, mesh.positions.size(), sizeof(glm::vec3),
-                                   3 * targetTriangles, kAnyError, meshopt_SimplifyLockBorder, nullptr));
-    return coarse;
-}
-
 } // namespace
 
 std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options) {
@@ -53,7 +42,7 @@ std::vector<MeshLevel> makeLevels(const Mesh& mesh, const LevelOptions& options)
         if (target < options.leastTriangles || target == 0) {
             break;
         }
-        MeshLevel level{.indices = simplified(full, target)};
+        MeshLevel level{.indices = simplified(full.indices, full.positions, target)};
         const std::size_t left = level.indices.size() / 3;
         const double gain = 1.0 - static_cast<double>(left) / static_cast<double>(triangles);
         if (left < options.leastTriangles || left == 0 || left == triangles || gain < options.leastGain) {

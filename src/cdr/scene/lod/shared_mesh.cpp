@@ -29,4 +29,14 @@ SharedMesh sharedBy(const Mesh& mesh) {
     return shared;
 }
 
+std::vector<std::uint32_t> simplified(std::span<const std::uint32_t> indices,
+                                      std::span<const glm::vec3> positions, std::size_t triangles) {
+    constexpr float kAnyError = std::numeric_limits<float>::max();
+    std::vector<std::uint32_t> coarse(indices.size());
+    coarse.resize(meshopt_simplify(coarse.data(), indices.data(), indices.size(), &positions[0].x,
+                                   positions.size(), sizeof(glm::vec3), 3 * triangles, kAnyError,
+                                   meshopt_SimplifyLockBorder, nullptr));
+    return coarse;
+}
+
 } // namespace cdr::scene
