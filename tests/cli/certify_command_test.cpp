@@ -33,7 +33,9 @@ TEST(CertifyCommand, WritesPicturesThatAreRightAndTheirCertificate) {
         EXPECT_EQ(frame.at("frame"), i);
         EXPECT_EQ(frame.at("pixels"), 320 * 180);
         EXPECT_EQ(frame.at("certified").get<int>() + frame.at("cast").get<int>(), 320 * 180);
-        EXPECT_GT(frame.at("certified_fraction"), 0.97);
+        EXPECT_GT(frame.at("proven").get<int>(), 0);
+        EXPECT_LT(frame.at("proven").get<int>(), frame.at("certified").get<int>() / 10);
+        EXPECT_GT(frame.at("certified_fraction"), 0.999);
         EXPECT_EQ(frame.at("refused"), 0);
         EXPECT_GE(frame.at("repaired"), frame.at("wrong_before"));
         EXPECT_EQ(frame.at("hash"), rows[i].at("hash"));

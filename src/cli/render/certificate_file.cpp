@@ -33,6 +33,7 @@ nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& 
                                 {"snap_pixels", certified.snapPixels},
                                 {"pixels", certificate.pixels},
                                 {"certified", certificate.certified},
+                                {"proven", certificate.proven},
                                 {"certified_fraction", certificate.certifiedFraction()},
                                 {"cast", certificate.cast},
                                 {"wrong_before", certificate.wrong},

@@ -21,6 +21,7 @@ experiments::Columns<RenderRow> certificateColumns(bool isShown) {
     return {
         {.key = "certified",
          .value = of([](const CertifiedOutput& made) { return made.certificate.certified; })},
+        {.key = "proven", .value = of([](const CertifiedOutput& made) { return made.certificate.proven; })},
         {.key = "certified_fraction",
          .value = of([](const CertifiedOutput& made) { return made.certificate.certifiedFraction(); }),
          .heading = isShown ? "certified" : "",

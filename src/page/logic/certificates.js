@@ -10,6 +10,7 @@ export function certifiedRow({ options, results }) {
         scene: options.scene,
         technique: results[0].technique,
         certified: sum("certified") / pixels,
+        proven: sum("proven") / pixels,
         cast: sum("cast") / pixels,
         repaired: sum("repaired") / pixels,
         wrongBefore: sum("wrong_before"),

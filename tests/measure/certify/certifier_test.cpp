@@ -61,7 +61,9 @@ TEST(Certifier, CertifiesNearlyAllOfATruePictureAndRepairsNothing) {
     EXPECT_EQ(drawn.certificate.refused, 0u);
     EXPECT_EQ(drawn.certificate.wrong, 0u);
     EXPECT_TRUE(drawn.certificate.repairs.empty());
-    EXPECT_GT(drawn.certificate.certifiedFraction(), 0.98);
+    EXPECT_GT(drawn.certificate.certifiedFraction(), 0.9999);
+    EXPECT_GT(drawn.certificate.proven, 0u);
+    EXPECT_LT(drawn.certificate.proven, drawn.certificate.pixels / 50);
     EXPECT_EQ(drawn.certificate.certified + drawn.certificate.cast, drawn.certificate.pixels);
 }
 
@@ -178,18 +180,40 @@ Certificate certifiedAtEdge(double share) {
     const double right = 10.0 * pixel * (84.5 - 0.5 * device.width + share * snap);
     // The other edges are far from centres of pixels.
     const auto side = static_cast<float>(4.0 * 10.0 * pixel);
-    const glm::mat3 narrow(glm::vec3(1.375f * side, 0.0f, 0.0f), glm::vec3(0.0f, side, 0.0f),
+    const float across = 1.375f * side;
+    const glm::mat3 narrow(glm::vec3(across, 0.0f, 0.0f), glm::vec3(0.0f, side, 0.0f),
                            glm::vec3(0.0f, 0.0f, 1.0f));
-    addObject(scene, kCube, {right - 0.6875 * static_cast<double>(side), 0.0, -10.5}, narrow);
+    addObject(scene, kCube, {right - 0.5 * static_cast<double>(across), 0.0, -10.5}, narrow);
     return certified(scene, drawnByRays(scene, camera, snap, device));
 }
 
-TEST(Certifier, CastsPixelsNearerToAnEdgeThanVerticesMayBeOff) {
+TEST(Certifier, ProvesPixelsNearerToAnEdgeThanVerticesMayBeOff) {
     const Certificate beside = certifiedAtEdge(1.1);
-    EXPECT_GT(certifiedAtEdge(0.9).cast, beside.cast + 3);
-    EXPECT_GT(certifiedAtEdge(-0.9).cast, beside.cast + 3);
-    EXPECT_EQ(certifiedAtEdge(-1.1).cast, beside.cast);
-    EXPECT_EQ(beside.cast, 0u);
+    EXPECT_GT(certifiedAtEdge(0.9).proven, beside.proven + 3);
+    EXPECT_GT(certifiedAtEdge(-0.9).proven, beside.proven + 3);
+    EXPECT_EQ(certifiedAtEdge(-1.1).proven, beside.proven);
+    EXPECT_EQ(beside.proven, 0u);
+    EXPECT_EQ(certifiedAtEdge(0.9).cast, 0u);
+}
+
+TEST(Certifier, CastsPixelsThatLieOnAnEdge) {
+    EXPECT_GT(certifiedAtEdge(0.0).cast, 3u);
+    EXPECT_GT(certifiedAtEdge(1e-9).cast, 3u);
+    EXPECT_EQ(certifiedAtEdge(1e-6).cast, 0u);
+}
+
+/// A device of 16 bits may show either of two walls.
+TEST(Certifier, ProvesAnOrderThatTheDepthFormatDoesNotResolve) {
+    scene::Scene scene = makeEmptyScene();
+    wrongWall(scene, 0.05);
+    DrawnFrame frame = drawnByRays(scene, makePlainCamera(), kEighthBits);
+    frame.technique = depth::parseTechnique("reversed");
+    frame.technique.format = depth::DepthFormat::d16;
+    frame.cascades = {{frame.camera.nearView, frame.camera.farView}};
+    const Certificate certificate = certified(scene, frame);
+    EXPECT_GT(certificate.proven, 500u);
+    EXPECT_EQ(certificate.certified, certificate.pixels);
+    EXPECT_EQ(certificate.cast, 0u);
 }
 
 TEST(Certifier, LightsRepairsAsTheTruthIsLit) {

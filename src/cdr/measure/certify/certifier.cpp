@@ -63,29 +63,41 @@ void Certifier::follow(std::span<const std::uint32_t> meshes, host::WorkerPool& 
 Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& workers) const {
     const std::uint32_t width = frame.ids.width;
     const std::uint32_t height = frame.ids.height;
-    const DeviceBound bound(frame);
+    const DeviceBound device(frame);
+    const DeviceBound float64 = DeviceBound::ofFloat64(frame);
     const std::vector<VisibleInstance> visible =
         visibleInstances(*m_scene, m_caster.shapes(), frame.camera, width, height, workers, kMarginPixels);
-    const scene::Instances& instances = m_scene->instances;
-    Findings findings(width, height);
-    workers.run((height + kBandRows - 1) / kBandRows, [&](std::size_t band, std::size_t) {
-        const auto top = static_cast<std::uint32_t>(band) * kBandRows;
-        const PixelRect rows{0, top, width, std::min(top + kBandRows, height)};
-        OrderStrip strip(frame, bound, rows);
+    const auto enterAll = [&](OrderStrip& strip, const DeviceBound& bound) {
         InstanceTriangles triangles(frame.camera, width, height, bound);
         for (const VisibleInstance& candidate : visible) {
             if (strip.hides(candidate.pixels, candidate.nearestView)) {
                 continue;
             }
-            const MeshOutline& outline = m_outlines[instances.mesh[candidate.instance]];
+            const MeshOutline& outline = m_outlines[m_scene->instances.mesh[candidate.instance]];
             for (const ScreenTriangle& triangle :
-                 triangles.of(instances, candidate.instance, outline, candidate.doubleSided)) {
+                 triangles.of(m_scene->instances, candidate.instance, outline, candidate.doubleSided)) {
                 strip.enter(triangle, candidate.id);
             }
         }
+    };
+    Findings findings(width, height);
+    workers.run((height + kBandRows - 1) / kBandRows, [&](std::size_t band, std::size_t) {
+        const auto top = static_cast<std::uint32_t>(band) * kBandRows;
+        const PixelRect rows{0, top, width, std::min(top + kBandRows, height)};
+        OrderStrip strip(frame, device, rows);
+        enterAll(strip, device);
+        std::optional<OrderStrip> open;
+        if (strip.hasOpen()) {
+            enterAll(open.emplace(strip, float64), float64);
+        }
         for (std::uint32_t y = rows.top; y < rows.bottom; ++y) {
             for (std::uint32_t x = 0; x < width; ++x) {
-                findings.at(x, y) = strip.findingAt(x, y);
+                PixelFinding& finding = findings.at(x, y);
+                finding = strip.findingAt(x, y);
+                if (finding.verdict == PixelVerdict::open &&
+                    open->findingAt(x, y).verdict == PixelVerdict::certified) {
+                    finding.verdict = PixelVerdict::proven;
+                }
             }
         }
     });
@@ -124,7 +136,9 @@ Certificate Certifier::certify(const DrawnFrame& frame, host::WorkerPool& worker
     certificate.pixels = findings.pixels.size();
     for (std::size_t i = 0; i < findings.pixels.size(); ++i) {
         const PixelVerdict verdict = findings.pixels[i].verdict;
-        certificate.certified += verdict == PixelVerdict::certified ? 1 : 0;
+        certificate.proven += verdict == PixelVerdict::proven ? 1 : 0;
+        certificate.certified +=
+            verdict == PixelVerdict::certified || verdict == PixelVerdict::proven ? 1 : 0;
         certificate.cast += verdict == PixelVerdict::open ? 1 : 0;
         if (verdict == PixelVerdict::refused && certificate.refused++ == 0) {
             certificate.firstRefused = {i % findings.width, i / findings.width};

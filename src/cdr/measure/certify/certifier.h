@@ -31,10 +31,11 @@ struct PixelRepair {
 /// What is known of a drawn picture.
 struct Certificate {
     std::uint64_t pixels = 0;
-    std::uint64_t certified = 0;            ///< right, as the bound shows
-    std::uint64_t cast = 0;                 ///< decided by a float64 ray
-    std::uint64_t refused = 0;              ///< show what no device within its limits draws there
-    std::uint64_t wrong = 0;                ///< of those cast: whose object was drawn wrong
+    std::uint64_t certified = 0; ///< right, without a ray
+    std::uint64_t proven = 0;    ///< of those certified: where a device may have drawn something else
+    std::uint64_t cast = 0;      ///< decided by a float64 ray
+    std::uint64_t refused = 0;   ///< show what no device within its limits draws there
+    std::uint64_t wrong = 0;     ///< of those cast: whose object was drawn wrong
     std::optional<glm::uvec2> firstRefused; ///< in the order of rows
     std::vector<PixelRepair> repairs;       ///< of those cast: what to draw there; in the order of rows
 
@@ -50,12 +51,14 @@ struct Certificate {
 ///
 /// 1. Triangles are placed in float64 and give each pixel intervals of distance (OrderStrip). A pixel is certified where its
 ///    drawn object covers it surely, is before every other by more than the device may be off, and was drawn at its place.
-/// 2. A pixel where the bound leaves two answers open is cast, and repaired where it was drawn wrong.
-/// 3. A pixel that shows what the bound rules out is refused: driver, renderer or scene are not what they are said to be.
+/// 2. Where the bound leaves two answers open, the same is asked again of triangles that are off by roundings of float64 alone.
+///    Nearly all pixels that were drawn right are proven so.
+/// 3. The others are cast, and repaired where they were drawn wrong: those drawn wrong, and those on an edge.
+/// 4. A pixel that shows what the bound rules out is refused: driver, renderer or scene are not what they are said to be.
 ///
 /// Why a certified pixel is right: float64 places triangles to 10^-9 pixels, and every margin is larger than that. So what
 /// covers surely within the device's margins covers, and what is before by more than them is before. The device's limits
-/// decide only which pixels are cast and which refused.
+/// decide only which pixels are refused, and which of the others could have been drawn in no other way.
 class Certifier {
   public:
     /// @param scene must outlive the certifier; instances may change, and meshes that follow() is told of, materials not.

@@ -12,6 +12,10 @@ namespace cdr::measure {
 namespace {
 
 constexpr double kFloatRounding = 0x1p-24;
+/// Eight times what an operation of float64 rounds by, since what is placed here went through a few more than in a shader.
+constexpr double kDoubleOperation = 0x1p-50;
+/// No triangle is placed more exactly, pixels.
+constexpr double kLeastPixels = 0x1p-30;
 /// Cells go by the exponent and the first 5 bits of the mantissa.
 constexpr unsigned kCellShift = 47;
 
@@ -25,11 +29,18 @@ double cellBegin(std::uint64_t number) {
 
 } // namespace
 
-DeviceBound::DeviceBound(const DrawnFrame& frame)
-    : m_snapPixels(frame.snapPixels),
+DeviceBound::DeviceBound(const DrawnFrame& frame, double rounding, double snapPixels)
+    : m_rounding(rounding),
+      m_snapPixels(snapPixels),
       m_pixelsPerSlope(pixelsPerSlope(frame.camera, frame.ids.height)),
-      m_picturePixels(double{1.0} * frame.ids.width + frame.ids.height),
-      m_bends(frame.technique.mapping == depth::Mapping::log) {
+      m_picturePixels(double{1.0} * frame.ids.width + frame.ids.height) {}
+
+DeviceBound DeviceBound::ofFloat64(const DrawnFrame& frame) {
+    return {frame, kDoubleOperation, kLeastPixels};
+}
+
+DeviceBound::DeviceBound(const DrawnFrame& frame) : DeviceBound(frame, kFloatRounding, frame.snapPixels) {
+    m_bends = frame.technique.mapping == depth::Mapping::log;
     const depth::Mapping mapping = frame.technique.mapping;
     const depth::FarEnd farEnd = std::holds_alternative<depth::SplitFitted>(frame.technique.split)
                                      ? depth::FarEnd::closed
@@ -41,9 +52,9 @@ DeviceBound::DeviceBound(const DrawnFrame& frame)
                             .anchorView = depth::clipTerms(range).anchorView});
     }
     if (m_ranges.empty()) {
-        m_cells.push_back({});
         return;
     }
+    m_cells.clear();
     m_firstCell = cellNumber(m_ranges.front().clip.nearView);
     const std::uint64_t lastCell = cellNumber(m_ranges.back().clip.farView);
     for (std::uint64_t cell = m_firstCell; cell <= lastCell; ++cell) {
@@ -83,11 +94,11 @@ const DeviceBound::Cell& DeviceBound::cellAt(double distanceView) const {
 TriangleBound DeviceBound::of(const TriangleReach& reach) const {
     TriangleBound bound;
     // The roundings of x; those of w, by which x is divided; those of the viewport and of a plane over the picture.
-    bound.pixels = m_snapPixels + kFloatRounding * (reach.acrossView * m_pixelsPerSlope / reach.leastView *
-                                                        (10.0 + 4.0 * reach.alongView / reach.leastView) +
-                                                    4.0 * m_picturePixels);
+    bound.pixels = m_snapPixels + m_rounding * (reach.acrossView * m_pixelsPerSlope / reach.leastView *
+                                                    (10.0 + 4.0 * reach.alongView / reach.leastView) +
+                                                4.0 * m_picturePixels);
     double depth = 0.0;
-    double beyondAnchor = 0.0;
+    double beyondAnchor = m_ranges.empty() ? reach.mostView : 0.0;
     for (const Range& range : m_ranges) {
         if (reach.mostView < range.clip.nearView || reach.leastView > range.clip.farView) {
             continue;
@@ -98,8 +109,8 @@ TriangleBound DeviceBound::of(const TriangleReach& reach) const {
             beyondAnchor = std::max(beyondAnchor, std::abs(w - range.anchorView));
         }
     }
-    bound.depth = 8.0 * kFloatRounding * std::min(depth, 1.0);
-    bound.distanceView = 8.0 * kFloatRounding * (beyondAnchor + reach.alongView);
+    bound.depth = 8.0 * m_rounding * std::min(depth, 1.0);
+    bound.distanceView = 8.0 * m_rounding * (beyondAnchor + reach.alongView);
     if (m_bends) {
         const double octaves = std::log(reach.mostView / reach.leastView);
         bound.bend = octaves * octaves / 8.0;

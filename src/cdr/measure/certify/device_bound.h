@@ -40,6 +40,10 @@ class DeviceBound {
   public:
     explicit DeviceBound(const DrawnFrame& frame);
 
+    /// The bound of a device that would compute in float64, snap no vertex and store depth as it is: how far off triangles
+    /// are that are placed in float64.
+    static DeviceBound ofFloat64(const DrawnFrame& frame);
+
     TriangleBound of(const TriangleReach& reach) const;
 
     /// How far the depth of a surface may be off, as a view distance, its step in the buffer included. Infinity where the
@@ -72,16 +76,19 @@ class DeviceBound {
     };
     static constexpr double kDoubleRounding = 0x1p-46;
 
+    DeviceBound(const DrawnFrame& frame, double rounding, double snapPixels);
+
     const Cell& cellAt(double distanceView) const;
     Cell makeCell(double leastView, double mostView, depth::DepthFormat format) const;
 
-    std::vector<Range> m_ranges;
+    std::vector<Range> m_ranges; ///< of cascades; empty where distances are kept as they are
     std::uint64_t m_firstCell = 0;
-    std::vector<Cell> m_cells;
+    std::vector<Cell> m_cells{Cell{}};
+    double m_rounding; ///< of one operation, relative
     double m_snapPixels;
     double m_pixelsPerSlope;
     double m_picturePixels; ///< width and height
-    bool m_bends;
+    bool m_bends = false;
 };
 
 } // namespace cdr::measure

@@ -34,11 +34,45 @@ OrderStrip::OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const 
             const double reach = frame.ids.at(x, y) == 0
                                      ? kNever
                                      : drawn * (1.0 + kBehindShare) + kBehindSteps * bound.stepView(drawn);
-            m_reach[indexOf(x, y)] = reach;
-            double& tile = m_tileReach[std::size_t{(y - pixels.top) / kTile} * m_tileColumns + x / kTile];
-            tile = std::max(tile, reach);
+            keepReach(x, y, reach);
         }
     }
+}
+
+OrderStrip::OrderStrip(const OrderStrip& device, const DeviceBound& bound)
+    : m_frame(device.m_frame),
+      m_bound(bound),
+      m_pixels(device.m_pixels),
+      m_reach(device.m_reach.size(), 0.0),
+      m_tileColumns(device.m_tileColumns),
+      m_tileReach(device.m_tileReach.size(), 0.0),
+      m_orders(device.m_orders.size()) {
+    for (std::uint32_t y = m_pixels.top; y < m_pixels.bottom; ++y) {
+        for (std::uint32_t x = 0; x < m_frame.ids.width; ++x) {
+            const PixelFinding finding = device.findingAt(x, y);
+            if (finding.verdict == PixelVerdict::open) {
+                keepReach(x, y, device.m_reach[indexOf(x, y)]);
+                m_orders[indexOf(x, y)].statedOffView = static_cast<double>(finding.offView);
+            }
+        }
+    }
+}
+
+void OrderStrip::keepReach(std::uint32_t x, std::uint32_t y, double reach) {
+    m_reach[indexOf(x, y)] = reach;
+    double& tile = m_tileReach[std::size_t{(y - m_pixels.top) / kTile} * m_tileColumns + x / kTile];
+    tile = std::max(tile, reach);
+}
+
+bool OrderStrip::hasOpen() const {
+    for (std::uint32_t y = m_pixels.top; y < m_pixels.bottom; ++y) {
+        for (std::uint32_t x = 0; x < m_frame.ids.width; ++x) {
+            if (findingAt(x, y).verdict == PixelVerdict::open) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 bool OrderStrip::hides(const PixelRect& pixels, double leastView) const {
@@ -214,7 +248,8 @@ void OrderStrip::enterPixel(const ScreenTriangle& triangle, std::uint32_t id, st
         order.mostBeside = std::max(order.mostBeside, w + off);
     } else if (w + off < order.most) {
         order.most = w + off;
-        order.isAtDrawn = std::abs(w - m_frame.distancesView.at(x, y)) <= surfaceOff;
+        order.isAtDrawn =
+            std::abs(w - m_frame.distancesView.at(x, y)) <= std::max(surfaceOff, order.statedOffView);
     }
 }
 

@@ -14,6 +14,7 @@ namespace cdr::measure {
 /// What geometry and the device's bound say of a drawn pixel.
 enum class PixelVerdict : std::uint8_t {
     certified, ///< the drawn object is there, nearest by more than the device may be off, and so is no edge near
+    proven,    ///< a device may draw something else, but triangles placed in float64 show that this is right
     open,      ///< a device may draw this or something else
     refused    ///< no device that keeps to its limits draws this
 };
@@ -35,10 +36,15 @@ class OrderStrip {
     /// @param pixels whole rows of the frame.
     OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const PixelRect& pixels);
 
+    /// The pixels alone that another strip leaves open.
+    /// @param bound of float64. A drawn distance may be off by as much as the other strip found.
+    OrderStrip(const OrderStrip& device, const DeviceBound& bound);
+
     /// Whether all that is `leastView` away or farther is behind what was drawn in a rectangle of the picture.
     bool hides(const PixelRect& pixels, double leastView) const;
     void enter(const ScreenTriangle& triangle, std::uint32_t id);
     PixelFinding findingAt(std::uint32_t x, std::uint32_t y) const;
+    bool hasOpen() const;
 
   private:
     static constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -52,6 +58,7 @@ class OrderStrip {
         double otherLeast = kNever; ///< of other objects that may be there
         double otherMost = kNever;  ///< of the nearest other one that has the pixel within a triangle
         double offView = 0.0;       ///< most that a distance of the drawn object may be off
+        double statedOffView = 0.0; ///< of a strip of open pixels: what the device may be off
         bool isAtDrawn = false;     ///< the nearest sure surface is at the drawn distance
     };
     /// Of pixels in a row, none where first > last.
@@ -77,6 +84,7 @@ class OrderStrip {
         perhaps ///< near an edge where the surface may end
     };
 
+    void keepReach(std::uint32_t x, std::uint32_t y, double reach);
     static PixelVerdict verdictOn(const Order& order, bool isBackground, double reach);
     std::array<Edge, 3> edgesOf(const ScreenTriangle& triangle) const;
     /// The triangle's box with what its corners may be off.
