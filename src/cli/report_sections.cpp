@@ -131,21 +131,13 @@ void SectionRunner::runAll(const std::function<void()>& keep) {
             keep();
         };
     };
-    const std::vector<std::size_t> shared = sectionsThat(false);
-    const std::vector<std::size_t> timed = sectionsThat(true);
+    std::vector<std::size_t> shared; // by all ranks; the others measure time
+    std::vector<std::size_t> timed;
+    for (std::size_t i = 0; i < m_plan.size(); ++i) {
+        (m_plan[i].isTimed ? timed : shared).push_back(i);
+    }
     experiments::forEachUnit(m_command.ranks(), shared.size(), runOf(shared), addOf(shared));
     experiments::forEachUnitOnFirst(m_command.ranks(), timed.size(), runOf(timed), addOf(timed));
-}
-
-/// Which sections measure time, or do not, in the order of the plan.
-std::vector<std::size_t> SectionRunner::sectionsThat(bool areTimed) const {
-    std::vector<std::size_t> sections;
-    for (std::size_t i = 0; i < m_plan.size(); ++i) {
-        if (m_plan[i].isTimed == areTimed) {
-            sections.push_back(i);
-        }
-    }
-    return sections;
 }
 
 SectionOutcome SectionRunner::run(std::size_t section) {

@@ -38,7 +38,6 @@ class SectionRunner {
     const std::vector<SectionOutcome>& outcomes() const { return m_outcomes; }
 
   private:
-    std::vector<std::size_t> sectionsThat(bool areTimed) const;
     SectionOutcome run(std::size_t section);
     void add(std::size_t section, SectionOutcome outcome);
 

@@ -36,20 +36,23 @@ render::Effects effectsOf(std::size_t mode, const EffectsOptions& options) {
     return effects;
 }
 
-/// By how much one pixel's channels differ at most; `signedly` only where `a` is brighter.
-int apart(const image::Rgba8& a, const image::Rgba8& b, bool signedly) {
+/// Which pixels are apart: all that differ, or those that are brighter in the first picture.
+enum class Apart : std::uint8_t { either, brighter };
+
+/// By how much one pixel's channels differ at most.
+int apart(const image::Rgba8& a, const image::Rgba8& b, Apart which) {
     int most = 0;
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const int difference = int{a[channel]} - int{b[channel]};
-        most = std::max(most, signedly ? difference : std::abs(difference));
+        most = std::max(most, which == Apart::brighter ? difference : std::abs(difference));
     }
     return most;
 }
 
-double shareApart(const image::ImageRgba8& a, const image::ImageRgba8& b, bool signedly) {
+double shareApart(const image::ImageRgba8& a, const image::ImageRgba8& b, Apart which) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        count += apart(a.pixels[i], b.pixels[i], signedly) > kEffectTolerance ? 1 : 0;
+        count += apart(a.pixels[i], b.pixels[i], which) > kEffectTolerance ? 1 : 0;
     }
     return static_cast<double>(count) / static_cast<double>(a.pixels.size());
 }
@@ -83,8 +86,8 @@ class Comparison {
                              .leastAlike = {},
                              .picture = m_renderers[mode]->render(m_camera).color};
         for (const auto& [name, technique] : depth::presets()) {
-            const double share =
-                shareApart(makeRenderer(mode, technique)->render(m_camera).color, result.picture, false);
+            const double share = shareApart(makeRenderer(mode, technique)->render(m_camera).color,
+                                            result.picture, Apart::either);
             if (result.leastAlike.empty() || share > result.differing) {
                 result.leastAlike = name;
                 result.differing = share;
@@ -134,7 +137,8 @@ EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& set
         progress(done++, all);
         report.results.push_back(comparison.summarise(mode));
     }
-    report.lostPerLayer = shareApart(report.results[kPerLayer].picture, report.results[kWhole].picture, true);
+    report.lostPerLayer =
+        shareApart(report.results[kPerLayer].picture, report.results[kWhole].picture, Apart::brighter);
     return report;
 }
 

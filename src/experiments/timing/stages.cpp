@@ -22,13 +22,13 @@ std::size_t indexOf(Variant variant) {
     return static_cast<std::size_t>(variant);
 }
 
-scene::Scene without(scene::Scene scene, bool lights, bool cubes) {
-    if (lights) {
-        scene.lights.clear();
-    }
-    if (cubes) {
-        scene.instances = {};
-    }
+scene::Scene withoutLights(scene::Scene scene) {
+    scene.lights.clear();
+    return scene;
+}
+
+scene::Scene withoutCubes(scene::Scene scene) {
+    scene.instances = {};
     return scene;
 }
 
@@ -38,8 +38,8 @@ class StageRace {
     StageRace(const gpu::Device& device, const TimingOptions& options)
         : m_options(options),
           m_setup(scenes::makeRotation(options.seed)),
-          m_noLights(without(m_setup.scene, true, false)),
-          m_noCubes(without(m_setup.scene, false, true)),
+          m_noLights(withoutLights(m_setup.scene)),
+          m_noCubes(withoutCubes(m_setup.scene)),
           m_gpuScenes{std::make_unique<render::GpuScene>(device, m_setup.scene),
                       std::make_unique<render::GpuScene>(device, m_noLights),
                       std::make_unique<render::GpuScene>(device, m_noCubes)},

@@ -39,14 +39,17 @@ void addPavement(SceneBuilder& builder, std::uint32_t material, const glm::dvec2
     }
 }
 
-/// Where a marking's own plane lies: over a point of the runway, read by who rolls east, or from there west.
-glm::dmat4 paintedAt(double x, double z, bool readsWest) {
-    const double turn = readsWest ? -1.0 : 1.0;
+/// Which way somebody rolls who reads a marking.
+enum class Heading : std::uint8_t { east, west };
+
+/// Where a marking's own plane lies: over a point of the runway.
+glm::dmat4 paintedAt(double x, double z, Heading heading) {
+    const double turn = heading == Heading::west ? -1.0 : 1.0;
     return {{turn, 0.0, 0.0, 0.0}, {0.0, 1.0, 0.0, 0.0}, {0.0, 0.0, turn, 0.0}, {x, kPaintHeight, z, 1.0}};
 }
 
 /// Threshold stripes, aiming point and touchdown zone of one end; `x` where its designator stands.
-void addEndMarkings(SceneBuilder& builder, std::uint32_t paint, double x, bool readsWest) {
+void addEndMarkings(SceneBuilder& builder, std::uint32_t paint, double x, Heading heading) {
     MarkingPaint stripes("threshold");
     for (const double side : {-1.0, 1.0}) {
         for (int i = 0; i < 6; ++i) {
@@ -59,34 +62,34 @@ void addEndMarkings(SceneBuilder& builder, std::uint32_t paint, double x, bool r
             stripes.rectangle({side * 12.0 - 1.5, zone}, {side * 12.0 + 1.5, zone + 22.5});
         }
     }
-    builder.addMesh(paint, stripes.mesh(), paintedAt(x, 0.0, readsWest));
+    builder.addMesh(paint, stripes.mesh(), paintedAt(x, 0.0, heading));
 }
 
 void addRunway(SceneBuilder& builder, std::uint32_t concrete, std::uint32_t paint) {
     const double east = kRunwayWest + kRunwayLength;
     const double eastNumbers = east + kRunwayWest; // as far from its end as the others
-    const auto designator = [&](std::string_view text, double x, bool readsWest) {
+    const auto designator = [&](std::string_view text, double x, Heading heading) {
         builder.beginObject(fmt::format("numbers {}", text));
         MarkingPaint numbers{std::string(text)};
         numbers.text(text, kNumberHeight);
-        builder.addMesh(paint, numbers.mesh(), paintedAt(x, 0.0, readsWest));
+        builder.addMesh(paint, numbers.mesh(), paintedAt(x, 0.0, heading));
     };
-    designator("09L", 0.0, false);
-    designator("27R", eastNumbers, true);
+    designator("09L", 0.0, Heading::east);
+    designator("27R", eastNumbers, Heading::west);
 
     builder.beginObject("runway markings");
-    addEndMarkings(builder, paint, 0.0, false);
-    addEndMarkings(builder, paint, eastNumbers, true);
+    addEndMarkings(builder, paint, 0.0, Heading::east);
+    addEndMarkings(builder, paint, eastNumbers, Heading::west);
     MarkingPaint dash("centre line");
     dash.rectangle({-0.45, -15.0}, {0.45, 15.0});
     for (double x = 45.0; x < eastNumbers - 40.0; x += 50.0) {
-        builder.addMesh(paint, dash.mesh(), paintedAt(x, 0.0, false));
+        builder.addMesh(paint, dash.mesh(), paintedAt(x, 0.0, Heading::east));
     }
     MarkingPaint side("side line");
     side.rectangle({-0.45, -0.5 * kSlabLength}, {0.45, 0.5 * kSlabLength});
     for (double x = kRunwayWest + 0.5 * kSlabLength; x < east; x += kSlabLength) {
         for (const double z : {-kRunwayHalfWidth + 1.0, kRunwayHalfWidth - 1.0}) {
-            builder.addMesh(paint, side.mesh(), paintedAt(x, z, false));
+            builder.addMesh(paint, side.mesh(), paintedAt(x, z, Heading::east));
         }
     }
 
@@ -98,7 +101,7 @@ void addTaxiway(SceneBuilder& builder, std::uint32_t asphalt, std::uint32_t yell
     builder.beginObject("taxiway markings");
     MarkingPaint line("taxi line");
     line.rectangle({-kRunwayHalfWidth - 160.0, 189.9}, {-kRunwayHalfWidth, 190.1});
-    builder.addMesh(yellow, line.mesh(), paintedAt(0.0, 0.0, false));
+    builder.addMesh(yellow, line.mesh(), paintedAt(0.0, 0.0, Heading::east));
     builder.beginObject("apron and taxiway");
     addPavement(builder, asphalt, {40.0, -340.0}, {340.0, -150.0});
     addPavement(builder, asphalt, {178.0, -150.0}, {201.0, -kRunwayHalfWidth});

@@ -52,12 +52,16 @@ struct Texels {
     double share;
 };
 
-Texels texelsAt(double share, std::uint32_t count, bool wraps) {
+/// What lies beyond the ends of a row or a column of texels.
+enum class Beyond : std::uint8_t { wraps, clamps };
+
+Texels texelsAt(double share, std::uint32_t count, Beyond beyond) {
     const double position = share * count - 0.5;
     const double below = std::floor(position);
     const auto index = [&](double i) {
         const double n = count;
-        const double inside = wraps ? i - n * std::floor(i / n) : std::clamp(i, 0.0, n - 1.0);
+        const double inside =
+            beyond == Beyond::wraps ? i - n * std::floor(i / n) : std::clamp(i, 0.0, n - 1.0);
         return std::min(static_cast<std::uint32_t>(inside), count - 1);
     };
     return {index(below), index(below + 1.0), position - below};
@@ -78,8 +82,8 @@ EarthSurface::EarthSurface(const image::ImageRgba8& topography, const Geodetic& 
 double EarthSurface::topographyAt(const Geodetic& place) const {
     // A pole has one height, whatever the texels around it say.
     const double longitude = std::abs(place.latitude) == 90.0 ? 0.0 : place.longitude;
-    const Texels x = texelsAt((longitude + 180.0) / 360.0, m_topography.width, true);
-    const Texels y = texelsAt((90.0 - place.latitude) / 180.0, m_topography.height, false);
+    const Texels x = texelsAt((longitude + 180.0) / 360.0, m_topography.width, Beyond::wraps);
+    const Texels y = texelsAt((90.0 - place.latitude) / 180.0, m_topography.height, Beyond::clamps);
     const auto grey = [&](std::uint32_t i, std::uint32_t j) {
         return static_cast<double>(m_topography.at(i, j)[0]);
     };

@@ -36,7 +36,8 @@ void chooseAnimation(const Widgets& widgets, const scene::OpenedScene& scene, sc
 }
 
 /// A slider over the whole width. @return whether it was moved
-bool slide(const char* name, double& value, double low, double high, const char* format, bool isLogarithmic) {
+bool slide(const char* name, double& value, double low, double high, const char* format,
+           ImGuiSliderFlags scale) {
     auto shown = static_cast<float>(value);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", name);
@@ -45,8 +46,7 @@ bool slide(const char* name, double& value, double low, double high, const char*
     const std::string id = std::string("##") + name;
     const bool isMoved =
         ImGui::SliderFloat(id.c_str(), &shown, static_cast<float>(low), static_cast<float>(high), format,
-                           ImGuiSliderFlags_AlwaysClamp |
-                               (isLogarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
+                           ImGuiSliderFlags_AlwaysClamp | scale);
     if (isMoved) {
         value = std::clamp(static_cast<double>(shown), low, high);
     }
@@ -74,10 +74,10 @@ void drawAnimationPanel(const Widgets& widgets, const RenderResult* result, View
     }
     widgets.beside();
     widgets.checkbox("loop", playback.loops);
-    if (slide("time", playback.seconds, 0.0, length, "%.3f s", false)) {
+    if (slide("time", playback.seconds, 0.0, length, "%.3f s", ImGuiSliderFlags_None)) {
         playback.isPlaying = false;
     }
-    slide("speed", playback.speed, kSlowest, kFastest, "%.2f times", true);
+    slide("speed", playback.speed, kSlowest, kFastest, "%.2f times", ImGuiSliderFlags_Logarithmic);
 }
 
 } // namespace cdr::viewer

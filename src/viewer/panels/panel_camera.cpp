@@ -86,11 +86,11 @@ void chooseMotion(const Widgets& widgets, ViewerModel& model) {
 void drawCameraPanel(const Widgets& widgets, ViewerModel& model) {
     widgets.heading("Camera");
     if (widgets.button("fly", !model.camera.orbits)) {
-        setOrbiting(model.camera, model.picture.measuring, false);
+        model.camera.orbits = false;
     }
     widgets.beside();
     if (widgets.button("orbit", model.camera.orbits)) {
-        setOrbiting(model.camera, model.picture.measuring, true);
+        beginOrbit(model.camera, model.picture.measuring);
     }
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("lens");

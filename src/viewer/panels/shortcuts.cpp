@@ -44,11 +44,11 @@ void aimPivot(CameraModel& camera, const Measuring& measuring) {
     }
 }
 
-void setOrbiting(CameraModel& camera, const Measuring& measuring, bool orbits) {
-    if (orbits && !camera.orbits) {
+void beginOrbit(CameraModel& camera, const Measuring& measuring) {
+    if (!camera.orbits) {
         aimPivot(camera, measuring);
+        camera.orbits = true;
     }
-    camera.orbits = orbits;
 }
 
 bool isForEveryPlace(const KeyInput& key) {
@@ -107,7 +107,11 @@ void applyShortcut(const KeyInput& key, ViewerModel& model) {
                                : withNextStereo(std::move(model.settings), model.camera.surfaceView);
         break;
     case GLFW_KEY_O:
-        setOrbiting(model.camera, model.picture.measuring, !model.camera.orbits);
+        if (model.camera.orbits) {
+            model.camera.orbits = false;
+        } else {
+            beginOrbit(model.camera, model.picture.measuring);
+        }
         break;
     case GLFW_KEY_SPACE:
         toggleMotion(model.camera, Motion::scenePath);

@@ -13,7 +13,7 @@ bool isForEveryPlace(const KeyInput& key);
 
 /// Where nothing was clicked, what the camera looks at becomes what it goes round.
 void aimPivot(CameraModel& camera, const Measuring& measuring);
-/// Orbits what was clicked, or else what the camera looks at; or flies.
-void setOrbiting(CameraModel& camera, const Measuring& measuring, bool orbits);
+/// Orbits what was clicked, or else what the camera looks at.
+void beginOrbit(CameraModel& camera, const Measuring& measuring);
 
 } // namespace cdr::viewer

@@ -116,7 +116,7 @@ void Application::handleInput() {
     if (const auto click = m_control.takeClick()) {
         if (click->isDouble) {
             m_model.picture.measuring.clear(); // no way from a point to itself
-            setOrbiting(m_model.camera, m_model.picture.measuring, true);
+            beginOrbit(m_model.camera, m_model.picture.measuring);
         }
         m_session.click(click->pixel);
     }

@@ -62,23 +62,12 @@ vk::Extent2D extentOf(std::span<const ShadowMapPart> parts) {
     return extent;
 }
 
-/// From shaders that read both images to attachments, or back.
-void handOver(vk::CommandBuffer primary, const gpu::Image& depth, const gpu::Image& slope, bool toShaders) {
-    constexpr auto kDepthWrites = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
-    constexpr auto kColorWrites = Access::eColorAttachmentWrite;
+constexpr auto kDepthWrites = Access::eDepthStencilAttachmentRead | Access::eDepthStencilAttachmentWrite;
+constexpr auto kColorWrites = Access::eColorAttachmentWrite;
+
+/// From shaders that read both images to attachments.
+void handToAttachments(vk::CommandBuffer primary, const gpu::Image& depth, const gpu::Image& slope) {
     using Layout = vk::ImageLayout;
-    if (toShaders) {
-        gpu::pipelineBarrier(
-            primary,
-            {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kDepthStages,
-                               Access::eDepthStencilAttachmentWrite, Stage::eFragmentShader,
-                               Access::eShaderSampledRead, Layout::eDepthAttachmentOptimal,
-                               Layout::eShaderReadOnlyOptimal),
-             gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
-                               kColorWrites, Stage::eFragmentShader, Access::eShaderSampledRead,
-                               Layout::eColorAttachmentOptimal, Layout::eShaderReadOnlyOptimal)});
-        return;
-    }
     gpu::pipelineBarrier(
         primary, {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, Stage::eFragmentShader,
                                     Access::eNone, kDepthStages, kDepthWrites, Layout::eUndefined,
@@ -86,6 +75,20 @@ void handOver(vk::CommandBuffer primary, const gpu::Image& depth, const gpu::Ima
                   gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor, Stage::eFragmentShader,
                                     Access::eNone, Stage::eColorAttachmentOutput, kColorWrites,
                                     Layout::eUndefined, Layout::eColorAttachmentOptimal)});
+}
+
+/// And back.
+void handToShaders(vk::CommandBuffer primary, const gpu::Image& depth, const gpu::Image& slope) {
+    using Layout = vk::ImageLayout;
+    gpu::pipelineBarrier(
+        primary,
+        {gpu::imageBarrier(depth.handle(), vk::ImageAspectFlagBits::eDepth, kDepthStages,
+                           Access::eDepthStencilAttachmentWrite, Stage::eFragmentShader,
+                           Access::eShaderSampledRead, Layout::eDepthAttachmentOptimal,
+                           Layout::eShaderReadOnlyOptimal),
+         gpu::imageBarrier(slope.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
+                           kColorWrites, Stage::eFragmentShader, Access::eShaderSampledRead,
+                           Layout::eColorAttachmentOptimal, Layout::eShaderReadOnlyOptimal)});
 }
 
 } // namespace
@@ -113,11 +116,11 @@ ShadowMap::ShadowMap(const gpu::Device& device, std::uint32_t side)
 
 void ShadowMap::record(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,
                        const CasterDraws& draws) const {
-    handOver(primary, m_depth, m_slope, false);
+    handToAttachments(primary, m_depth, m_slope);
     if (!parts.empty()) { // a scope must cover some texels
         draw(primary, parts, draws);
     }
-    handOver(primary, m_depth, m_slope, true);
+    handToShaders(primary, m_depth, m_slope);
 }
 
 void ShadowMap::draw(vk::CommandBuffer primary, std::span<const ShadowMapPart> parts,
