@@ -83,6 +83,15 @@ void addColours(CLI::App& command, std::string& colours) {
         ->capture_default_str();
 }
 
+void addLayers(CLI::App& command, std::vector<std::string>& layers) {
+    command
+        .add_option(
+            "--layer", layers,
+            "MATERIAL=LAYER: of faces at one place, how far towards the camera those of a material are "
+            "taken to be, in scene units; by name, or #N from 0. May be given again")
+        ->allow_extra_args(false);
+}
+
 void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMiB) {
     command
         .add_option("--texture-memory", textureMiB,

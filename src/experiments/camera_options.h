@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 // CLI11's own name. NOLINTNEXTLINE(readability-identifier-naming)
 namespace CLI {
@@ -41,6 +42,8 @@ void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMi
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
 /// Adds --animation, --time and --fps.
 void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice);
+/// Adds --layer.
+void addLayers(CLI::App& command, std::vector<std::string>& layers);
 /// Adds --colours.
 void addColours(CLI::App& command, std::string& colours);
 

@@ -52,4 +52,14 @@ bool MovingScene::show(std::uint32_t frame, host::WorkerPool& workers) {
     return true;
 }
 
+void MovingScene::setLayers(std::span<const float> layers) {
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        scene::Material material = m_world.scene().materials[i];
+        if (material.layer != layers[i]) {
+            material.layer = layers[i];
+            m_world.setMaterial(m_world.material(i), std::move(material));
+        }
+    }
+}
+
 } // namespace cdr::scenes

@@ -5,12 +5,13 @@
 #include <cdr/scene/world/world.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cdr::scenes {
 
 /// A scene whose instances and lights follow their paths and whose meshes deform, from frame to frame. What deforms has no levels of
-/// detail.
+/// detail. Its materials may change their layers meanwhile.
 class MovingScene {
   public:
     /// @param motion of the scene's instances. base::InputError as scene::World.
@@ -19,6 +20,8 @@ class MovingScene {
     /// Brings all to where they are at a frame. Whether that was another one than is shown.
     /// base::InputError where a frame puts something where nothing can be drawn.
     bool show(std::uint32_t frame, host::WorkerPool& workers);
+    /// Gives all materials other layers (scene::Material::layer), by index. base::InputError for one that is not finite.
+    void setLayers(std::span<const float> layers);
 
     const scene::World& world() const { return m_world; }
     /// The meshes that show() deforms, by index.

@@ -11,6 +11,7 @@
 #include <cdr/render/part_scene.h>
 #include <experiments/certified_frame.h>
 #include <scenes/colours.h>
+#include <scenes/layer_choice.h>
 #include <scenes/moving_scene.h>
 #include <scenes/open_scene.h>
 
@@ -31,6 +32,7 @@ namespace {
 struct RenderPlan {
     experiments::Aov aov;
     scenes::Colours colours;
+    std::vector<scenes::LayerChoice> layers;
     SequenceName name;
     experiments::FrameCameras cameras;
     FrameDivision division;
@@ -93,6 +95,7 @@ RenderPlan planOf(Command& command, const RenderArguments& arguments) {
     }
     RenderPlan plan{.aov = aov,
                     .colours = colours,
+                    .layers = scenes::parseLayers(arguments.layers),
                     .name = name,
                     .cameras = experiments::FrameCameras(arguments.camera),
                     .division = parseFrameDivision(arguments.ranks),
@@ -139,6 +142,7 @@ scene::SceneSetup openDrawn(Command& command, RenderArguments& arguments, const 
     scene::SceneSetup setup = command.openScene(arguments.scene, arguments.seed,
                                                 scenes::shownChoice(arguments.scene, arguments.choice));
     scenes::paint(setup.scene, plan.colours);
+    scenes::setLayers(setup.scene, plan.layers);
     // An unusable camera ends here, before the device is made.
     plan.views.camerasOf(plan.cameras.at(setup.path, plan.cameras.first));
     if (plan.division == FrameDivision::cascades) {

@@ -67,6 +67,9 @@ nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth
     add("animation", arguments.choice.animation);
     add("time", arguments.choice.seconds);
     add("fps", arguments.choice.framesPerSecond);
+    if (!arguments.layers.empty()) {
+        options["layers"] = arguments.layers;
+    }
     experiments::addViewsJson(options, arguments.views);
     return options;
 }
@@ -132,6 +135,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     experiments::addAnimationChoice(command, arguments.choice);
     addSeed(command, arguments.seed, "Seed of a random scene");
     experiments::addColours(command, arguments.colours);
+    experiments::addLayers(command, arguments.layers);
     command.option_defaults()->group("Ranks");
     command
         .add_option(

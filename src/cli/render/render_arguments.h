@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace cdr::cli {
 
@@ -47,6 +48,7 @@ struct RenderArguments {
     experiments::CameraOptions camera;
     experiments::ViewsArguments views;
     std::string colours = "thesis";
+    std::vector<std::string> layers; ///< for scenes::parseLayer()
     std::uint64_t seed = scenes::kDefaultSeed;
     scene::GltfChoice choice;
 };

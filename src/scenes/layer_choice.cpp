@@ -1,0 +1,106 @@
+#include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
+#include <scenes/layer_choice.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+
+namespace cdr::scenes {
+
+namespace {
+
+constexpr std::size_t kMostShown = 60; ///< letters of what was given, in messages
+constexpr char kIndexSign = '#';
+
+/// Of "#N". base::InputError unless the scene has such a material.
+std::size_t indexOf(const scene::Scene& scene, std::string_view material) {
+    const std::string_view digits = material.substr(1);
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+    if (error != std::errc() || end != digits.data() + digits.size() || index >= scene.materials.size()) {
+        throw base::InputError(fmt::format("no material '{}': the scene has {}, counted from #0",
+                                           material.substr(0, kMostShown), scene.materials.size()));
+    }
+    return index;
+}
+
+std::ptrdiff_t countOf(const scene::Scene& scene, std::string_view name) {
+    return std::count_if(scene.materials.begin(), scene.materials.end(),
+                         [name](const scene::Material& material) { return material.name == name; });
+}
+
+base::InputError unknownMaterial(const scene::Scene& scene, std::string_view name) {
+    constexpr std::size_t kMostListed = 30;
+    std::vector<std::string_view> known;
+    for (const scene::Material& material : scene.materials) {
+        if (known.size() < kMostListed && !material.name.empty()) {
+            known.push_back(material.name);
+        }
+    }
+    return base::InputError(base::unknownName("material", name, known));
+}
+
+} // namespace
+
+LayerChoice parseLayer(std::string_view text) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == 0 || equals == std::string_view::npos) {
+        throw base::InputError(fmt::format("a layer must be MATERIAL=LAYER, such as paint=0.002, not '{}'",
+                                           text.substr(0, kMostShown)));
+    }
+    const auto layer = static_cast<float>(base::parseNumber("a layer", text.substr(equals + 1)));
+    if (!std::isfinite(layer)) {
+        throw base::InputError(
+            fmt::format("a layer must be a finite float, not '{}'", text.substr(equals + 1, kMostShown)));
+    }
+    return {.material = std::string(text.substr(0, equals)), .layer = layer};
+}
+
+std::vector<LayerChoice> parseLayers(std::span<const std::string> texts) {
+    std::vector<LayerChoice> choices;
+    std::transform(texts.begin(), texts.end(), std::back_inserter(choices), parseLayer);
+    return choices;
+}
+
+std::string nameOf(const LayerChoice& choice) {
+    return fmt::format("{}={}", choice.material, choice.layer);
+}
+
+std::string materialName(const scene::Scene& scene, std::uint32_t material) {
+    const std::string& name = scene.materials.at(material).name;
+    const bool isPlain = !name.empty() && name.front() != kIndexSign && countOf(scene, name) == 1;
+    return isPlain ? name : fmt::format("{}{}", kIndexSign, material);
+}
+
+std::vector<float> layersOf(const scene::Scene& scene, std::span<const LayerChoice> choices) {
+    std::vector<float> layers;
+    std::transform(scene.materials.begin(), scene.materials.end(), std::back_inserter(layers),
+                   [](const scene::Material& material) { return material.layer; });
+    for (const LayerChoice& choice : choices) {
+        if (choice.material.starts_with(kIndexSign)) {
+            layers[indexOf(scene, choice.material)] = choice.layer;
+            continue;
+        }
+        if (countOf(scene, choice.material) == 0) {
+            throw unknownMaterial(scene, choice.material);
+        }
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            layers[i] = scene.materials[i].name == choice.material ? choice.layer : layers[i];
+        }
+    }
+    return layers;
+}
+
+void setLayers(scene::Scene& scene, std::span<const LayerChoice> choices) {
+    const std::vector<float> layers = layersOf(scene, choices);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        scene.materials[i].layer = layers[i];
+    }
+}
+
+} // namespace cdr::scenes
