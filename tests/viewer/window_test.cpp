@@ -257,6 +257,9 @@ TEST_F(ViewerTest, SaysWhatIsWrongInOneLine) {
     expectError("no-such-scene", 2, "no-such-scene");
     expectError("--device 99", 2, "99");
     expectError("--script script", 2, "--script");
+    expectError("--layer poster coplanar", 2, "MATERIAL=LAYER");
+    expectError("--layer poster=1e39 coplanar", 2, "a layer must be");
+    expectError("--layer nosuch=1 coplanar", 2, "unknown material 'nosuch'");
     for (const std::string option : {"--ui-scale nan", "--seed -1", "--frames -1", "--threads -1"}) {
         expectError("--frames 1 " + option + " afc", 2, option.substr(0, option.find(' ')));
     }

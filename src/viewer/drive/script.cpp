@@ -29,7 +29,7 @@ int keyOf(const std::string& name) {
         {"down", GLFW_KEY_DOWN},        {"left", GLFW_KEY_LEFT},
         {"right", GLFW_KEY_RIGHT},      {"escape", GLFW_KEY_ESCAPE},
         {"shift", GLFW_KEY_LEFT_SHIFT}, {"control", GLFW_KEY_LEFT_CONTROL},
-        {"alt", GLFW_KEY_LEFT_ALT}};
+        {"alt", GLFW_KEY_LEFT_ALT},     {"enter", GLFW_KEY_ENTER}};
     if (const auto found = kNamed.find(name); found != kNamed.end()) {
         return found->second;
     }
@@ -123,6 +123,12 @@ const std::map<std::string, Reader, std::less<>>& readers() {
              s.emplace_back(InputEvent(ScrollInput{0.0, w.number("notches")}));
          }},
         {"click", [](Words& w, Steps& s) { s.emplace_back(ClickItem{w.rest("item")}); }},
+        {"type",
+         [](Words& w, Steps& s) {
+             for (const char letter : w.rest("text")) {
+                 s.emplace_back(InputEvent(CharacterInput{.codepoint = static_cast<unsigned char>(letter)}));
+             }
+         }},
         {"drop", [](Words& w, Steps& s) { s.emplace_back(InputEvent(DropInput{{w.rest("file")}})); }},
         {"drop-all",
          [](Words& w, Steps& s) {

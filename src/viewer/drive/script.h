@@ -57,6 +57,7 @@ using ScriptStep = std::variant<InputEvent, ClickItem, WindowSize, WaitFrame, Wa
 ///     hold NAME, let NAME          presses, releases
 ///     move X Y, press [B], release [B], scroll N
 ///     click NAME                   the interface's item of that name
+///     type TEXT                    its letters, into what has the keyboard
 ///     drop FILE, resize W H, minimise, restore
 ///     wait-frame [N], wait-ui N, window FILE, picture FILE, where NAME, state, quit
 ///     wait-state TEXT              until the line that `state` prints holds it

@@ -143,7 +143,7 @@ SoakStep SoakInput::next() {
         step.settings = m_settings;
     }
     if (chance(0.002) && !m_options.scenes.empty()) {
-        m_settings.scene = m_options.scenes[pick(m_options.scenes.size())];
+        chooseScene(m_settings, m_options.scenes[pick(m_options.scenes.size())]);
         step.settings = m_settings;
     }
     m_orbits = chance(0.01) ? !m_orbits : m_orbits;

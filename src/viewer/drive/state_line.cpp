@@ -29,6 +29,9 @@ std::string stateLine(const ViewerModel& model) {
         line += fmt::format(" eyes={} stereo={} apart={} meet={}", nameOf(*eyes), settings.views.stereo,
                             settings.views.eyeDistance.value_or(0.0), settings.views.converge.value_or(0.0));
     }
+    for (const scenes::LayerChoice& layer : settings.layers) {
+        line += fmt::format(" layer=\"{}\"", nameOf(layer));
+    }
     if (model.picture.shown != nullptr && !model.picture.shown->sides.empty()) {
         const SideResult& side = model.picture.shown->sides.front();
         line += fmt::format(" shown={} size={}x{} cascades={} draws={}", model.picture.shown->sceneName,

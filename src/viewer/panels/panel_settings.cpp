@@ -70,8 +70,7 @@ void drawScenePanel(const Widgets& widgets, const RenderResult* result, ViewSett
     const std::size_t chosen = widgets.combo(
         "scene", shown, scenes.size(), [&](std::size_t i) { return scenes[i]; }, drawThumbnail);
     if (chosen < scenes.size()) {
-        settings.scene = scenes[chosen];
-        settings.choice = {};
+        chooseScene(settings, std::string(scenes[chosen]));
     }
     if (result != nullptr && result->scene != nullptr) {
         const scene::OpenedScene& opened = *result->scene;

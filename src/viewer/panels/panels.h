@@ -26,6 +26,8 @@ void drawMemoryPanel(const Widgets& widgets, const RenderResult* result, const P
 void drawAnimationPanel(const Widgets& widgets, const RenderResult* result, ViewSettings& settings,
                         Playback& playback);
 void drawMeasuringPanel(const Widgets& widgets, ViewerModel& model);
+/// The layers of what was picked last.
+void drawLayersPanel(const Widgets& widgets, const PictureModel& picture, ViewSettings& settings);
 
 /// All of it in a column of that width at the window's right edge, in tabs.
 void drawSidebar(const Widgets& widgets, ItemPlaces& places, float width, ViewerModel& model);

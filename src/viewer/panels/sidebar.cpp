@@ -63,6 +63,7 @@ void drawSidebar(const Widgets& widgets, ItemPlaces& places, float width, Viewer
             drawAnimationPanel(widgets, result, model.settings, model.camera.playback);
             drawCameraPanel(widgets, model);
             drawMeasuringPanel(widgets, model);
+            drawLayersPanel(widgets, model.picture, model.settings);
         });
         drawTab(2, places, keys, [&] {
             drawRenderingPanel(widgets, model.settings);

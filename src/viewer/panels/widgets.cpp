@@ -135,6 +135,14 @@ bool Widgets::count(std::string_view name, int& value, int low, int high) const 
     return isChanged;
 }
 
+bool Widgets::number(std::string_view name, float& value) const {
+    label(name);
+    const bool isChanged = ImGui::InputFloat(fmt::format("##{}", name).c_str(), &value, 0.0f, 0.0f, "%.6g",
+                                             ImGuiInputTextFlags_AutoSelectAll);
+    m_places.note(name);
+    return isChanged;
+}
+
 void Widgets::beside() const {
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
 }

@@ -36,6 +36,8 @@ class Widgets {
     bool button(std::string_view name, bool isOn = false) const;
     bool checkbox(std::string_view name, bool& isOn) const;
     bool count(std::string_view name, int& value, int low, int high) const;
+    /// A number that is typed. Each letter that makes another number changes it.
+    bool number(std::string_view name, float& value) const;
     /// The next item goes beside the last.
     void beside() const;
 

@@ -27,8 +27,7 @@ void Application::dropFiles(const DropInput& drop) {
                                                        drop.paths.front().filename().string()));
         return;
     }
-    m_model.settings.scene = found->string();
-    m_model.settings.choice = {};
+    chooseScene(m_model.settings, found->string());
     m_model.interface.say(drop.paths.size() == 1
                               ? fmt::format("opening {}", found->filename().string())
                               : fmt::format("opening {}, of {} files that were dropped",
@@ -134,8 +133,7 @@ void Application::toggleTour() {
         m_model.camera.motion = Motion::free;
         return;
     }
-    m_model.settings.scene = "orbit";
-    m_model.settings.choice = {};
+    chooseScene(m_model.settings, "orbit");
     m_model.settings.technique = depth::parseTechnique("standard");
     m_model.settings.second = depth::parseTechnique("anchored");
     m_model.camera.playedSeconds = 0.0;

@@ -26,6 +26,7 @@ void addViewOptions(CLI::App& program, Arguments& arguments) {
         ->check(experiments::wholeNumber())
         ->capture_default_str();
     experiments::addColours(program, arguments.colours);
+    experiments::addLayers(program, arguments.layers);
     CLI::Option* technique = program.add_option(
         "--technique", arguments.technique,
         "One picture: a preset (standard, cdr, log, logcdr, reversed, anchored) or mapping/split");

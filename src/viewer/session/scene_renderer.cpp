@@ -22,12 +22,25 @@ bool suffices(visibility::DetailMode made, visibility::DetailMode needed) {
                                                                           (needed == DetailMode::perCluster));
 }
 
+/// Of a scene in which something moves, or whose materials have other layers than its own; else null.
+std::unique_ptr<scenes::MovingScene> worldOf(const scene::SceneSetup& setup,
+                                             const std::vector<scenes::LayerChoice>& layers) {
+    if (!setup.motion && layers.empty()) {
+        return nullptr;
+    }
+    const std::vector<float> ofMaterials = scenes::layersOf(setup.scene, layers);
+    auto world = std::make_unique<scenes::MovingScene>(setup.scene, setup.motion);
+    world->setLayers(ofMaterials);
+    return world;
+}
+
 } // namespace
 
 void SceneRenderer::open(const ViewSettings& settings) {
     if (m_scene != nullptr && settings.scene == m_sceneName && settings.seed == m_seed &&
         settings.colours == m_colours && settings.choice == m_choice &&
         suffices(m_detail, settings.finish.detail)) {
+        followLayers(settings.layers);
         return;
     }
     auto opened = std::make_shared<scene::OpenedScene>(scenes::openScene(
@@ -36,7 +49,7 @@ void SceneRenderer::open(const ViewSettings& settings) {
     host::WorkerPool workers(settings.threads);
     visibility::prepareDetail(opened->setup.scene, settings.finish.detail, workers);
     const scene::SceneSetup& setup = opened->setup;
-    auto moving = setup.motion ? std::make_unique<scenes::MovingScene>(setup.scene, setup.motion) : nullptr;
+    auto moving = worldOf(setup, settings.layers);
     render::GpuScene onDevice = moving != nullptr ? render::GpuScene(m_device, moving->world())
                                                   : render::GpuScene(m_device, setup.scene);
     auto next = std::make_unique<OpenScene>(
@@ -44,17 +57,40 @@ void SceneRenderer::open(const ViewSettings& settings) {
                   .obstacles = std::make_shared<const Obstacles>(setup.scene, workers),
                   .moving = std::move(moving),
                   .onDevice = std::move(onDevice)});
-    for (SideRenderer& side : m_sides) {
-        side.drop();
-    }
-    m_reference.drop();
-    clearFlips();
+    dropRenderers();
     m_scene = std::move(next);
     m_sceneName = settings.scene;
     m_seed = settings.seed;
     m_colours = settings.colours;
     m_choice = settings.choice;
+    m_layers = settings.layers;
     m_detail = settings.finish.detail;
+}
+
+void SceneRenderer::followLayers(const std::vector<scenes::LayerChoice>& layers) {
+    if (layers == m_layers) {
+        return;
+    }
+    const scene::SceneSetup& setup = m_scene->opened->setup;
+    if (m_scene->moving != nullptr) {
+        m_scene->moving->setLayers(scenes::layersOf(setup.scene, layers));
+        clearFlips();
+    } else {
+        auto world = worldOf(setup, layers);
+        dropRenderers(); // their memory goes before more is asked for
+        render::GpuScene onDevice(m_device, world->world());
+        m_scene->moving = std::move(world);
+        m_scene->onDevice = std::move(onDevice);
+    }
+    m_layers = layers;
+}
+
+void SceneRenderer::dropRenderers() {
+    for (SideRenderer& side : m_sides) {
+        side.drop();
+    }
+    m_reference.drop();
+    clearFlips();
 }
 
 void SceneRenderer::clearFlips() {

@@ -12,6 +12,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace cdr::viewer {
 
@@ -34,10 +35,13 @@ class SceneRenderer {
     struct OpenScene {
         std::shared_ptr<const scene::OpenedScene> opened;
         std::shared_ptr<const Obstacles> obstacles;
-        std::unique_ptr<scenes::MovingScene> moving; ///< null where nothing moves
+        std::unique_ptr<scenes::MovingScene> moving; ///< null until something moves or changes its layer
         render::GpuScene onDevice;
     };
     void open(const ViewSettings& settings);
+    /// Brings the materials of the open scene into these layers.
+    void followLayers(const std::vector<scenes::LayerChoice>& layers);
+    void dropRenderers();
     void clearFlips();
     SideResult renderSide(const RenderRequest& request, std::size_t side, const scene::Camera& camera);
     render::Frame renderReference(const RenderRequest& request, const scene::Camera& camera);
@@ -51,6 +55,7 @@ class SceneRenderer {
     std::uint64_t m_seed = 0;
     scenes::Colours m_colours = scenes::Colours::thesis;
     scene::GltfChoice m_choice;
+    std::vector<scenes::LayerChoice> m_layers;
     visibility::DetailMode m_detail =
         visibility::DetailMode::none; ///< that prepareDetail() made something for
     std::unique_ptr<OpenScene> m_scene;

@@ -225,7 +225,7 @@ void Session::takeWrong(const RenderResult& result) {
     m_model.picture.isWrongCurrent = counts.size() == result.sides.size();
     const bool isOther = m_model.picture.shown == nullptr || m_model.picture.shown->scene != result.scene ||
                          m_good.technique != result.settings.technique ||
-                         m_good.second != result.settings.second;
+                         m_good.second != result.settings.second || m_good.layers != result.settings.layers;
     if (m_model.picture.isWrongCurrent || isOther) {
         m_model.picture.wrong =
             m_model.picture.isWrongCurrent ? std::move(counts) : std::vector<WrongCount>();
@@ -286,6 +286,7 @@ void Session::pick(const Click& click, const RenderResult& result) {
                at(click.share.x, columnsShown(result.settings, frame)), at(click.share.y, frame.height()));
     if (point) {
         m_model.picture.measuring.click(*point);
+        m_model.picture.pickedMaterials = materialsOf(result.scene->setup.scene, point->object);
         m_model.camera.pivot = point->position;
     }
 }

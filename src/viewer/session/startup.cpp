@@ -35,6 +35,7 @@ ViewSettings settingsOf(const Arguments& arguments) {
     settings.seed = arguments.seed;
     const char* colours = arguments.output.empty() ? "bright" : "thesis";
     settings.colours = scenes::parseColours(arguments.colours.empty() ? colours : arguments.colours);
+    settings.layers = scenes::parseLayers(arguments.layers);
     settings.targets = render::parseTargets(arguments.targets);
     settings.submission = render::parseSubmission(arguments.submission);
     settings.batching = render::parseBatching(arguments.batching);

@@ -145,6 +145,9 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     addEyes(words, settings);
     const bool isGrey = settings.colours == scenes::Colours::thesis || scene::isGltfPath(settings.scene);
     words.addUnless(isGrey, "--colours", nameOf(settings.colours));
+    for (const scenes::LayerChoice& layer : settings.layers) {
+        words.add("--layer", nameOf(layer));
+    }
     const auto addChoice = [&words](std::string_view option, const std::optional<std::uint32_t>& number) {
         words.addUnless(!number, option, fmt::format("{}", number.value_or(0)));
     };

@@ -48,6 +48,19 @@ std::string objectName(const scene::Scene& scene, std::uint32_t object) {
     return fmt::format("object {}", object);
 }
 
+std::vector<std::uint32_t> materialsOf(const scene::Scene& scene, std::uint32_t object) {
+    const scene::Instances& instances = scene.instances;
+    std::vector<std::uint32_t> materials;
+    for (std::size_t i = 0; i < instances.object.size(); ++i) {
+        if (instances.object[i] == object) {
+            materials.push_back(instances.material[i]);
+        }
+    }
+    std::sort(materials.begin(), materials.end());
+    materials.erase(std::unique(materials.begin(), materials.end()), materials.end());
+    return materials;
+}
+
 std::optional<PickedPoint> pickAt(const render::Frame& frame, const scene::Scene& scene,
                                   const depth::Technique& technique, std::uint32_t x, std::uint32_t y) {
     if (x >= frame.width() || y >= frame.height()) {

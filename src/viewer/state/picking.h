@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cdr::viewer {
 
@@ -32,6 +33,9 @@ double surfaceView(const render::Frame& frame, const glm::dvec2& pixel);
 
 /// Object index's name in the scene, or "object INDEX".
 std::string objectName(const scene::Scene& scene, std::uint32_t object);
+
+/// The materials of an object's parts, ascending. Takes time by the number of instances.
+std::vector<std::uint32_t> materialsOf(const scene::Scene& scene, std::uint32_t object);
 
 /// The way from one picked point to another.
 struct Span {

@@ -3,7 +3,10 @@
 #include <cdr/base/enum_names.h>
 #include <viewer/state/camera/stereo_view.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <utility>
 
 namespace cdr::viewer {
 
@@ -11,6 +14,12 @@ namespace {
 
 constexpr base::EnumNames<ViewKind, kViewKinds.size()> kNames{
     "view", {"shaded", "cascades", "distance", "ids", "wrong", "flips"}};
+
+/// Whether a choice means a material.
+bool isOf(const scenes::LayerChoice& choice, const scene::Scene& scene, std::uint32_t material) {
+    return choice.material == fmt::format("#{}", material) ||
+           (!choice.material.starts_with('#') && choice.material == scene.materials[material].name);
+}
 
 } // namespace
 
@@ -25,6 +34,34 @@ bool needsReference(ViewKind view) {
 depth::Technique referenceTechnique() {
     // A hundred times finer than the preset's, which a crowded scene may relax again.
     return {.mapping = depth::Mapping::anchored, .split = depth::SplitFitted{.target = 1e-5}};
+}
+
+void chooseScene(ViewSettings& settings, std::string nameOrPath) {
+    settings.scene = std::move(nameOrPath);
+    settings.choice = {};
+    settings.layers.clear();
+}
+
+std::optional<float> chosenLayer(const ViewSettings& settings, const scene::Scene& scene,
+                                 std::uint32_t material) {
+    const auto found =
+        std::find_if(settings.layers.rbegin(), settings.layers.rend(),
+                     [&](const scenes::LayerChoice& choice) { return isOf(choice, scene, material); });
+    return found == settings.layers.rend() ? std::nullopt : std::optional(found->layer);
+}
+
+void chooseLayer(ViewSettings& settings, const scene::Scene& scene, std::uint32_t material, float layer) {
+    const std::string name = scenes::materialName(scene, material);
+    const std::string byIndex = fmt::format("#{}", material);
+    std::erase_if(settings.layers, [&](const scenes::LayerChoice& choice) {
+        return choice.material == name || choice.material == byIndex;
+    });
+    settings.layers.push_back({.material = name, .layer = layer});
+}
+
+void clearLayer(ViewSettings& settings, const scene::Scene& scene, std::uint32_t material) {
+    std::erase_if(settings.layers,
+                  [&](const scenes::LayerChoice& choice) { return isOf(choice, scene, material); });
 }
 
 bool remembersFrames(const ViewSettings& settings) {

@@ -6,6 +6,7 @@
 #include <cdr/render/renderer.h>
 #include <experiments/views/views_plan.h>
 #include <scenes/colours.h>
+#include <scenes/layer_choice.h>
 #include <scenes/open_scene.h>
 
 #include <array>
@@ -13,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cdr::viewer {
 
@@ -33,8 +35,9 @@ depth::Technique referenceTechnique();
 struct ViewSettings {
     std::string scene = "rotation"; ///< a name or file for scenes::openScene()
     std::uint64_t seed = scenes::kDefaultSeed;
-    scenes::Colours colours = scenes::Colours::thesis;              ///< of a generated scene
-    scene::GltfChoice choice{};                                     ///< of a glTF file
+    scenes::Colours colours = scenes::Colours::thesis; ///< of a generated scene
+    scene::GltfChoice choice{};                        ///< of a glTF file
+    std::vector<scenes::LayerChoice> layers{};         ///< of materials, instead of the scene's own
     depth::Technique technique = depth::parseTechnique("anchored"); ///< the left one of a split screen
     std::optional<depth::Technique> second{}; ///< right of the divider; empty for one picture
     double divider = 0.5;                     ///< share of the width that the left picture has, 0 to 1
@@ -48,6 +51,17 @@ struct ViewSettings {
 
     bool operator==(const ViewSettings&) const = default;
 };
+
+/// Another scene, or the same as it is by itself: what was chosen of its contents goes.
+void chooseScene(ViewSettings& settings, std::string nameOrPath);
+
+/// The layer that the settings give a material; empty where it has the scene's own.
+std::optional<float> chosenLayer(const ViewSettings& settings, const scene::Scene& scene,
+                                 std::uint32_t material);
+/// Gives a material alone a layer, in scene units.
+void chooseLayer(ViewSettings& settings, const scene::Scene& scene, std::uint32_t material, float layer);
+/// Gives a material the scene's own layer again, and with it those of its name that were given one as one.
+void clearLayer(ViewSettings& settings, const scene::Scene& scene, std::uint32_t material);
 
 /// Whether what is drawn depends on the frames before, as fitted splits do.
 bool remembersFrames(const ViewSettings& settings);

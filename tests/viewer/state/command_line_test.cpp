@@ -65,6 +65,14 @@ TEST(RenderCommand, KeepsTheTexturesBudget) {
     EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--texture-memory"), "64");
 }
 
+TEST(RenderCommand, SaysTheLayersThatWereChosen) {
+    ReproducedView view = viewWith(kOwn);
+    view.settings.layers = {{"paint", 0.002f}, {"road sign", -1.5f}, {"#3", 0.0f}};
+    const std::string line = renderCommand(view, "a.png");
+    EXPECT_NE(line.find("--layer=paint=0.002 '--layer=road sign=-1.5' '--layer=#3=0'"), std::string::npos)
+        << line;
+}
+
 TEST(RenderCommand, LeavesOutWhatIsTheScenesOwn) {
     EXPECT_EQ(renderCommand(viewWith(kOwn)),
               "cdr render rotation --technique=anchored --size=640x360 --output=view.png");

@@ -5,6 +5,7 @@
 #include <viewer/state/wrong_view.h>
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,6 +22,7 @@ struct PictureModel {
     bool isWrongCurrent = false;   ///< of the picture that is shown
     bool seesNothing = false;      ///< no surface is in view
     Measuring measuring;
+    std::vector<std::uint32_t> pickedMaterials; ///< of the object that was clicked on last
     std::optional<scene::Camera> clickedCamera; ///< of the picture that was clicked on last
 };
 

@@ -1,0 +1,84 @@
+#include "viewer_run.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace cdr::viewer_test {
+
+namespace {
+
+/// With room for the panel, which leaves 640 columns to the picture. In its middle a poster hangs over a sign, in one plane.
+const std::string kPosters = "--size 988x1000 coplanar ";
+const std::string kOpened = "wait-frame\nwait-ui 3\n";
+const std::string kPickPoster =
+    "move 476 485\nwait-ui 2\npress\nrelease\nwait-ui 2\nwait-frame\nclick Camera\nwait-ui 2\n";
+const std::string kBehindTheWall = "click 8/layer\ntype -1\nkey enter\nwait-ui 2\nwait-frame\n";
+
+class LayersOfTheViewer : public ViewerTest {
+  protected:
+    /// The picture of a copied line.
+    image::ImageRgba8 render(const std::string& line) {
+        const RunResult run = runShell("'" CDR_PROGRAM "'" + line.substr(3), folder(), environment());
+        EXPECT_EQ(run.status, 0) << line << "\n" << run.err;
+        const std::string option = "--output=";
+        return picture(line.substr(line.find(option) + option.size()));
+    }
+};
+
+TEST_F(LayersOfTheViewer, AreSetAndClearedForWhatIsPicked) {
+    const RunResult run =
+        play(kPosters + "--technique anchored",
+             kOpened + "picture own.png\n" + kPickPoster + "window before.png\n" + kBehindTheWall +
+                 "state\npicture set.png\nwindow after.png\ncommand\n" +
+                 "key V\nkey V\nkey V\nkey V\nwait-frame\nstate\nkey V\nkey V\nwait-frame\n" +
+                 "click the scene's own\nwait-ui 2\nwait-frame\nstate\npicture cleared.png\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 3u) << run.out;
+    EXPECT_EQ(valueOf(states[0], "picked").substr(0, 6), "poster") << states[0];
+    EXPECT_EQ(valueOf(states[0], "layer"), "poster=-1");
+    EXPECT_GT(difference(picture("set.png"), picture("own.png")), 0.003);
+    EXPECT_EQ(valueOf(states[1], "view"), "wrong");
+    EXPECT_EQ(valueOf(states[1], "wrong"), "0") << "the answer has another layer";
+    EXPECT_EQ(valueOf(states[2], "layer"), "");
+    EXPECT_EQ(picture("cleared.png"), picture("own.png"));
+    const auto commands = run.lines("cdr render");
+    ASSERT_EQ(commands.size(), 1u);
+    EXPECT_NE(commands[0].find("--layer=poster=-1"), std::string::npos) << commands[0];
+    EXPECT_EQ(render(commands[0]), picture("set.png"));
+}
+
+/// What is under the pointer is what the new layer shows: the sign behind the poster, not the poster.
+TEST_F(LayersOfTheViewer, SayWhatIsPickedFromThenOn) {
+    const RunResult run =
+        play(kPosters + "--technique anchored",
+             kOpened + kPickPoster + kBehindTheWall +
+                 "move 476 485\nwait-ui 2\npress\nrelease\nwait-ui 2\nwait-frame\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 1u) << run.out;
+    EXPECT_EQ(valueOf(states[0], "under").substr(0, 4), "sign") << states[0];
+}
+
+/// Of both sides, and of a scene that is opened anew with them.
+TEST_F(LayersOfTheViewer, HoldInAComparisonAndWhenTheSceneIsOpenedAnew) {
+    const RunResult run = play(kPosters + "--compare reversed,anchored --layer poster=-1",
+                               kOpened + "state\npicture both.png\ncommand\nclick Draw\nwait-ui 2\n" +
+                                   "click detail\nclick detail=object\nwait-ui 2\nwait-frame\n" +
+                                   "state\npicture anew.png\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 2u) << run.out;
+    for (const std::string& state : states) {
+        EXPECT_EQ(valueOf(state, "layer"), "poster=-1") << state;
+    }
+    const auto commands = run.lines("cdr render");
+    ASSERT_EQ(commands.size(), 2u);
+    const image::ImageRgba8 both = picture("both.png");
+    const std::uint32_t middle = both.width / 2;
+    EXPECT_EQ(difference(render(commands[0]), both, 0, middle - 1), 0.0);
+    EXPECT_EQ(difference(render(commands[1]), both, middle + 1, both.width), 0.0);
+    EXPECT_EQ(picture("anew.png"), both);
+}
+
+} // namespace
+
+} // namespace cdr::viewer_test
