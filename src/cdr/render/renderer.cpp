@@ -416,13 +416,17 @@ void Renderer::submit(const scene::Camera& camera, const FrameSync& sync) {
     run(camera, {.sync = sync});
 }
 
-void Renderer::record(const scene::Camera& camera, const HostFrame& frame) {
-    requireRecordable(m_device, m_options, frame);
+void Renderer::requireRecordable(const HostFrame& frame) {
+    render::requireRecordable(m_device, m_options, frame);
     followScene(); // what was added may emit light
     if (frame.draw && m_needs.emission) {
         throw base::InputError(
             "a host cannot draw beside surfaces that emit light or have occlusion textures");
     }
+}
+
+void Renderer::record(const scene::Camera& camera, const HostFrame& frame) {
+    requireRecordable(frame);
     run(camera, {.host = &frame});
 }
 

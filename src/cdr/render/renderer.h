@@ -140,6 +140,8 @@ class CDR_EXPORT Renderer {
     void makeInputs(Slot& slot, std::size_t lightRoom);
     /// Takes over what changed in the scene.
     void followScene();
+    /// Takes over what changed in the scene. base::InputError unless record() can record into a frame.
+    void requireRecordable(const HostFrame& frame);
     void followFacets();
     /// @param frame counted from 0, since the passes were made
     Slot& slotOf(std::size_t frame) const;

@@ -1,4 +1,4 @@
-#include "../fixture.h"
+#include "views_scene.h"
 
 #include <cdr/base/error.h>
 #include <cdr/render/views/joined_frame.h>
@@ -18,35 +18,6 @@ namespace {
 
 using render::Frame;
 using render::ViewsRenderer;
-
-constexpr std::uint32_t kViewsWidth = 128;
-constexpr std::uint32_t kViewsHeight = 72;
-
-/// Boxes near and far, some at the edges of one eye's picture only, above a floor that reaches beyond near and far: so any
-/// camera fits the same cascades to it.
-scene::Scene floorAndBoxes() {
-    scene::Scene scene = boxScene();
-    addBox(scene, glm::dvec3(0.0, -5'001.0, 0.0), glm::mat3(10'000.0f));
-    for (int ring = 0; ring < 6; ++ring) {
-        const double w = 3.0 * std::pow(2.5, ring);
-        for (int column = -4; column <= 4; ++column) {
-            addBox(scene, glm::dvec3(0.26 * column * w, 0.05 * w * (ring % 3), -w),
-                   glm::mat3(static_cast<float>(0.1 * w)));
-        }
-    }
-    for (int column = -60; column <= 60; ++column) { // so close that some are in one eye's view alone
-        addBox(scene, glm::dvec3(0.1 * column, 0.3, -3.0), glm::mat3(0.05f));
-    }
-    return scene;
-}
-
-scene::StereoRig rigOf(scene::StereoMode mode) {
-    const scene::Camera camera{.fovY = 1.0, .nearView = 0.1, .farView = 500.0};
-    return {.centre = scene::lookAlong(camera, {0.3, 0.4, 1.0}, {0.1, -0.05, -1.0}),
-            .eyeDistance = 0.9,
-            .convergence = 8.0,
-            .mode = mode};
-}
 
 void expectSamePick(const std::optional<render::Pick>& pick, const std::optional<render::Pick>& expected) {
     ASSERT_EQ(pick.has_value(), expected.has_value());

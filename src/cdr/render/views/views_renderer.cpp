@@ -29,6 +29,32 @@ void requireCameras(std::span<const scene::Camera> cameras, std::size_t views) {
     }
 }
 
+void requireFrames(std::span<const HostFrame> frames, std::size_t views) {
+    if (frames.size() != views) {
+        throw base::InputError(fmt::format("{} frames were given for {} views", frames.size(), views));
+    }
+    std::vector<VkImage> images;
+    for (const HostFrame& frame : frames) {
+        images.push_back(frame.color.image);
+        images.push_back(frame.depth ? frame.depth->image.image : VK_NULL_HANDLE);
+        images.push_back(frame.motion ? frame.motion->image : VK_NULL_HANDLE);
+    }
+    std::erase(images, VkImage(VK_NULL_HANDLE));
+    std::sort(images.begin(), images.end());
+    if (std::adjacent_find(images.begin(), images.end()) != images.end()) {
+        throw base::InputError("frames of several views cannot be recorded into one image");
+    }
+}
+
+/// By what all hosts draw.
+std::vector<depth::Interval> occupiedBy(std::span<const HostFrame> hosts) {
+    std::vector<depth::Interval> all;
+    for (const HostFrame& host : hosts) {
+        all.insert(all.end(), host.occupied.begin(), host.occupied.end());
+    }
+    return all;
+}
+
 } // namespace
 
 template <typename Make>
@@ -53,7 +79,7 @@ ViewsRenderer::ViewsRenderer(const gpu::Device& device, GpuScene& live, const Re
 
 ViewsRenderer::~ViewsRenderer() = default;
 
-depth::Cascades ViewsRenderer::look(Cameras cameras) {
+depth::Cascades ViewsRenderer::look(Cameras cameras, std::span<const depth::Interval> occupied) {
     bool isRead = m_split->needsVisible();
     std::vector<FrameView> views;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
@@ -75,22 +101,25 @@ depth::Cascades ViewsRenderer::look(Cameras cameras) {
         visibility::cullCells(first.m_drawn.uploaded.cells(first.m_workers), tests, first.m_workers, visible);
     }
     const std::vector<const visibility::VisibleCells*> seen(visible.begin(), visible.end());
-    return m_split->cut(views.front().camera, views.front().frustum, seen, {});
+    return m_split->cut(views.front().camera, views.front().frustum, seen, occupied);
 }
 
-void ViewsRenderer::launch(Cameras cameras, Renderer::Destination destination, const FrameSync& sync) {
+void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     requireCameras(cameras, views());
     const auto begin = std::chrono::steady_clock::now();
-    const depth::Cascades cascades = look(cameras);
+    const depth::Cascades cascades = look(cameras, occupiedBy(how.hosts));
     const double lookMs =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-        Renderer::Delivery delivery{.destination = destination, .shared = &cascades};
+        Renderer::Delivery delivery{.destination = how.destination, .shared = &cascades};
+        if (!how.hosts.empty()) {
+            delivery.host = &how.hosts[i];
+        }
         if (i == 0) {
-            delivery.sync.waits = sync.waits;
+            delivery.sync.waits = how.sync.waits;
         }
         if (i + 1 == cameras.size()) {
-            delivery.sync.signals = sync.signals;
+            delivery.sync.signals = how.sync.signals;
         }
         Renderer::Slot& slot = m_renderers[i]->run(cameras[i], delivery);
         slot.stats.times.cullMs += i == 0 ? lookMs : 0.0;
@@ -98,8 +127,8 @@ void ViewsRenderer::launch(Cameras cameras, Renderer::Destination destination, c
 }
 
 std::vector<Frame> ViewsRenderer::render(Cameras cameras, FrameCopy copy) {
-    launch(cameras, copy == FrameCopy::color ? Renderer::Destination::hostColor : Renderer::Destination::host,
-           {});
+    launch(cameras, {.destination = copy == FrameCopy::color ? Renderer::Destination::hostColor
+                                                             : Renderer::Destination::host});
     std::vector<Frame> frames;
     for (const auto& renderer : m_renderers) {
         Renderer::Slot& slot = renderer->slotOf(renderer->m_frames - 1);
@@ -110,7 +139,7 @@ std::vector<Frame> ViewsRenderer::render(Cameras cameras, FrameCopy copy) {
 }
 
 std::vector<FrameStats> ViewsRenderer::draw(Cameras cameras) {
-    launch(cameras, Renderer::Destination::device, {});
+    launch(cameras, {});
     std::vector<FrameStats> stats;
     for (const auto& renderer : m_renderers) {
         Renderer::Slot& slot = renderer->slotOf(renderer->m_frames - 1);
@@ -121,7 +150,16 @@ std::vector<FrameStats> ViewsRenderer::draw(Cameras cameras) {
 }
 
 void ViewsRenderer::submit(Cameras cameras, const FrameSync& sync) {
-    launch(cameras, Renderer::Destination::device, sync);
+    launch(cameras, {.sync = sync});
+}
+
+void ViewsRenderer::record(Cameras cameras, std::span<const HostFrame> frames) {
+    requireCameras(cameras, views());
+    requireFrames(frames, views());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        m_renderers[i]->requireRecordable(frames[i]);
+    }
+    launch(cameras, {.hosts = frames});
 }
 
 void ViewsRenderer::finish() {
@@ -140,7 +178,7 @@ void ViewsRenderer::skip(Cameras cameras) {
         }
     }
     if (m_split->needsVisible()) {
-        look(cameras);
+        look(cameras, {});
     }
 }
 

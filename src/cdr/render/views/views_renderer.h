@@ -50,7 +50,15 @@ class CDR_EXPORT ViewsRenderer {
     /// @param sync waited for before the first view and signalled after the last.
     /// @errors base::InputError, base::RunError and std::system_error as render(), of earlier frames too.
     void submit(std::span<const scene::Camera> cameras, const FrameSync& sync = {});
-    /// Waits for all that was submitted.
+    /// Records one frame of each camera into a host's command buffers and images, as Renderer::record(): views may share
+    /// a command buffer or have one each, which the host submits in the order of the views. What all frames occupy is
+    /// covered by the cascades, which the views share.
+    /// @param frames one for each view, each with images of its own
+    /// @throws base::InputError for another number of cameras or frames, for lenses that differ, for a frame that
+    ///         Renderer::record() refuses, or where two frames share an image; then nothing was recorded.
+    /// @throws base::RunError, std::system_error as Renderer::record(): the commands of all views are then to be reset.
+    void record(std::span<const scene::Camera> cameras, std::span<const HostFrame> frames);
+    /// Waits for all that was submitted or recorded.
     /// @errors base::RunError and std::system_error of these frames, as render().
     void finish();
     /// Goes past a frame without drawing it, as Renderer::skip().
@@ -78,10 +86,17 @@ class CDR_EXPORT ViewsRenderer {
     using Cameras = std::span<const scene::Camera>;
     template <typename Make>
     ViewsRenderer(std::size_t views, const RenderOptions& options, const Make& make);
+    /// What becomes of a frame of each camera.
+    struct Launch {
+        Renderer::Destination destination = Renderer::Destination::device;
+        FrameSync sync{}; ///< of all views together
+        std::span<const HostFrame>
+            hosts{}; ///< by view, that they are recorded into; empty: they are submitted
+    };
     /// Culls and cuts for all cameras.
-    depth::Cascades look(Cameras cameras);
-    /// Submits a frame of each camera.
-    void launch(Cameras cameras, Renderer::Destination destination, const FrameSync& sync);
+    /// @param occupied view distances of what the scene does not hold
+    depth::Cascades look(Cameras cameras, std::span<const depth::Interval> occupied);
+    void launch(Cameras cameras, const Launch& how);
 
     std::vector<std::unique_ptr<Renderer>> m_renderers; ///< by view
     std::unique_ptr<FrameSplit> m_split;
