@@ -14,7 +14,7 @@ packages=(
     # Vulkan: loader, shader compiler, validation, and lavapipe, a driver that needs no graphics card
     libvulkan-dev glslang-tools vulkan-validationlayers mesa-vulkan-drivers
     # libraries
-    libcli11-dev libfmt-dev libglm-dev libmeshoptimizer-dev libopenexr-dev libspng-dev libssl-dev libstb-dev
+    libcli11-dev libdraco-dev libfmt-dev libglm-dev libmeshoptimizer-dev libopenexr-dev libspng-dev libssl-dev libstb-dev
     libturbojpeg0-dev nlohmann-json3-dev
     # the viewer: optional, without them it is not built; the font is what it writes with
     libglfw3-dev libimgui-dev fonts-dejavu-core

@@ -9,7 +9,7 @@ quiet() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2 && echo "failed: $*" >
 
 # No package can be found, so none can be needed.
 hidden=()
-for package in Vulkan fmt glm nlohmann_json OpenSSL OpenEXR CLI11 meshoptimizer PkgConfig Threads GTest; do
+for package in Vulkan fmt glm nlohmann_json OpenSSL OpenEXR CLI11 meshoptimizer draco PkgConfig Threads GTest; do
     hidden+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=TRUE")
 done
 # Nor can a header of one that this machine has be included without a word: in these folders, which come first in the path of

@@ -110,6 +110,7 @@ if ninja -C "$work/scene_only" -t deps | grep '/vulkan/' || [[ $(ldd "$work/scen
     exit 1
 fi
 refuse "component scene needs the package glm, which was not found" "${static[@]}" -DCMAKE_DISABLE_FIND_PACKAGE_glm=TRUE
+refuse "component scene needs the package draco, which was not found" "${static[@]}" -DCMAKE_DISABLE_FIND_PACKAGE_draco=TRUE
 refuse "component render needs the package Vulkan 1.3.239, which was not found" "${static[@]}" -DCOMPONENTS=render \
     -DCMAKE_DISABLE_FIND_PACKAGE_Vulkan=TRUE
 PKG_CONFIG_LIBDIR=/nowhere refuse "component scene needs the package spng, which pkg-config did not find" "${static[@]}"

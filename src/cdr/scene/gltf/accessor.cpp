@@ -53,6 +53,10 @@ Accessor::Accessor(const json& root, const Buffers& buffers, int index) {
     }
 }
 
+Accessor::Accessor(const Accessor& declared, Strided elements) : Accessor(declared) {
+    m_elements = elements;
+}
+
 void Accessor::readSparse(const json& sparse, const Buffers& buffers, int index) {
     const std::string where = fmt::format("accessor {}: its sparse part", index);
     const json& indices = objectMember(sparse, "indices", where);

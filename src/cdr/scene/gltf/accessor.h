@@ -24,9 +24,14 @@ class Accessor {
     /// @param root of the document.
     Accessor(const nlohmann::json& root, const Buffers& buffers, int index);
 
+    /// The same, with elements that are elsewhere, of its type and count.
+    Accessor(const Accessor& declared, Strided elements);
+
     std::size_t count() const { return m_count; }
     /// Components of an element: 1 for SCALAR to 4 for VEC4, 16 for MAT4, 0 for smaller matrices.
     int components() const { return m_components; }
+    /// glTF's number.
+    int componentType() const { return m_componentType; }
     /// Whether bytes in the file back its elements, sparse ones aside.
     bool hasData() const { return m_elements.first != nullptr; }
     bool isSparse() const { return m_sparseCount > 0; }

@@ -3,6 +3,7 @@
 #include "bytes/meshopt.h"
 #include "cameras.h"
 #include "checks.h"
+#include "draco/extension.h"
 #include "instancing.h"
 #include "json.h"
 #include "lights.h"
@@ -18,7 +19,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 7> kSupportedExtensions{kInstancing,
+constexpr std::array<std::string_view, 8> kSupportedExtensions{kInstancing,
+                                                               kDraco,
                                                                kLights,
                                                                kMeshopt,
                                                                "KHR_materials_emissive_strength",

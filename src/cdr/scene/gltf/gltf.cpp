@@ -2,6 +2,7 @@
 #include "bytes/container.h"
 #include "cameras.h"
 #include "checks.h"
+#include "draco/decompressor.h"
 #include "import.h"
 #include "instancing.h"
 #include "json.h"
@@ -64,6 +65,7 @@ class Importer {
           m_limits(limits),
           m_memory(limits.maxBytes),
           m_accessors(sources.document.root, sources.buffers),
+          m_decompressor(sources.buffers, m_accessors, limits.maxFileBytes),
           m_meshes(m_accessors, sources.notes),
           m_materials(sources, m_scene) {}
 
@@ -106,6 +108,8 @@ class Importer {
     /// A node as each of its copies stands, or as it is where it has none.
     void forEachCopy(const MeshNode& node, const std::function<void(const MeshNode&)>& add);
     void addDeformed(const MeshNode& node, std::size_t index, std::uint32_t object);
+    /// A primitive of a mesh that was read, decoded.
+    const Primitive& decoded(int mesh, std::size_t index, const std::string& where);
     const std::optional<PlacedPrimitive>& use(int meshIndex, std::size_t index);
     /// A material of the scene in the layer of a node, if the node has one.
     std::uint32_t materialIn(std::optional<float> layer, std::uint32_t material);
@@ -115,6 +119,7 @@ class Importer {
     MemoryPrediction m_memory;
     Scene m_scene;
     Accessors m_accessors;
+    Decompressor m_decompressor;
     MeshImporter m_meshes;
     MaterialImporter m_materials;
     std::optional<MovingParts> m_moving;      ///< while it runs
@@ -256,9 +261,8 @@ void Importer::addRigid(const MeshNode& node, std::size_t index, std::uint32_t o
 }
 
 void Importer::addDeformed(const MeshNode& node, std::size_t index, std::uint32_t object) {
-    const MeshSource& mesh = m_sourceMeshes.at(node.mesh);
-    const Primitive& primitive = mesh.primitives[index];
-    const std::string where = placeOf(node.mesh, mesh.name, index);
+    const std::string where = placeOf(node.mesh, m_sourceMeshes.at(node.mesh).name, index);
+    const Primitive& primitive = decoded(node.mesh, index, where);
     const MaterialUse& material = m_materials.use(primitive.material);
     std::optional<SourcePrimitive> source = m_meshes.read(primitive, material.uv, where);
     if (source) {
@@ -267,14 +271,20 @@ void Importer::addDeformed(const MeshNode& node, std::size_t index, std::uint32_
     }
 }
 
+const Primitive& Importer::decoded(int mesh, std::size_t index, const std::string& where) {
+    Primitive& primitive = m_sourceMeshes.at(mesh).primitives[index];
+    const std::uint64_t kept = m_decompressor.decode(primitive, m_memory.left(), where);
+    m_memory.add({.kept = kept, .passing = 0}, where);
+    return primitive;
+}
+
 const std::optional<PlacedPrimitive>& Importer::use(int meshIndex, std::size_t index) {
     const auto [found, isNew] = m_imported.try_emplace({meshIndex, index});
     if (!isNew) {
         return found->second;
     }
-    const MeshSource& source = m_sourceMeshes.at(meshIndex);
-    const Primitive& primitive = source.primitives[index];
-    const std::string where = placeOf(meshIndex, source.name, index);
+    const std::string where = placeOf(meshIndex, m_sourceMeshes.at(meshIndex).name, index);
+    const Primitive& primitive = decoded(meshIndex, index, where);
     const MaterialUse& material = m_materials.use(primitive.material);
     // Pieces overlap at their seams, which blending would show.
     const bool whole = m_scene.materials[material.index].alphaMode == AlphaMode::blend;

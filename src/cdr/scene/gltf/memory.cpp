@@ -1,6 +1,7 @@
 #include "memory.h"
 
 #include "checks.h"
+#include "draco/decompressor.h"
 #include "triangles.h"
 
 #include <cdr/scene/scene.h>
@@ -27,8 +28,8 @@ constexpr std::uint64_t kInstanceBytes =
     3 * sizeof(double) + sizeof(float) + sizeof(glm::mat3) + 3 * sizeof(std::uint32_t);
 
 std::uint64_t positionCount(const Primitive& primitive, Accessors& accessors) {
-    const auto found = primitive.attributes.find("POSITION");
-    return found == primitive.attributes.end() ? 0 : accessors.at(found->second).count();
+    const Accessor* position = attributeOf(primitive, "POSITION", accessors);
+    return position == nullptr ? 0 : position->count();
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "mesh.h"
 
 #include "checks.h"
+#include "draco/decompressor.h"
 #include "materials/tangents.h"
 #include "triangles.h"
 
@@ -109,15 +110,11 @@ std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const Uv
 MeshImporter::Attributes MeshImporter::findAttributes(const Primitive& primitive, const UvPlaces& uv,
                                                       const std::string& where) {
     const auto find = [&](const std::string& name, int fewest, int most) -> const Accessor* {
-        const auto found = primitive.attributes.find(name);
-        if (found == primitive.attributes.end()) {
-            return nullptr;
+        const Accessor* accessor = attributeOf(primitive, name, m_accessors);
+        if (accessor != nullptr && (accessor->components() < fewest || accessor->components() > most)) {
+            refuse("{}: {} has {} components", where, name, accessor->components());
         }
-        const Accessor& accessor = m_accessors.at(found->second);
-        if (accessor.components() < fewest || accessor.components() > most) {
-            refuse("{}: {} has {} components", where, name, accessor.components());
-        }
-        return &accessor;
+        return accessor;
     };
     const auto findUv = [&](const std::optional<UvSource>& place) {
         return find(fmt::format("TEXCOORD_{}", place.value_or(UvSource{}).texCoord), 2, 2);

@@ -1,6 +1,5 @@
 #include "primitive.h"
 
-#include "bytes/compression.h"
 #include "checks.h"
 #include "json.h"
 
@@ -13,8 +12,8 @@ namespace {
 using nlohmann::json;
 
 Primitive readPrimitive(const json& root, const json& source, const std::string& where) {
-    requireUncompressed(root, source, where);
     Primitive primitive;
+    primitive.draco = dracoOf(root, source, where);
     primitive.mode = indexMember(source, "mode").value_or(kModeTriangles);
     primitive.indices = indexMember(source, "indices").value_or(-1);
     primitive.material = indexMember(source, "material").value_or(-1);

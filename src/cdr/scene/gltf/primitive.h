@@ -1,9 +1,13 @@
 #pragma once
 
+#include "draco/extension.h"
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +19,8 @@ inline constexpr int kModeTriangles = 4;
 inline constexpr int kModeTriangleStrip = 5;
 inline constexpr int kModeTriangleFan = 6;
 
+struct DecodedPrimitive;
+
 /// What a document says of a primitive. Indices are non-negative, or -1 for none, and not yet checked against
 /// what they index.
 struct Primitive {
@@ -24,6 +30,8 @@ struct Primitive {
     std::map<std::string, int> attributes;           ///< accessors
     std::vector<std::map<std::string, int>> targets; ///< of morph targets: their accessors
     std::string extension;                           ///< the first one it has, empty without
+    std::optional<DracoPrimitive> draco;             ///< where it has to be decoded
+    std::shared_ptr<const DecodedPrimitive> decoded; ///< null until it is (draco/decompressor.h)
 };
 
 /// A mesh of a document.
@@ -32,7 +40,7 @@ struct MeshSource {
     std::vector<Primitive> primitives;
 };
 
-/// Reads a mesh. Refuses one that does not exist, is unsound, or has a primitive that is only compressed.
+/// Reads a mesh. Refuses one that does not exist, is unsound, or has a primitive that is.
 /// @param root of the document.
 MeshSource readMesh(const nlohmann::json& root, int mesh);
 

@@ -1,23 +1,17 @@
 #include "triangles.h"
 
 #include "checks.h"
+#include "draco/decompressor.h"
 
 namespace cdr::scene::gltf {
 
 namespace {
 
-int positionAccessor(const Primitive& primitive) {
-    const auto found = primitive.attributes.find("POSITION");
-    return found == primitive.attributes.end() ? -1 : found->second;
-}
-
 /// Corners drawn, before they are grouped into triangles.
 std::size_t cornerCount(const Primitive& primitive, Accessors& accessors) {
-    if (primitive.indices >= 0) {
-        return accessors.at(primitive.indices).count();
-    }
-    const int position = positionAccessor(primitive);
-    return position < 0 ? 0 : accessors.at(position).count();
+    const Accessor* indices = indicesOf(primitive, accessors);
+    const Accessor* corners = indices != nullptr ? indices : attributeOf(primitive, "POSITION", accessors);
+    return corners == nullptr ? 0 : corners->count();
 }
 
 /// Which corner is corner `c` of triangle `t`; the formulas are glTF's, so fronts stay fronts.
@@ -48,7 +42,7 @@ std::uint64_t triangleCount(const Primitive& primitive, Accessors& accessors) {
 
 std::vector<std::uint32_t> triangleList(const Primitive& primitive, Accessors& accessors,
                                         std::size_t vertexCount, const std::string& where) {
-    const Accessor* indices = primitive.indices < 0 ? nullptr : &accessors.at(primitive.indices);
+    const Accessor* indices = indicesOf(primitive, accessors);
     if (indices != nullptr) {
         indices->requireIndices(primitive.indices);
     }

@@ -1,6 +1,7 @@
 #include "deformers.h"
 
 #include "../checks.h"
+#include "../draco/decompressor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +24,9 @@ std::size_t jointSets(const Primitive& primitive) {
     return sets;
 }
 
-/// An accessor of an attribute, one element for each vertex of the file.
-const Accessor& attributeOf(const std::map<std::string, int>& attributes, const std::string& name,
-                            int components, std::size_t count, Accessors& accessors,
-                            const std::string& where) {
-    const Accessor& accessor = accessors.at(attributes.at(name));
+/// An accessor of one element for each vertex of the file.
+const Accessor& requireVertices(const Accessor& accessor, const std::string& name, int components,
+                                std::size_t count, const std::string& where) {
     if (accessor.components() != components || accessor.count() != count) {
         refuse("{}: {} has {} elements of {} components where {} of {} are needed", where, name,
                accessor.count(), accessor.components(), count, components);
@@ -75,8 +74,10 @@ std::vector<Influence> influencesOf(const std::vector<JointSet>& sets, std::uint
 std::vector<MorphDelta> deltasOf(const std::map<std::string, int>& target, const SourcePrimitive& source,
                                  Accessors& accessors, const std::string& where) {
     const auto find = [&](const char* name) -> const Accessor* {
-        return target.contains(name) ? &attributeOf(target, name, 3, source.fileVertexCount, accessors, where)
-                                     : nullptr;
+        const auto found = target.find(name);
+        return found == target.end()
+                   ? nullptr
+                   : &requireVertices(accessors.at(found->second), name, 3, source.fileVertexCount, where);
     };
     const Accessor* position = find("POSITION");
     const Accessor* normal = find("NORMAL");
@@ -102,9 +103,10 @@ void addInfluences(const Primitive& primitive, const SourcePrimitive& source, Ac
                    std::size_t joints, Notes& notes, const std::string& where, Deformer& deformer) {
     std::vector<JointSet> sets;
     for (std::size_t set = 0; set < jointSets(primitive); ++set) {
-        const auto attribute = [&](const char* name) {
-            return &attributeOf(primitive.attributes, fmt::format("{}_{}", name, set), 4,
-                                source.fileVertexCount, accessors, where);
+        const auto attribute = [&](const char* kind) {
+            const std::string name = fmt::format("{}_{}", kind, set);
+            return &requireVertices(*attributeOf(primitive, name, accessors), name, 4, source.fileVertexCount,
+                                    where);
         };
         sets.push_back({attribute("JOINTS"), attribute("WEIGHTS")});
     }

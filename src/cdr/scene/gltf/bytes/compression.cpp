@@ -15,18 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kDraco = "KHR_draco_mesh_compression";
 constexpr const char* kLaterMeshopt = "KHR_meshopt_compression";
-
-/// Refuses an accessor that no buffer view backs; sparse elements over others that are compressed are no way
-/// out. What is no accessor is refused where it is used.
-void requireView(const json& accessors, const json& index, const std::string& where) {
-    if (index.is_number_unsigned() && index.get<std::size_t>() < accessors.size() &&
-        member(accessors[index.get<std::size_t>()], "bufferView") == nullptr) {
-        refuse("{}: accessor {} is there only as {}, which is not supported", where, index.get<std::size_t>(),
-               kDraco);
-    }
-}
 
 /// Whether a view lies over its own compressed bytes: a writer that had no others named the buffer it had.
 bool isOverCompressed(const BufferRange& view, const json& compressed) {
@@ -44,21 +33,6 @@ bool isOverCompressed(const BufferRange& view, const json& compressed) {
 }
 
 } // namespace
-
-void requireUncompressed(const json& root, const json& primitive, const std::string& where) {
-    if (extensionOf(primitive, kDraco) == nullptr) {
-        return;
-    }
-    const json& accessors = arrayMember(root, "accessors");
-    if (const json* indices = member(primitive, "indices")) {
-        requireView(accessors, *indices, where);
-    }
-    if (const json* attributes = member(primitive, "attributes")) {
-        for (const json& attribute : *attributes) {
-            requireView(accessors, attribute, where);
-        }
-    }
-}
 
 const json* meshoptOf(const json& view, const BufferRange& range, const std::string& where, bool hasBuffer) {
     const auto isAlone = [&](const json* compressed) {

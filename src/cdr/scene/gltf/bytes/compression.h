@@ -7,14 +7,9 @@
 
 namespace cdr::scene::gltf {
 
-// Of the extensions that compress geometry EXT_meshopt_compression is supported (meshopt.h). A file that uses another one
+// Of the extensions that compress buffer views EXT_meshopt_compression is supported (meshopt.h). A file that uses another one
 // without requiring it has the same geometry uncompressed as well, which is what we read; what is missing there would read
 // as zeros, or as bytes that mean something else.
-
-/// Refuses a primitive of which KHR_draco_mesh_compression holds what no buffer view does.
-/// @param root of the document.
-void requireUncompressed(const nlohmann::json& root, const nlohmann::json& primitive,
-                         const std::string& where);
 
 /// Bytes of a buffer.
 struct BufferRange {
