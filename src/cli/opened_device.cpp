@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/device_query.h>
+#include <cdr/gpu/pipeline.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,7 +29,9 @@ void requireKnownDevice(const std::string& choice) {
 
 OpenedDevice::OpenedDevice(const std::string& choice, bool validate)
     : m_instance({.validate = validate, .extensions = {}}),
-      m_device(m_instance, choice) {}
+      m_device(m_instance, choice) {
+    gpu::keepPipelines(m_device);
+}
 
 host::DocumentDevice OpenedDevice::documentDevice() const {
     const gpu::DeviceInfo& info = m_device.info();

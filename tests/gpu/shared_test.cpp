@@ -56,6 +56,38 @@ TEST(SharedObjects, GivesEqualOptionsOneObjectWhileSomebodyHasIt) {
     EXPECT_EQ(numbers.made(), 3u);
 }
 
+/// From the call on, and until the release.
+TEST(SharedObjects, KeepsThoseThatNobodyHasWhereItIsTold) {
+    int alive = 0;
+    Numbers numbers;
+    const auto make = [&](int options) { return UniqueNumber(10 * options, alive); };
+    numbers.get(1, make);
+    EXPECT_EQ(alive, 0);
+    numbers.keep();
+    numbers.get(1, make);
+    EXPECT_EQ(alive, 1);
+    const auto held = numbers.get(2, make);
+    EXPECT_EQ(*numbers.get(1, make), 10);
+    EXPECT_EQ(numbers.made(), 3u);
+    numbers.release();
+    EXPECT_EQ(alive, 1);
+    EXPECT_EQ(*numbers.get(2, make), 20);
+    numbers.get(1, make);
+    EXPECT_EQ(alive, 1);
+    EXPECT_EQ(numbers.made(), 4u);
+}
+
+TEST(SharedObjects, WhatIsKeptGoesWithWhatKeepsIt) {
+    int alive = 0;
+    {
+        Numbers numbers;
+        numbers.keep();
+        numbers.get(1, [&](int options) { return UniqueNumber(options, alive); });
+        EXPECT_EQ(alive, 1);
+    }
+    EXPECT_EQ(alive, 0);
+}
+
 TEST(SharedObjects, ANullOneIsTheNullHandle) {
     const Shared<UniqueNumber> none;
     EXPECT_FALSE(none);

@@ -40,6 +40,16 @@ class RenderTest : public test::DeviceTest {
     }
 };
 
+/// Nothing has a pipeline but the renderers that draw with it.
+class OwnPipelinesTest : public RenderTest {
+  protected:
+    void SetUp() override { gpu::releasePipelines(device()); }
+    void TearDown() override {
+        gpu::keepPipelines(device());
+        RenderTest::TearDown();
+    }
+};
+
 inline render::RenderOptions smallOptions(const depth::Technique& technique) {
     return {.width = 480,
             .height = 270,

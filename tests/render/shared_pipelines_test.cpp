@@ -12,7 +12,7 @@ namespace cdr::render_test {
 
 namespace {
 
-using SharedPipelinesTest = RenderTest;
+using SharedPipelinesTest = OwnPipelinesTest;
 
 /// How many pipelines the device made so far.
 std::uint64_t pipelinesMade(const gpu::Device& device) {

@@ -2,6 +2,7 @@
 
 #include <cdr/gpu/device.h>
 #include <cdr/gpu/instance.h>
+#include <cdr/gpu/pipeline.h>
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,8 @@
 namespace cdr::test {
 
 /// The validated device that all tests of a program share, opened when the first one needs it: opening a device takes
-/// longer than most tests. What validation says while it closes fails the program.
+/// longer than most tests. It keeps pipelines, which most renderers of tests have alike. What validation says while it
+/// closes fails the program.
 class SharedDevice final : public testing::Environment {
   public:
     const gpu::Instance& instance() {
@@ -30,6 +32,7 @@ class SharedDevice final : public testing::Environment {
     const gpu::Device& device() {
         if (!m_device) {
             m_device.emplace(instance(), "");
+            gpu::keepPipelines(*m_device);
         }
         return *m_device;
     }

@@ -182,6 +182,16 @@ vk::UniqueDescriptorSetLayout createSetLayout(const Device& device, const SetLay
 
 } // namespace
 
+void keepPipelines(const Device& device) {
+    pipelineObjects(device).graphics.keep();
+    pipelineObjects(device).compute.keep();
+}
+
+void releasePipelines(const Device& device) {
+    pipelineObjects(device).graphics.release();
+    pipelineObjects(device).compute.release();
+}
+
 Pipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options) {
     return pipelineObjects(device).graphics.get(
         options, [&](const auto& wanted) { return createGraphicsPipeline(device, wanted); });

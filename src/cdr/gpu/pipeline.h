@@ -110,6 +110,13 @@ struct PipelineObjects {
 /// Those that renderers of the device share while they are there.
 PipelineObjects& pipelineObjects(const Device& device);
 
+/// From now on each pipeline stays until releasePipelines() or the device's end, for a program that makes one renderer
+/// after the other. Compiling is most of what a renderer of a small scene costs.
+void keepPipelines(const Device& device);
+
+/// Keeps none any more: those that no renderer has are destroyed.
+void releasePipelines(const Device& device);
+
 Pipeline makeGraphicsPipeline(const Device& device, const GraphicsPipelineOptions& options);
 
 Pipeline makeComputePipeline(const Device& device, const ComputePipelineOptions& options);

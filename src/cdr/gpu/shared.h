@@ -48,8 +48,24 @@ class SharedObjects {
         }
         const auto object = std::make_shared<const Object>(options, make(options));
         m_objects.push_back(object);
+        if (m_keeps) {
+            m_kept.push_back(object);
+        }
         ++m_made;
         return share(object);
+    }
+
+    /// From now on has each object that it makes itself too, until release() or its end.
+    void keep() {
+        const std::lock_guard lock(m_mutex);
+        m_keeps = true;
+    }
+
+    /// Keeps none any more: those that nobody else has are destroyed.
+    void release() {
+        const std::lock_guard lock(m_mutex);
+        m_keeps = false;
+        m_kept.clear();
     }
 
     /// How many were made so far, those that are gone included.
@@ -71,6 +87,8 @@ class SharedObjects {
 
     mutable std::mutex m_mutex;
     std::vector<std::weak_ptr<const Object>> m_objects;
+    std::vector<std::shared_ptr<const Object>> m_kept;
+    bool m_keeps = false;
     std::uint64_t m_made = 0;
 };
 

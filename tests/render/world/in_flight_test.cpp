@@ -11,7 +11,7 @@ namespace cdr::render_test {
 
 namespace {
 
-using InFlightTest = RenderTest;
+using InFlightTest = OwnPipelinesTest;
 
 /// Signals late, so that a test which waits where it should not fails instead of hanging.
 class Rescue {

@@ -36,7 +36,7 @@ render::RenderOptions optionsFor(const char* technique, Submission submission, T
             .framesInFlight = framesInFlight};
 }
 
-using WorldTest = RenderTest;
+using WorldTest = OwnPipelinesTest;
 
 /// The rule of live worlds: whatever was done to it, and however it is drawn, the picture is that of a scene built anew.
 /// Blended fragments are counted, so each is drawn once. Groups of renderers take turns and so lag behind by a batch.
