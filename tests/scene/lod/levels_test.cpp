@@ -181,6 +181,29 @@ TEST(SurfaceDistance, IsThatOfEveryTriangle) {
     }
 }
 
+/// To the bit, wherever the search may end.
+TEST(SurfaceDistance, TheLargerOfTwoIsThatOfAWholeSearch) {
+    const Mesh mesh = scenes::makeBoulder(3, 3);
+    std::vector<glm::vec3> positions;
+    for (const Vertex& vertex : mesh.vertices) {
+        positions.push_back(vertex.position);
+    }
+    const SurfaceDistance surface(positions, mesh.indices);
+    scenes::Random random(6);
+    double largest = 0.0;
+    double known = 0.0;
+    for (int i = 0; i < 200; ++i) {
+        const glm::dvec3 p = random.inCube(1.5);
+        const double squared = surface.squaredTo(p);
+        for (const double other : {0.0, 0.5 * squared, squared, 2.0 * squared}) {
+            EXPECT_EQ(surface.largerSquared(p, other), std::max(other, squared)) << i;
+        }
+        largest = std::max(largest, squared);
+        known = surface.largerSquared(p, known);
+        EXPECT_EQ(known, largest) << i;
+    }
+}
+
 TEST(Levels, NoPointOfALevelIsFartherThanItsErrorSays) {
     for (const Mesh& mesh : {scenes::makeBoulder(2013, 3), seamedTerrain(24)}) {
         const std::vector<MeshLevel> levels = makeLevels(mesh);

@@ -59,7 +59,7 @@ std::vector<FoundError> fromSurface(const SharedMesh& mesh, const SurfaceDistanc
             for (std::size_t k = 0; k < 3; ++k) {
                 corners[k] = glm::dvec3(mesh.positions[cluster.indices[i + k]]);
             }
-            found[job].squared = std::max(found[job].squared, toMesh.largestSquaredTo(corners, perTriangle));
+            found[job].squared = toMesh.largestSquaredTo(corners, perTriangle, found[job].squared);
         }
     });
     return found;

@@ -66,7 +66,7 @@ std::vector<Box> SurfaceDistance::boxesOf(std::span<const Triangle> triangles) {
     return boxes;
 }
 
-void SurfaceDistance::search(std::uint32_t node, const glm::dvec3& point, Nearest& best) const {
+void SurfaceDistance::search(std::uint32_t node, const glm::dvec3& point, double enough, Nearest& best) const {
     const BoxTree::Node& self = m_tree.nodes()[node];
     if (self.count > 0) {
         for (const std::uint32_t item : m_tree.order().subspan(self.first, self.count)) {
@@ -83,28 +83,35 @@ void SurfaceDistance::search(std::uint32_t node, const glm::dvec3& point, Neares
     const std::uint32_t nearer = toFirst <= toSecond ? self.first : self.first + 1;
     const std::uint32_t farther = toFirst <= toSecond ? self.first + 1 : self.first;
     if (std::min(toFirst, toSecond) < best.squared) {
-        search(nearer, point, best);
+        search(nearer, point, enough, best);
     }
-    if (std::max(toFirst, toSecond) < best.squared) {
-        search(farther, point, best);
+    if (std::max(toFirst, toSecond) < best.squared && best.squared > enough) {
+        search(farther, point, enough, best);
     }
 }
 
 SurfaceDistance::Nearest SurfaceDistance::nearestTo(const glm::dvec3& point) const {
     Nearest best;
-    search(0, point, best);
+    search(0, point, 0.0, best);
     return best;
 }
 
-double SurfaceDistance::largestSquaredTo(const std::array<glm::dvec3, 3>& triangle, double points) const {
+double SurfaceDistance::largerSquared(const glm::dvec3& point, double known) const {
+    Nearest best;
+    search(0, point, known, best);
+    return std::max(known, best.squared);
+}
+
+double SurfaceDistance::largestSquaredTo(const std::array<glm::dvec3, 3>& triangle, double points,
+                                         double known) const {
     const int parts = static_cast<int>(std::clamp(std::ceil(std::sqrt(points)), 2.0, kMostParts));
     const glm::dvec3 u = (triangle[1] - triangle[0]) / static_cast<double>(parts);
     const glm::dvec3 v = (triangle[2] - triangle[0]) / static_cast<double>(parts);
-    double largest = 0.0;
+    double largest = known;
     for (int j = 0; j <= parts; ++j) {
         for (int k = 0; j + k <= parts; ++k) {
-            largest = std::max(
-                largest, squaredTo(triangle[0] + static_cast<double>(j) * u + static_cast<double>(k) * v));
+            largest =
+                largerSquared(triangle[0] + static_cast<double>(j) * u + static_cast<double>(k) * v, largest);
         }
     }
     return largest;
@@ -119,14 +126,14 @@ double surfaceDeviation(std::span<const glm::vec3> positions, std::span<const st
     for (const std::uint32_t vertex : full) {
         if (!seen[vertex]) {
             seen[vertex] = true;
-            greatest = std::max(greatest, toCoarse.squaredTo(glm::dvec3(positions[vertex])));
+            greatest = toCoarse.largerSquared(glm::dvec3(positions[vertex]), greatest);
         }
     }
     const double perTriangle = static_cast<double>(full.size()) / static_cast<double>(coarse.size());
     for (std::size_t i = 0; i + 2 < coarse.size(); i += 3) {
         const std::array corners{glm::dvec3(positions[coarse[i]]), glm::dvec3(positions[coarse[i + 1]]),
                                  glm::dvec3(positions[coarse[i + 2]])};
-        greatest = std::max(greatest, toFull.largestSquaredTo(corners, perTriangle));
+        greatest = toFull.largestSquaredTo(corners, perTriangle, greatest);
     }
     return std::sqrt(greatest);
 }

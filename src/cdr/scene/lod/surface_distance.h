@@ -28,9 +28,12 @@ class SurfaceDistance {
     /// Squared distance from a point to the nearest triangle.
     double squaredTo(const glm::dvec3& point) const { return nearestTo(point).squared; }
 
-    /// The largest of points spread evenly over a triangle, corners and edges among them.
+    /// The larger of `known` and squaredTo(point). Mostly the search ends early: any triangle within `known` decides it.
+    double largerSquared(const glm::dvec3& point, double known) const;
+
+    /// The largest of `known` and of points spread evenly over a triangle, corners and edges among them.
     /// @param points about how many.
-    double largestSquaredTo(const std::array<glm::dvec3, 3>& triangle, double points) const;
+    double largestSquaredTo(const std::array<glm::dvec3, 3>& triangle, double points, double known) const;
 
   private:
     struct Triangle {
@@ -39,7 +42,8 @@ class SurfaceDistance {
     static std::vector<Triangle> trianglesOf(std::span<const glm::vec3> positions,
                                              std::span<const std::uint32_t> indices);
     static std::vector<Box> boxesOf(std::span<const Triangle> triangles);
-    void search(std::uint32_t node, const glm::dvec3& point, Nearest& best) const;
+    /// Ends as soon as a triangle is found whose squared distance is `enough` or less.
+    void search(std::uint32_t node, const glm::dvec3& point, double enough, Nearest& best) const;
 
     std::vector<Triangle> m_triangles;
     BoxTree m_tree;
