@@ -15,7 +15,7 @@ compiler=$(command -v x86_64-w64-mingw32-g++-posix || command -v x86_64-w64-ming
 [[ -e /usr/src/googletest/googletest/src/gtest-all.cc ]] || missing "source of GoogleTest (googletest)"
 
 cmake -G Ninja -S tests/package/windows -B build/windows -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_EXE_LINKER_FLAGS=-static -DCDR_WARNINGS_AS_ERRORS=ON
+    -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_EXE_LINKER_FLAGS=-static -DCDR_WARNINGS_AS_ERRORS=ON -DCDR_UNITY_BUILD=ON
 cmake --build build/windows
 if ! command -v wine >/dev/null; then
     echo "tools/windows.sh: compiled, but not run: there is no wine (wine64, wine)"
