@@ -21,6 +21,7 @@ PlanRow shadowsOf(const TimedScene& scene, const std::string& folder = "") {
                         {"--methods", {"plain,anchored"}},
                         {"--frames", {"2", "3", "8"}},
                         {"--size", {"160x90", "640x360", "1280x720"}},
+                        {"--shadow-texels", {"512", "", ""}},
                         {"--threads", {kThreads}},
                         {"--seed", {kSeed}}},
             .folderOption = folder.empty() ? "" : "--out",
