@@ -99,8 +99,8 @@ TEST_F(TranslucentShadowsTest, ThreadsTargetsAndSubmissionsChangeNoBit) {
     for (const Translucency method : render::kTranslucencies) {
         RenderOptions options = optionsFor("cdr", method);
         options.shadows.mostTexels = 256;
-        options.width = 192;
-        options.height = 108;
+        options.width = 96;
+        options.height = 54;
         const std::string wanted = hashOf(draw(m_sheets.scene, m_camera, options));
         for (const std::size_t threads : {2u, 16u}) {
             RenderOptions other = options;
@@ -146,8 +146,8 @@ TEST_F(TranslucentShadowsTest, FramesInFlightLeaveTheNextFrameAsItIs) {
     for (const Translucency method : render::kTranslucencies) {
         RenderOptions options = optionsFor("anchored", method);
         options.shadows.mostTexels = 128;
-        options.width = 192;
-        options.height = 108;
+        options.width = 96;
+        options.height = 54;
         const std::string wanted = hashOf(draw(m_sheets.scene, m_camera, options));
         options.framesInFlight = 3;
         render::Renderer renderer(device(), m_sheets.scene, gpuScene, options);

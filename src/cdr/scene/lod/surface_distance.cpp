@@ -66,7 +66,8 @@ std::vector<Box> SurfaceDistance::boxesOf(std::span<const Triangle> triangles) {
     return boxes;
 }
 
-void SurfaceDistance::search(std::uint32_t node, const glm::dvec3& point, double enough, Nearest& best) const {
+void SurfaceDistance::search(std::uint32_t node, const glm::dvec3& point, double enough,
+                             Nearest& best) const {
     const BoxTree::Node& self = m_tree.nodes()[node];
     if (self.count > 0) {
         for (const std::uint32_t item : m_tree.order().subspan(self.first, self.count)) {
