@@ -58,7 +58,7 @@ class ShadowsTest : public RenderTest {
         return wrong;
     }
 
-    std::string refusalOf(RenderOptions options) {
+    std::string refusalOf(const RenderOptions& options) {
         const scene::Scene scene = boxScene();
         const render::GpuScene gpuScene(device(), scene);
         try {
