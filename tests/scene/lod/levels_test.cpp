@@ -167,13 +167,17 @@ Mesh seamedTerrain(std::uint32_t cells) {
     return mesh;
 }
 
-TEST(SurfaceDistance, IsThatOfEveryTriangle) {
-    const Mesh mesh = scenes::makeBoulder(3, 2);
+SurfaceDistance surfaceOf(const Mesh& mesh) {
     std::vector<glm::vec3> positions;
     for (const Vertex& vertex : mesh.vertices) {
         positions.push_back(vertex.position);
     }
-    const SurfaceDistance surface(positions, mesh.indices);
+    return {positions, mesh.indices};
+}
+
+TEST(SurfaceDistance, IsThatOfEveryTriangle) {
+    const Mesh mesh = scenes::makeBoulder(3, 2);
+    const SurfaceDistance surface = surfaceOf(mesh);
     scenes::Random random(5);
     for (int i = 0; i < 60; ++i) {
         const glm::dvec3 p = random.inCube(1.5);
@@ -184,11 +188,7 @@ TEST(SurfaceDistance, IsThatOfEveryTriangle) {
 /// To the bit, wherever the search may end.
 TEST(SurfaceDistance, TheLargerOfTwoIsThatOfAWholeSearch) {
     const Mesh mesh = scenes::makeBoulder(3, 3);
-    std::vector<glm::vec3> positions;
-    for (const Vertex& vertex : mesh.vertices) {
-        positions.push_back(vertex.position);
-    }
-    const SurfaceDistance surface(positions, mesh.indices);
+    const SurfaceDistance surface = surfaceOf(mesh);
     scenes::Random random(6);
     double largest = 0.0;
     double known = 0.0;

@@ -86,18 +86,23 @@ Certifier::Findings Certifier::find(const DrawnFrame& frame, host::WorkerPool& w
         const PixelRect rows{0, top, width, std::min(top + kBandRows, height)};
         OrderStrip strip(frame, device, rows);
         enterAll(strip, device);
-        std::optional<OrderStrip> open;
-        if (strip.hasOpen()) {
-            enterAll(open.emplace(strip, float64), float64);
-        }
+        std::vector<glm::uvec2> open;
         for (std::uint32_t y = rows.top; y < rows.bottom; ++y) {
             for (std::uint32_t x = 0; x < width; ++x) {
-                PixelFinding& finding = findings.at(x, y);
-                finding = strip.findingAt(x, y);
-                if (finding.verdict == PixelVerdict::open &&
-                    open->findingAt(x, y).verdict == PixelVerdict::certified) {
-                    finding.verdict = PixelVerdict::proven;
+                findings.at(x, y) = strip.findingAt(x, y);
+                if (findings.at(x, y).verdict == PixelVerdict::open) {
+                    open.emplace_back(x, y);
                 }
+            }
+        }
+        if (open.empty()) {
+            return;
+        }
+        OrderStrip proof(strip, open, float64);
+        enterAll(proof, float64);
+        for (const glm::uvec2& pixel : open) {
+            if (proof.findingAt(pixel.x, pixel.y).verdict == PixelVerdict::certified) {
+                findings.at(pixel.x, pixel.y).verdict = PixelVerdict::proven;
             }
         }
     });

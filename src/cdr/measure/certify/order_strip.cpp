@@ -39,7 +39,7 @@ OrderStrip::OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const 
     }
 }
 
-OrderStrip::OrderStrip(const OrderStrip& device, const DeviceBound& bound)
+OrderStrip::OrderStrip(const OrderStrip& device, std::span<const glm::uvec2> open, const DeviceBound& bound)
     : m_frame(device.m_frame),
       m_bound(bound),
       m_pixels(device.m_pixels),
@@ -47,14 +47,10 @@ OrderStrip::OrderStrip(const OrderStrip& device, const DeviceBound& bound)
       m_tileColumns(device.m_tileColumns),
       m_tileReach(device.m_tileReach.size(), 0.0),
       m_orders(device.m_orders.size()) {
-    for (std::uint32_t y = m_pixels.top; y < m_pixels.bottom; ++y) {
-        for (std::uint32_t x = 0; x < m_frame.ids.width; ++x) {
-            const PixelFinding finding = device.findingAt(x, y);
-            if (finding.verdict == PixelVerdict::open) {
-                keepReach(x, y, device.m_reach[indexOf(x, y)]);
-                m_orders[indexOf(x, y)].statedOffView = static_cast<double>(finding.offView);
-            }
-        }
+    for (const glm::uvec2& pixel : open) {
+        const std::size_t index = indexOf(pixel.x, pixel.y);
+        keepReach(pixel.x, pixel.y, device.m_reach[index]);
+        m_orders[index].statedOffView = device.m_orders[index].offView;
     }
 }
 
@@ -62,17 +58,6 @@ void OrderStrip::keepReach(std::uint32_t x, std::uint32_t y, double reach) {
     m_reach[indexOf(x, y)] = reach;
     double& tile = m_tileReach[std::size_t{(y - m_pixels.top) / kTile} * m_tileColumns + x / kTile];
     tile = std::max(tile, reach);
-}
-
-bool OrderStrip::hasOpen() const {
-    for (std::uint32_t y = m_pixels.top; y < m_pixels.bottom; ++y) {
-        for (std::uint32_t x = 0; x < m_frame.ids.width; ++x) {
-            if (findingAt(x, y).verdict == PixelVerdict::open) {
-                return true;
-            }
-        }
-    }
-    return false;
 }
 
 bool OrderStrip::hides(const PixelRect& pixels, double leastView) const {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace cdr::measure {
@@ -36,15 +37,15 @@ class OrderStrip {
     /// @param pixels whole rows of the frame.
     OrderStrip(const DrawnFrame& frame, const DeviceBound& bound, const PixelRect& pixels);
 
-    /// The pixels alone that another strip leaves open.
-    /// @param bound of float64. A drawn distance may be off by as much as the other strip found.
-    OrderStrip(const OrderStrip& device, const DeviceBound& bound);
+    /// Some pixels alone of another strip.
+    /// @param open that the other strip leaves open. Their drawn distances may be off by as much as it found.
+    /// @param bound of float64.
+    OrderStrip(const OrderStrip& device, std::span<const glm::uvec2> open, const DeviceBound& bound);
 
     /// Whether all that is `leastView` away or farther is behind what was drawn in a rectangle of the picture.
     bool hides(const PixelRect& pixels, double leastView) const;
     void enter(const ScreenTriangle& triangle, std::uint32_t id);
     PixelFinding findingAt(std::uint32_t x, std::uint32_t y) const;
-    bool hasOpen() const;
 
   private:
     static constexpr double kNever = std::numeric_limits<double>::infinity();

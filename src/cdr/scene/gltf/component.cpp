@@ -10,18 +10,6 @@ namespace cdr::scene::gltf {
 
 namespace {
 
-/// glTF's numbers for component types.
-enum ComponentType {
-    kByte = 5120,
-    kUnsignedByte = 5121,
-    kShort = 5122,
-    kUnsignedShort = 5123,
-    kInt = 5124,
-    kUnsignedInt = 5125,
-    kFloat = 5126,
-    kDouble = 5130
-};
-
 /// glTF buffers are little-endian and so is every device we run on; a buffer may hold them at any alignment.
 template <typename Number>
 Number load(const std::uint8_t* bytes) {

@@ -7,6 +7,18 @@
 
 namespace cdr::scene::gltf {
 
+/// glTF's numbers for component types.
+enum ComponentType {
+    kByte = 5120,
+    kUnsignedByte = 5121,
+    kShort = 5122,
+    kUnsignedShort = 5123,
+    kInt = 5124,
+    kUnsignedInt = 5125,
+    kFloat = 5126,
+    kDouble = 5130
+};
+
 /// Bytes of one component of glTF's numbered types; refuses a type that does not exist.
 std::size_t componentBytes(int componentType);
 

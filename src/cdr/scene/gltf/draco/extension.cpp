@@ -1,6 +1,7 @@
 #include "extension.h"
 
 #include "../checks.h"
+#include "../component.h"
 #include "../json.h"
 #include "decoder.h"
 
@@ -29,17 +30,17 @@ bool hasView(const json& accessors, int index) {
 int componentTypeOf(draco::DataType type) {
     switch (type) {
     case draco::DT_INT8:
-        return 5120;
+        return kByte;
     case draco::DT_UINT8:
-        return 5121;
+        return kUnsignedByte;
     case draco::DT_INT16:
-        return 5122;
+        return kShort;
     case draco::DT_UINT16:
-        return 5123;
+        return kUnsignedShort;
     case draco::DT_UINT32:
-        return 5125;
+        return kUnsignedInt;
     case draco::DT_FLOAT32:
-        return 5126;
+        return kFloat;
     default:
         return 0;
     }
