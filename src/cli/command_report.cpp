@@ -74,8 +74,10 @@ nlohmann::ordered_json describe(const report::Section& section, const SectionOut
 constexpr base::EnumNames<report::Effort, 3> kEfforts{"effort", {"smallest", "quick", "full"}};
 
 nlohmann::ordered_json makeManifest(const Command& command, const report::PlanOptions& options) {
-    nlohmann::ordered_json manifest = command.makeDocument(
-        {{"effort", kEfforts.nameOf(options.effort)}, {"threads", options.threads}, {"seed", options.seed}});
+    nlohmann::ordered_json manifest = command.makeDocument({{"effort", kEfforts.nameOf(options.effort)},
+                                                            {"threads", options.threads},
+                                                            {"seed", options.seed},
+                                                            {"sections", options.sections}});
     manifest["videos"] = options.videos;
     manifest["made_at"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     return manifest;
@@ -172,6 +174,7 @@ nlohmann::ordered_json makeReport(Command& command, const ReportArguments& argum
 
 void runReport(Command& command, ReportArguments& arguments) {
     report::requirePage();
+    report::makePlan(arguments.plan); // refuses a section that there is not, before all else
     const host::Bytes hasVideos =
         command.ranks().share({host::isInstalled("ffmpeg") ? std::uint8_t{1} : std::uint8_t{0}});
     arguments.plan.videos = hasVideos.front() != 0;
@@ -207,6 +210,10 @@ void addReportOptions(CLI::App& command, ReportArguments& arguments) {
     full->excludes(smallest);
     command.add_option("-o,--out", arguments.folder, "Folder of the report; an older report is replaced")
         ->capture_default_str();
+    command
+        .add_option("--sections", arguments.plan.sections,
+                    "Only these, such as precision,shadows,certificates-orbit; all by default")
+        ->delimiter(',');
     addThreads(command, arguments.plan.threads, "Threads that cull, bin, record and cast the truth");
     addSeed(command, arguments.plan.seed, "Seed of everything random");
     addState(command, arguments.state);

@@ -45,13 +45,40 @@ const fillers = {
 /** Parts of the page that several results fill together. */
 const gatherers = { shadows: fillShadows, certificates: fillCertificates };
 
+/** Takes a section and its link from the page. */
+function removeSection(section) {
+    document.querySelector(`.contents a[href="#${section.id}"]`).parentElement.remove();
+    section.remove();
+}
+
+/** The verdicts on what the report was asked for. The page loses all other sections. */
+function keepAskedFor({ report, sections }) {
+    const parts = new Set(report.results.map((row) => partOf(row.section)));
+    for (const source of document.querySelectorAll("[data-slot=source]")) {
+        const section = source.closest("section");
+        if (!parts.has(section.id)) {
+            removeSection(section);
+        }
+    }
+    const judged = verdicts(sections).filter((verdict) => parts.has(verdict.section));
+    if (judged.length === 0) {
+        removeSection(document.getElementById("verdicts"));
+    }
+    return judged;
+}
+
+function fillVerdictParts(judged, report) {
+    if (judged.length > 0) {
+        document.getElementById("summary").textContent = summary(judged, report.results.reduce((sum, row) => sum + row.seconds, 0));
+        fillVerdicts(document.getElementById("verdict-list"), judged);
+        repeatInSections(judged);
+    }
+}
+
 function fillPage({ report, sections }) {
-    const judged = verdicts(sections);
+    fillVerdictParts(keepAskedFor({ report, sections }), report);
     document.getElementById("facts").append(...facts(report).map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))));
-    document.getElementById("summary").textContent = summary(judged, report.results.reduce((sum, row) => sum + row.seconds, 0));
     fillOpening(sections, report.results.find((row) => row.section === "orbit")?.folder);
-    fillVerdicts(document.getElementById("verdict-list"), judged);
-    repeatInSections(judged);
     for (const row of report.results) {
         const results = sections[row.section];
         if (row.failure) {

@@ -2,6 +2,12 @@
 
 #include "plan_table.h"
 
+#include <cdr/base/error.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <optional>
 
 namespace cdr::report {
@@ -53,6 +59,24 @@ Section sectionOf(const PlanRow& row, const PlanOptions& plan) {
     return section;
 }
 
+bool isNamedBy(const std::string& section, const std::string& name) {
+    return section == name || section.starts_with(name + "-");
+}
+
+void requireSections(const std::vector<std::string>& names) {
+    const auto& rows = planTable();
+    for (const std::string& name : names) {
+        if (std::none_of(rows.begin(), rows.end(),
+                         [&](const PlanRow& row) { return isNamedBy(row.name, name); })) {
+            std::vector<std::string> known;
+            std::transform(rows.begin(), rows.end(), std::back_inserter(known),
+                           [](const PlanRow& row) { return row.name; });
+            throw base::InputError(
+                fmt::format("--sections: '{}' is none of {}", name, fmt::join(known, ", ")));
+        }
+    }
+}
+
 /// Safe to paste into a shell.
 std::string quoted(const std::string& argument) {
     constexpr std::string_view kPlain =
@@ -83,9 +107,17 @@ std::vector<std::string> Section::commandIn(const std::filesystem::path& root) c
 }
 
 std::vector<Section> makePlan(const PlanOptions& options) {
+    requireSections(options.sections);
+    const auto isWanted = [&](const PlanRow& row) {
+        return options.sections.empty() ||
+               std::any_of(options.sections.begin(), options.sections.end(),
+                           [&](const std::string& name) { return isNamedBy(row.name, name); });
+    };
     std::vector<Section> plan;
     for (const PlanRow& row : planTable()) {
-        plan.push_back(sectionOf(row, options));
+        if (isWanted(row)) {
+            plan.push_back(sectionOf(row, options));
+        }
     }
     return plan;
 }

@@ -37,9 +37,12 @@ struct PlanOptions {
     bool videos = true;      ///< false where ffmpeg is missing
     std::size_t threads = 1; ///< that cull, bin, record and cast the truth
     std::uint64_t seed = 2013;
+    /// A section's name, or the part of it that several share: "shadows-orbit", "shadows". Empty for all.
+    std::vector<std::string> sections{};
 };
 
-/// The sections, in the order of the page. Those at the end that measure time run when nothing else does.
+/// The sections, in the order of the page. Those that measure time run last, when nothing else does.
+/// @throws base::InputError where a name is no section's.
 std::vector<Section> makePlan(const PlanOptions& options);
 
 /// The command as one would type it, in the report's folder.

@@ -1,3 +1,4 @@
+#include <cdr/base/error.h>
 #include <report/plan.h>
 #include <report/plan_table.h>
 
@@ -70,6 +71,26 @@ TEST(Plan, ShadowsAndCertificatesAreOfEachScene) {
     };
     EXPECT_EQ(countOf("shadows-"), 4);
     EXPECT_EQ(countOf("certificates-"), 9);
+}
+
+std::vector<std::string> namesOf(const std::vector<std::string>& sections) {
+    std::vector<std::string> names;
+    for (const Section& section : makePlan({.sections = sections})) {
+        names.push_back(section.name);
+    }
+    return names;
+}
+
+TEST(Plan, HoldsWhatIsAskedForInThePagesOrder) {
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(namesOf({}).size(), planTable().size());
+    EXPECT_EQ(namesOf({"probe", "flicker"}), (Names{"flicker", "flicker-near", "probe"}));
+    EXPECT_EQ(namesOf({"certificates-afc", "flicker-near"}),
+              (Names{"flicker-near", "certificates-afc-standard", "certificates-afc-reversed",
+                     "certificates-afc-anchored"}));
+    for (const char* none : {"", "flick", "flicker-", "probe "}) {
+        EXPECT_THROW(namesOf({"probe", none}), base::InputError) << none;
+    }
 }
 
 } // namespace

@@ -151,8 +151,9 @@ TEST_F(ReportCommand, ReplacesAnOlderReportWholeAndQuotesItsDevice) {
     const std::string option = device.empty() ? "" : "--device '" + device + "' ";
     // A slash more names the same folder. Lines come as sections end: two are there before the page is.
     const ProgramResult again = report(
-        option + "-o made/ | { read all; read one; test -e made/index.html || echo early; cat; } > lines; "
-                 "{ cat lines; rm lines; }");
+        option +
+        "--sections precision,flicker,probe -o made/ | { read all; read one; test -e made/index.html || echo early; cat; } > lines; "
+        "{ cat lines; rm lines; }");
     ASSERT_TRUE(fs::exists(path("made/index.html"))) << again.err;
     EXPECT_EQ(again.out.find("early\n"), 0u) << again.out;
     EXPECT_EQ(names(), std::set<std::string>{"made"});
@@ -195,8 +196,8 @@ TEST_F(ReportCommand, LeavesNothingBehindWhenItCannotRun) {
     fs::create_directory(path("empty"));
     write("file", "x");
     for (const char* arguments : {"-o file", "-o missing/report", "-o /", "--quick", "--full", "--threads 0",
-                                  "--device nobody-has-this -o empty", "--json missing/x.json -o empty",
-                                  "--json empty/x.json -o empty"}) {
+                                  "--sections nosuch -o empty", "--device nobody-has-this -o empty",
+                                  "--json missing/x.json -o empty", "--json empty/x.json -o empty"}) {
         const ProgramResult result = report(arguments);
         EXPECT_EQ(result.status, 2) << arguments << result.err;
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;

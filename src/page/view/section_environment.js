@@ -19,7 +19,8 @@ export function fillEnvironment(report) {
         ["Processors", report.host.cpus], ["Threads of an experiment", report.options.threads],
         ["Seed", report.options.seed], ["Made at", report.made_at],
     ];
-    const again = `cdr report --${report.options.effort} --threads ${report.options.threads} --seed ${report.options.seed} -o .`;
+    const sections = report.options.sections.length > 0 ? `--sections ${report.options.sections.join(",")} ` : "";
+    const again = `cdr report --${report.options.effort} ${sections}--threads ${report.options.threads} --seed ${report.options.seed} -o .`;
     slot("environment", "environment").append(
         table("What everything here was measured with.", null, rows.map(([name, value]) => [name, { content: value, properties: { style: "white-space: normal" } }])),
         h("p", {}, "Seeds make scenes, orders and pictures the same again; times differ. Where the device is a software rasteriser such as llvmpipe, times are those of the processor. The whole report once more, run in this folder:"),

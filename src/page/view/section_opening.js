@@ -17,6 +17,8 @@ export function fillOpening(sections, folder) {
                 alt: "The Earth 420 km below, seen past the frame of a space station\u2019s window.",
             }) : "",
             makeWipe({ scene: "The runway\u2019s number", width, height, items: two.map((row) => itemOf(row, folder)), alt: altOf }));
+    } else {
+        document.getElementById("opening-title").textContent = "In short";
     }
     slot("opening", "sentences").append(...openingSentences(orbit).map((text) => h("p", {}, text)));
     const rows = sceneRows(sections);

@@ -23,9 +23,9 @@ export function copyReport() {
     return join(folder, "report");
 }
 
-/** The smallest report there is, made by the program under test in another environment. */
-export function makeReport(name, environment) {
-    execFileSync(program, ["report", "--smallest", "-o", join(folder, name)], { env: environment, stdio: "pipe" });
+/** The smallest report of some sections, made by the program under test in another environment. */
+export function makeReport(name, sections, environment) {
+    execFileSync(program, ["report", "--smallest", "--sections", sections.join(","), "-o", join(folder, name)], { env: environment, stdio: "pipe" });
     return join(folder, name);
 }
 

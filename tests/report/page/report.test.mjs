@@ -306,8 +306,28 @@ test("the program and the page quote the same thesis", () => {
     });
 });
 
+test("a report of some sections shows no others", async () => {
+    const part = makeReport("part", ["precision", "certificates-mixed-anchored"], process.env);
+    const page = await open(browser, join(part, "index.html"));
+    await openAll(page);
+    assert.deepEqual(await page.$$eval("main > section", (list) => list.map((section) => section.id)),
+        ["opening", "verdicts", "precision", "certificates", "environment"]);
+    assert.deepEqual(await page.$$eval(".contents a", (list) => list.map((a) => a.getAttribute("href"))),
+        ["#opening", "#verdicts", "#precision", "#certificates", "#environment"]);
+    assert.deepEqual(await page.$$eval("#verdict-list a", (list) => list.map((a) => a.getAttribute("href"))), ["#precision", "#precision"]);
+    assert.equal(await page.locator("#certificates tbody tr").count(), 1);
+    assert.match(await page.locator("#environment pre").textContent(), / --sections precision,certificates-mixed-anchored /);
+    await assertNoFindings(page);
+    await screenshot(page, "report-part");
+    await close(page);
+    const withoutVerdicts = makeReport("advice", ["advise"], process.env);
+    const advice = await open(browser, join(withoutVerdicts, "index.html"));
+    assert.deepEqual(await advice.$$eval("main > section", (list) => list.map((section) => section.id)), ["opening", "advise", "environment"]);
+    await close(advice);
+});
+
 test("without ffmpeg the page says so in place of the videos", async () => {
-    const bare = makeReport("bare", { ...process.env, PATH: join(folder, "nowhere") });
+    const bare = makeReport("bare", ["flicker"], { ...process.env, PATH: join(folder, "nowhere") });
     const page = await open(browser, join(bare, "index.html"));
     assert.equal(await page.locator("video").count(), 0);
     assert.match(await page.locator("#flicker .notice").textContent(), /ffmpeg was not installed/);
@@ -318,7 +338,7 @@ test("an experiment that fails leaves the others their page, and says why", asyn
     const tools = join(folder, "tools");
     mkdirSync(tools);
     writeFileSync(join(tools, "ffmpeg"), "#!/bin/sh\necho 'no such encoder' >&2\nexit 1\n", { mode: 0o755 });
-    assert.throws(() => makeReport("failing", { ...process.env, PATH: tools }), (error) => {
+    assert.throws(() => makeReport("failing", ["flicker", "pictures"], { ...process.env, PATH: tools }), (error) => {
         assert.equal(error.status, 1);
         assert.match(error.stderr.toString(), /^cdr: flicker: .*the report says so too\n$/);
         return true;
