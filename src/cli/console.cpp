@@ -80,12 +80,12 @@ void Console::progress(std::size_t done, std::size_t all, const std::string& wha
     if (!m_showsProgress || all == 0) {
         return;
     }
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - m_start;
     // Before the first step is done there is nothing to tell the rest by.
     const std::string left =
         done == 0
             ? ""
-            : ", " + timeText(passed.count() / static_cast<double>(done) * static_cast<double>(all - done)) +
+            : ", " +
+                  timeText(m_watch.seconds() / static_cast<double>(done) * static_cast<double>(all - done)) +
                   " left";
     fmt::print(stderr, "\r\x1b[K{}{}/{} {}{}", m_section, done, all, what, left);
     std::fflush(stderr);

@@ -2,11 +2,11 @@
 
 #include "shared_options.h"
 
+#include <cdr/host/stopwatch.h>
 #include <experiments/columns.h>
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstddef>
 #include <string>
 
@@ -38,7 +38,7 @@ class Console {
     bool m_quiet;    ///< no lines and tables
     bool m_showsProgress;
     std::string m_section; ///< of a report, in front of the progress; else empty
-    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+    host::Stopwatch m_watch;
 };
 
 } // namespace cdr::cli

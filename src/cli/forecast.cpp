@@ -1,5 +1,6 @@
 #include "forecast.h"
 
+#include <cdr/host/stopwatch.h>
 #include <cdr/host/worker_pool.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/gpu_scene.h>
@@ -8,7 +9,6 @@
 #include <scenes/open_scene.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 namespace cdr::cli {
@@ -33,13 +33,12 @@ double measuredPace(const gpu::Device& device, std::size_t threads) {
     host::WorkerPool workers(threads);
     double quickest = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kRounds; ++round) {
-        const auto start = std::chrono::steady_clock::now();
+        const host::Stopwatch watch;
         for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
             renderer.draw(setup.path.at(frame));
         }
         measure::castTruth(setup.scene, setup.path.at(0), 640, 360, workers);
-        quickest = std::min(quickest,
-                            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        quickest = std::min(quickest, watch.seconds());
     }
     return quickest / kPlannedSeconds;
 }

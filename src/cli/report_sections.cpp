@@ -7,6 +7,7 @@
 #include <cdr/host/file.h>
 #include <cdr/host/sha256.h>
 #include <cdr/host/standard_streams.h>
+#include <cdr/host/stopwatch.h>
 #include <experiments/readable.h>
 #include <experiments/units.h>
 #include <report/folder.h>
@@ -14,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <set>
@@ -42,13 +42,13 @@ void runCommand(const GlobalOptions& global, std::vector<std::string> command) {
 /// A section that fails (a format the device lacks, a disk that is full) leaves the others their page.
 SectionOutcome runSection(const GlobalOptions& global, const report::Section& section, const fs::path& root) {
     SectionOutcome outcome;
-    const auto start = std::chrono::steady_clock::now();
+    const host::Stopwatch watch;
     try {
         runCommand(global, section.commandIn(root));
     } catch (const std::exception& error) {
         outcome.failure = error.what();
     }
-    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    outcome.seconds = watch.seconds();
     if (const fs::path json = root / section.jsonFile(); fs::exists(json)) {
         outcome.document = nlohmann::ordered_json::parse(host::readFile(json, kMaxJsonBytes));
     }

@@ -1,19 +1,18 @@
 #include "interleaved_frames.h"
 
+#include <cdr/host/stopwatch.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <experiments/units.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace cdr::experiments {
 
 FrameSample timed(const std::function<render::FrameStats()>& draw) {
-    const auto begin = std::chrono::steady_clock::now();
+    const host::Stopwatch watch;
     const render::FrameStats stats = draw();
-    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
-    return {.frameMs = passed.count(),
+    return {.frameMs = watch.milliseconds(),
             .cullAndBinMs = stats.times.cullMs + stats.times.binMs,
             .recordMs = stats.times.recordMs,
             .executeMs = stats.times.executeMs,

@@ -1,12 +1,11 @@
 #include <cdr/base/error.h>
+#include <cdr/host/stopwatch.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/render/readback.h>
 
 #include <rivals/atomic_pass.h>
 #include <rivals/contender.h>
 #include <rivals/depth_test_pass.h>
-
-#include <chrono>
 
 namespace cdr::rivals {
 
@@ -56,13 +55,9 @@ VisibleSurfaces Contender::render(const scene::Camera& camera) {
 }
 
 render::FrameStats Contender::run(const scene::Camera& camera, Copy copy) {
-    using Clock = std::chrono::steady_clock;
-    const auto millisecondsSince = [](Clock::time_point begin) {
-        return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-    };
     render::FrameStats stats;
     m_draws.prepare(camera, stats);
-    const auto recording = Clock::now();
+    host::Stopwatch watch;
     m_pool.reset();
     const vk::CommandBuffer commands = m_pool.next();
     commands.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
@@ -72,11 +67,10 @@ render::FrameStats Contender::run(const scene::Camera& camera, Copy copy) {
         render::recordHostBarrier(commands);
     }
     commands.end();
-    stats.times.recordMs = millisecondsSince(recording);
-    const auto submitted = Clock::now();
+    stats.times.recordMs = watch.lap();
     gpu::submit(m_device, {&commands, 1}, *m_done);
     gpu::waitAndReset(m_device, *m_done);
-    stats.times.executeMs = millisecondsSince(submitted);
+    stats.times.executeMs = watch.lap();
     return stats;
 }
 

@@ -1,4 +1,5 @@
 #include <cdr/depth/view_constants.h>
+#include <cdr/host/stopwatch.h>
 #include <cdr/render/draw_source.h>
 #include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/view_transform.h>
@@ -8,7 +9,6 @@
 #include <rivals/frame_draws.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace cdr::rivals {
@@ -23,18 +23,6 @@ bool drawAlike(const render::DrawKind& one, const render::DrawKind& other) {
     return one.mesh == other.mesh && one.doubleSided == other.doubleSided && one.mirrored == other.mirrored;
 }
 
-/// Milliseconds since the last lap.
-class LapClock {
-  public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        return std::chrono::duration<double, std::milli>(now - std::exchange(m_last, now)).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
-};
-
 } // namespace
 
 FrameDraws::FrameDraws(const gpu::Device& device, const render::DrawnScene& scene,
@@ -48,19 +36,19 @@ FrameDraws::FrameDraws(const gpu::Device& device, const render::DrawnScene& scen
 
 void FrameDraws::prepare(const scene::Camera& camera, render::FrameStats& stats) {
     scene::requireUsable(camera);
-    LapClock clock;
+    host::Stopwatch watch;
     m_view.camera = camera;
     m_view.frustum = scene::frustumOf(camera, m_extent.width, m_extent.height);
     visibility::cullCells(m_scene.uploaded.cells(m_workers), camera, m_view.frustum, m_workers, m_visible);
-    stats.times.cullMs = clock.lap();
+    stats.times.cullMs = watch.lap();
     cut();
-    stats.times.splitMs = clock.lap();
+    stats.times.splitMs = watch.lap();
     const depth::Cascades clipRanges = m_view.clipRanges();
     m_binner.bin(m_visible, clipRanges, render::wideSpan(m_mapping, clipRanges.size()), m_workers, m_lists);
     stats.visible = m_lists.visible;
     stats.draws = m_lists.draws();
     stats.duplication = m_lists.duplication();
-    stats.times.binMs = clock.lap();
+    stats.times.binMs = watch.lap();
     makeRoom();
     writeRecords();
 }

@@ -66,9 +66,9 @@ std::vector<std::uint32_t> blendedVariants(const PrepareFor& prepared) {
 }
 
 /// Times one stage after the other.
-class Stopwatch {
+class StageWatch {
   public:
-    explicit Stopwatch(host::Trace* trace) : m_trace(trace) {}
+    explicit StageWatch(host::Trace* trace) : m_trace(trace) {}
 
     /// Milliseconds since the last call; they were `stage`.
     double lap(const char* stage) {
@@ -256,7 +256,7 @@ Renderer::Slot& Renderer::nextSlot() {
 }
 
 void Renderer::launch(Slot& slot, const Delivery& delivery) {
-    Stopwatch watch(m_options.trace);
+    StageWatch watch(m_options.trace);
     const Destination destination = delivery.destination;
     const HostCommands host = delivery.host != nullptr
                                   ? hostCommands(m_device, m_options, slot.view, *delivery.host)
@@ -354,7 +354,7 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& deliv
     const FrameMotion motion = m_motion != nullptr ? m_motion->follow(m_drawn, camera) : FrameMotion{};
     Slot& slot = nextSlot();
     slot.revision = m_revision;
-    Stopwatch watch(m_options.trace);
+    StageWatch watch(m_options.trace);
     slot.view = m_passes->cutter.look(camera);
     if (delivery.shared == nullptr && readsVisible(slot)) {
         cull(slot.view);

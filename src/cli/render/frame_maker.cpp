@@ -1,11 +1,11 @@
 #include "frame_maker.h"
 
+#include <cdr/host/stopwatch.h>
 #include <cdr/image/beside.h>
 #include <experiments/certified_frame.h>
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -68,13 +68,12 @@ measure::TruthImage FrameMaker::castAll(const scene::Camera& camera) const {
 }
 
 CertifiedOutput FrameMaker::certify(render::Frame& frame) {
-    const auto begin = std::chrono::steady_clock::now();
+    const host::Stopwatch watch;
     const measure::DrawnFrame drawn = experiments::drawnFrame(frame, m_options, m_subPixelBits);
     CertifiedOutput made{.certificate = m_certifier->certify(drawn, m_workers),
                          .snapPixels = drawn.snapPixels};
     experiments::putRight(frame, made.certificate);
-    made.milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    made.milliseconds = watch.milliseconds();
     return made;
 }
 

@@ -1,6 +1,7 @@
 #include "detail.h"
 
 #include <cdr/base/error.h>
+#include <cdr/host/stopwatch.h>
 #include <cdr/measure/compare/cracks.h>
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/render/renderer.h>
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <limits>
 #include <memory>
 
@@ -23,21 +23,16 @@ namespace cdr::experiments {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-struct Mode {
+struct ComparedMode {
     const char* name;
     visibility::DetailMode mode;
 };
 /// The first is what all others are compared with.
-constexpr std::array kModes{
-    Mode{"none", visibility::DetailMode::none}, Mode{"none-again", visibility::DetailMode::none},
-    Mode{"object", visibility::DetailMode::perObject}, Mode{"cascade", visibility::DetailMode::perCascade},
-    Mode{"cluster", visibility::DetailMode::perCluster}};
-
-double millisecondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
+constexpr std::array kDetailModes{ComparedMode{"none", visibility::DetailMode::none},
+                                  ComparedMode{"none-again", visibility::DetailMode::none},
+                                  ComparedMode{"object", visibility::DetailMode::perObject},
+                                  ComparedMode{"cascade", visibility::DetailMode::perCascade},
+                                  ComparedMode{"cluster", visibility::DetailMode::perCluster}};
 
 measure::SeenImage seenIn(const render::Frame& frame) {
     measure::SeenImage seen(frame.width(), frame.height());
@@ -82,17 +77,17 @@ struct Shown {
 };
 
 /// A renderer per mode over one scene with levels, and what each showed and took so far.
-class Comparison {
+class DetailComparison {
   public:
-    Comparison(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options)
+    DetailComparison(const gpu::Device& device, scene::SceneSetup setup, const DetailOptions& options)
         : m_options(options),
           m_workers(options.threads),
           m_setup(std::move(setup)),
           m_makeMs(makeLevels()),
           m_gpuScene(device, m_setup.scene),
-          m_frames(kModes.size(), options.seed),
-          m_results(kModes.size()) {
-        for (const Mode& mode : kModes) {
+          m_frames(kDetailModes.size(), options.seed),
+          m_results(kDetailModes.size()) {
+        for (const ComparedMode& mode : kDetailModes) {
             m_renderers.push_back(std::make_unique<render::Renderer>(
                 device, m_setup.scene, m_gpuScene,
                 render::RenderOptions{.width = options.width,
@@ -140,7 +135,7 @@ class Comparison {
         const measure::SeenImage wholeSeen = seenIn(whole);
         std::vector<Shown> all;
         Json made{{"pictures", Json::array()}};
-        for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+        for (std::size_t mode = 0; mode < kDetailModes.size(); ++mode) {
             const render::Frame shown = mode == 0 ? whole : m_renderers[mode]->render(camera);
             const measure::SeenImage seen = seenIn(shown);
             const std::vector<measure::Crack> cracks = measure::findCracks(seen, wholeSeen);
@@ -148,7 +143,7 @@ class Comparison {
                            .pixels = seen.pixels.size(),
                            .otherIds = otherIds(seen, wholeSeen),
                            .cracks = cracks.size(),
-                           .triangles = trianglesOf(shown, kModes[mode].mode)});
+                           .triangles = trianglesOf(shown, kDetailModes[mode].mode)});
             if (frame == 0) {
                 made["pictures"].push_back(
                     {packedPicture(shown.color), packedPicture(markCracks(shown.color, cracks))});
@@ -160,8 +155,8 @@ class Comparison {
 
     /// Adds what compare() made.
     void add(const Json& made) {
-        const std::vector<Shown> all = unpacked<Shown>(made.at("shown"), kModes.size());
-        for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+        const std::vector<Shown> all = unpacked<Shown>(made.at("shown"), kDetailModes.size());
+        for (std::size_t mode = 0; mode < kDetailModes.size(); ++mode) {
             DetailResult& result = m_results[mode];
             const Shown& shown = all[mode];
             result.flip += shown.flip / m_options.frames;
@@ -187,7 +182,7 @@ class Comparison {
             report.meshLevels += mesh.levels.size();
             report.clusters += mesh.clusters.clusters.size();
         }
-        for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+        for (std::size_t mode = 0; mode < kDetailModes.size(); ++mode) {
             summarise(mode, report.results[mode]);
         }
         return report;
@@ -206,10 +201,10 @@ class Comparison {
     }
 
     double makeLevels() {
-        const auto begin = Clock::now();
+        const host::Stopwatch watch;
         scene::makeLevels(m_setup.scene, m_workers); // of large meshes too, for the modes without clusters
         scene::makeClusters(m_setup.scene, m_workers);
-        return millisecondsSince(begin);
+        return watch.milliseconds();
     }
 
     scene::Camera cameraOf(std::uint32_t frame) const {
@@ -240,7 +235,7 @@ class Comparison {
 
     void summarise(std::size_t mode, DetailResult& result) const {
         const std::vector<double> ratios = m_frames.ratios(0, mode, &FrameSample::executeMs);
-        result.mode = kModes[mode].name;
+        result.mode = kDetailModes[mode].name;
         result.frameMs = m_frames.median(mode, &FrameSample::frameMs);
         result.recordMs = m_frames.median(mode, &FrameSample::recordMs);
         result.executeMs = m_frames.median(mode, &FrameSample::executeMs);
@@ -273,7 +268,7 @@ DetailReport runDetail(const gpu::Device& device, scene::SceneSetup setup, const
     const std::size_t timed = std::size_t{InterleavedFrames::kWarmUp} + options.frames;
     const std::size_t all = timed + options.frames;
     std::size_t done = 0;
-    Comparison comparison(device, std::move(setup), options);
+    DetailComparison comparison(device, std::move(setup), options);
     comparison.time(ranks, [&] { progress(done++, all); });
     forEachUnit(
         ranks, options.frames,

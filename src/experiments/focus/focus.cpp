@@ -3,6 +3,7 @@
 #include "lens_reference.h"
 
 #include <cdr/base/error.h>
+#include <cdr/host/stopwatch.h>
 #include <cdr/image/srgb.h>
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/render/renderer.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -20,24 +20,18 @@ namespace cdr::experiments {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-struct Mode {
+struct FocusMode {
     const char* name;
     render::TargetsKind targets;
     bool isFocused;
     bool blends;
 };
-constexpr std::array kModes{Mode{"single", render::TargetsKind::single, false, false},
-                            Mode{"layers", render::TargetsKind::layers, false, false},
-                            Mode{"focus", render::TargetsKind::layers, true, false},
-                            Mode{"focus-blend", render::TargetsKind::layers, true, true}};
+constexpr std::array kFocusModes{FocusMode{"single", render::TargetsKind::single, false, false},
+                                 FocusMode{"layers", render::TargetsKind::layers, false, false},
+                                 FocusMode{"focus", render::TargetsKind::layers, true, false},
+                                 FocusMode{"focus-blend", render::TargetsKind::layers, true, true}};
 /// All others are compared with it.
 constexpr std::size_t kBase = 1;
-
-double millisecondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
 
 /// Of linear light, over all channels.
 double rmseOf(const image::ImageRgba8& a, const image::ImageRgba8& b) {
@@ -53,9 +47,9 @@ double rmseOf(const image::ImageRgba8& a, const image::ImageRgba8& b) {
 }
 
 /// A renderer per mode over one scene, and what each showed and took so far.
-class Comparison {
+class FocusComparison {
   public:
-    Comparison(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options)
+    FocusComparison(const gpu::Device& device, const scene::SceneSetup& setup, const FocusOptions& options)
         : m_options(options),
           m_workers(options.threads),
           m_setup(setup),
@@ -63,8 +57,8 @@ class Comparison {
           m_lens(options.lens, scene::frustumOf(m_camera, options.width, options.height).tanY,
                  options.height),
           m_gpuScene(device, m_setup.scene),
-          m_frames(kModes.size(), options.seed) {
-        for (const Mode& mode : kModes) {
+          m_frames(kFocusModes.size(), options.seed) {
+        for (const FocusMode& mode : kFocusModes) {
             m_renderers.push_back(
                 std::make_unique<render::Renderer>(device, m_setup.scene, m_gpuScene, renderOptions(mode)));
         }
@@ -77,10 +71,10 @@ class Comparison {
 
     /// The reference is of pictures by "single".
     void addToReference(std::uint32_t camera) {
-        const auto begin = Clock::now();
+        const host::Stopwatch watch;
         const render::Frame frame =
             m_renderers.front()->render(cameraOnLens(m_camera, m_options.lens, camera, m_options.cameras));
-        m_referenceMs += millisecondsSince(begin);
+        m_referenceMs += watch.milliseconds();
         m_referenceExecuteMs += frame.stats.times.executeMs;
         m_reference.add(frame.color);
     }
@@ -88,7 +82,7 @@ class Comparison {
     FocusReport report() {
         FocusReport report;
         const image::ImageRgba8 reference = m_reference.mean();
-        for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+        for (std::size_t mode = 0; mode < kFocusModes.size(); ++mode) {
             const render::Frame frame = m_renderers[mode]->render(m_camera);
             if (mode == kBase) {
                 report.cascades = cascadesOf(frame);
@@ -99,8 +93,8 @@ class Comparison {
             result.picture = frame.color;
             report.results.push_back(std::move(result));
         }
-        for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
-            report.results[mode].pixels = pixelsOf(kModes[mode], report.cascades);
+        for (std::size_t mode = 0; mode < kFocusModes.size(); ++mode) {
+            report.results[mode].pixels = pixelsOf(kFocusModes[mode], report.cascades);
         }
         report.results.push_back({.mode = "cameras",
                                   .frameMs = m_referenceMs,
@@ -113,7 +107,7 @@ class Comparison {
     }
 
   private:
-    render::RenderOptions renderOptions(const Mode& mode) const {
+    render::RenderOptions renderOptions(const FocusMode& mode) const {
         const bool isGiven = !std::holds_alternative<depth::SplitNone>(m_options.split);
         const depth::Split split =
             isGiven ? m_options.split : depth::Split(depth::SplitAt{m_lens.boundaries()});
@@ -139,7 +133,7 @@ class Comparison {
         return cascades;
     }
 
-    std::uint64_t pixelsOf(const Mode& mode, const std::vector<FocusCascade>& cascades) const {
+    std::uint64_t pixelsOf(const FocusMode& mode, const std::vector<FocusCascade>& cascades) const {
         std::uint64_t pixels = 0;
         for (const FocusCascade& cascade : cascades) {
             const std::uint32_t scale = mode.isFocused ? cascade.scale : 1;
@@ -152,7 +146,7 @@ class Comparison {
 
     FocusResult summarise(std::size_t mode) const {
         const std::vector<double> ratios = m_frames.ratios(kBase, mode, &FrameSample::executeMs);
-        return {.mode = kModes[mode].name,
+        return {.mode = kFocusModes[mode].name,
                 .frameMs = m_frames.median(mode, &FrameSample::frameMs),
                 .executeMs = m_frames.median(mode, &FrameSample::executeMs),
                 .speedup = measure::median(ratios),
@@ -188,7 +182,7 @@ FocusReport runFocus(const gpu::Device& device, const scene::SceneSetup& setup, 
     const std::size_t all =
         std::size_t{InterleavedFrames::kWarmUp} + options.frames + std::size_t{options.cameras};
     std::size_t done = 0;
-    Comparison comparison(device, setup, options);
+    FocusComparison comparison(device, setup, options);
     comparison.time(ranks, [&] { progress(done++, all); });
     if (!ranks.isFirst()) {
         return {};

@@ -2,13 +2,13 @@
 
 #include <cdr/host/file.h>
 #include <cdr/host/process.h>
+#include <cdr/host/stopwatch.h>
 #include <cdr/image/codec.h>
 #include <cdr/render/renderer.h>
 #include <experiments/units.h>
 #include <scenes/cubes.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -17,12 +17,6 @@
 namespace cdr::experiments {
 
 namespace {
-
-using CostClock = std::chrono::steady_clock;
-
-double msSince(CostClock::time_point begin) {
-    return std::chrono::duration<double, std::milli>(CostClock::now() - begin).count();
-}
 
 /// Frames of each rank that the run is compared with.
 constexpr std::size_t kFramesPerRank = 12;
@@ -73,19 +67,19 @@ class CostedFrame {
 
 /// Milliseconds until an empty unit is claimed, made and taken.
 double claimMs(ranks::Ranks& ranks) {
-    const auto begin = CostClock::now();
+    const host::Stopwatch watch;
     ranks.forEachUnit(
         kClaims, [](std::size_t) { return host::Bytes(); }, [](std::size_t, const host::Bytes&) {});
-    return ranks.isAlone() ? 0.0 : msSince(begin) / kClaims;
+    return ranks.isAlone() ? 0.0 : watch.milliseconds() / kClaims;
 }
 
 /// Milliseconds of a byte's way from the second rank to the first.
 double byteMs(ranks::Ranks& ranks) {
     const bool sends = ranks.place().index == 1;
     const auto exchange = [&](std::size_t bytes) {
-        const auto begin = CostClock::now();
+        const host::Stopwatch watch;
         ranks.merge([&] { return host::Bytes(sends ? bytes : 0); }, [](const host::Bytes&) {});
-        return msSince(begin);
+        return watch.milliseconds();
     };
     const double nothing = exchange(0);
     return ranks.isAlone() ? 0.0 : std::max(exchange(kMessageBytes) - nothing, 0.0) / kMessageBytes;
@@ -103,26 +97,26 @@ MeasuredCosts measureFrameCosts(const gpu::Device& device, const FrameCostOption
     costs.claimMs = claimMs(ranks);
     costs.msPerByte = byteMs(ranks);
     const auto makeTimed = [&](std::size_t) {
-        const auto begin = CostClock::now();
+        const host::Stopwatch watch;
         Json made = frame.make();
-        made["ms"] = msSince(begin);
+        made["ms"] = watch.milliseconds();
         return made;
     };
     const auto take = [&](const Json& made) {
-        const auto begin = CostClock::now();
+        const host::Stopwatch watch;
         host::writeFile(file.path(), made.at("file").get_binary());
-        costs.takeMs.push_back(msSince(begin));
+        costs.takeMs.push_back(watch.milliseconds());
         costs.makeMs.push_back(made.at("ms").get<double>());
         costs.bytes = static_cast<double>(made.at("file").get_binary().size());
     };
     forEachUnit(ranks, options.repeats * ranks.place().count, makeTimed,
                 [&](std::size_t, const Json& made) { take(made); });
     measured.run.frames = kFramesPerRank * ranks.place().count;
-    const auto begin = CostClock::now();
+    const host::Stopwatch watch;
     forEachUnit(
         ranks, measured.run.frames, [&](std::size_t) { return frame.make(); },
         [&](std::size_t, const Json& made) { host::writeFile(file.path(), made.at("file").get_binary()); });
-    measured.run.seconds = msSince(begin) / 1e3;
+    measured.run.seconds = watch.seconds();
     return measured;
 }
 

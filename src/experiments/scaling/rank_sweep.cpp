@@ -3,6 +3,7 @@
 #include <cdr/base/error.h>
 #include <cdr/gpu/allocated_bytes.h>
 #include <cdr/host/sha256.h>
+#include <cdr/host/stopwatch.h>
 #include <cdr/render/part_scene.h>
 #include <cdr/render/renderer.h>
 #include <experiments/part_frames.h>
@@ -12,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -20,12 +20,6 @@
 namespace cdr::experiments {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
 
 /// Waits for all ranks.
 void meet(ranks::Ranks& ranks) {
@@ -82,16 +76,16 @@ class RankPart {
     /// Milliseconds until the first rank has the frame.
     double draw(ranks::Ranks& ranks) {
         meet(ranks);
-        const auto begin = Clock::now();
+        const host::Stopwatch watch;
         m_bytesSent = 0;
         if (m_takesPart) {
             m_frame = m_renderer->render(m_camera);
-            m_drawMs.push_back(millisecondsSince(begin));
+            m_drawMs.push_back(watch.milliseconds());
             mergeParts(ranks, m_frame, m_bytesSent);
         } else {
             meet(ranks);
         }
-        return millisecondsSince(begin);
+        return watch.milliseconds();
     }
 
     std::string hash() const {
@@ -129,7 +123,7 @@ std::vector<RankShare> sharesOf(const Json& gatheredShares) {
     return shares;
 }
 
-render::RenderOptions optionsOf(const SweptSize& size, unsigned cascades) {
+render::RenderOptions sweptOptions(const SweptSize& size, unsigned cascades) {
     depth::Technique technique = depth::parseTechnique("cdr");
     technique.split = depth::SplitCount{cascades};
     return {.width = size.width,
@@ -145,7 +139,7 @@ std::vector<RankPoint> sweepRanks(const gpu::Device& device, const RankSweepOpti
     const std::vector<std::size_t> steps = rankSteps(ranks.place().count);
     std::vector<std::unique_ptr<RankPart>> parts;
     for (const std::size_t step : steps) {
-        parts.push_back(std::make_unique<RankPart>(device, setup, optionsOf(common.size, common.cascades),
+        parts.push_back(std::make_unique<RankPart>(device, setup, sweptOptions(common.size, common.cascades),
                                                    step, ranks.place()));
     }
     std::vector<std::vector<double>> times(steps.size());

@@ -1,10 +1,10 @@
 #include "thread_sweep.h"
 
 #include <cdr/host/sha256.h>
+#include <cdr/host/stopwatch.h>
 #include <cdr/measure/statistics/statistics.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace cdr::experiments {
@@ -71,16 +71,16 @@ void ThreadSweep::repeat(std::size_t number, const std::function<void()>& step) 
     for (std::size_t i = 0; i < m_renderers.size(); ++i) {
         const std::size_t point = (number + i) % m_renderers.size();
         step();
-        const auto begin = std::chrono::steady_clock::now();
+        const host::Stopwatch watch;
         const render::FrameTimes times = m_renderers[point]->draw(m_camera).times;
-        const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+        const double frameMs = watch.milliseconds();
         Samples& samples = m_samples[point];
         samples.cull.push_back(times.cullMs);
         samples.bin.push_back(times.binMs);
         samples.cullAndBin.push_back(times.cullMs + times.binMs);
         samples.record.push_back(times.recordMs);
         samples.execute.push_back(times.executeMs);
-        samples.frame.push_back(passed.count());
+        samples.frame.push_back(frameMs);
     }
 }
 

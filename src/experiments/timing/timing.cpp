@@ -2,6 +2,7 @@
 
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
+#include <cdr/host/stopwatch.h>
 #include <cdr/render/renderer.h>
 #include <experiments/interleaved_frames.h>
 #include <scenes/city.h>
@@ -10,7 +11,6 @@
 #include <scenes/traffic.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
@@ -25,13 +25,12 @@ constexpr base::EnumNames<TimingScene, kTimingScenes.size()> kSceneNames{"scene"
 
 /// Draws a run of cameras with frames in flight; the sample is one frame's share.
 FrameSample timedRun(render::Renderer& renderer, const std::vector<scene::Camera>& cameras) {
-    const auto begin = std::chrono::steady_clock::now();
+    const host::Stopwatch watch;
     for (const scene::Camera& camera : cameras) {
         renderer.submit(camera);
     }
     renderer.finish();
-    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
-    return {.frameMs = passed.count() / static_cast<double>(cameras.size())};
+    return {.frameMs = watch.milliseconds() / static_cast<double>(cameras.size())};
 }
 
 scene::SceneSetup openTimed(const TimingOptions& options) {

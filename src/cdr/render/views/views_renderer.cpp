@@ -1,6 +1,7 @@
 #include "../frame_slot.h"
 
 #include <cdr/base/error.h>
+#include <cdr/host/stopwatch.h>
 #include <cdr/render/frame_split.h>
 #include <cdr/render/views/views_renderer.h>
 #include <cdr/visibility/cull_cells.h>
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace cdr::render {
@@ -106,10 +106,9 @@ depth::Cascades ViewsRenderer::look(Cameras cameras, std::span<const depth::Inte
 
 void ViewsRenderer::launch(Cameras cameras, const Launch& how) {
     requireCameras(cameras, views());
-    const auto begin = std::chrono::steady_clock::now();
+    const host::Stopwatch watch;
     const depth::Cascades cascades = look(cameras, occupiedBy(how.hosts));
-    const double lookMs =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    const double lookMs = watch.milliseconds();
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         Renderer::Delivery delivery{.destination = how.destination, .shared = &cascades};
         if (!how.hosts.empty()) {
