@@ -17,7 +17,7 @@ namespace cdr::experiments {
 
 namespace {
 
-constexpr base::EnumNames<Aov, 7> kNames{
+constexpr base::EnumNames<Aov, 7> kAovNames{
     "output", {"color", "id", "distance", "normal", "cascade", "wrong", "coverage"}};
 
 /// Tints told apart by most eyes (Okabe and Ito 2008), repeated beyond eight cascades.
@@ -149,11 +149,11 @@ std::string hashOfWords(const render::Frame& frame, std::uint32_t (*word)(const 
 } // namespace
 
 std::string_view nameOf(Aov aov) {
-    return kNames.nameOf(aov);
+    return kAovNames.nameOf(aov);
 }
 
 Aov parseAov(std::string_view name) {
-    return kNames.parse(name);
+    return kAovNames.parse(name);
 }
 
 image::Rgba8 cascadeTint(std::size_t cascade, std::uint8_t light) {

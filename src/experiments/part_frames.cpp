@@ -13,7 +13,7 @@ namespace cdr::experiments {
 namespace {
 
 /// Pixels without a surface, then pixels with one, in the order of the raster. The latter follow, then their colours.
-struct Run {
+struct RunOfPixels {
     std::uint32_t background = 0;
     std::uint32_t surfaces = 0;
 };
@@ -65,8 +65,8 @@ host::Bytes packedSurfaces(const render::Frame& frame) {
         for (end = surface; end < pixels.size() && shows(end);) {
             ++end;
         }
-        const Run run{.background = static_cast<std::uint32_t>(surface - begin),
-                      .surfaces = static_cast<std::uint32_t>(end - surface)};
+        const RunOfPixels run{.background = static_cast<std::uint32_t>(surface - begin),
+                              .surfaces = static_cast<std::uint32_t>(end - surface)};
         append(bytes, &run, 1);
         append(bytes, pixels.data() + surface, run.surfaces);
         append(bytes, frame.color.pixels.data() + surface, run.surfaces);
@@ -78,7 +78,7 @@ void layUnder(render::Frame& frame, const host::Bytes& farther) {
     Reader reader(farther);
     std::size_t pixel = 0;
     while (!reader.isAtEnd()) {
-        const Run run = reader.read<Run>(1).front();
+        const RunOfPixels run = reader.read<RunOfPixels>(1).front();
         const auto surfaces = reader.read<render::GBufferPixel>(run.surfaces);
         const auto colors = reader.read<image::Rgba8>(run.surfaces);
         pixel += run.background;

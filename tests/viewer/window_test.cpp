@@ -235,7 +235,7 @@ TEST_F(ViewerTest, QuitsAfterSoManyFramesThoughNothingMoves) {
 
 TEST_F(ViewerTest, SurvivesRandomInput) {
     // A 360th of half an hour; the same options with --soak 1800 are the long one.
-    const RunResult run = runShell("'" CDR_VIEWER_DRIVE "' --validate --size 400x300 --soak 5 --seed 7 cubes",
+    const RunResult run = runShell("'" CDR_VIEWER_DRIVE "' --validate --size 240x180 --soak 5 --seed 7 cubes",
                                    folder(), environment());
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");

@@ -34,6 +34,18 @@ function(cdr_batches target)
     endforeach()
 endfunction()
 
+# cdr_shared_batches(TARGET COUNT SOURCE...): the same in COUNT batches, for sources of many small folders. All their file-local
+# names differ.
+function(cdr_shared_batches target count)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+    set(number 0)
+    foreach(source IN LISTS ARGN)
+        math(EXPR group "${number} * ${count} / ${ARGC}")
+        set_source_files_properties("${source}" PROPERTIES UNITY_GROUP shared_${group})
+        math(EXPR number "${number} + 1")
+    endforeach()
+endfunction()
+
 # cdr_room(NAME [EXCLUDE REGEX] [HEADERS file...] [PUBLIC target...] [PRIVATE target...])
 # The folder and its subfolders become the library cdr::NAME. Its headers are included by their path below src, by the
 # targets that link cdr::NAME and by nobody else: each room has an include folder of its own in the build tree, so an
@@ -89,7 +101,7 @@ function(cdr_test name)
     set(properties TIMEOUT 1500)
     if(TEST_DRIVER)
         list(APPEND properties LABELS driver)
-        target_precompile_headers(${name} PRIVATE <cdr/gpu/vulkan_hpp.h> <gtest/gtest.h>)
+        target_precompile_headers(${name} REUSE_FROM cdr_driver_test_headers)
     endif()
     if(NOT TEST_SUITES)
         gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300 PROPERTIES ${properties})

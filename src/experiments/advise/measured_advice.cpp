@@ -13,7 +13,7 @@ namespace cdr::experiments {
 namespace {
 
 /// Each technique once, in the order of the rows.
-std::vector<depth::NamedTechnique> techniquesOf(const depth::Advice& advice) {
+std::vector<depth::NamedTechnique> techniquesToMeasure(const depth::Advice& advice) {
     std::vector<depth::NamedTechnique> techniques;
     for (const depth::AdviceRow& row : advice.rows) {
         const std::string name = nameOf(row.technique);
@@ -82,7 +82,7 @@ depth::AdviceQuestion onDevice(const gpu::Device& device, depth::AdviceQuestion 
 depth::Advice measureAdvice(const gpu::Device& device, const depth::AdviceQuestion& question,
                             const MeasuredAdviceOptions& options, const AdviceProgress& progress) {
     const depth::Advice predicted = depth::advise(question);
-    const std::vector<depth::NamedTechnique> techniques = techniquesOf(predicted);
+    const std::vector<depth::NamedTechnique> techniques = techniquesToMeasure(predicted);
     const std::vector<ProbeResult> probed = probe(device, question, techniques, options, progress);
     const std::vector<TimingResult> timed = time(device, techniques, options, progress);
     std::vector<std::optional<depth::Measurement>> measurements;

@@ -41,9 +41,9 @@ struct PairCount {
     std::uint64_t flips = 0;
 };
 
-class Comparison {
+class CoplanarComparison {
   public:
-    Comparison(const gpu::Device& device, const CoplanarOptions& options)
+    CoplanarComparison(const gpu::Device& device, const CoplanarOptions& options)
         : m_device(device),
           m_options(options),
           m_workers(options.threads),
@@ -229,7 +229,7 @@ std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const Coplana
     const std::span<const depth::NamedTechnique> techniques =
         options.techniques.empty() ? depth::presets() : std::span(options.techniques);
     const std::size_t all = techniques.size() + options.views;
-    Comparison comparison(device, options);
+    CoplanarComparison comparison(device, options);
     std::vector<render::LayerOptions> offsets;
     forEachUnit(
         ranks, techniques.size(),

@@ -14,7 +14,7 @@ namespace cdr::experiments {
 
 namespace {
 
-constexpr std::array kModes{"plain", "edges", "occlusion", "occlusion-layers", "fog"};
+constexpr std::array kEffectModes{"plain", "edges", "occlusion", "occlusion-layers", "fog"};
 constexpr std::size_t kWhole = 2;
 constexpr std::size_t kPerLayer = 3;
 
@@ -24,7 +24,7 @@ depth::Technique shownTechnique() {
 }
 
 render::Effects effectsOf(std::size_t mode, const EffectsOptions& options) {
-    const std::string name = kModes[mode];
+    const std::string name = kEffectModes[mode];
     render::Effects effects;
     if (name == "edges") {
         effects.antialias = render::Antialias::edges;
@@ -58,16 +58,17 @@ double shareApart(const image::ImageRgba8& a, const image::ImageRgba8& b, Apart 
 }
 
 /// A renderer per mode over one scene, and what each took so far.
-class Comparison {
+class EffectsComparison {
   public:
-    Comparison(const gpu::Device& device, const scene::SceneSetup& setup, const EffectsOptions& options)
+    EffectsComparison(const gpu::Device& device, const scene::SceneSetup& setup,
+                      const EffectsOptions& options)
         : m_device(device),
           m_options(options),
           m_setup(setup),
           m_camera(m_setup.path.at(0)),
           m_gpuScene(device, m_setup.scene),
-          m_frames(kModes.size(), options.seed) {
-        for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+          m_frames(kEffectModes.size(), options.seed) {
+        for (std::size_t mode = 0; mode < kEffectModes.size(); ++mode) {
             m_renderers.push_back(makeRenderer(mode, shownTechnique()));
         }
     }
@@ -79,7 +80,7 @@ class Comparison {
 
     EffectsResult summarise(std::size_t mode) {
         const std::vector<double> ratios = m_frames.ratios(mode, 0, &FrameSample::executeMs);
-        EffectsResult result{.mode = kModes[mode],
+        EffectsResult result{.mode = kEffectModes[mode],
                              .executeMs = m_frames.median(mode, &FrameSample::executeMs),
                              .ratio = measure::median(ratios),
                              .ratio95 = measure::bootstrapMedian(ratios, m_options.seed + mode),
@@ -125,15 +126,15 @@ EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& set
     if (options.frames < 1) {
         throw base::InputError("effects needs a frame");
     }
-    const std::size_t all = std::size_t{InterleavedFrames::kWarmUp} + options.frames + kModes.size();
+    const std::size_t all = std::size_t{InterleavedFrames::kWarmUp} + options.frames + kEffectModes.size();
     std::size_t done = 0;
-    Comparison comparison(device, setup, options);
+    EffectsComparison comparison(device, setup, options);
     comparison.time(ranks, [&] { progress(done++, all); });
     if (!ranks.isFirst()) {
         return {};
     }
     EffectsReport report;
-    for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+    for (std::size_t mode = 0; mode < kEffectModes.size(); ++mode) {
         progress(done++, all);
         report.results.push_back(comparison.summarise(mode));
     }

@@ -100,7 +100,7 @@ void printTables(const Console& console, const experiments::ScalingResult& resul
     console.table(experiments::tableOf(fitColumns(), result.fits));
 }
 
-void writeCsv(const std::filesystem::path& path, const experiments::Json& points) {
+void writeScalingCsv(const std::filesystem::path& path, const experiments::Json& points) {
     host::writeText(path, experiments::csvOf({"targets",
                                               "submission",
                                               "cascades",
@@ -152,7 +152,7 @@ void writeResults(Command& command, const ScalingArguments& arguments,
     const experiments::ScalingOptions& options = arguments.options;
     const experiments::Json points = experiments::jsonOf(pointColumns(), result.points);
     if (!arguments.csv.empty()) {
-        writeCsv(arguments.csv, points);
+        writeScalingCsv(arguments.csv, points);
     }
     if (!arguments.plot.empty()) {
         experiments::writePlot(arguments.plot, experiments::scalingPlot(result, command.opened().text()));

@@ -11,7 +11,7 @@ namespace cdr::experiments {
 namespace {
 
 constexpr double kMsPerSecond = 1e3;
-constexpr base::EnumNames<ProjectionBound, 3> kNames{"bound", {"making", "taking", "frames"}};
+constexpr base::EnumNames<ProjectionBound, 3> kBoundNames{"bound", {"making", "taking", "frames"}};
 
 /// One frame's costs, as single numbers.
 struct Costs {
@@ -86,7 +86,7 @@ Columns<Projection> projectionColumns() {
              .format = {"{} to {}"}},
             {.key = "efficiency", .value = &Projection::efficiency, .heading = "efficiency"},
             {.key = "bound",
-             .value = [](const Projection& projection) { return kNames.nameOf(projection.bound); },
+             .value = [](const Projection& projection) { return kBoundNames.nameOf(projection.bound); },
              .heading = "bound by"}};
 }
 

@@ -98,14 +98,14 @@ void requireUsable(const ScalingOptions& options) {
 namespace {
 
 /// What varies besides draws and threads.
-struct Variant {
+struct ScalingVariant {
     render::TargetsChoice targets;
     render::Submission submission;
     unsigned cascades;
 };
 
-std::vector<Variant> variantsOf(const ScalingOptions& options) {
-    std::vector<Variant> variants;
+std::vector<ScalingVariant> scalingVariants(const ScalingOptions& options) {
+    std::vector<ScalingVariant> variants;
     for (const render::TargetsChoice targets : options.targets) {
         for (const render::Submission submission : options.submissions) {
             for (const unsigned cascades : options.cascades) {
@@ -121,7 +121,7 @@ std::vector<Variant> variantsOf(const ScalingOptions& options) {
 ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& options,
                          const ScalingProgress& progress) {
     requireUsable(options);
-    const std::vector<Variant> variants = variantsOf(options);
+    const std::vector<ScalingVariant> variants = scalingVariants(options);
     const std::size_t frames = options.draws.size() * variants.size() * threadList(options).size() *
                                (options.repeats + std::size_t{1});
     std::size_t done = 0;
@@ -130,7 +130,7 @@ ScalingResult runScaling(const gpu::Device& device, const ScalingOptions& option
         const double aspect = static_cast<double>(options.width) / options.height;
         const scene::SceneSetup setup = scenes::makeCrowd(options.seed, cubes, aspect);
         const render::GpuScene gpuScene(device, setup.scene);
-        for (const Variant& variant : variants) {
+        for (const ScalingVariant& variant : variants) {
             const std::string what = fmt::format("{} {} {} cascades {} draws", nameOf(variant.targets),
                                                  nameOf(variant.submission), variant.cascades, cubes);
             const auto step = [&] { progress(done++, frames, what); };

@@ -14,17 +14,17 @@ namespace cdr::experiments {
 namespace {
 
 /// What is drawn with.
-struct Variant {
+struct ShadowVariant {
     std::string technique;
     render::RenderOptions options;
 };
 
 /// base::InputError for an unknown name, and for a method that casts no shadows.
-std::vector<Variant> variantsOf(const ShadowExperiment& experiment) {
-    std::vector<Variant> variants;
+std::vector<ShadowVariant> shadowVariants(const ShadowExperiment& experiment) {
+    std::vector<ShadowVariant> variants;
     for (const std::string& technique : experiment.techniques) {
         for (const std::string& method : experiment.methods) {
-            Variant& variant = variants.emplace_back(Variant{technique, experiment.options});
+            ShadowVariant& variant = variants.emplace_back(ShadowVariant{technique, experiment.options});
             variant.options.technique = depth::namedTechnique(technique).technique;
             variant.options.shadows.method = render::parseShadowMethod(method);
             if (!variant.options.shadows.isOn()) {
@@ -53,7 +53,7 @@ ShadowResult compared(const render::Frame& frame, const measure::ShadowImage& tr
 void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const FrameCameras& cameras,
                 const ShadowExperiment& experiment, const ShadowProgress& progress,
                 const std::function<void(const ShadowResult&)>& take) {
-    const std::vector<Variant> variants = variantsOf(experiment);
+    const std::vector<ShadowVariant> variants = shadowVariants(experiment);
     const scene::Scene& scene = setup.scene;
     if (scene.lights.empty()) {
         throw base::InputError(fmt::format("{}: it has no light that could cast a shadow", scene.name));
@@ -74,7 +74,7 @@ void runShadows(const gpu::Device& device, const scene::SceneSetup& setup, const
                 caster.cast(camera, experiment.options.width, experiment.options.height, light, workers));
         }
     }
-    for (const Variant& variant : variants) {
+    for (const ShadowVariant& variant : variants) {
         render::Renderer renderer(device, scene, gpuScene, variant.options);
         image::ImageRgba8 reachedBefore;
         for (std::uint32_t i = 0; i < cameras.frames; ++i) {

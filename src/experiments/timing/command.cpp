@@ -95,7 +95,7 @@ experiments::Columns<experiments::TimingResult> timingColumns() {
          .format = {"{:+} %"}}};
 }
 
-void writeCsv(const std::filesystem::path& path, const experiments::Json& rows) {
+void writeTimingCsv(const std::filesystem::path& path, const experiments::Json& rows) {
     host::writeText(path, experiments::csvOf({"name",
                                               "mode",
                                               "targets",
@@ -316,7 +316,7 @@ void timeModes(Command& command, TimingArguments& arguments) {
                              experiments::Readable{again.overheadPercent95.low},
                              experiments::Readable{again.overheadPercent95.high}));
     if (!arguments.csv.empty()) {
-        writeCsv(arguments.csv, experiments::jsonOf(timingColumns(), results));
+        writeTimingCsv(arguments.csv, experiments::jsonOf(timingColumns(), results));
     }
     if (!arguments.plot.empty()) {
         experiments::writePlot(arguments.plot, experiments::timingPlot(results, device));
