@@ -61,13 +61,13 @@ expect_lines() {
 # The allocator's header that cdr was built with, for hosts that have the allocator too.
 vma_folder=$(sed -n 's/^VMA_INCLUDE_DIR:PATH=//p' "$build_dir/CMakeCache.txt")
 
-# build_example NAME FOLDER [PREFIX [COMPILER_FLAG...]]: a debug program, whatever the library is.
+# build_example NAME FOLDER [PREFIX [COMPILER_FLAG...]]: a debug program, whatever the library is; nobody debugs it.
 build_example() {
     local name=$1 at=$2 prefix=${3-$work/render}
     shift 2
     (($#)) && shift
     quiet cmake -G Ninja -S "$source_dir/src/examples/$name" -B "$at" -DCMAKE_BUILD_TYPE=Debug \
-        -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror $*" -DCMAKE_PREFIX_PATH="$prefix" -DVMA_INCLUDE_DIR="$vma_folder"
+        -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror -g0 $*" -DCMAKE_PREFIX_PATH="$prefix" -DVMA_INCLUDE_DIR="$vma_folder"
     quiet cmake --build "$at"
 }
 

@@ -81,17 +81,21 @@ function(cdr_room name)
     endif()
 endfunction()
 
-# cdr_test(NAME [DRIVER] [SUITES] [EXCLUDE REGEX] LIBRARIES target...): every .cpp of the folder and its subfolders as one
+# cdr_test(NAME [DRIVER] [SUITES] [EXCLUDE REGEX] [BATCHES COUNT] LIBRARIES target...): every .cpp of the folder and its subfolders as one
 # GoogleTest program. CTest runs each case in a process of its own; with SUITES each suite, for programs whose cases share
-# what is slow to make, such as a device. DRIVER labels them as needing a Vulkan driver.
+# what is slow to make, such as a device. DRIVER labels them as needing a Vulkan driver. BATCHES divides a large folder.
 function(cdr_test name)
-    cmake_parse_arguments(TEST "DRIVER;SUITES" "EXCLUDE" "LIBRARIES" ${ARGN})
+    cmake_parse_arguments(TEST "DRIVER;SUITES" "EXCLUDE;BATCHES" "LIBRARIES" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
     if(TEST_EXCLUDE)
         list(FILTER sources EXCLUDE REGEX "${TEST_EXCLUDE}")
     endif()
     add_executable(${name} ${sources})
-    cdr_batches(${name} ${sources})
+    if(TEST_BATCHES)
+        cdr_shared_batches(${name} ${TEST_BATCHES} ${sources})
+    else()
+        cdr_batches(${name} ${sources})
+    endif()
     target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} GTest::gtest_main cdr_options cdr_quick_compile)
     target_compile_definitions(${name} PRIVATE
         CDR_ASSETS_DIR="${PROJECT_SOURCE_DIR}/../shared/assets" CDR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
