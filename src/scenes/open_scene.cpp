@@ -64,7 +64,8 @@ scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
         return scene::openGltf(nameOrPath, choice);
     }
     scene::GltfChoice ofFiles = choice;
-    ofFiles.textureMiB.reset(); // holds whatever is opened
+    ofFiles.textureMiB.reset(); // these hold whatever is opened
+    ofFiles.pointRadius.reset();
     if (ofFiles != scene::GltfChoice{}) {
         throw base::InputError(
             "--gltf-scene, --camera, --light, --animation, --time and --fps are for .gltf and .glb files, not " +

@@ -16,7 +16,8 @@ std::span<const std::string_view> generatedScenes();
 
 /// Opens one of generatedScenes(), or a `.gltf` / `.glb` file by path. A file is lit and framed so that it
 /// fills the picture. base::InputError says what is wrong, with a suggestion.
-/// @param choice what of a file is shown; refused for a generated scene, but for its textureMiB, which is left aside.
+/// @param choice what of a file is shown; refused for a generated scene, but for its textureMiB and pointRadius,
+///        which are left aside.
 scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
                              const scene::GltfChoice& choice = {});
 

@@ -4,6 +4,7 @@
 garden.glb: 54 nodes, nested, one mirrored; opaque, masked and blended materials; two PNG pictures inside; a camera.
 materials.glb: every texture of a material, read in every way that the importer knows; a camera.
 machine.glb: animations of every path and interpolation, a skin of six joints, morph targets, a camera that moves.
+survey.glb: points and lines of every mode, lit and unlit, in colours, with and without indices; a camera.
 stage.glb: a spot, a point light with a range and a directional light, two of which move; a camera.
 well.gltf, well.bin and stone.jpg: a model in three files. ffmpeg writes the JPEG, so its bytes depend on the version.
 """
@@ -196,6 +197,44 @@ def stage():
     model.write_glb("stage.glb")
 
 
+def survey():
+    """Points and lines of every mode: a scanned hill, its border, heights, a fence and a flight over it."""
+    rng = random.Random(21)
+    model = Model()
+    white = model.material("white", (1, 1, 1, 1))
+    red = model.material("red", (0.9, 0.2, 0.15, 1))
+    steel = model.material("steel", (0.55, 0.6, 0.65, 1), roughness=0.5)
+    height = lambda x, z: 0.7 * math.exp(-0.35 * (x * x + z * z)) + 0.1 * math.sin(1.7 * x) * math.cos(1.3 * z)
+    shade = lambda y: (60 + int(180 * max(0, min(1, y))), 130 + int(60 * max(0, min(1, y))), 60, 255)
+    spots = [(3 * (2 * rng.random() - 1), 2 * (2 * rng.random() - 1)) for _ in range(900)]
+    scan = [[x, height(x, z), z] for x, z in spots]
+    hill = model.mesh("hill", {"positions": scan, "colors": [shade(y) for _, y, _ in scan]}, white, mode=0)
+    ball = sphere(0.4)
+    dome = model.mesh("dome", {"positions": ball["positions"], "normals": ball["normals"]}, steel, mode=0)
+    corners = [[-3.1, 0, -2.1], [3.1, 0, -2.1], [3.1, 0, 2.1], [-3.1, 0, 2.1]]
+    border = model.mesh("border", {"positions": corners}, red, mode=2)
+    fence = {"positions": [], "indices": [], "colors": []}
+    for k in range(9):
+        x = -2.8 + 0.7 * k
+        fence["positions"] += [[x, height(x, 1.8), 1.8], [x, height(x, 1.8) + 0.35, 1.8]]
+        fence["colors"] += [(60, 40, 30, 255), (250, 220, 120, 255)]
+        fence["indices"] += [2 * k, 2 * k + 1] + ([2 * k - 1, 2 * k + 1] if k else [])
+    fence_mesh = model.mesh("fence", fence, white, mode=1)
+    turns = [k / 96 for k in range(97)]
+    flight = [[2.2 * t * math.cos(15 * t), 1.2 - 0.3 * t, 1.6 * t * math.sin(15 * t)] for t in turns]
+    colors = [(int(255 * t), 80, int(255 * (1 - t)), 255) for t in turns]
+    path = model.mesh("flight", {"positions": flight, "colors": colors}, white, mode=3)
+    plate = model.mesh("plate", box(3.2, 0.05, 2.2), steel)
+    roots = [model.node("plate", plate, translation=[0, -0.3, 0]), model.node("hill", hill), model.node("border", border)]
+    roots.append(model.node("dome", dome, translation=[-2.1, 0.75, -1.0]))
+    roots += [model.node("fence", fence_mesh), model.node("flight", path)]
+    model.root["cameras"] = [{"type": "perspective", "name": "drone", "perspective": {"yfov": 0.7, "znear": 0.1, "zfar": 100}}]
+    lean = [math.sin(math.radians(-28) / 2), 0, 0, math.cos(math.radians(28) / 2)]
+    roots.append(model.node("drone", camera=0, translation=[0, 4, 7], rotation=lean))
+    model.root["scenes"] = [{"name": "survey", "nodes": roots}]
+    model.write_glb("survey.glb")
+
+
 def stone():
     """128 x 128 of a wall of grey blocks."""
     rng = random.Random(7)
@@ -363,5 +402,6 @@ garden()
 materials()
 machine()
 stage()
+survey()
 stone()
 well()

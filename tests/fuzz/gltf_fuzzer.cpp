@@ -53,6 +53,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size % 2 != 0) {
         limits.textureMemory = 1u << 12;
     }
+    if (size % 3 != 0) {
+        limits.pointRadius = 0.25;
+    }
     try {
         // The folder does not exist, so no input can reach a real file.
         play(cdr::scene::gltf::importGltf({data, size}, "/nowhere/a.glb", limits));

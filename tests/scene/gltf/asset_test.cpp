@@ -71,6 +71,16 @@ TEST(GltfAsset, TheWellIsReadFromThreeFiles) {
     EXPECT_TRUE(well.ignored.empty());
 }
 
+TEST(GltfAsset, TheSurveyIsPointsAndLinesOfEveryMode) {
+    const GltfImport survey = loadGltf(kOwn / "survey.glb");
+    expectSound(survey.scene);
+    EXPECT_EQ(survey.scene.objectNames,
+              (std::vector<std::string>{"plate", "hill", "border", "dome", "fence", "flight"}));
+    // A box; 900 and 153 points; segments of a loop, a list and a strip.
+    EXPECT_EQ(triangles(survey.scene), 12u + 8u * (900 + 153 + 4 + 17 + 96));
+    EXPECT_TRUE(survey.ignored.empty());
+}
+
 TEST(GltfAsset, LargerModelsOfOthersLoad) {
     if (!fs::exists(kShared)) {
         GTEST_SKIP() << "no larger models in " << kShared;

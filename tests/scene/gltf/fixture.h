@@ -22,7 +22,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 /// glTF's numbers for component types and primitive modes.
 enum Type { kByte = 5120, kUByte = 5121, kShort = 5122, kUShort = 5123, kUInt = 5125, kFloat = 5126 };
-enum Mode { kPoints = 0, kLines = 1, kTriangles = 4, kStrip = 5, kFan = 6 };
+enum Mode { kPoints = 0, kLines = 1, kLineLoop = 2, kLineStrip = 3, kTriangles = 4, kStrip = 5, kFan = 6 };
 
 /// A glTF document under construction: its JSON and its one binary buffer.
 struct Document {

@@ -10,7 +10,7 @@
 #include "material.h"
 #include "memory.h"
 #include "nodes.h"
-#include "triangles.h"
+#include "solids/solids.h"
 
 #include <cdr/host/file.h>
 #include <cdr/scene/gltf/gltf.h>
@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -111,6 +112,8 @@ class Importer {
     /// A primitive of a mesh that was read, decoded.
     const Primitive& decoded(int mesh, std::size_t index, const std::string& where);
     const std::optional<PlacedPrimitive>& use(int meshIndex, std::size_t index);
+    /// The limits' radius of points in the space of a mesh that its nodes stretch so.
+    std::optional<double> pointRadius(double stretch) const;
     /// A material of the scene in the layer of a node, if the node has one.
     std::uint32_t materialIn(std::optional<float> layer, std::uint32_t material);
 
@@ -199,7 +202,7 @@ std::uint64_t Importer::readBounded(int mesh) {
         m_sourceMeshes.emplace(mesh, readMesh(m_sources.document.root, mesh)).first->second;
     std::uint64_t triangles = 0;
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-        triangles += triangleCount(source.primitives[i], m_accessors);
+        triangles += drawnTriangleCount(source.primitives[i], m_accessors);
         const Primitive& primitive = source.primitives[i];
         m_memory.add(
             predictBytes(primitive, m_accessors, mayHaveDetail(m_sources.document.root, primitive.material)),
@@ -263,8 +266,11 @@ void Importer::addRigid(const MeshNode& node, std::size_t index, std::uint32_t o
 void Importer::addDeformed(const MeshNode& node, std::size_t index, std::uint32_t object) {
     const std::string where = placeOf(node.mesh, m_sourceMeshes.at(node.mesh).name, index);
     const Primitive& primitive = decoded(node.mesh, index, where);
-    const MaterialUse& material = m_materials.use(primitive.material);
-    std::optional<SourcePrimitive> source = m_meshes.read(primitive, material.uv, where);
+    const MaterialUse& material = m_materials.use(primitive.material, groundOf(primitive));
+    // The joints of a skin place its mesh, and not its node.
+    const double stretch = node.skin && hasJoints(primitive) ? 1.0 : m_stretch[node.mesh];
+    std::optional<SourcePrimitive> source =
+        m_meshes.read(primitive, material.uv, pointRadius(stretch), where);
     if (source) {
         m_moving->addDeformed(m_scene, node, primitive, std::move(*source),
                               materialIn(node.layer, material.index), object, where);
@@ -285,15 +291,26 @@ const std::optional<PlacedPrimitive>& Importer::use(int meshIndex, std::size_t i
     }
     const std::string where = placeOf(meshIndex, m_sourceMeshes.at(meshIndex).name, index);
     const Primitive& primitive = decoded(meshIndex, index, where);
-    const MaterialUse& material = m_materials.use(primitive.material);
+    const MaterialUse& material = m_materials.use(primitive.material, groundOf(primitive));
     // Pieces overlap at their seams, which blending would show.
     const bool whole = m_scene.materials[material.index].alphaMode == AlphaMode::blend;
-    const double pieceRadius = whole ? INFINITY : m_limits.pieceRadius / m_stretch[meshIndex];
-    std::vector<MeshPiece> pieces = m_meshes.import(primitive, material.uv, pieceRadius, where);
+    const double stretch = m_stretch[meshIndex];
+    const MeshSizes sizes{.pieceRadius = whole ? INFINITY : m_limits.pieceRadius / stretch,
+                          .pointRadius = pointRadius(stretch)};
+    std::vector<MeshPiece> pieces = m_meshes.import(primitive, material.uv, sizes, where);
     if (!pieces.empty()) {
         found->second = {addPieces(m_scene, std::move(pieces)), material.index};
     }
     return found->second;
+}
+
+std::optional<double> Importer::pointRadius(double stretch) const {
+    if (!m_limits.pointRadius) {
+        return std::nullopt;
+    }
+    // A node that an animation spreads out may be flat at rest.
+    return std::min(*m_limits.pointRadius / (stretch > 0.0 ? stretch : 1.0),
+                    static_cast<double>(std::numeric_limits<float>::max()));
 }
 
 std::uint32_t Importer::materialIn(std::optional<float> layer, std::uint32_t material) {

@@ -57,6 +57,25 @@ glm::vec3 emissionOf(const json& material, const std::string& where) {
     return {glm::clamp(emitted, 0.0, kMostEmission)};
 }
 
+/// Leaves of a material what points and lines show.
+void showOnSolid(Ground ground, Material& material, UvPlaces& uv, Notes& notes) {
+    material.doubleSided = false; // a solid is closed, and blending would show its back
+    if (ground != Ground::solidWithTangents) {
+        material.detail.normal.reset();
+        uv.tangents = UvPlaces::Tangents::none;
+    }
+    if (ground == Ground::solidAlone) {
+        if (material.detail.emission != glm::vec3(0.0f)) {
+            notes.add("points and lines without normals are drawn without what they emit",
+                      fmt::format("material '{}'", oneLine(material.name, kMaxNameLength)));
+        }
+        material.unlit = true;
+        material.shine.reset();
+        material.detail = {};
+        uv.second.reset();
+    }
+}
+
 } // namespace
 
 bool mayHaveDetail(const json& root, int material) {
@@ -76,13 +95,14 @@ MaterialImporter::MaterialImporter(const Sources& sources, Scene& scene)
       m_scene(scene),
       m_textures(sources, scene) {}
 
-const MaterialUse& MaterialImporter::use(int material) {
-    const auto found = m_imported.find(material);
+const MaterialUse& MaterialImporter::use(int material, Ground ground) {
+    const std::pair key(material, ground);
+    const auto found = m_imported.find(key);
     return found != m_imported.end() ? found->second
-                                     : m_imported.emplace(material, import(material)).first->second;
+                                     : m_imported.emplace(key, import(material, ground)).first->second;
 }
 
-MaterialUse MaterialImporter::import(int index) {
+MaterialUse MaterialImporter::import(int index, Ground ground) {
     MaterialUse use;
     Material material;
     material.name = "default";
@@ -118,6 +138,9 @@ MaterialUse MaterialImporter::import(int index) {
             material.shine.reset();
         }
         material.layer = layerOf(source, where, m_sources.notes).value_or(0.0f);
+    }
+    if (ground != Ground::surface) {
+        showOnSolid(ground, material, use.uv, m_sources.notes);
     }
     use.index = static_cast<std::uint32_t>(m_scene.materials.size());
     m_scene.materials.push_back(std::move(material));

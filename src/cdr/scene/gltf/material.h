@@ -2,6 +2,7 @@
 
 #include "materials/uv_places.h"
 #include "mesh.h"
+#include "solids/solids.h"
 #include "sources.h"
 #include "textures/importer.h"
 
@@ -11,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace cdr::scene::gltf {
 
@@ -29,14 +31,14 @@ class MaterialImporter {
   public:
     MaterialImporter(const Sources& sources, Scene& scene);
 
-    /// A glTF material, or for -1 glTF's default one.
-    const MaterialUse& use(int material);
+    /// A glTF material, or for -1 glTF's default one, as it is shown on a ground.
+    const MaterialUse& use(int material, Ground ground);
 
     /// TextureImporter::decode(), once all materials are there.
     void decodeTextures(const GltfLimits& limits) { m_textures.decode(limits); }
 
   private:
-    MaterialUse import(int index);
+    MaterialUse import(int index, Ground ground);
     /// The textures that a lit material has beside its base colour's, and what it emits.
     MaterialDetail detailOf(const nlohmann::json& material, const std::string& where, UvPlaces& uv);
     /// A texture that a member names, and its UV; nothing where there is none.
@@ -46,7 +48,7 @@ class MaterialImporter {
     Sources m_sources;
     Scene& m_scene;
     TextureImporter m_textures;
-    std::map<int, MaterialUse> m_imported;
+    std::map<std::pair<int, Ground>, MaterialUse> m_imported;
 };
 
 } // namespace cdr::scene::gltf

@@ -2,6 +2,7 @@
 
 #include "checks.h"
 #include "draco/decompressor.h"
+#include "solids/solids.h"
 #include "triangles.h"
 
 #include <cdr/scene/scene.h>
@@ -32,9 +33,23 @@ std::uint64_t positionCount(const Primitive& primitive, Accessors& accessors) {
     return position == nullptr ? 0 : position->count();
 }
 
+/// Of points and lines.
+PrimitiveBytes predictSolids(std::uint64_t solids, bool hasDetail) {
+    const std::uint64_t vertices = kSolidCorners * solids;
+    const std::uint64_t indices = kSolidIndices.size() * solids;
+    PrimitiveBytes bytes;
+    bytes.kept = vertices * (sizeof(Vertex) + (hasDetail ? sizeof(VertexDetail) : 0)) + indices * kIndexBytes;
+    bytes.passing = bytes.kept + vertices * (sizeof(glm::dvec3) + kTablesPerVertex * kIndexBytes) +
+                    indices * kIndexBytes + solids * sizeof(SolidEnds);
+    return bytes;
+}
+
 } // namespace
 
 PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors, bool hasDetail) {
+    if (groundOf(primitive) != Ground::surface) {
+        return predictSolids(solidCount(primitive, accessors), hasDetail);
+    }
     const std::uint64_t corners = 3 * triangleCount(primitive, accessors);
     const std::uint64_t positions = positionCount(primitive, accessors);
     // Without normals each triangle has vertices of its own.

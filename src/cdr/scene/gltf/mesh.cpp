@@ -6,8 +6,10 @@
 #include "triangles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace cdr::scene::gltf {
 
@@ -27,6 +29,27 @@ std::optional<glm::vec3> normalized(const glm::dvec3& v) {
         return {};
     }
     return glm::vec3(v / length);
+}
+
+void requireFinite(const glm::vec3& position, std::uint32_t index, const std::string& where) {
+    if (!isFinite(position)) {
+        refuse("{}: the position of vertex {} is not finite", where, index);
+    }
+}
+
+/// The sides of the box of what is drawn.
+glm::dvec3 sidesOf(std::span<const SolidEnds> solids, const Accessor& positions, const std::string& where) {
+    glm::dvec3 low(std::numeric_limits<double>::infinity());
+    glm::dvec3 high(-low);
+    for (const SolidEnds& ends : solids) {
+        for (const std::uint32_t index : {ends.first, ends.second}) {
+            const glm::vec3 position(positions.vector(index));
+            requireFinite(position, index, where);
+            low = glm::min(low, glm::dvec3(position));
+            high = glm::max(high, glm::dvec3(position));
+        }
+    }
+    return solids.empty() ? glm::dvec3(0.0) : high - low;
 }
 
 std::uint8_t toUnorm8(float value) {
@@ -51,14 +74,17 @@ struct MeshImporter::Attributes {
 MeshImporter::MeshImporter(Accessors& accessors, Notes& notes) : m_accessors(accessors), m_notes(notes) {}
 
 std::optional<SourcePrimitive> MeshImporter::read(const Primitive& primitive, const UvPlaces& uv,
+                                                  std::optional<double> pointRadius,
                                                   const std::string& where) {
     if (primitive.mode < kModePoints || primitive.mode > kModeTriangleFan) {
         refuse("{}: mode {} does not exist", where, primitive.mode);
     }
-    if (primitive.mode < kModeTriangles) {
-        m_notes.add("points and lines are not drawn", where);
-        return std::nullopt;
-    }
+    return groundOf(primitive) == Ground::surface ? readTriangles(primitive, uv, where)
+                                                  : readSolids(primitive, uv, pointRadius, where);
+}
+
+std::optional<SourcePrimitive> MeshImporter::readTriangles(const Primitive& primitive, const UvPlaces& uv,
+                                                           const std::string& where) {
     const Attributes attributes = findAttributes(primitive, uv, where);
     SourcePrimitive source;
     source.mesh.name = where;
@@ -88,13 +114,82 @@ std::optional<SourcePrimitive> MeshImporter::read(const Primitive& primitive, co
     return source;
 }
 
+std::optional<SourcePrimitive> MeshImporter::readSolids(const Primitive& primitive, const UvPlaces& uv,
+                                                        std::optional<double> radius,
+                                                        const std::string& where) {
+    const Attributes attributes = findAttributes(primitive, uv, where);
+    const std::size_t vertexCount = attributes.position->count();
+    const std::vector<SolidEnds> solids = solidList(primitive, m_accessors, vertexCount, where);
+    if (!radius) {
+        const glm::dvec3 sides = sidesOf(solids, *attributes.position, where);
+        radius = primitive.mode == kModePoints ? defaultPointRadius(sides, solids.size())
+                                               : defaultLineRadius(sides);
+    }
+    if (solids.empty() || !(*radius > 0.0)) {
+        m_notes.add(solids.empty() ? "a primitive has no points or lines"
+                                   : "its points or lines are all at one place, so their size is not known",
+                    where);
+        return std::nullopt;
+    }
+    SourcePrimitive source;
+    source.mesh.name = where;
+    source.fileVertexCount = vertexCount;
+    source.mesh.vertices.reserve(solids.size() * kSolidCorners);
+    source.mesh.details.reserve(uv.hasDetail() ? solids.size() * kSolidCorners : 0);
+    source.mesh.positions.reserve(solids.size() * kSolidCorners);
+    source.mesh.indices.reserve(solids.size() * kSolidIndices.size());
+    source.fileVertices.reserve(solids.size() * kSolidCorners);
+    for (const SolidEnds& ends : solids) {
+        addSolid(source, attributes, ends, *radius, where);
+    }
+    if (source.mesh.indices.empty()) {
+        m_notes.add("its lines have no length", where);
+        return std::nullopt;
+    }
+    return source;
+}
+
+void MeshImporter::addSolid(SourcePrimitive& source, const Attributes& attributes, const SolidEnds& ends,
+                            double radius, const std::string& where) {
+    SourceMesh& mesh = source.mesh;
+    const std::array vertices{readVertex(attributes, ends.first, where),
+                              readVertex(attributes, ends.second, where)};
+    const glm::dvec3 along = glm::dvec3(vertices[1].position) - glm::dvec3(vertices[0].position);
+    const bool isPoint = ends.first == ends.second;
+    if (!isPoint && along == glm::dvec3(0.0)) {
+        return; // nothing of a line is seen that has no length
+    }
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const SolidShape shape = isPoint ? pointShape() : segmentShape(along);
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+        Vertex vertex = vertices[i / 3];
+        mesh.positions.push_back(glm::dvec3(vertex.position) + radius * shape[i]);
+        vertex.position = glm::vec3(mesh.positions.back());
+        if (!isFinite(vertex.position)) {
+            refuse("{}: its extent is over what a float32 holds", where);
+        }
+        if (attributes.normal == nullptr) {
+            vertex.normal = glm::vec3(shape[i]);
+        }
+        const std::uint32_t fileVertex = i < 3 ? ends.first : ends.second;
+        if (attributes.places.hasDetail()) {
+            mesh.details.push_back(readDetail(attributes, fileVertex, vertex.normal, where));
+        }
+        mesh.vertices.push_back(vertex);
+        source.fileVertices.push_back(fileVertex);
+    }
+    for (const std::uint32_t index : kSolidIndices) {
+        mesh.indices.push_back(first + index);
+    }
+}
+
 std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const UvPlaces& uv,
-                                            double pieceRadius, const std::string& where) {
-    const std::optional<SourcePrimitive> source = read(primitive, uv, where);
+                                            const MeshSizes& sizes, const std::string& where) {
+    const std::optional<SourcePrimitive> source = read(primitive, uv, sizes.pointRadius, where);
     if (!source) {
         return {};
     }
-    std::vector<MeshPiece> pieces = cutIntoPieces(source->mesh, pieceRadius);
+    std::vector<MeshPiece> pieces = cutIntoPieces(source->mesh, sizes.pieceRadius);
     for (const MeshPiece& piece : pieces) {
         if (!std::isfinite(piece.mesh.boundingRadius)) {
             refuse("{}: its extent is over what a float32 holds", where);
@@ -147,9 +242,7 @@ MeshImporter::Attributes MeshImporter::findAttributes(const Primitive& primitive
 Vertex MeshImporter::readVertex(const Attributes& attributes, std::uint32_t index, const std::string& where) {
     Vertex vertex;
     vertex.position = glm::vec3(attributes.position->vector(index));
-    if (!isFinite(vertex.position)) {
-        refuse("{}: the position of vertex {} is not finite", where, index);
-    }
+    requireFinite(vertex.position, index, where);
     if (attributes.normal != nullptr) {
         const std::optional<glm::vec3> normal = normalized(glm::dvec3(attributes.normal->vector(index)));
         if (!normal) {

@@ -4,6 +4,7 @@
 #include "materials/uv_places.h"
 #include "notes.h"
 #include "primitive.h"
+#include "solids/solids.h"
 
 #include <cdr/scene/lod/mesh_pieces.h>
 
@@ -15,11 +16,17 @@
 
 namespace cdr::scene::gltf {
 
-/// The triangles of a primitive as the file has them.
+/// The triangles of a primitive as the file has them, or those that its points and lines are drawn as.
 struct SourcePrimitive {
     SourceMesh mesh;
     std::vector<std::uint32_t> fileVertices; ///< by vertex of the mesh: which one of the file's it is
     std::size_t fileVertexCount = 0;
+};
+
+/// Lengths in a mesh's space.
+struct MeshSizes {
+    double pieceRadius;                  ///< as of cutIntoPieces()
+    std::optional<double> pointRadius{}; ///< of points and lines; else they get a default one
 };
 
 /// Imports the triangles of a primitive. Keeps a scratch table between calls, so that many primitives which
@@ -28,18 +35,25 @@ class MeshImporter {
   public:
     MeshImporter(Accessors& accessors, Notes& notes);
 
-    /// Nothing when the primitive has no triangles. `where` names it in messages.
+    /// Nothing when the primitive has nothing to draw. `where` names it in messages.
     std::optional<SourcePrimitive> read(const Primitive& primitive, const UvPlaces& uv,
-                                        const std::string& where);
+                                        std::optional<double> pointRadius, const std::string& where);
 
     /// The same in pieces; none when it has no extent either.
-    /// @param pieceRadius as of cutIntoPieces().
-    std::vector<MeshPiece> import(const Primitive& primitive, const UvPlaces& uv, double pieceRadius,
+    std::vector<MeshPiece> import(const Primitive& primitive, const UvPlaces& uv, const MeshSizes& sizes,
                                   const std::string& where);
 
   private:
     struct Attributes;
 
+    /// Nothing when the primitive has no triangles.
+    std::optional<SourcePrimitive> readTriangles(const Primitive& primitive, const UvPlaces& uv,
+                                                 const std::string& where);
+    /// Nothing when the primitive has no points or lines with an extent.
+    std::optional<SourcePrimitive> readSolids(const Primitive& primitive, const UvPlaces& uv,
+                                              std::optional<double> radius, const std::string& where);
+    void addSolid(SourcePrimitive& source, const Attributes& attributes, const SolidEnds& ends, double radius,
+                  const std::string& where);
     Attributes findAttributes(const Primitive& primitive, const UvPlaces& uv, const std::string& where);
     Vertex readVertex(const Attributes& attributes, std::uint32_t index, const std::string& where);
     VertexDetail readDetail(const Attributes& attributes, std::uint32_t index, const glm::vec3& normal,

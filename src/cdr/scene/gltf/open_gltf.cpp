@@ -152,6 +152,11 @@ void requireUsable(const GltfChoice& choice) {
         throw base::InputError(fmt::format("--texture-memory must be from 1 to {}, in MiB, not {}",
                                            kMostTextureMiB, *choice.textureMiB));
     }
+    if (choice.pointRadius &&
+        !(*choice.pointRadius >= kLeastPointRadius && *choice.pointRadius <= kMostPointRadius)) {
+        throw base::InputError(fmt::format("--points must be from {} to {}, in scene units, not {}",
+                                           kLeastPointRadius, kMostPointRadius, *choice.pointRadius));
+    }
 }
 
 /// An animation by its name, else by its number.
@@ -269,6 +274,7 @@ OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice
     if (choice.textureMiB) {
         limits.textureMemory = *choice.textureMiB << 20u;
     }
+    limits.pointRadius = choice.pointRadius;
     GltfImport import = loadGltf(path, limits, choice.scene);
     const std::optional<GltfCamera> camera = chosenCamera(path, import, choice.camera);
     if (!camera && !import.cameras.empty()) {

@@ -43,12 +43,20 @@ struct GltfChoice {
     std::optional<double> framesPerSecond{}; ///< above 0; else every frame shows the same moment
     /// Most MiB of all textures with their levels, at least 1: those that take most lose their largest levels, with a note.
     std::optional<std::uint64_t> textureMiB{};
+    /// Radius of points and lines, in scene units where the mesh's largest node shows it; else by the points' distances,
+    /// and the size of all lines together.
+    std::optional<double> pointRadius{};
 
     bool operator==(const GltfChoice&) const = default;
 };
 
 /// Most that GltfChoice::textureMiB takes: 4 TiB.
 inline constexpr std::uint64_t kMostTextureMiB = std::uint64_t{1} << 22u;
+
+/// Least that GltfChoice::pointRadius takes.
+inline constexpr double kLeastPointRadius = 1e-30;
+/// Most that GltfChoice::pointRadius takes.
+inline constexpr double kMostPointRadius = 1e30;
 
 /// The moment that a frame shows, in seconds of the animation, where one is played.
 CDR_EXPORT std::optional<double> secondsAt(const GltfChoice& choice, std::uint32_t frame);

@@ -15,6 +15,9 @@ namespace cdr::scene::gltf {
 
 /// glTF's numbers for how corners become shapes.
 inline constexpr int kModePoints = 0;
+inline constexpr int kModeLines = 1;
+inline constexpr int kModeLineLoop = 2;
+inline constexpr int kModeLineStrip = 3;
 inline constexpr int kModeTriangles = 4;
 inline constexpr int kModeTriangleStrip = 5;
 inline constexpr int kModeTriangleFan = 6;

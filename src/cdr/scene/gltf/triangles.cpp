@@ -7,11 +7,23 @@ namespace cdr::scene::gltf {
 
 namespace {
 
-/// Corners drawn, before they are grouped into triangles.
-std::size_t cornerCount(const Primitive& primitive, Accessors& accessors) {
+/// Null where corners are the vertices in turn.
+const Accessor* usableIndices(const Primitive& primitive, Accessors& accessors) {
     const Accessor* indices = indicesOf(primitive, accessors);
-    const Accessor* corners = indices != nullptr ? indices : attributeOf(primitive, "POSITION", accessors);
-    return corners == nullptr ? 0 : corners->count();
+    if (indices != nullptr) {
+        indices->requireIndices(primitive.indices);
+    }
+    return indices;
+}
+
+std::uint32_t vertexAt(const Accessor* indices, std::size_t corner, std::size_t vertexCount,
+                       const std::string& where) {
+    const std::uint32_t index =
+        indices == nullptr ? static_cast<std::uint32_t>(corner) : indices->integer(corner);
+    if (index >= vertexCount) {
+        refuse("{}: index {} exceeds its {} vertices", where, index, vertexCount);
+    }
+    return index;
 }
 
 /// Which corner is corner `c` of triangle `t`; the formulas are glTF's, so fronts stay fronts.
@@ -26,6 +38,22 @@ std::size_t cornerOf(int mode, std::size_t t, std::size_t c) {
 }
 
 } // namespace
+
+std::size_t cornerCount(const Primitive& primitive, Accessors& accessors) {
+    const Accessor* indices = indicesOf(primitive, accessors);
+    const Accessor* corners = indices != nullptr ? indices : attributeOf(primitive, "POSITION", accessors);
+    return corners == nullptr ? 0 : corners->count();
+}
+
+std::vector<std::uint32_t> cornerList(const Primitive& primitive, Accessors& accessors,
+                                      std::size_t vertexCount, const std::string& where) {
+    const Accessor* indices = usableIndices(primitive, accessors);
+    std::vector<std::uint32_t> list(cornerCount(primitive, accessors));
+    for (std::size_t corner = 0; corner < list.size(); ++corner) {
+        list[corner] = vertexAt(indices, corner, vertexCount, where);
+    }
+    return list;
+}
 
 std::uint64_t triangleCount(const Primitive& primitive, Accessors& accessors) {
     const std::size_t corners = cornerCount(primitive, accessors);
@@ -42,22 +70,13 @@ std::uint64_t triangleCount(const Primitive& primitive, Accessors& accessors) {
 
 std::vector<std::uint32_t> triangleList(const Primitive& primitive, Accessors& accessors,
                                         std::size_t vertexCount, const std::string& where) {
-    const Accessor* indices = indicesOf(primitive, accessors);
-    if (indices != nullptr) {
-        indices->requireIndices(primitive.indices);
-    }
+    const Accessor* indices = usableIndices(primitive, accessors);
     const std::size_t triangles = triangleCount(primitive, accessors);
     std::vector<std::uint32_t> list;
     list.reserve(triangles * 3);
     for (std::size_t t = 0; t < triangles; ++t) {
         for (std::size_t c = 0; c < 3; ++c) {
-            const std::size_t corner = cornerOf(primitive.mode, t, c);
-            const std::uint32_t index =
-                indices == nullptr ? static_cast<std::uint32_t>(corner) : indices->integer(corner);
-            if (index >= vertexCount) {
-                refuse("{}: index {} exceeds its {} vertices", where, index, vertexCount);
-            }
-            list.push_back(index);
+            list.push_back(vertexAt(indices, cornerOf(primitive.mode, t, c), vertexCount, where));
         }
     }
     return list;

@@ -139,7 +139,7 @@ Deformer makeDeformer(const Primitive& primitive, const SourcePrimitive& source,
                       std::size_t joints, Notes& notes, const std::string& where) {
     Deformer deformer;
     deformer.vertices = source.mesh.vertices;
-    deformer.isFlat = !primitive.attributes.contains("NORMAL");
+    deformer.isFlat = groundOf(primitive) == Ground::surface && !primitive.attributes.contains("NORMAL");
     for (const auto& target : primitive.targets) {
         for (const auto& [name, accessor] : target) {
             if (name != "POSITION" && name != "NORMAL" && name != "TANGENT") {

@@ -1,0 +1,89 @@
+#include "../fixture.h"
+
+#include <cdr/measure/compare/flip_difference.h>
+#include <cdr/measure/truth/layered_truth.h>
+#include <cdr/scene/gltf/open_gltf.h>
+
+#include <optional>
+#include <vector>
+
+namespace cdr::render_test {
+
+namespace {
+
+class PointsTest : public RenderTest {
+  protected:
+    /// A file with points and lines of every mode, through its own camera.
+    static scene::SceneSetup survey(std::optional<double> radius) {
+        return scene::openGltf(CDR_SOURCE_DIR "/tests/assets/survey.glb",
+                               {.scene = {}, .camera = 0, .pointRadius = radius})
+            .setup;
+    }
+};
+
+TEST_F(PointsTest, EachModeIsSeenWhereTheTruthSeesIt) {
+    for (const std::optional<double> radius : {std::optional<double>{}, std::optional(0.04)}) {
+        const scene::SceneSetup setup = survey(radius);
+        const scene::Camera camera = setup.path.at(0);
+        const render::Frame frame =
+            draw(setup.scene, camera, smallOptions(depth::parseTechnique("anchored")));
+        std::vector<std::size_t> seen(setup.scene.objectNames.size() + 1);
+        for (const std::uint32_t id : frame.ids().pixels) {
+            ++seen.at(id);
+        }
+        for (std::size_t object = 0; object < setup.scene.objectNames.size(); ++object) {
+            EXPECT_GT(seen[object + 1], 100u) << setup.scene.objectNames[object];
+        }
+        const measure::WrongPixels wrong = wrongIn(frame, setup.scene, camera);
+        EXPECT_GT(wrong.pixels, 15'000u);
+        EXPECT_EQ(wrong.wrong, 0u);
+    }
+}
+
+TEST_F(PointsTest, LooksAsFloat64Truth) {
+    const scene::SceneSetup setup = survey(0.06);
+    const scene::Camera camera = setup.path.at(0);
+    const render::Frame frame = draw(setup.scene, camera, smallOptions(depth::parseTechnique("anchored")));
+    host::WorkerPool workers(2);
+    const image::ImageRgba8 wanted =
+        pictureOf(measure::castLayers(setup.scene, camera, frame.width(), frame.height(), workers));
+    EXPECT_LE(measure::FlipDifference().mean(wanted, frame.color, workers), 0.02);
+}
+
+/// A second scan of the hill, nearer to the camera by two millionths of the distance.
+TEST_F(PointsTest, CloudsAlmostAtOnePlaceAreToldApart) {
+    constexpr std::uint32_t kHill = 1;
+    scene::SceneSetup setup = survey(0.06);
+    const scene::Camera camera = setup.path.at(0);
+    const auto second = static_cast<std::uint32_t>(setup.scene.objectNames.size());
+    const scene::Instances& instances = setup.scene.instances;
+    for (std::size_t i = 0, count = instances.size(); i < count; ++i) {
+        if (instances.object[i] == kHill) {
+            const glm::dvec3 towards = camera.position - instances.position(i);
+            scene::addInstance(setup.scene, instances.mesh[i], instances.material[i], second,
+                               instances.position(i) + 2e-6 * towards, instances.basis[i]);
+        }
+    }
+    setup.scene.objectNames.emplace_back("second hill");
+    const auto wrongOf = [&](const char* technique) {
+        const render::RenderOptions options = smallOptions(depth::parseTechnique(technique));
+        return wrongIn(draw(setup.scene, camera, options), setup.scene, camera);
+    };
+    EXPECT_GT(wrongOf("standard").wrong, 100u);
+    EXPECT_EQ(wrongOf("anchored").wrong, 0u);
+}
+
+TEST_F(PointsTest, ThePictureIsTheSameForAllSubmissions) {
+    const scene::SceneSetup setup = survey({});
+    render::RenderOptions options = smallOptions(depth::parseTechnique("cdr"));
+    const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), options));
+    for (const render::Submission submission : submissions()) {
+        options.submission = submission;
+        options.threads = 3;
+        EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(0), options)), wanted) << nameOf(submission);
+    }
+}
+
+} // namespace
+
+} // namespace cdr::render_test
