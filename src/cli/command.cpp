@@ -83,11 +83,15 @@ std::string Command::digestOfRun(const std::string& more) {
     }
     const host::BuildInfo build = host::buildInfo();
     const gpu::DeviceInfo& device = this->device().info();
-    const nlohmann::ordered_json parts{
-        {"command", m_name},         {"version", build.version},
-        {"commit", build.commit},    {"device", {device.name, device.driver, device.api}},
-        {"options", textOf(m_app)},  {"texture_memory", m_global.textureMiB.value_or(0)},
-        {"files", std::move(files)}, {"more", more}};
+    const nlohmann::ordered_json parts{{"command", m_name},
+                                       {"version", build.version},
+                                       {"commit", build.commit},
+                                       {"device", {device.name, device.driver, device.api}},
+                                       {"options", textOf(m_app)},
+                                       {"texture_memory", m_global.textureMiB.value_or(0)},
+                                       {"points", m_global.pointRadius.value_or(0.0)},
+                                       {"files", std::move(files)},
+                                       {"more", more}};
     return host::sha256Of(host::textOf(parts, -1));
 }
 
@@ -116,6 +120,7 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
     }
     scene::GltfChoice bounded = choice;
     bounded.textureMiB = m_global.textureMiB;
+    bounded.pointRadius = m_global.pointRadius;
     scene::OpenedScene opened =
         scene::isGltfPath(nameOrPath)
             ? scene::openGltf(nameOrPath, bounded, progressOf("parts of " + nameOrPath))

@@ -45,6 +45,9 @@ std::string viewerProgram() {
     if (global.textureMiB) {
         arguments.insert(arguments.begin(), fmt::format("--texture-memory={}", *global.textureMiB));
     }
+    if (global.pointRadius) {
+        arguments.insert(arguments.begin(), fmt::format("--points={}", *global.pointRadius));
+    }
     arguments.insert(arguments.begin(), viewerProgram());
     std::vector<char*> pointers;
     for (std::string& argument : arguments) {

@@ -93,6 +93,7 @@ int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {
             "Unit of printed lengths where scenes are in metres: none, auto, um, mm, m or km; JSON has none")
         ->default_str("none");
     cdr::experiments::addTextureMemory(program, global.textureMiB);
+    cdr::experiments::addPointRadius(program, global.pointRadius);
     program.add_flag("--quiet", global.quiet, "Print nothing but errors and what of a file is not drawn");
     program.add_flag("--share-machine", global.shareMachine,
                      "Under mpirun: measure time though several ranks share a machine");

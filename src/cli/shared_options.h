@@ -27,6 +27,7 @@ struct GlobalOptions {
     std::size_t hostCpus =
         0; ///< what JSON says of the host where this process, as a rank, may be bound to fewer; else 0
     std::optional<std::uint64_t> textureMiB;        ///< as scene::GltfChoice has it
+    std::optional<double> pointRadius;              ///< as scene::GltfChoice has it
     base::LengthUnit unit = base::LengthUnit::none; ///< of lengths in tables and sentences
     ranks::Ranks* ranks = nullptr;                  ///< of the run; main() fills it in
     std::string section; ///< of a report that the command runs for: only its progress shows, under this name

@@ -1,5 +1,7 @@
 #include "camera_options.h"
 
+#include "number_checks.h"
+
 #include <CLI/CLI.hpp>
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
@@ -97,6 +99,14 @@ void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMi
         .add_option("--texture-memory", textureMiB,
                     "Most MiB of a glTF file's textures, which are shown smaller to fit")
         ->check(CLI::Range(std::uint64_t{1}, scene::kMostTextureMiB));
+}
+
+void addPointRadius(CLI::App& command, std::optional<double>& radius) {
+    command
+        .add_option(
+            "--points", radius,
+            "Radius of a glTF file's points and lines, in scene units; else by how far they are apart")
+        ->check(numberFrom(scene::kLeastPointRadius, scene::kMostPointRadius));
 }
 
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {

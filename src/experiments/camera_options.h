@@ -38,6 +38,8 @@ void addFrameOptions(CLI::App& command, CameraOptions& options);
 void addCameraOptions(CLI::App& command, CameraOptions& options);
 /// Adds --texture-memory.
 void addTextureMemory(CLI::App& command, std::optional<std::uint64_t>& textureMiB);
+/// Adds --points.
+void addPointRadius(CLI::App& command, std::optional<double>& radius);
 /// Adds --gltf-scene and --camera.
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice);
 /// Adds --animation, --time and --fps.

@@ -128,6 +128,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"models x.glb --light skies --json t.json", "known: lamps, sky, file"},
         BadInput{"render sheets --translucency-memory 0 -o a.png", "--translucency-memory"},
         BadInput{"render sheets --texture-memory 0 -o a.png", "--texture-memory"},
+        BadInput{"render sheets --points 0 -o a.png", "--points"},
+        BadInput{"--points nan inspect sheets", "--points"},
         BadInput{"render coplanar --layer poster -o a.png", "MATERIAL=LAYER"},
         BadInput{"render coplanar --layer poster=nan -o a.png", "a layer must be a finite number"},
         BadInput{"render coplanar --layer poster=1e39 -o a.png", "a layer must be a finite float"},

@@ -96,6 +96,7 @@ const std::vector<Numbers> kNumbersOfCommands{
       "--snap-bits @",
       "--translucency-memory @",
       "--texture-memory @",
+      "--points @",
       "--split ratio:@",
       "--split count:@",
       "--split at:@",

@@ -129,6 +129,7 @@ TEST_F(RenderState, IsOfOneRun) {
         expectRefused(std::string(kRender) + option, other);
     }
     expectRefused(std::string("--texture-memory 5 ") + kRender, other);
+    expectRefused(std::string("--points 0.5 ") + kRender, other);
     // What changes nothing of a frame.
     for (const char* option : {"--json b.json", "--threads 1", "--aov color"}) {
         EXPECT_EQ(run(std::string("--quiet --validate --bind ") + kRender + option).status, 0) << option;

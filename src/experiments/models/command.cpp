@@ -106,6 +106,7 @@ void run(Command& command, ModelsArguments& arguments) {
         choice.camera = arguments.camera;
         choice.light = light;
         choice.textureMiB = command.global().textureMiB;
+        choice.pointRadius = command.global().pointRadius;
         const scene::SceneSetup model = openModel(command, file, choice, arguments.seconds);
         choice.light = scene::ModelLight::lamps;
         scene::OpenedScene plain = scene::openGltf(file, choice);

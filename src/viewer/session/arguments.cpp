@@ -75,6 +75,7 @@ void addPlace(CLI::App& program, Arguments& arguments) {
     experiments::addSceneChoice(program, arguments.choice);
     experiments::addAnimationChoice(program, arguments.choice);
     experiments::addTextureMemory(program, arguments.choice.textureMiB);
+    experiments::addPointRadius(program, arguments.choice.pointRadius);
     program.option_defaults()->group("Options");
 }
 

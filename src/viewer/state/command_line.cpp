@@ -162,6 +162,8 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
                     fmt::format("{}", settings.choice.framesPerSecond.value_or(0.0)));
     words.addUnless(!settings.choice.textureMiB, "--texture-memory",
                     fmt::format("{}", settings.choice.textureMiB.value_or(0)));
+    words.addUnless(!settings.choice.pointRadius, "--points",
+                    fmt::format("{}", settings.choice.pointRadius.value_or(0.0)));
     words.addUnless(settings.seed == scenes::kDefaultSeed, "--seed", fmt::format("{}", settings.seed));
     words.add("--size", fmt::format("{}x{}", view.extent.width, view.extent.height));
     words.addUnless(aovOf(settings.view) == "color", "--aov", aovOf(settings.view));

@@ -65,6 +65,14 @@ TEST(RenderCommand, KeepsTheTexturesBudget) {
     EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--texture-memory"), "64");
 }
 
+TEST(RenderCommand, KeepsTheRadiusOfPoints) {
+    ReproducedView view = viewWith(kOwn);
+    EXPECT_EQ(renderCommand(view, "a.png").find("--points"), std::string::npos);
+    view.settings.scene = "model.glb";
+    view.settings.choice.pointRadius = 0.1;
+    EXPECT_EQ(valueOf(renderCommand(view, "a.png"), "--points"), "0.1");
+}
+
 TEST(RenderCommand, SaysTheLayersThatWereChosen) {
     ReproducedView view = viewWith(kOwn);
     view.settings.layers = {{"paint", 0.002f}, {"road sign", -1.5f}, {"#3", 0.0f}};
