@@ -10,6 +10,7 @@
 #include <fstream>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace cdr::cli_test {
 
@@ -79,6 +80,24 @@ TEST(Files, ABudgetShrinksTexturesAndSaysSo) {
     const ProgramResult whole = runProgram("render m.gltf --size 16x16 -o c.png", folder.path());
     EXPECT_EQ(whole.status, 0) << whole.err;
     EXPECT_EQ(whole.out.find("shown smaller"), std::string::npos) << whole.out;
+}
+
+/// In front of a command or behind it, and whatever command opens the file.
+TEST(Files, ARadiusOfPointsChangesThePicture) {
+    const TemporaryFolder folder;
+    const std::string survey = CDR_SOURCE_DIR "/tests/assets/survey.glb --camera 0 --size 64x36 ";
+    const std::vector<std::string> lines{
+        "render " + survey + "-o plain.png", "render " + survey + "--points 0.2 -o behind.png",
+        "--points 0.2 render " + survey + "-o before.png", "models " + survey + "--out plain",
+        "models " + survey + "--points 0.2 --out thick"};
+    for (const std::string& arguments : lines) {
+        const ProgramResult result = runProgram(arguments, folder.path());
+        EXPECT_EQ(result.status, 0) << arguments << result.err;
+    }
+    EXPECT_NE(readText(folder.path() / "plain.png"), readText(folder.path() / "behind.png"));
+    EXPECT_EQ(readText(folder.path() / "before.png"), readText(folder.path() / "behind.png"));
+    EXPECT_NE(readText(folder.path() / "plain" / "survey.png"),
+              readText(folder.path() / "thick" / "survey.png"));
 }
 
 TEST(Files, DevicesTakeSeveralOutputs) {
