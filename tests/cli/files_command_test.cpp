@@ -86,10 +86,12 @@ TEST(Files, ABudgetShrinksTexturesAndSaysSo) {
 TEST(Files, ARadiusOfPointsChangesThePicture) {
     const TemporaryFolder folder;
     const std::string survey = CDR_SOURCE_DIR "/tests/assets/survey.glb --camera 0 --size 64x36 ";
-    const std::vector<std::string> lines{
-        "render " + survey + "-o plain.png", "render " + survey + "--points 0.2 -o behind.png",
-        "--points 0.2 render " + survey + "-o before.png", "models " + survey + "--out plain",
-        "models " + survey + "--points 0.2 --out thick"};
+    const std::vector<std::string> lines{"render " + survey + "-o plain.png",
+                                         "render " + survey + "--points 0.2 -o behind.png",
+                                         "--points 0.2 render " + survey + "-o before.png",
+                                         "models " + survey + "--out plain",
+                                         "models " + survey + "--points 0.2 --out thick",
+                                         "render sheets --size 64x36 --points 0.2 -o sheets.png"};
     for (const std::string& arguments : lines) {
         const ProgramResult result = runProgram(arguments, folder.path());
         EXPECT_EQ(result.status, 0) << arguments << result.err;
