@@ -1,5 +1,4 @@
 #include <cdr/gpu/commands.h>
-#include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/shaders/rival_depth_test_frag.h>
 #include <cdr/shaders/rival_depth_written_frag.h>
 #include <cdr/shaders/rival_view_vert.h>
@@ -46,12 +45,12 @@ DepthTestPass::DepthTestPass(const gpu::Device& device, const depth::Technique& 
               "contender depth"),
       m_readback(device, extent, sizeof(SurfacePixel), "contender readback"),
       m_layout(gpu::makePipelineLayout(device, {{}, {FrameDraws::pushRange()}}, "contender layout")),
-      m_compact(makePipeline(device, Span::compact)),
-      m_wide(makePipeline(device, Span::wide)) {}
+      m_compact(makePipeline(device, render::Span::compact)),
+      m_wide(makePipeline(device, render::Span::wide)) {}
 
-gpu::Pipeline DepthTestPass::makePipeline(const gpu::Device& device, Span span) const {
-    const bool isWide = span == Span::wide;
-    const std::uint32_t form = render::depthFormOf(m_mapping, isWide);
+gpu::Pipeline DepthTestPass::makePipeline(const gpu::Device& device, render::Span span) const {
+    const bool isWide = span == render::Span::wide;
+    const std::uint32_t form = render::depthFormOf(m_mapping, span);
     return gpu::makeGraphicsPipeline(
         device, {.name = isWide ? "contender, wide" : "contender",
                  .vertexSpirv = kRivalViewVert,

@@ -2,6 +2,7 @@
 
 #include <cdr/gpu/memory.h>
 #include <cdr/gpu/pipeline.h>
+#include <cdr/render/geometry/geometry_pipelines.h>
 #include <cdr/render/readback.h>
 
 #include <rivals/visibility_pass.h>
@@ -19,8 +20,7 @@ class DepthTestPass final : public VisibilityPass {
     VisibleSurfaces fetch(const render::FrameView& view) const override;
 
   private:
-    enum class Span : std::uint8_t { compact, wide };
-    gpu::Pipeline makePipeline(const gpu::Device& device, Span span) const;
+    gpu::Pipeline makePipeline(const gpu::Device& device, render::Span span) const;
     vk::ClearDepthStencilValue clearDepth() const;
 
     depth::Mapping m_mapping;

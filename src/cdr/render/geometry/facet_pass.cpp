@@ -44,21 +44,22 @@ FacetPass::FacetPass(const gpu::Device& device, const GpuScene& scene, FacetMesh
       m_layout(gpu::makePipelineLayout(
           device, {{}, {{.stageFlags = GeometryPipelines::kStages, .size = sizeof(shaders::CascadePush)}}},
           "facet layout")),
-      m_compact(options.output == GeometryOutput::depth ? makeOccluder(device, false)
-                                                        : makePipeline(device, false)),
-      m_wide(options.output == GeometryOutput::depth ? makeOccluder(device, true)
-                                                     : makePipeline(device, true)) {}
+      m_compact(options.output == GeometryOutput::depth ? makeOccluder(device, Span::compact)
+                                                        : makePipeline(device, Span::compact)),
+      m_wide(options.output == GeometryOutput::depth ? makeOccluder(device, Span::wide)
+                                                     : makePipeline(device, Span::wide)) {}
 
 vk::Format FacetPass::surfaceFormat() const {
     return m_options.output == GeometryOutput::depth ? vk::Format::eUndefined : kVisibilityFormat;
 }
 
-gpu::Pipeline FacetPass::makeOccluder(const gpu::Device& device, bool wide) const {
+gpu::Pipeline FacetPass::makeOccluder(const gpu::Device& device, Span span) const {
+    const bool isWide = span == Span::wide;
     return gpu::makeGraphicsPipeline(device,
-                                     {.name = wide ? "facet occluders, wide" : "facet occluders",
+                                     {.name = isWide ? "facet occluders, wide" : "facet occluders",
                                       .vertexSpirv = kFacetOccluderVert,
-                                      .fragmentSpirv = wide ? gpu::Spirv(kOccluderFrag) : gpu::Spirv(),
-                                      .constants = {shaders::kDepthFormLinear, 0u, 0u, wide ? 1u : 0u, 0u,
+                                      .fragmentSpirv = isWide ? gpu::Spirv(kOccluderFrag) : gpu::Spirv(),
+                                      .constants = {shaders::kDepthFormLinear, 0u, 0u, isWide ? 1u : 0u, 0u,
                                                     std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
                                                     std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
                                       .layout = m_layout,
@@ -69,18 +70,20 @@ gpu::Pipeline FacetPass::makeOccluder(const gpu::Device& device, bool wide) cons
                                       .depthCompare = vk::CompareOp::eGreaterOrEqual});
 }
 
-gpu::Pipeline FacetPass::makePipeline(const gpu::Device& device, bool wide) const {
-    const std::uint32_t form = depthFormOf(mapping(), wide);
+gpu::Pipeline FacetPass::makePipeline(const gpu::Device& device, Span span) const {
+    const bool isWide = span == Span::wide;
+    const std::uint32_t form = depthFormOf(mapping(), span);
     const bool writesDepth = form == shaders::kDepthFormLogFragment;
-    const bool cuts = wide || writesDepth;
+    const bool cuts = isWide || writesDepth;
     return gpu::makeGraphicsPipeline(
         device,
-        {.name = wide ? "facets, wide" : "facets",
+        {.name = isWide ? "facets, wide" : "facets",
          .vertexSpirv = cuts ? gpu::Spirv(kFacetCutVert) : gpu::Spirv(kFacetVert),
          .fragmentSpirv = writesDepth ? gpu::Spirv(kFacetDepthFrag)
                           : cuts      ? gpu::Spirv(kFacetCutFrag)
                                       : gpu::Spirv(kFacetFrag),
-         .constants = {form, 0u, 0u, wide ? 1u : 0u, 0u, std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
+         .constants = {form, 0u, 0u, isWide ? 1u : 0u, 0u,
+                       std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
                        std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
          .layout = m_layout,
          .bindings = {kBinding},

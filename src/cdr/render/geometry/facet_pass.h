@@ -40,8 +40,8 @@ class FacetPass {
     depth::Mapping mapping() const { return m_options.technique.mapping; }
 
   private:
-    gpu::Pipeline makePipeline(const gpu::Device& device, bool wide) const;
-    gpu::Pipeline makeOccluder(const gpu::Device& device, bool wide) const;
+    gpu::Pipeline makePipeline(const gpu::Device& device, Span span) const;
+    gpu::Pipeline makeOccluder(const gpu::Device& device, Span span) const;
 
     const GpuScene& m_scene;
     FacetMeshes m_meshes;

@@ -47,8 +47,8 @@ class GeometryPass::StateBinder {
           m_commands(commands),
           m_constants(constants) {}
 
-    void bind(const DrawKind& kind, bool wide) {
-        const vk::Pipeline pipeline = m_pipelines.pipeline(kind.variant, wide);
+    void bind(const DrawKind& kind, Span span) {
+        const vk::Pipeline pipeline = m_pipelines.pipeline(kind.variant, span);
         if (pipeline != m_pipeline) {
             bindForCascade(m_commands, pipeline, m_pipelines.layout(), m_constants);
             m_pipeline = pipeline;
@@ -122,10 +122,10 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
         const std::uint32_t kindIndex = sources[instances[first]].kind;
         const std::uint32_t level = levels == nullptr ? 0 : levels[first];
         const visibility::ClusterRun clusters = runs == nullptr ? visibility::ClusterRun{} : runs[first];
-        const bool wide = first >= wideBegin;
+        const Span span = first >= wideBegin ? Span::wide : Span::compact;
         // A run ends with its kind, its level, its clusters, its bucket or its job.
         const std::size_t limit = m_batching != Batching::instanced ? first + 1
-                                  : wide                            ? job.draws.end
+                                  : span == Span::wide              ? job.draws.end
                                                                     : std::min(wideBegin, job.draws.end);
         const auto isOfRun = [&](std::size_t draw) {
             return sources[instances[draw]].kind == kindIndex &&
@@ -140,7 +140,7 @@ void GeometryPass::record(vk::CommandBuffer commands, const DrawJob& job, const 
             recording.records[end] = records.make(source, materials[source.material]);
         }
         const DrawKind& kind = kinds[kindIndex];
-        state.bind(kind, wide);
+        state.bind(kind, span);
         if (m_batching == Batching::pushConstants) {
             m_pushConstants(
                 commands, m_pipelines.layout(), static_cast<VkShaderStageFlags>(GeometryPipelines::kStages),
@@ -162,11 +162,11 @@ void GeometryPass::recordIndirect(vk::CommandBuffer commands, const FrameView& v
     constexpr std::size_t kCommandBytes = sizeof(vk::DrawIndexedIndirectCommand);
     beginJob(commands, view, cascade, draws.records);
     StateBinder state(m_pipelines, commands, makeCascadePush(view, cascade));
-    for (const bool wide : {false, true}) {
-        const std::size_t bucket = 2 * cascade + (wide ? 1 : 0);
+    for (const Span span : {Span::compact, Span::wide}) {
+        const std::size_t bucket = 2 * cascade + (span == Span::wide ? 1 : 0);
         for (std::size_t group = 0; group < draws.groups.size(); ++group) {
             const RunGroup& runs = draws.groups[group];
-            state.bind(m_scene.kinds()[runs.kind], wide);
+            state.bind(m_scene.kinds()[runs.kind], span);
             commands.drawIndexedIndirectCount(
                 draws.commands, (bucket * draws.runs + runs.begin) * kCommandBytes, draws.counts,
                 (bucket * draws.groups.size() + group) * sizeof(std::uint32_t),

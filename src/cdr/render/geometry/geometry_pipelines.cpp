@@ -166,11 +166,11 @@ void GeometryPipelines::follow(const gpu::Device& device, const GpuScene& scene)
 }
 
 void GeometryPipelines::provide(const gpu::Device& device, std::uint32_t variant) {
-    for (const bool wide : {false, true}) {
-        gpu::Pipeline& pipeline = (wide ? m_wide : m_compact)[variant];
+    for (const Span span : {Span::compact, Span::wide}) {
+        gpu::Pipeline& pipeline = (span == Span::wide ? m_wide : m_compact)[variant];
         if (!pipeline) {
-            pipeline = m_options.output == GeometryOutput::depth ? makeOccluder(device, wide)
-                                                                 : makeSurfaces(device, variant, wide);
+            pipeline = m_options.output == GeometryOutput::depth ? makeOccluder(device, span)
+                                                                 : makeSurfaces(device, variant, span);
         }
     }
 }
@@ -183,8 +183,8 @@ double wideSpan(depth::Mapping mapping, std::size_t cascades) {
     return cascades > 1 ? kLinearWideSpan : std::numeric_limits<double>::infinity();
 }
 
-std::uint32_t depthFormOf(depth::Mapping mapping, bool wide) {
-    if (mapping == depth::Mapping::logFragment || (wide && mapping == depth::Mapping::log)) {
+std::uint32_t depthFormOf(depth::Mapping mapping, Span span) {
+    if (mapping == depth::Mapping::logFragment || (span == Span::wide && mapping == depth::Mapping::log)) {
         return shaders::kDepthFormLogFragment;
     }
     return mapping == depth::Mapping::log ? shaders::kDepthFormLog : shaders::kDepthFormLinear;
@@ -198,12 +198,13 @@ vk::Format GeometryPipelines::surfaceFormat() const {
     return m_options.output == GeometryOutput::depth ? vk::Format::eUndefined : kGBufferFormat;
 }
 
-gpu::Pipeline GeometryPipelines::makeOccluder(const gpu::Device& device, bool wide) const {
+gpu::Pipeline GeometryPipelines::makeOccluder(const gpu::Device& device, Span span) const {
+    const bool isWide = span == Span::wide;
     return gpu::makeGraphicsPipeline(device,
-                                     {.name = wide ? "occluders, wide" : "occluders",
+                                     {.name = isWide ? "occluders, wide" : "occluders",
                                       .vertexSpirv = kOccluderVert,
-                                      .fragmentSpirv = wide ? Spirv(kOccluderFrag) : Spirv(),
-                                      .constants = {shaders::kDepthFormLinear, 0u, 0u, wide ? 1u : 0u, 0u,
+                                      .fragmentSpirv = isWide ? Spirv(kOccluderFrag) : Spirv(),
+                                      .constants = {shaders::kDepthFormLinear, 0u, 0u, isWide ? 1u : 0u, 0u,
                                                     std::bit_cast<std::uint32_t>(m_options.snapSteps.x),
                                                     std::bit_cast<std::uint32_t>(m_options.snapSteps.y)},
                                       .layout = m_layout,
@@ -215,17 +216,18 @@ gpu::Pipeline GeometryPipelines::makeOccluder(const gpu::Device& device, bool wi
 }
 
 gpu::Pipeline GeometryPipelines::makeSurfaces(const gpu::Device& device, std::uint32_t variant,
-                                              bool wide) const {
+                                              Span span) const {
+    const bool isWide = span == Span::wide;
     const depth::Mapping mapping = m_options.technique.mapping;
-    const std::uint32_t form = depthFormOf(mapping, wide);
+    const std::uint32_t form = depthFormOf(mapping, span);
     const bool writesDepth = form == shaders::kDepthFormLogFragment;
     const bool isBiased = m_options.layers.method == LayerMethod::polygonOffset;
     const bool isLayered = (variant & kLayeredVariant) != 0;
     const bool movesDepth = isLayered && !isBiased;
-    const bool cutsFragments = wide || movesDepth;
+    const bool cutsFragments = isWide || movesDepth;
     const ShaderKind shaderKind = shaderKindOf(variant);
     return gpu::makeGraphicsPipeline(
-        device, {.name = wide ? "geometry, wide" : "geometry",
+        device, {.name = isWide ? "geometry, wide" : "geometry",
                  .vertexSpirv = vertexShader(m_options.batching, shaderKind),
                  .fragmentSpirv = fragmentShader(writesDepth, shaderKind, movesDepth),
                  .constants = {form, variant & kTexturedVariant ? 1u : 0u, variant & kMaskedVariant ? 1u : 0u,

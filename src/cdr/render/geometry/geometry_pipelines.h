@@ -40,8 +40,11 @@ struct GeometryOptions {
 /// depth, per fragment. Infinity for none.
 double wideSpan(depth::Mapping mapping, std::size_t cascades);
 
+/// How an instance is drawn: wide beyond wideSpan().
+enum class Span : std::uint8_t { compact, wide };
+
 /// How pipelines of a mapping form depth: shaders::kDepthFormLinear and its siblings.
-std::uint32_t depthFormOf(depth::Mapping mapping, bool wide);
+std::uint32_t depthFormOf(depth::Mapping mapping, Span span);
 
 /// The clear value fails this comparison by nothing but equality.
 vk::CompareOp depthCompareOf(depth::Mapping mapping);
@@ -59,9 +62,9 @@ class GeometryPipelines {
     depth::Mapping mapping() const { return m_options.technique.mapping; }
     bool emission() const { return m_options.emission && m_options.output != GeometryOutput::depth; }
     const LayerOptions& layers() const { return m_options.layers; }
-    /// Of a variant that some kind of the scene has. @param wide cuts per fragment, see render::wideSpan().
-    vk::Pipeline pipeline(std::uint32_t variant, bool wide) const {
-        return *(wide ? m_wide : m_compact)[variant];
+    /// Of a variant that some kind of the scene has.
+    vk::Pipeline pipeline(std::uint32_t variant, Span span) const {
+        return *(span == Span::wide ? m_wide : m_compact)[variant];
     }
 
     /// Of the colour attachment; eUndefined where there is none.
@@ -76,8 +79,8 @@ class GeometryPipelines {
   private:
     using Pipelines = std::array<gpu::Pipeline, kPipelineVariants>; ///< empty where no kind needs one
     void provide(const gpu::Device& device, std::uint32_t variant);
-    gpu::Pipeline makeSurfaces(const gpu::Device& device, std::uint32_t variant, bool wide) const;
-    gpu::Pipeline makeOccluder(const gpu::Device& device, bool wide) const;
+    gpu::Pipeline makeSurfaces(const gpu::Device& device, std::uint32_t variant, Span span) const;
+    gpu::Pipeline makeOccluder(const gpu::Device& device, Span span) const;
 
     GeometryOptions m_options;
     vk::Format m_depthFormat;
