@@ -3,6 +3,7 @@
 #include <cdr/base/suggest.h>
 #include <cdr/host/document.h>
 #include <cdr/host/file.h>
+#include <cdr/host/input_file.h>
 #include <cdr/host/sha256.h>
 
 #include <fcntl.h>
@@ -54,6 +55,34 @@ TEST_F(FileTest, RefusesMissingFoldersAndTooLargeFiles) {
     EXPECT_THROW(cdr::host::readFile(path("b.bin"), 9), InputError);
     EXPECT_THROW(cdr::host::readFile(path(""), 9), InputError);
     EXPECT_THROW(cdr::host::readFile("/dev/zero", 9), InputError);
+}
+
+TEST_F(FileTest, ReadsPartsOfAnOpenFile) {
+    cdr::host::writeFile(path("a.bin"), Bytes{1, 2, 3, 4, 5});
+    EXPECT_THROW(cdr::host::InputFile(path("a.bin"), 4), InputError);
+    EXPECT_THROW(cdr::host::InputFile(path("b.bin"), 9), InputError);
+    EXPECT_THROW(cdr::host::InputFile("/dev/zero", 9), InputError);
+    const cdr::host::InputFile file(path("a.bin"), 5);
+    EXPECT_EQ(file.size(), 5u);
+    Bytes part(3);
+    EXPECT_TRUE(file.read(2, part));
+    EXPECT_EQ(part, (Bytes{3, 4, 5}));
+    EXPECT_TRUE(file.read(0, part));
+    EXPECT_EQ(part, (Bytes{1, 2, 3}));
+    EXPECT_FALSE(file.read(3, part)) << "reads beyond the end";
+    EXPECT_TRUE(file.read(5, {}));
+    cdr::host::writeFile(path("a.bin"), Bytes{9, 9, 9, 9, 9});
+    EXPECT_TRUE(file.read(0, part));
+    EXPECT_EQ(part, (Bytes{1, 2, 3})) << "another file has its name now";
+}
+
+TEST_F(FileTest, AFileThatBecomesShorterCannotBeRead) {
+    cdr::host::writeFile(path("a.bin"), Bytes{1, 2, 3, 4, 5});
+    const cdr::host::InputFile file(path("a.bin"), 5);
+    fs::resize_file(path("a.bin"), 2);
+    Bytes part(3);
+    EXPECT_FALSE(file.read(0, part));
+    EXPECT_EQ(file.size(), 5u);
 }
 
 TEST_F(FileTest, AFailedWriteLeavesTheOldFileAndNothingElse) {

@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
+#include <cdr/host/input_file.h>
 #include <cdr/host/process.h>
 
 #include <fcntl.h>
@@ -10,7 +11,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
-#include <fstream>
 #include <limits>
 #include <random>
 #include <string>
@@ -123,29 +123,9 @@ bool isWritable(int descriptor) {
 } // namespace
 
 Bytes readFile(const fs::path& path, std::uintmax_t maxBytes) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found) {
-        throw base::InputError(path.string() + ": no such file");
-    }
-    if (error) {
-        throw base::InputError(path.string() + ": " + error.message());
-    }
-    if (!fs::is_regular_file(status)) {
-        throw base::InputError(path.string() + ": not a regular file");
-    }
-    const std::uintmax_t size = fs::file_size(path, error);
-    if (error) {
-        throw base::InputError(path.string() + ": " + error.message());
-    }
-    if (size > maxBytes) {
-        throw base::InputError(path.string() + ": " + std::to_string(size) + " bytes is over the limit of " +
-                               std::to_string(maxBytes));
-    }
-    Bytes bytes(static_cast<std::size_t>(size));
-    std::ifstream stream(path, std::ios::binary);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!stream || static_cast<std::uintmax_t>(stream.gcount()) != size) {
+    const InputFile file(path, maxBytes);
+    Bytes bytes(static_cast<std::size_t>(file.size()));
+    if (!file.read(0, bytes)) {
         throw base::InputError(path.string() + ": cannot be read");
     }
     return bytes;
