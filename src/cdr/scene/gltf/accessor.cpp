@@ -22,15 +22,16 @@ std::size_t byteOffset(const json& part) {
 
 /// Refuses elements of which any byte lies outside the view. No sum here can overflow: all numbers are below
 /// 2^31.
-Strided locate(const BufferView& view, std::size_t offset, std::size_t stride, std::size_t elementBytes,
-               std::size_t count, int accessor) {
+Strided locate(const Buffers& buffers, const BufferView& view, std::size_t offset, std::size_t stride,
+               std::size_t elementBytes, std::size_t count, int accessor) {
     const std::size_t needed = count == 0 ? 0 : offset + stride * (count - 1) + elementBytes;
     if (stride < elementBytes || needed > view.bytes.size()) {
         refuse(
             "accessor {}: {} elements of {} bytes, {} apart, from byte {} do not fit its buffer view of {}",
             accessor, count, elementBytes, stride, offset, view.bytes.size());
     }
-    return {view.bytes.data() + std::min(offset, view.bytes.size()), stride};
+    const std::size_t first = std::min(offset, view.bytes.size());
+    return {view.bytes.part(first, view.bytes.size() - first), stride, buffers.blocks()};
 }
 
 } // namespace
@@ -42,11 +43,11 @@ Accessor::Accessor(const json& root, const Buffers& buffers, int index) {
     m_componentType = requiredIndex(accessor, "componentType", where);
     m_normalized = boolMember(accessor, "normalized", where);
     m_count = static_cast<std::size_t>(requiredIndex(accessor, "count", where));
-    const std::size_t elementBytes = static_cast<std::size_t>(m_components) * componentBytes(m_componentType);
+    m_elementBytes = static_cast<std::size_t>(m_components) * componentBytes(m_componentType);
     if (const std::optional<int> bufferView = indexMember(accessor, "bufferView")) {
         const BufferView view = buffers.view(*bufferView);
-        m_elements = locate(view, byteOffset(accessor), view.stride == 0 ? elementBytes : view.stride,
-                            elementBytes, m_count, index);
+        m_elements = locate(buffers, view, byteOffset(accessor),
+                            view.stride == 0 ? m_elementBytes : view.stride, m_elementBytes, m_count, index);
     }
     if (member(accessor, "sparse") != nullptr) {
         readSparse(objectMember(accessor, "sparse", where), buffers, index);
@@ -68,20 +69,24 @@ void Accessor::readSparse(const json& sparse, const Buffers& buffers, int index)
                m_sparseIndexType);
     }
     const auto packed = [&](const json& part, std::size_t elementBytes) {
-        return locate(buffers.view(requiredIndex(part, "bufferView", where)), byteOffset(part), elementBytes,
-                      elementBytes, m_sparseCount, index);
+        return locate(buffers, buffers.view(requiredIndex(part, "bufferView", where)), byteOffset(part),
+                      elementBytes, elementBytes, m_sparseCount, index);
     };
     m_sparseIndices = packed(indices, componentBytes(m_sparseIndexType));
-    m_sparseElements =
-        packed(values, static_cast<std::size_t>(m_components) * componentBytes(m_componentType));
+    m_sparseElements = packed(values, m_elementBytes);
+    std::uint32_t before = 0;
     for (std::size_t i = 0; i < m_sparseCount; ++i) {
-        const std::uint32_t current = unsignedAt(m_sparseIndices.at(i), m_sparseIndexType);
-        if (current >= m_count ||
-            (i > 0 && current <= unsignedAt(m_sparseIndices.at(i - 1), m_sparseIndexType))) {
+        const std::uint32_t current = sparseIndex(i);
+        if (current >= m_count || (i > 0 && current <= before)) {
             refuse("accessor {}: its sparse indices do not increase or exceed its {} elements", index,
                    m_count);
         }
+        before = current;
     }
+}
+
+std::uint32_t Accessor::sparseIndex(std::size_t i) const {
+    return unsignedAt(m_sparseIndices.at(i, componentBytes(m_sparseIndexType)), m_sparseIndexType);
 }
 
 const std::uint8_t* Accessor::element(std::size_t i) const {
@@ -89,13 +94,13 @@ const std::uint8_t* Accessor::element(std::size_t i) const {
     std::size_t high = m_sparseCount;
     while (low < high) {
         const std::size_t middle = low + (high - low) / 2;
-        const std::size_t found = unsignedAt(m_sparseIndices.at(middle), m_sparseIndexType);
+        const std::size_t found = sparseIndex(middle);
         if (found == i) {
-            return m_sparseElements.at(middle);
+            return m_sparseElements.at(middle, m_elementBytes);
         }
         (found < i ? low : high) = found < i ? middle + 1 : middle;
     }
-    return hasData() ? m_elements.at(i) : nullptr;
+    return hasData() ? m_elements.at(i, m_elementBytes) : nullptr;
 }
 
 glm::vec4 Accessor::vector(std::size_t i) const {
@@ -131,6 +136,14 @@ void Accessor::requireIndices(int index) const {
     if (m_components != 1 || !isIndexType(m_componentType) || m_normalized) {
         refuse("accessor {} cannot hold vertex indices: it is not a SCALAR of unsigned integers", index);
     }
+}
+
+std::size_t bytesApartInFile(std::initializer_list<const Accessor*> accessors) {
+    std::size_t bytes = 0;
+    for (const Accessor* accessor : accessors) {
+        bytes += accessor == nullptr ? 0 : accessor->bytesApartInFile();
+    }
+    return bytes;
 }
 
 Accessors::Accessors(const json& root, const Buffers& buffers) : m_root(root), m_buffers(buffers) {}

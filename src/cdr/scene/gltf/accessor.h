@@ -6,19 +6,45 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 
 namespace cdr::scene::gltf {
 
-/// Elements at even distances inside a buffer; `first` is null for elements that are zero.
-struct Strided {
-    const std::uint8_t* first = nullptr;
-    std::size_t stride = 0;
+/// Elements at even distances inside a buffer; by default elements that are zero.
+class Strided {
+  public:
+    Strided() = default;
+    /// In memory that outlives this.
+    Strided(const std::uint8_t* first, std::size_t stride) : m_first(first), m_stride(stride) {}
+    /// @param bytes that others own or keep open longer than this. @param blocks must outlive this.
+    Strided(const ByteSource& bytes, std::size_t stride, BlockCache& blocks)
+        : m_first(bytes.inMemory()),
+          m_stride(stride),
+          m_file(bytes.file()),
+          m_offset(bytes.offsetInFile()),
+          m_blocks(&blocks) {}
 
-    const std::uint8_t* at(std::size_t i) const { return first + i * stride; }
+    bool isThere() const { return m_first != nullptr || m_file != nullptr; }
+    /// From one element to the next in a file, 0 if they are in memory.
+    std::size_t bytesApartInFile() const { return m_file != nullptr ? m_stride : 0; }
+    /// The bytes of an element of `length`, until those of another one are asked for.
+    const std::uint8_t* at(std::size_t i, std::size_t length) const {
+        return m_file == nullptr ? m_first + i * m_stride
+                                 : m_blocks->at(*m_file, m_offset + i * m_stride, length, m_hint);
+    }
+
+  private:
+    const std::uint8_t* m_first = nullptr;
+    std::size_t m_stride = 0;
+    const OpenFile* m_file = nullptr;
+    std::uint64_t m_offset = 0;
+    BlockCache* m_blocks = nullptr;
+    mutable BlockCache::Hint m_hint = 0;
 };
 
-/// One accessor. Every byte that its elements can touch was checked to lie inside its buffer.
+/// One accessor. Every byte that its elements can touch was checked to lie inside its buffer. They are read when they are
+/// asked for, so one thread reads at a time.
 class Accessor {
   public:
     /// @param root of the document.
@@ -33,7 +59,9 @@ class Accessor {
     /// glTF's number.
     int componentType() const { return m_componentType; }
     /// Whether bytes in the file back its elements, sparse ones aside.
-    bool hasData() const { return m_elements.first != nullptr; }
+    bool hasData() const { return m_elements.isThere(); }
+    /// From one element to the next in a file, 0 if they are in memory.
+    std::size_t bytesApartInFile() const { return m_elements.bytesApartInFile(); }
     bool isSparse() const { return m_sparseCount > 0; }
 
     /// Element `i` < count() as floats, absent components as in (0, 0, 0, 1); of a matrix its first column.
@@ -48,10 +76,12 @@ class Accessor {
   private:
     void readSparse(const nlohmann::json& sparse, const Buffers& buffers, int index);
     const std::uint8_t* element(std::size_t i) const;
+    std::uint32_t sparseIndex(std::size_t i) const;
 
     std::size_t m_count = 0;
     int m_components = 0;
     int m_componentType = 0;
+    std::size_t m_elementBytes = 0;
     bool m_normalized = false;
     Strided m_elements;
     std::size_t m_sparseCount = 0;
@@ -59,6 +89,9 @@ class Accessor {
     Strided m_sparseIndices; ///< increasing
     Strided m_sparseElements;
 };
+
+/// From one element to the next, all that is in files of the elements of these together; null ones have none.
+std::size_t bytesApartInFile(std::initializer_list<const Accessor*> accessors);
 
 /// A document's accessors, each checked once, when first used.
 class Accessors {

@@ -12,7 +12,6 @@
 #include "nodes.h"
 #include "solids/solids.h"
 
-#include <cdr/host/file.h>
 #include <cdr/scene/gltf/gltf.h>
 #include <cdr/scene/lod/mesh_pieces.h>
 
@@ -23,6 +22,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -328,11 +328,12 @@ std::uint32_t Importer::materialIn(std::optional<float> layer, std::uint32_t mat
     return found->second;
 }
 
-GltfImport importParts(std::span<const std::uint8_t> file, const std::filesystem::path& path,
-                       const GltfLimits& limits, std::optional<std::uint32_t> scene) {
-    const Container container = openContainer(file);
+GltfImport importParts(const ByteSource& file, const std::filesystem::path& path, const GltfLimits& limits,
+                       std::optional<std::uint32_t> scene) {
+    Container container = openContainer(file);
     Notes notes;
-    const Document document = parseDocument(container.json, limits, notes);
+    const Document document = parseDocument(container.text(), limits, notes);
+    container.json = {}; // which may be most of a file that has its buffers in data URIs
     Files files(path.parent_path(), limits);
     const Buffers buffers(document.root, container.bin, files, limits);
     GltfImport result;
@@ -350,8 +351,8 @@ GltfImport importParts(std::span<const std::uint8_t> file, const std::filesystem
 
 } // namespace
 
-GltfImport importGltf(std::span<const std::uint8_t> file, const std::filesystem::path& path,
-                      const GltfLimits& limits, std::optional<std::uint32_t> scene) {
+GltfImport importGltf(const ByteSource& file, const std::filesystem::path& path, const GltfLimits& limits,
+                      std::optional<std::uint32_t> scene) {
     try {
         return importParts(file, path, limits, scene);
     } catch (const base::InputError& error) {
@@ -359,11 +360,17 @@ GltfImport importGltf(std::span<const std::uint8_t> file, const std::filesystem:
     }
 }
 
+GltfImport importGltf(std::span<const std::uint8_t> file, const std::filesystem::path& path,
+                      const GltfLimits& limits, std::optional<std::uint32_t> scene) {
+    return importGltf(ByteSource(file), path, limits, scene);
+}
+
 } // namespace gltf
 
 GltfImport loadGltf(const std::filesystem::path& path, const GltfLimits& limits,
                     std::optional<std::uint32_t> scene) {
-    return gltf::importGltf(host::readFile(path, limits.maxFileBytes), path, limits, scene);
+    const gltf::ByteSource file(std::make_shared<const gltf::OpenFile>(path, limits.maxFileBytes, ""));
+    return gltf::importGltf(file, path, limits, scene);
 }
 
 } // namespace cdr::scene

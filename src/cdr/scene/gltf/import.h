@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bytes/byte_source.h"
+
 #include <cdr/scene/gltf/gltf.h>
 
 #include <cstdint>
@@ -13,5 +15,9 @@ namespace cdr::scene::gltf {
 /// they refer to, and its name starts messages.
 GltfImport importGltf(std::span<const std::uint8_t> file, const std::filesystem::path& path,
                       const GltfLimits& limits, std::optional<std::uint32_t> scene = {});
+
+/// The same of bytes that may be in a file. What is read of them more than once may have changed, which is refused or harmless.
+GltfImport importGltf(const ByteSource& file, const std::filesystem::path& path, const GltfLimits& limits,
+                      std::optional<std::uint32_t> scene = {});
 
 } // namespace cdr::scene::gltf

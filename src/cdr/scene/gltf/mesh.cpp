@@ -1,5 +1,6 @@
 #include "mesh.h"
 
+#include "bytes/reading_order.h"
 #include "checks.h"
 #include "draco/decompressor.h"
 #include "materials/tangents.h"
@@ -9,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 
 namespace cdr::scene::gltf {
@@ -277,11 +279,29 @@ VertexDetail MeshImporter::readDetail(const Attributes& attributes, std::uint32_
     return detail;
 }
 
-void MeshImporter::addVertex(SourceMesh& mesh, const Attributes& attributes, std::uint32_t index,
-                             const std::string& where) {
-    mesh.vertices.push_back(readVertex(attributes, index, where));
-    if (attributes.places.hasDetail()) {
-        mesh.details.push_back(readDetail(attributes, index, mesh.vertices.back().normal, where));
+void MeshImporter::addVertices(SourceMesh& mesh, const Attributes& attributes,
+                               std::span<const std::uint32_t> indices, const std::string& where) {
+    const bool hasDetail = attributes.places.hasDetail();
+    const std::vector<std::uint32_t> order =
+        readingOrder(indices, bytesApartInFile({attributes.position, attributes.normal, attributes.uv,
+                                                attributes.color, attributes.secondUv, attributes.tangent}));
+    if (order.empty()) {
+        mesh.vertices.reserve(indices.size());
+        for (const std::uint32_t index : indices) {
+            mesh.vertices.push_back(readVertex(attributes, index, where));
+            if (hasDetail) {
+                mesh.details.push_back(readDetail(attributes, index, mesh.vertices.back().normal, where));
+            }
+        }
+        return;
+    }
+    mesh.vertices.resize(indices.size());
+    mesh.details.resize(hasDetail ? indices.size() : 0);
+    for (const std::uint32_t i : order) {
+        mesh.vertices[i] = readVertex(attributes, indices[i], where);
+        if (hasDetail) {
+            mesh.details[i] = readDetail(attributes, indices[i], mesh.vertices[i].normal, where);
+        }
     }
 }
 
@@ -299,21 +319,17 @@ void MeshImporter::addShared(SourcePrimitive& source, const Attributes& attribut
         }
         index = m_newIndex[index];
     }
-    mesh.vertices.reserve(used.size());
+    addVertices(mesh, attributes, used, where);
     for (const std::uint32_t index : used) {
-        addVertex(mesh, attributes, index, where);
         m_newIndex[index] = kUnused;
     }
 }
 
 void MeshImporter::addFlat(SourcePrimitive& source, const Attributes& attributes, const std::string& where) {
     SourceMesh& mesh = source.mesh;
-    mesh.vertices.reserve(mesh.indices.size());
     source.fileVertices = mesh.indices;
-    for (std::uint32_t& index : mesh.indices) {
-        addVertex(mesh, attributes, index, where);
-        index = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
-    }
+    addVertices(mesh, attributes, source.fileVertices, where);
+    std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
     for (std::size_t i = 0; i < mesh.vertices.size(); i += 3) {
         const glm::dvec3 a(mesh.vertices[i].position);
         const glm::dvec3 b(mesh.vertices[i + 1].position);

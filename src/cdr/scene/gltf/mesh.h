@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,8 +59,9 @@ class MeshImporter {
     Vertex readVertex(const Attributes& attributes, std::uint32_t index, const std::string& where);
     VertexDetail readDetail(const Attributes& attributes, std::uint32_t index, const glm::vec3& normal,
                             const std::string& where);
-    void addVertex(SourceMesh& mesh, const Attributes& attributes, std::uint32_t index,
-                   const std::string& where);
+    /// Of vertices of the file, in their order.
+    void addVertices(SourceMesh& mesh, const Attributes& attributes, std::span<const std::uint32_t> indices,
+                     const std::string& where);
     void addShared(SourcePrimitive& source, const Attributes& attributes, const std::string& where);
     void addFlat(SourcePrimitive& source, const Attributes& attributes, const std::string& where);
 

@@ -7,13 +7,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <memory>
 #include <set>
 #include <utility>
 
 namespace cdr::scene {
 
 std::vector<GltfReference> gltfReferences(const std::filesystem::path& path, const GltfLimits& limits) {
-    const host::Bytes file = host::readFile(path, limits.maxFileBytes);
+    const gltf::ByteSource file(std::make_shared<const gltf::OpenFile>(path, limits.maxFileBytes, ""));
     std::vector<GltfReference> references;
     std::set<std::string> known;
     const gltf::Files files(path.parent_path(), limits);
@@ -24,7 +25,7 @@ std::vector<GltfReference> gltfReferences(const std::filesystem::path& path, con
         }
     };
     attempt([&] {
-        const nlohmann::json root = gltf::parseBoundedJson(gltf::openContainer(file).json);
+        const nlohmann::json root = gltf::parseBoundedJson(gltf::openContainer(file).text());
         for (const char* key : {"buffers", "images"}) {
             for (const nlohmann::json& item : gltf::arrayMember(root, key)) {
                 attempt([&] {

@@ -1,11 +1,15 @@
 #include "deformers.h"
 
+#include "../bytes/reading_order.h"
 #include "../checks.h"
 #include "../draco/decompressor.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace cdr::scene::gltf {
@@ -82,7 +86,7 @@ std::vector<MorphDelta> deltasOf(const std::map<std::string, int>& target, const
     const Accessor* position = find("POSITION");
     const Accessor* normal = find("NORMAL");
     std::vector<MorphDelta> deltas;
-    for (std::uint32_t i = 0; i < source.fileVertices.size(); ++i) {
+    const auto add = [&](std::uint32_t i) {
         const auto of = [&](const Accessor* accessor) {
             return accessor == nullptr ? glm::vec3(0.0f)
                                        : glm::vec3(accessor->vector(source.fileVertices[i]));
@@ -95,13 +99,38 @@ std::vector<MorphDelta> deltasOf(const std::map<std::string, int>& target, const
         if (delta.position != glm::vec3(0.0f) || delta.normal != glm::vec3(0.0f)) {
             deltas.push_back(delta);
         }
+    };
+    const std::vector<std::uint32_t> order =
+        readingOrder(source.fileVertices, bytesApartInFile({position, normal}));
+    forEachInOrder(order, source.fileVertices.size(), add);
+    if (!order.empty()) {
+        std::sort(deltas.begin(), deltas.end(),
+                  [](const MorphDelta& a, const MorphDelta& b) { return a.vertex < b.vertex; });
     }
     return deltas;
+}
+
+/// By vertex of the mesh; `order` as readingOrder() has it.
+void addInOrder(Deformer& deformer, std::span<const std::uint32_t> order,
+                const std::vector<std::size_t>& firstRead, const std::vector<Influence>& read) {
+    std::vector<std::size_t> placeInOrder(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        placeInOrder[order[k]] = k;
+    }
+    for (const std::size_t k : placeInOrder) {
+        const auto at = [&](std::size_t i) {
+            return read.begin() + static_cast<std::ptrdiff_t>(firstRead[i]);
+        };
+        deformer.firstInfluence.push_back(deformer.influences.size());
+        deformer.influences.insert(deformer.influences.end(), at(k), at(k + 1));
+    }
+    deformer.firstInfluence.push_back(deformer.influences.size());
 }
 
 void addInfluences(const Primitive& primitive, const SourcePrimitive& source, Accessors& accessors,
                    std::size_t joints, Notes& notes, const std::string& where, Deformer& deformer) {
     std::vector<JointSet> sets;
+    std::size_t bytesApart = 0;
     for (std::size_t set = 0; set < jointSets(primitive); ++set) {
         const auto attribute = [&](const char* kind) {
             const std::string name = fmt::format("{}_{}", kind, set);
@@ -109,14 +138,24 @@ void addInfluences(const Primitive& primitive, const SourcePrimitive& source, Ac
                                     where);
         };
         sets.push_back({attribute("JOINTS"), attribute("WEIGHTS")});
+        bytesApart += bytesApartInFile({sets.back().joints, sets.back().weights});
     }
-    deformer.firstInfluence.reserve(source.fileVertices.size() + 1);
-    for (const std::uint32_t vertex : source.fileVertices) {
-        deformer.firstInfluence.push_back(deformer.influences.size());
-        const std::vector<Influence> added = influencesOf(sets, vertex, joints, notes, where);
-        deformer.influences.insert(deformer.influences.end(), added.begin(), added.end());
+    std::vector<std::size_t> first;
+    std::vector<Influence> influences;
+    first.reserve(source.fileVertices.size() + 1);
+    const std::vector<std::uint32_t> order = readingOrder(source.fileVertices, bytesApart);
+    forEachInOrder(order, source.fileVertices.size(), [&](std::uint32_t i) {
+        first.push_back(influences.size());
+        const std::vector<Influence> added = influencesOf(sets, source.fileVertices[i], joints, notes, where);
+        influences.insert(influences.end(), added.begin(), added.end());
+    });
+    first.push_back(influences.size());
+    if (order.empty()) {
+        deformer.firstInfluence = std::move(first);
+        deformer.influences = std::move(influences);
+    } else {
+        addInOrder(deformer, order, first, influences);
     }
-    deformer.firstInfluence.push_back(deformer.influences.size());
 }
 
 } // namespace

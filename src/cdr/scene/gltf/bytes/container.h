@@ -1,19 +1,23 @@
 #pragma once
 
-#include <cstdint>
+#include "byte_source.h"
+
+#include <cdr/host/file.h>
+
 #include <optional>
-#include <span>
 #include <string_view>
 
 namespace cdr::scene::gltf {
 
-/// The parts of a `.gltf` or `.glb` file; views of its bytes.
+/// The parts of a `.gltf` or `.glb` file.
 struct Container {
-    std::string_view json;
-    std::optional<std::span<const std::uint8_t>> bin; ///< the BIN chunk of a GLB
+    host::Bytes json;
+    std::optional<ByteSource> bin; ///< the BIN chunk of a GLB, which stays where it is
+
+    std::string_view text() const { return {reinterpret_cast<const char*>(json.data()), json.size()}; }
 };
 
 /// Finds the parts; a GLB is told by its first bytes, not by its name.
-Container openContainer(std::span<const std::uint8_t> file);
+Container openContainer(const ByteSource& file);
 
 } // namespace cdr::scene::gltf

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <memory>
 #include <system_error>
 
 namespace cdr::scene::gltf {
@@ -21,6 +22,11 @@ namespace fs = std::filesystem;
 
 /// How many times the limit of one file the external files of one glTF may take together.
 constexpr std::uintmax_t kFilesInMemory = 4;
+
+constexpr const char* kDataScheme = "data:";
+
+/// Most bytes of a file that is not worth an open descriptor.
+constexpr std::size_t kSmallFile = 4 * BlockCache::kBlockBytes;
 
 /// Most bytes from one element of a buffer view to the next, as glTF has it.
 constexpr std::size_t kMaxStride = 252;
@@ -65,17 +71,26 @@ Files::Files(fs::path folder, const GltfLimits& limits)
       m_maxFileBytes(limits.maxFileBytes),
       m_bytesLeft(std::max(limits.maxFileBytes, limits.maxFileBytes * kFilesInMemory)) {}
 
-host::Bytes Files::read(const std::string& uri) {
-    if (uri.starts_with("data:")) {
-        std::optional<host::Bytes> bytes = decodeDataUri(uri);
-        if (!bytes) {
-            refuse("data URI '{}...' cannot be decoded", oneLine(uri.substr(0, 40)));
-        }
-        return *std::move(bytes);
+ByteSource Files::openWithin(const std::string& uri, std::uintmax_t maxBytes) const {
+    if (!uri.starts_with(kDataScheme)) {
+        return ByteSource(std::make_shared<const OpenFile>(
+            resolve(uri), maxBytes, fmt::format("'{}'", oneLine(uri, kMaxNameLength))));
     }
-    host::Bytes bytes = host::readFile(resolve(uri), std::min(m_maxFileBytes, m_bytesLeft));
-    m_bytesLeft -= bytes.size();
+    std::optional<host::Bytes> bytes = decodeDataUri(uri);
+    if (!bytes) {
+        refuse("data URI '{}...' cannot be decoded", oneLine(uri.substr(0, 40)));
+    }
+    return ByteSource(*std::move(bytes));
+}
+
+ByteSource Files::open(const std::string& uri) {
+    ByteSource bytes = openWithin(uri, std::min(m_maxFileBytes, m_bytesLeft));
+    m_bytesLeft -= bytes.file() != nullptr ? bytes.size() : 0;
     return bytes;
+}
+
+host::Bytes Files::readAgain(const std::string& uri) const {
+    return openWithin(uri, m_maxFileBytes).read();
 }
 
 fs::path Files::resolve(const std::string& uri) const {
@@ -104,19 +119,24 @@ fs::path Files::resolve(const std::string& uri) const {
     return path;
 }
 
-Buffers::Buffers(const nlohmann::json& root, std::optional<std::span<const std::uint8_t>> bin, Files& files,
+Buffers::Buffers(const nlohmann::json& root, const std::optional<ByteSource>& bin, Files& files,
                  const GltfLimits& limits)
     : m_root(root),
       m_decodableBytes(limits.maxFileBytes) {
+    std::size_t openFiles = 0;
     for (const nlohmann::json& buffer : arrayMember(root, "buffers")) {
         const std::size_t number = m_buffers.size();
         const auto byteLength = static_cast<std::size_t>(indexMember(buffer, "byteLength").value_or(0));
         if (byteLength == 0) {
             refuse("buffer {} has no byteLength", number);
         }
-        std::span<const std::uint8_t> bytes;
+        ByteSource bytes;
         if (const std::optional<std::string> uri = stringMember(buffer, "uri")) {
-            bytes = m_owned.emplace_back(files.read(*uri)); // a vector that moves keeps its bytes in place
+            bytes = files.open(*uri);
+            if (bytes.file() != nullptr && (bytes.size() <= kSmallFile || openFiles == kMostOpenFiles)) {
+                bytes = ByteSource(bytes.read());
+            }
+            openFiles += bytes.file() != nullptr ? 1 : 0;
         } else if (number == 0 && bin) {
             bytes = *bin;
         } else {
@@ -126,7 +146,7 @@ Buffers::Buffers(const nlohmann::json& root, std::optional<std::span<const std::
         if (byteLength > bytes.size()) {
             refuse("buffer {} says it has {} bytes but its data has {}", number, byteLength, bytes.size());
         }
-        m_buffers.emplace_back(bytes.first(byteLength));
+        m_buffers.emplace_back(bytes.part(0, byteLength));
     }
 }
 
@@ -148,8 +168,8 @@ BufferView Buffers::view(int index) const {
             stride};
 }
 
-std::span<const std::uint8_t> Buffers::range(int buffer, std::size_t offset, std::size_t length,
-                                             const std::string& where) const {
+ByteSource Buffers::range(int buffer, std::size_t offset, std::size_t length,
+                          const std::string& where) const {
     const auto& bytes = itemAt(m_buffers, buffer, "buffer");
     if (!bytes) {
         refuse("buffer {} has neither a URI nor a BIN chunk", buffer);
@@ -158,21 +178,21 @@ std::span<const std::uint8_t> Buffers::range(int buffer, std::size_t offset, std
         refuse("{} covers {} bytes from {} but buffer {} has {}", where, length, offset, buffer,
                bytes->size());
     }
-    return bytes->subspan(offset, length);
+    return bytes->part(offset, length);
 }
 
-std::span<const std::uint8_t> Buffers::decoded(int index, const nlohmann::json& compressed,
-                                               std::size_t length, const std::string& where) const {
+ByteSource Buffers::decoded(int index, const nlohmann::json& compressed, std::size_t length,
+                            const std::string& where) const {
     if (const auto found = m_decoded.find(index); found != m_decoded.end()) {
         return found->second;
     }
     const MeshoptView view = readMeshoptView(compressed, length, where);
-    const std::span<const std::uint8_t> bytes = range(view.buffer, view.offset, view.length, where);
+    const ByteSource bytes = range(view.buffer, view.offset, view.length, where);
     if (length > m_decodableBytes) {
         refuse("{}: with it, decoded buffer views are over the limit of bytes", where);
     }
     m_decodableBytes -= length;
-    return m_decoded.emplace(index, decodeMeshopt(view, bytes, where)).first->second;
+    return m_decoded.emplace(index, ByteSource(decodeMeshopt(view, bytes.read(), where))).first->second;
 }
 
 } // namespace cdr::scene::gltf

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "block_cache.h"
+#include "byte_source.h"
+
 #include <cdr/host/file.h>
 #include <cdr/scene/gltf/gltf.h>
 
@@ -10,7 +13,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -21,13 +23,17 @@ class Files {
   public:
     Files(std::filesystem::path folder, const GltfLimits& limits);
 
-    /// The bytes of a `data:` URI or of the file that a relative, percent-encoded URI names.
-    host::Bytes read(const std::string& uri);
+    /// The bytes of a `data:` URI or of the file that a relative, percent-encoded URI names. A file counts each time.
+    ByteSource open(const std::string& uri);
+    /// The bytes of a URI that was opened, as they are now. They count no more. Threads may share this.
+    host::Bytes readAgain(const std::string& uri) const;
 
     /// The file that a URI names, which is no `data:` URI; refuses one outside the folder.
     std::filesystem::path resolve(const std::string& uri) const;
 
   private:
+    ByteSource openWithin(const std::string& uri, std::uintmax_t maxBytes) const;
+
     std::filesystem::path m_folder;
     std::uintmax_t m_maxFileBytes;
     std::uintmax_t
@@ -36,33 +42,37 @@ class Files {
 
 /// The bytes of a buffer view, all inside its buffer.
 struct BufferView {
-    std::span<const std::uint8_t> bytes;
+    ByteSource bytes;
     std::size_t stride = 0; ///< between elements, 0 where they follow each other
 };
 
-/// A document's buffers; those of a GLB's BIN chunk stay where they are.
+/// A document's buffers. What files hold stays there until it is read, but for small files and for files beyond the first
+/// kMostOpenFiles ones.
 class Buffers {
   public:
+    static constexpr std::size_t kMostOpenFiles = 64;
+
     /// @param root of the document; must outlive this.
-    /// @param bin the BIN chunk, if any; must outlive this.
-    Buffers(const nlohmann::json& root, std::optional<std::span<const std::uint8_t>> bin, Files& files,
+    /// @param bin the BIN chunk, if any.
+    Buffers(const nlohmann::json& root, const std::optional<ByteSource>& bin, Files& files,
             const GltfLimits& limits);
 
     /// Refuses a view in a buffer that has no bytes: only those that are used must, since extensions may hold
     /// the rest. What EXT_meshopt_compression holds is decoded when first asked for, and kept.
     BufferView view(int index) const;
+    /// What was read last of the views that are in files.
+    BlockCache& blocks() const { return m_blocks; }
 
   private:
-    std::span<const std::uint8_t> decoded(int index, const nlohmann::json& compressed, std::size_t length,
-                                          const std::string& where) const;
-    std::span<const std::uint8_t> range(int buffer, std::size_t offset, std::size_t length,
-                                        const std::string& where) const;
+    ByteSource decoded(int index, const nlohmann::json& compressed, std::size_t length,
+                       const std::string& where) const;
+    ByteSource range(int buffer, std::size_t offset, std::size_t length, const std::string& where) const;
 
     const nlohmann::json& m_root;
-    mutable std::map<int, host::Bytes> m_decoded; ///< by view
-    mutable std::uintmax_t m_decodableBytes;      ///< that are left, of all views together
-    std::vector<host::Bytes> m_owned;
-    std::vector<std::optional<std::span<const std::uint8_t>>> m_buffers; ///< none where the file has no bytes
+    mutable std::map<int, ByteSource> m_decoded; ///< by view
+    mutable std::uintmax_t m_decodableBytes;     ///< that are left, of all views together
+    mutable BlockCache m_blocks;
+    std::vector<std::optional<ByteSource>> m_buffers; ///< none where the file has no bytes
 };
 
 } // namespace cdr::scene::gltf

@@ -89,12 +89,12 @@ std::uint64_t Decompressor::decode(Primitive& primitive, std::uint64_t room, con
         return 0;
     }
     const DracoBounds bounds = boundsOf(primitive, m_accessors, room, where);
-    const std::span<const std::uint8_t> compressed = m_buffers.view(primitive.draco->bufferView).bytes;
+    const ByteSource compressed = m_buffers.view(primitive.draco->bufferView).bytes;
     if (compressed.size() > m_bytesLeft) {
         refuse("{}: with it, meshes of {} are over the limit of bytes", where, kDraco);
     }
     m_bytesLeft -= compressed.size();
-    DracoMesh mesh = decodeDraco(compressed, *primitive.draco, bounds, where);
+    DracoMesh mesh = decodeDraco(compressed.read(), *primitive.draco, bounds, where);
     auto decoded = std::make_shared<DecodedPrimitive>();
     addIndices(*decoded, std::move(mesh.indices), primitive, m_accessors, bounds.vertices, where);
     decoded->values.reserve(primitive.draco->ids.size()); // so that their bytes stay where they are

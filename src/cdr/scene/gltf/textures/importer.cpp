@@ -152,9 +152,8 @@ void TextureImporter::decode(const GltfLimits& limits) {
     workers.run(m_shown.size(), [&](std::size_t i, std::size_t) { fill(m_shown[i], dropped); });
 }
 
-void TextureImporter::fill(Shown& shown, const std::vector<std::uint32_t>& dropped) {
-    const image::ImageRgba8 pixels = shown.source.decode();
-    shown.source.owned = {};
+void TextureImporter::fill(const Shown& shown, const std::vector<std::uint32_t>& dropped) {
+    const image::ImageRgba8 pixels = decodePicture(m_sources, shown.source);
     for (const std::uint32_t index : shown.textures) {
         Texture& texture = m_scene.textures[index];
         const auto encoding =

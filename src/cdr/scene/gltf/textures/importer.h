@@ -41,7 +41,7 @@ class TextureImporter {
     /// By texture, how many of its largest levels are left out. Refuses what takes too much even so.
     std::vector<std::uint32_t> dropLevels(const std::optional<std::uint64_t>& bytes);
     /// Gives a picture to the textures that show it.
-    void fill(Shown& shown, const std::vector<std::uint32_t>& dropped);
+    void fill(const Shown& shown, const std::vector<std::uint32_t>& dropped);
 
     /// Image, how it goes on along u and v, whether single texels show where large and where small, levels, what its
     /// channels are.

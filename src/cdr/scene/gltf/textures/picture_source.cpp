@@ -17,13 +17,25 @@ PictureSource readPictureSource(const Sources& sources, int image) {
         refuse("image {} must have one of 'uri' and 'bufferView'", image);
     }
     PictureSource source{.image = image, .name = oneLine(fullNameOf(json))};
-    if (uri) {
-        source.owned = sources.files.read(*uri);
-    } else {
+    if (!uri) {
         source.inBuffer = sources.buffers.view(*bufferView).bytes;
     }
-    source.size = image::sizeOfEncoded(source.encoded(), source.label());
+    const host::Bytes encoded = uri ? sources.files.open(*uri).read() : source.inBuffer->read();
+    source.size = image::sizeOfEncoded(encoded, source.label());
     return source;
+}
+
+image::ImageRgba8 decodePicture(const Sources& sources, const PictureSource& picture) {
+    const auto uri = [&] {
+        const nlohmann::json& json = itemAt(sources.document.root, "images", picture.image, "image");
+        return stringMember(json, "uri").value_or("");
+    };
+    const host::Bytes encoded = picture.inBuffer ? picture.inBuffer->read() : sources.files.readAgain(uri());
+    image::ImageRgba8 pixels = image::decodeImage(encoded, picture.label());
+    if (image::PictureSize{.width = pixels.width, .height = pixels.height} != picture.size) {
+        refuse("{} changed while the file was imported", picture.label());
+    }
+    return pixels;
 }
 
 } // namespace cdr::scene::gltf
