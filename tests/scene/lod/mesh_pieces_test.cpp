@@ -76,6 +76,55 @@ TEST(MeshPieces, AMeshNoWiderThanAPieceStaysWhole) {
     }
 }
 
+/// Whole or cut, with its vertices in the order of their use or not.
+TEST(MeshPieces, AMeshThatIsGivenAwayMakesTheSamePieces) {
+    const SourceMesh anyOrder = bumpySquare(32, {1e7, 0.0, -3e6});
+    std::vector<SourceMesh> sources(3);
+    sources[0] = anyOrder;
+    std::map<std::uint32_t, std::uint32_t> newIndex;
+    for (const std::uint32_t index : anyOrder.indices) {
+        SourceMesh& inOrder = sources[1];
+        const auto [found, isNew] =
+            newIndex.try_emplace(index, static_cast<std::uint32_t>(inOrder.positions.size()));
+        if (isNew) {
+            inOrder.positions.push_back(anyOrder.positions[index]);
+            inOrder.vertices.push_back({.uv = glm::vec2(static_cast<float>(index))});
+            inOrder.details.push_back({.uv = glm::vec2(static_cast<float>(index) + 0.5f)});
+        }
+        inOrder.indices.push_back(found->second);
+    }
+    sources[2] = sources[1];
+    sources[2].positions.push_back(sources[2].positions[0] + 1e3); // which no triangle uses
+    sources[2].vertices.emplace_back();
+    sources[2].details.emplace_back();
+    for (const SourceMesh& source : sources) {
+        for (const double radius : {1e9, 8.0}) {
+            const std::vector<MeshPiece> copied = cutIntoPieces(source, radius);
+            SourceMesh given = source;
+            const std::vector<MeshPiece> taken = cutIntoPieces(std::move(given), radius);
+            ASSERT_EQ(taken.size(), copied.size());
+            EXPECT_EQ(copied.size() == 1, radius == 1e9);
+            for (std::size_t i = 0; i < taken.size(); ++i) {
+                const Mesh& a = taken[i].mesh;
+                const Mesh& b = copied[i].mesh;
+                EXPECT_EQ(a.name, b.name);
+                EXPECT_EQ(taken[i].origin, copied[i].origin);
+                EXPECT_EQ(a.indices, b.indices);
+                EXPECT_EQ(a.boundingRadius, b.boundingRadius);
+                ASSERT_EQ(a.vertices.size(), b.vertices.size());
+                ASSERT_EQ(a.details.size(), b.details.size());
+                for (std::size_t k = 0; k < a.vertices.size(); ++k) {
+                    ASSERT_EQ(a.vertices[k].position, b.vertices[k].position);
+                    ASSERT_EQ(a.vertices[k].uv, b.vertices[k].uv);
+                }
+                for (std::size_t k = 0; k < a.details.size(); ++k) {
+                    ASSERT_EQ(a.details[k].uv, b.details[k].uv);
+                }
+            }
+        }
+    }
+}
+
 TEST(MeshPieces, HoldEveryTriangleWithinTheRadiusAndAtMostFourTimes) {
     const SourceMesh source = bumpySquare(64, {1e7, 0.0, -3e6});
     const std::vector<MeshPiece> pieces = cutIntoPieces(source, 8.0);

@@ -187,11 +187,12 @@ void MeshImporter::addSolid(SourcePrimitive& source, const Attributes& attribute
 
 std::vector<MeshPiece> MeshImporter::import(const Primitive& primitive, const UvPlaces& uv,
                                             const MeshSizes& sizes, const std::string& where) {
-    const std::optional<SourcePrimitive> source = read(primitive, uv, sizes.pointRadius, where);
+    std::optional<SourcePrimitive> source = read(primitive, uv, sizes.pointRadius, where);
     if (!source) {
         return {};
     }
-    std::vector<MeshPiece> pieces = cutIntoPieces(source->mesh, sizes.pieceRadius);
+    source->fileVertices = {}; // of use for what deforms alone
+    std::vector<MeshPiece> pieces = cutIntoPieces(std::move(source->mesh), sizes.pieceRadius);
     for (const MeshPiece& piece : pieces) {
         if (!std::isfinite(piece.mesh.boundingRadius)) {
             refuse("{}: its extent is over what a float32 holds", where);
@@ -287,6 +288,7 @@ void MeshImporter::addVertices(SourceMesh& mesh, const Attributes& attributes,
                                                 attributes.color, attributes.secondUv, attributes.tangent}));
     if (order.empty()) {
         mesh.vertices.reserve(indices.size());
+        mesh.details.reserve(hasDetail ? indices.size() : 0);
         for (const std::uint32_t index : indices) {
             mesh.vertices.push_back(readVertex(attributes, index, where));
             if (hasDetail) {

@@ -110,23 +110,72 @@ class PieceMaker {
     std::vector<std::uint32_t> m_newIndex; ///< by vertex of the source; kUnused between calls
 };
 
-} // namespace
-
-std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source, double radius) {
+std::vector<TriangleCluster> clustersOf(const SourceMesh& source, double radius) {
     const std::size_t triangles = source.indices.size() / 3;
     const std::size_t most = std::clamp<std::size_t>(triangles / kTrianglesPerPiece, 2, kMostPieces);
-    std::vector<TriangleCluster> clusters = clusterTriangles(source.positions, source.indices, radius, most);
+    return clusterTriangles(source.positions, source.indices, radius, most);
+}
+
+/// From the middle of float32 vertices to a vertex at least the piece's size from the source's origin is a float32 without
+/// rounding.
+glm::dvec3 originOf(const TriangleCluster& cluster) {
+    return (cluster.low + cluster.high) * 0.5;
+}
+
+std::vector<MeshPiece> makePieces(const SourceMesh& source, std::vector<TriangleCluster> clusters) {
     PieceMaker maker(source);
     if (clusters.size() > 1) {
         closeSeams(pointsOf(source.positions), source.indices, clusters);
     }
     std::vector<MeshPiece> pieces;
     for (const TriangleCluster& cluster : clusters) {
-        // From the middle of float32 vertices to a vertex at least the piece's size from the source's origin
-        // is a float32 without rounding.
-        const glm::dvec3 centre = (cluster.low + cluster.high) * 0.5;
         const std::string suffix = clusters.size() > 1 ? " piece " + std::to_string(pieces.size()) : "";
-        pieces.push_back(maker.make(cluster.triangles, centre, source.name + suffix));
+        pieces.push_back(maker.make(cluster.triangles, originOf(cluster), source.name + suffix));
+    }
+    return pieces;
+}
+
+/// Whether a piece of all triangles has the same vertices in the same order.
+bool isInOrderOfUse(const SourceMesh& source) {
+    std::size_t used = 0;
+    for (const std::uint32_t index : source.indices) {
+        if (index > used) {
+            return false;
+        }
+        used += index == used ? 1 : 0;
+    }
+    return used == source.positions.size();
+}
+
+/// The piece of all triangles of a mesh that isInOrderOfUse().
+MeshPiece takeWhole(SourceMesh&& source, const glm::dvec3& origin) {
+    MeshPiece piece{.mesh = {}, .origin = origin};
+    piece.mesh.name = std::move(source.name);
+    piece.mesh.vertices = std::move(source.vertices);
+    piece.mesh.details = std::move(source.details);
+    piece.mesh.indices = std::move(source.indices);
+    for (std::size_t i = 0; i < piece.mesh.vertices.size(); ++i) {
+        piece.mesh.vertices[i].position = glm::vec3(source.positions[i] - origin);
+    }
+    source = {};
+    piece.mesh.boundingRadius = boundingRadiusOf(piece.mesh.vertices);
+    return piece;
+}
+
+} // namespace
+
+std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source, double radius) {
+    return makePieces(source, clustersOf(source, radius));
+}
+
+std::vector<MeshPiece> cutIntoPieces(SourceMesh&& source, double radius) {
+    std::vector<TriangleCluster> clusters = clustersOf(source, radius);
+    std::vector<MeshPiece> pieces;
+    if (clusters.size() == 1 && isInOrderOfUse(source)) {
+        pieces.push_back(takeWhole(std::move(source), originOf(clusters.front())));
+    } else {
+        pieces = makePieces(source, std::move(clusters));
+        source = {};
     }
     return pieces;
 }

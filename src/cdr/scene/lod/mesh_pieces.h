@@ -55,6 +55,13 @@ inline constexpr double kPieceRadius = 512.0;
 CDR_EXPORT std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source,
                                                 double radius = std::numeric_limits<double>::infinity());
 
+/// The same pieces of a mesh that is not needed any more. One that stays whole is not copied, where its vertices come in the
+/// order in which its triangles first use them, as importers make it.
+/// @param source as above; without contents afterwards.
+/// @param radius as above.
+CDR_EXPORT std::vector<MeshPiece> cutIntoPieces(SourceMesh&& source,
+                                                double radius = std::numeric_limits<double>::infinity());
+
 /// Pieces that are in a scene.
 struct PieceSet {
     std::uint32_t firstMesh = 0;     ///< index into Scene::meshes; the others follow
