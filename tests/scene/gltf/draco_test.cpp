@@ -235,6 +235,28 @@ TEST_F(GltfDraco, TwoPrimitivesHaveStreamsOfTheirOwn) {
     EXPECT_NEAR(scene.instances.position(2).z, 0.0, 1e-3);
 }
 
+/// What was decoded is freed before the next primitive is, so that more of them take what is kept in the scene alone.
+TEST_F(GltfDraco, DecodedPrimitivesAreNotKept) {
+    Document document = compressed(cloth(), {.method = kSequential, .bits = 0});
+    const json primitive = document.primitive();
+    const auto leastLimit = [&](std::size_t primitives) {
+        document.root["meshes"][0]["primitives"] = std::vector<json>(primitives, primitive);
+        std::uint64_t refused = 0;
+        GltfLimits limits;
+        while (limits.maxBytes - refused > 1) {
+            const std::uint64_t middle = refused + (limits.maxBytes - refused) / 2;
+            (refusal(document, {.maxBytes = middle}) == "loaded" ? limits.maxBytes : refused) = middle;
+        }
+        return limits.maxBytes;
+    };
+    const std::uint64_t difference = leastLimit(9) - leastLimit(1);
+    const Scene scene = load(document).scene;
+    const Mesh& mesh = scene.meshes.at(0);
+    constexpr std::size_t kInstance = 300;
+    EXPECT_LE(difference, 8 * (2 * mesh.vertices.size() * (sizeof(Vertex) + sizeof(VertexDetail)) +
+                               mesh.indices.size() * sizeof(std::uint32_t) + kInstance));
+}
+
 TEST_F(GltfDraco, WithoutBeingRequiredItIsDecodedWhereNothingElseIs) {
     Document document = compressed(cloth(), {});
     document.root.erase("extensionsRequired");

@@ -298,6 +298,7 @@ const std::optional<PlacedPrimitive>& Importer::use(int meshIndex, std::size_t i
     const MeshSizes sizes{.pieceRadius = whole ? INFINITY : m_limits.pieceRadius / stretch,
                           .pointRadius = pointRadius(stretch)};
     std::vector<MeshPiece> pieces = m_meshes.import(primitive, material.uv, sizes, where);
+    m_memory.release(Decompressor::drop(m_sourceMeshes.at(meshIndex).primitives[index]));
     if (!pieces.empty()) {
         found->second = {addPieces(m_scene, std::move(pieces)), material.index};
     }

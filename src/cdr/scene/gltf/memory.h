@@ -28,6 +28,8 @@ class MemoryPrediction {
 
     /// `where` names the primitive in the message.
     void add(const PrimitiveBytes& bytes, const std::string& where);
+    /// Bytes that add() was told of and that are free again.
+    void release(std::uint64_t bytes) { m_kept -= bytes; }
     /// Bytes up to the limit.
     std::uint64_t left() const { return m_limit - m_kept; }
     /// Instances: what places a primitive in the world.

@@ -115,6 +115,12 @@ std::uint64_t Decompressor::decode(Primitive& primitive, std::uint64_t room, con
     return bytesOf(*decoded);
 }
 
+std::uint64_t Decompressor::drop(Primitive& primitive) {
+    const std::uint64_t bytes = primitive.decoded == nullptr ? 0 : bytesOf(*primitive.decoded);
+    primitive.decoded = nullptr;
+    return bytes;
+}
+
 const Accessor* attributeOf(const Primitive& primitive, const std::string& name, Accessors& accessors) {
     if (primitive.decoded != nullptr) {
         const auto found = primitive.decoded->attributes.find(name);

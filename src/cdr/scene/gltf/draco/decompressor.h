@@ -28,10 +28,14 @@ class Decompressor {
     /// @param maxBytes of all compressed streams together: one that many primitives name takes its time for each
     Decompressor(const Buffers& buffers, Accessors& accessors, std::uint64_t maxBytes);
 
-    /// Decodes a primitive that has to be, once. Refuses one whose accessors are not what the stream holds.
+    /// Decodes a primitive that has to be and is not. Refuses one whose accessors are not what the stream holds.
     /// @param room bytes of memory that decoding may take
     /// @returns bytes that are kept
     std::uint64_t decode(Primitive& primitive, std::uint64_t room, const std::string& where);
+
+    /// Frees what was decoded of a primitive that is imported. If it is needed again, it is decoded again.
+    /// @returns bytes that were kept
+    static std::uint64_t drop(Primitive& primitive);
 
   private:
     const Buffers& m_buffers;
