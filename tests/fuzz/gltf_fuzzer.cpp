@@ -50,13 +50,13 @@ void play(cdr::scene::GltfImport import) {
 
 /// The bytes in a file that has no name, so that they are read block by block.
 cdr::scene::gltf::ByteSource inFile(std::span<const std::uint8_t> bytes) {
-    static const int file = memfd_create("gltf_fuzzer", MFD_CLOEXEC);
-    if (ftruncate(file, 0) != 0 ||
-        pwrite(file, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    static const int kFile = memfd_create("gltf_fuzzer", MFD_CLOEXEC);
+    if (ftruncate(kFile, 0) != 0 ||
+        pwrite(kFile, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
         std::abort();
     }
     return cdr::scene::gltf::ByteSource(std::make_shared<const cdr::scene::gltf::OpenFile>(
-        "/proc/self/fd/" + std::to_string(file), bytes.size(), ""));
+        "/proc/self/fd/" + std::to_string(kFile), bytes.size(), ""));
 }
 
 } // namespace

@@ -274,7 +274,7 @@ TEST_F(GltfStreaming, APictureThatBecomesAnotherOneIsRefused) {
                 change();
             }
         };
-        const std::string message = refusal(path, limits);
+        std::string message = refusal(path, limits);
         write("a.png", png(2));
         return message;
     };

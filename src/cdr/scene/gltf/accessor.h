@@ -40,7 +40,7 @@ class Strided {
     const OpenFile* m_file = nullptr;
     std::uint64_t m_offset = 0;
     BlockCache* m_blocks = nullptr;
-    mutable BlockCache::Hint m_hint = 0;
+    mutable BlockCache::Hint m_hint = nullptr;
 };
 
 /// One accessor. Every byte that its elements can touch was checked to lie inside its buffer. They are read when they are

@@ -1,7 +1,6 @@
 #include "block_cache.h"
 
 #include <algorithm>
-#include <bit>
 #include <span>
 
 namespace cdr::scene::gltf {
@@ -11,7 +10,7 @@ namespace {
 /// Spreads the blocks of all files evenly.
 std::size_t setOf(const OpenFile& file, std::uint64_t number, std::size_t sets) {
     constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;
-    const std::uint64_t key = number + std::bit_cast<std::uintptr_t>(&file);
+    const std::uint64_t key = number + reinterpret_cast<std::uintptr_t>(&file);
     return static_cast<std::size_t>(((key * kGolden) >> 32u) % sets);
 }
 
