@@ -57,8 +57,8 @@ CDR_EXPORT std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source,
 
 /// The same pieces of a mesh that is not needed any more. One that stays whole is not copied, where its vertices come in the
 /// order in which its triangles first use them, as importers make it.
-/// @param source as above; without contents afterwards.
-/// @param radius as above.
+/// @param source not empty, positions finite; without contents afterwards.
+/// @param radius in units of the source's space, > 0; infinity for one piece.
 CDR_EXPORT std::vector<MeshPiece> cutIntoPieces(SourceMesh&& source,
                                                 double radius = std::numeric_limits<double>::infinity());
 
