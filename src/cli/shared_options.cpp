@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -103,6 +104,23 @@ void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techni
                 }
             },
             "Techniques, a comma between them; all presets")
+        ->expected(CLI::detail::expected_max_vector_size)
+        ->delimiter(',');
+}
+
+void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, const std::string& otherwise) {
+    std::vector<std::string_view> known;
+    for (const rivals::NamedRival& named : rivals::namedRivals()) {
+        known.push_back(named.name);
+    }
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--rivals",
+            [&chosen](const std::vector<std::string>& names) {
+                std::transform(names.begin(), names.end(), std::back_inserter(chosen), rivals::parseRival);
+            },
+            fmt::format("Rivals, a comma between them: {}, each also with /prepass; {}",
+                        fmt::join(known, ", "), otherwise))
         ->expected(CLI::detail::expected_max_vector_size)
         ->delimiter(',');
 }

@@ -7,6 +7,7 @@
 #include <experiments/effect_options.h>
 
 #include <ranks/ranks.h>
+#include <rivals/rival.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -69,6 +70,10 @@ void addFrames(CLI::App& command, std::uint32_t& frames, const std::string& help
 
 /// `--techniques A,B,...`; none: all presets.
 void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techniques);
+
+/// `--rivals A,B,...`.
+/// @param otherwise which there are where none are listed, for the help.
+void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, const std::string& otherwise);
 
 /// `--snap-bits`, as render::RenderOptions has it.
 void addSnapBits(CLI::App& command, std::uint32_t& snapBits);

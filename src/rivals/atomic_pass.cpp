@@ -13,7 +13,6 @@
 #include <cdr/shaders/rival_view_vert.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <rivals/atomic_pass.h>
 
 #include <array>
@@ -70,10 +69,7 @@ const Rival& requireDrawable(const gpu::Device& device, const Rival& rival) {
         throw base::InputError(
             "a rival of this distance and key is not drawn: it would be another one's equal");
     }
-    if (const auto missing = missingFeatures(device.info(), rival); !missing.empty()) {
-        throw base::InputError(fmt::format("{} cannot compare 64-bit depths by atomics: it lacks {}",
-                                           device.info().name, fmt::join(missing, ", ")));
-    }
+    requireFeatures(device.info(), rival);
     return rival;
 }
 

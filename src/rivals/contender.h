@@ -35,6 +35,8 @@ class Contender {
 
     /// Of the last frame.
     std::size_t cascades() const { return m_draws.view().cascades.size(); }
+    /// Of the last frame: draws per visible instance.
+    double duplication() const { return m_draws.duplication(); }
 
   private:
     enum class Copy : std::uint8_t { none, surfaces };

@@ -37,6 +37,8 @@ class FrameDraws {
 
     const render::FrameView& view() const { return m_view; }
     vk::Extent2D extent() const { return m_extent; }
+    /// Of the last prepare(): draws per visible instance.
+    double duplication() const { return m_lists.duplication(); }
 
     /// Sets what stays the same over a rendering scope.
     void begin(vk::CommandBuffer commands) const;

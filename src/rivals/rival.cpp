@@ -1,6 +1,8 @@
 #include <cdr/base/error.h>
 #include <cdr/base/suggest.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <rivals/rival.h>
 
 #include <algorithm>
@@ -62,6 +64,13 @@ std::vector<std::string> missingFeatures(const gpu::DeviceInfo& device, const Ri
         }
     }
     return missing;
+}
+
+void requireFeatures(const gpu::DeviceInfo& device, const Rival& rival) {
+    if (const auto missing = missingFeatures(device, rival); !missing.empty()) {
+        throw base::InputError(fmt::format("{} cannot compare 64-bit depths by atomics: it lacks {}",
+                                           device.name, fmt::join(missing, ", ")));
+    }
 }
 
 std::uint32_t geometryPassesOf(const Rival& rival) {

@@ -58,6 +58,9 @@ std::vector<std::string> featuresOf(const Rival& rival);
 /// @errors None.
 std::vector<std::string> missingFeatures(const gpu::DeviceInfo& device, const Rival& rival);
 
+/// @throws base::InputError that names the device and what it lacks.
+void requireFeatures(const gpu::DeviceInfo& device, const Rival& rival);
+
 /// How often every draw is drawn.
 /// @errors None.
 std::uint32_t geometryPassesOf(const Rival& rival);

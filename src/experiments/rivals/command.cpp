@@ -19,7 +19,7 @@ struct RivalsArguments {
     std::vector<std::string> scenes{"afc", "mixed", "orbit"};
     experiments::RivalsOptions options;
     std::vector<depth::NamedTechnique> techniques; ///< today's
-    std::vector<std::string> rivals;
+    std::vector<rivals::NamedRival> chosenRivals;
 };
 
 experiments::Columns<experiments::RivalScene> rivalSceneColumns() {
@@ -74,18 +74,6 @@ experiments::Columns<experiments::RivalResolved> rivalResolvedColumns(base::Leng
         {.key = "largest", .value = &Result::largestView}};
 }
 
-experiments::Columns<experiments::RivalNeeds> rivalNeedsColumns() {
-    using Result = experiments::RivalNeeds;
-    return {
-        {.key = "technique", .value = &Result::contender, .heading = "technique"},
-        {.key = "geometry_passes", .value = &Result::geometryPasses, .heading = "geometry passes"},
-        {.key = "bytes_per_pixel", .value = &Result::bytesPerPixel, .heading = "bytes a pixel"},
-        {.key = "features",
-         .value = &Result::features,
-         .heading = "features beyond those of cdr",
-         .text = [](const Result& result) { return fmt::format("{}", fmt::join(result.features, ", ")); }}};
-}
-
 experiments::Columns<experiments::RivalWholeFrame> wholeFrameColumns() {
     using Result = experiments::RivalWholeFrame;
     return {
@@ -106,11 +94,10 @@ std::vector<experiments::NamedContender> contendersOf(const gpu::DeviceInfo& dev
         std::copy_if(all.begin(), all.end(), std::back_inserter(chosen),
                      [](const experiments::NamedContender& named) { return !named.isRival(); });
     }
-    for (const std::string& name : arguments.rivals) {
-        const rivals::NamedRival named = rivals::parseRival(name);
+    for (const rivals::NamedRival& named : arguments.chosenRivals) {
         chosen.push_back({named.name, named.rival});
     }
-    if (arguments.rivals.empty()) {
+    if (arguments.chosenRivals.empty()) {
         std::copy_if(all.begin(), all.end(), std::back_inserter(chosen),
                      [](const experiments::NamedContender& named) { return named.isRival(); });
     }
@@ -122,7 +109,7 @@ std::vector<std::string> leftOutBy(const gpu::DeviceInfo& device, const RivalsAr
     std::vector<std::string> lines;
     for (const rivals::NamedRival& named : rivals::namedRivals()) {
         const auto missing = rivals::missingFeatures(device, named.rival);
-        if (arguments.rivals.empty() && !missing.empty()) {
+        if (arguments.chosenRivals.empty() && !missing.empty()) {
             lines.push_back(
                 fmt::format("left out: {}, since the device lacks {}", named.name, fmt::join(missing, ", ")));
         }
@@ -144,7 +131,7 @@ void run(Command& command, RivalsArguments& arguments) {
     const Console& console = command.console();
     const auto sceneColumns = rivalSceneColumns();
     const auto resolvedColumns = rivalResolvedColumns(command.global().unit);
-    const auto needsColumns = rivalNeedsColumns();
+    const auto needsColumns = experiments::rivalNeedsColumns();
     if (!report.scenes.empty()) {
         console.table(experiments::tableOf(sceneColumns, report.scenes));
         console.line("");
@@ -190,11 +177,7 @@ void addOptions(CLI::App& command, RivalsArguments& arguments) {
         ->delimiter(',')
         ->capture_default_str();
     addTechniques(command, arguments.techniques);
-    command
-        .add_option("--rivals", arguments.rivals,
-                    "Rivals, a comma between them: atomic-log, two-float, atomic-log-object, atomic-fixed, "
-                    "object-anchors, each also with /prepass; all that the device can draw")
-        ->delimiter(',');
+    addRivalList(command, arguments.chosenRivals, "all that the device can draw");
     addFrames(command, options.frames,
               "Frames of each scene, spread over its path, and timed of each technique");
     addSize(command, options.width, options.height);

@@ -1,5 +1,7 @@
 #include "rivals.h"
 
+#include "drawer.h"
+
 #include <cdr/base/error.h>
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
@@ -13,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 namespace cdr::experiments {
 
@@ -39,8 +40,8 @@ class RivalField {
           m_caster(m_setup.scene, workers) {
         const vk::Extent2D extent{options.width, options.height};
         for (const NamedContender& named : options.contenders) {
-            m_contenders.push_back(std::make_unique<rivals::Contender>(
-                device, render::DrawnScene{m_setup.scene, m_gpuScene}, named.competing, extent, workers));
+            m_contenders.emplace_back(device, render::DrawnScene{m_setup.scene, m_gpuScene}, named.competing,
+                                      extent, workers);
         }
     }
 
@@ -50,7 +51,7 @@ class RivalField {
 
     const scene::SceneSetup& setup() const { return m_setup; }
     const render::GpuScene& gpuScene() const { return m_gpuScene; }
-    rivals::Contender& contender(std::size_t index) { return *m_contenders[index]; }
+    Drawer& contender(std::size_t index) { return m_contenders[index]; }
     std::size_t size() const { return m_contenders.size(); }
 
   private:
@@ -59,7 +60,7 @@ class RivalField {
     const scene::SceneSetup& m_setup;
     render::GpuScene m_gpuScene;
     measure::TruthCaster m_caster;
-    std::vector<std::unique_ptr<rivals::Contender>> m_contenders;
+    std::vector<Drawer> m_contenders;
 };
 
 /// The experiment as it runs.
@@ -88,7 +89,7 @@ class RivalsRun {
             measureLadder(distanceView, report);
         }
         for (const NamedContender& named : m_options.contenders) {
-            report.needs.push_back(needsOf(named));
+            report.needs.push_back(needsOf(named.name, named.competing));
         }
         return report;
     }
@@ -142,13 +143,13 @@ class RivalsRun {
                 isFirst ? image::Raster<std::uint8_t>()
                         : measure::steadyMask(truthBefore, innerBefore, truth, inner);
             for (std::size_t i = 0; i < field.size(); ++i) {
-                image::ImageU32 ids = field.contender(i).render(camera).ids;
-                results[i].wrong += measure::countWrong(ids, truth, inner);
+                DrawnFrame drawn = field.contender(i).render(camera);
+                results[i].wrong += measure::countWrong(drawn.ids, truth, inner);
                 if (!isFirst) {
-                    results[i].flips += measure::countFlips(idsBefore[i], ids, steady);
+                    results[i].flips += measure::countFlips(idsBefore[i], drawn.ids, steady);
                 }
-                idsBefore[i] = std::move(ids);
-                results[i].cascades = std::max(results[i].cascades, field.contender(i).cascades());
+                idsBefore[i] = std::move(drawn.ids);
+                results[i].cascades = std::max(results[i].cascades, drawn.cascades);
                 ++results[i].frames;
             }
             truthBefore = std::move(truth);
@@ -235,22 +236,6 @@ class RivalsRun {
             resolved.push_back(std::isfinite(middle) ? std::optional(middle) : std::nullopt);
         }
         return resolved;
-    }
-
-    static RivalNeeds needsOf(const NamedContender& named) {
-        if (const auto* rival = std::get_if<rivals::Rival>(&named.competing)) {
-            return {.contender = named.name,
-                    .geometryPasses = rivals::geometryPassesOf(*rival),
-                    .bytesPerPixel = rivals::bytesPerPixelOf(*rival),
-                    .features = rivals::featuresOf(*rival)};
-        }
-        const auto& technique = std::get<depth::Technique>(named.competing);
-        const auto depthBits = static_cast<std::uint32_t>(depth::traitsOf(technique.format).bits);
-        return {.contender = named.name,
-                .geometryPasses = 1,
-                // An attachment of 24 bits takes 4 bytes.
-                .bytesPerPixel = 8 + (depthBits <= 16 ? 2u : 4u),
-                .features = {}};
     }
 
     const gpu::Device& m_device;

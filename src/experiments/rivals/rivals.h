@@ -6,6 +6,7 @@
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/statistics/statistics.h>
 #include <cdr/scene/scene_setup.h>
+#include <experiments/rivals/needs.h>
 
 #include <rivals/contender.h>
 
@@ -75,14 +76,6 @@ struct RivalResolved {
         ratio; ///< of unlikeView over the baseline's, below 1 where it is finer; where both are known
     double smallestView = 0.0; ///< of the ladder: `resolved` can be no less
     double largestView = 0.0;  ///< of the ladder: null means more than this
-};
-
-/// What one contender needs.
-struct RivalNeeds {
-    std::string contender;
-    std::uint32_t geometryPasses = 1;
-    std::uint32_t bytesPerPixel = 0;
-    std::vector<std::string> features; ///< of Vulkan, beyond those that cdr needs anyway
 };
 
 /// The whole frame of the library's renderer under the baseline, lit and encoded, over the baseline's ids and distances.

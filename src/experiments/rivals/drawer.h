@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cdr/gpu/device.h>
+#include <cdr/image/image.h>
+#include <cdr/render/drawn_scene.h>
+#include <cdr/render/render_options.h>
+#include <cdr/render/renderer.h>
+
+#include <rivals/contender.h>
+
+#include <cstddef>
+#include <memory>
+
+namespace cdr::experiments {
+
+/// What a row of a table is measured by.
+struct DrawnFrame {
+    image::ImageU32 ids;     ///< object index + 1, 0 for background
+    image::ImageRgba8 color; ///< empty where nothing is shaded
+    std::size_t cascades = 1;
+    double duplication = 1.0; ///< draws per visible instance
+};
+
+/// Draws frames of a scene: whole ones by the library's renderer, or ids and distances alone by a contender. So an
+/// experiment measures a technique of the library and a rival in one way.
+class Drawer {
+  public:
+    /// Whole frames.
+    explicit Drawer(std::unique_ptr<render::Renderer> renderer);
+    /// Ids and distances alone, by a rival or a technique of the library.
+    /// @lifetime As rivals::Contender.
+    /// @throws base::InputError as rivals::Contender: for what the device cannot draw, layers and masked materials.
+    Drawer(const gpu::Device& device, const render::DrawnScene& scene, const rivals::Competing& competing,
+           const vk::Extent2D& extent, host::WorkerPool& workers);
+
+    bool shades() const { return m_renderer != nullptr; }
+
+    /// Draws a frame and copies it.
+    DrawnFrame render(const scene::Camera& camera);
+    /// Draws a frame, waits for it and leaves it on the device: what is timed.
+    render::FrameStats draw(const scene::Camera& camera);
+    /// As render::Renderer::skip(). No rival depends on the frames before.
+    void skip(const scene::Camera& camera);
+
+    /// Of a drawer that shades.
+    render::Renderer& renderer() { return *m_renderer; }
+
+  private:
+    std::unique_ptr<render::Renderer> m_renderer; ///< either this or the next is there
+    std::unique_ptr<rivals::Contender> m_contender;
+};
+
+} // namespace cdr::experiments
