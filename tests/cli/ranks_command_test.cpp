@@ -187,6 +187,19 @@ TEST_F(RanksCommand, OrbitFindsWhatOneProcessDoes) {
                     7, {2});
 }
 
+TEST_F(RanksCommand, RivalsAreMeasuredAsInOneProcess) {
+    if (!deviceInfo().hasInt64Atomics || !deviceInfo().hasFragmentStores) {
+        GTEST_SKIP() << "the device has no 64-bit atomics";
+    }
+    expectSameFiles("probe --distances 10,1e3 --techniques anchored --formats d32f --size 96x54 "
+                    "--rivals two-float,object-anchors --json all.json",
+                    1, {3});
+    expectSameFiles(
+        "flicker --frames 9 --size 96x54 --techniques log --rivals two-float,object-anchors/prepass "
+        "--tga tga --json all.json",
+        1 + 9, {3});
+}
+
 /// A fitted split keeps to the frames before, whoever compares them, those that were timed among them.
 TEST_F(RanksCommand, DetailComparesWhatOneProcessDoes) {
     expectSameFiles(

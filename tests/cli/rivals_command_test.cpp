@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace cdr::cli_test {
 
@@ -60,6 +64,153 @@ TEST(RivalsCommand, DrawsThoseThatAreAskedForAlone) {
     }
     EXPECT_EQ(names,
               (std::vector<std::string>{"anchored", "reversed", "atomic-log", "object-anchors/prepass"}));
+}
+
+/// Rivals as rows of commands that measure techniques.
+class RivalsBeside : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!deviceInfo().hasInt64Atomics || !deviceInfo().hasFragmentStores) {
+            GTEST_SKIP() << "the device has no 64-bit atomics";
+        }
+    }
+
+    json run(const std::string& command) const {
+        const ProgramResult result = runProgram("--validate " + command + " --json r.json", m_folder.path());
+        EXPECT_EQ(result.status, 0) << result.err;
+        return result.status == 0 ? json::parse(readText(m_folder.path() / "r.json")) : json();
+    }
+
+    /// Rows by technique, each of which has one.
+    static std::map<std::string, json> byTechnique(const json& rows) {
+        std::map<std::string, json> by;
+        for (const json& row : rows) {
+            by[row.at("technique")] = row;
+        }
+        EXPECT_EQ(by.size(), rows.size());
+        return by;
+    }
+
+    /// Rows of a run with rivals hold those of one without, unchanged, and in front of each group's two.
+    static void expectBeside(const json& with, const json& without, std::size_t techniques) {
+        json others = json::array();
+        std::vector<std::string> rivals;
+        for (std::size_t i = 0; i < with.at("results").size(); ++i) {
+            const json& row = with.at("results")[i];
+            const bool isRival = i % (techniques + 2) >= techniques;
+            EXPECT_EQ(row.contains("rival"), isRival) << row;
+            if (isRival) {
+                rivals.push_back(row.at("technique"));
+            } else {
+                others.push_back(row);
+            }
+        }
+        EXPECT_EQ(others, without.at("results"));
+        ASSERT_EQ(rivals.size() * techniques, 2 * others.size());
+        for (std::size_t i = 0; i < rivals.size(); ++i) {
+            EXPECT_EQ(rivals[i], i % 2 == 0 ? "object-anchors" : "atomic-log/prepass");
+        }
+        EXPECT_FALSE(without.contains("needs"));
+        ASSERT_EQ(with.at("needs").size(), 2u);
+        EXPECT_EQ(with.at("needs")[1].at("geometry_passes"), 2);
+    }
+
+    const std::filesystem::path& folder() const { return m_folder.path(); }
+
+    static constexpr const char* kRivals = " --rivals object-anchors,atomic-log/prepass";
+
+  private:
+    TemporaryFolder m_folder;
+};
+
+TEST_F(RivalsBeside, ProbeFindsWhatTheyResolve) {
+    const std::string command =
+        "probe --distances 1000,1e6 --size 640x360 --techniques reversed,anchored --formats d32f";
+    const json with = run(command + kRivals);
+    expectBeside(with, run(command), 2);
+    const auto at1e6 = byTechnique(json(with.at("results").begin() + 4, with.at("results").end()));
+    const json& rival = at1e6.at("object-anchors");
+    EXPECT_TRUE(rival.at("format").is_null());
+    EXPECT_TRUE(rival.at("predicted").is_null());
+    EXPECT_EQ(rival.at("cascades"), 1);
+    EXPECT_EQ(rival.at("resolves_all"), true); // equal cubes, down to the ladder's end
+    EXPECT_LT(rival.at("resolved"), at1e6.at("anchored").at("resolved"));
+    const json& log = at1e6.at("atomic-log/prepass");
+    EXPECT_EQ(log.at("resolves_all"), false);
+    EXPECT_GT(log.at("resolved"), 1000.0 * rival.at("resolved").get<double>());
+}
+
+TEST_F(RivalsBeside, FlickerCountsWhatTheyGetWrongAndKeepsIt) {
+    const std::string command = "flicker --frames 3 --size 320x180 --techniques log,reversed";
+    const json with = run(command + kRivals + " --tga tga --state s");
+    expectBeside(with, run(command), 2);
+    const auto rows = byTechnique(with.at("results"));
+    const json& rival = rows.at("object-anchors");
+    EXPECT_EQ(rival.at("frames"), 3);
+    EXPECT_TRUE(rival.at("mean_flip").is_null()); // nothing is shaded
+    EXPECT_GT(rows.at("log").at("mean_flip"), 0.0);
+    EXPECT_EQ(rival.at("pixels"), rows.at("log").at("pixels"));
+    EXPECT_EQ(rival.at("compared"), rows.at("log").at("compared"));
+    EXPECT_LT(rival.at("wrong"), rows.at("log").at("wrong"));
+    EXPECT_LT(rival.at("wrong"), rows.at("atomic-log/prepass").at("wrong"));
+    EXPECT_TRUE(std::filesystem::exists(folder() / "tga" / "reversed" / "0002.tga"));
+    EXPECT_FALSE(std::filesystem::exists(folder() / "tga" / "object-anchors"));
+
+    EXPECT_EQ(run(command + kRivals + " --state s").at("results"), with.at("results"));
+    const ProgramResult others = runProgram(command + " --rivals object-anchors --state s", folder());
+    EXPECT_EQ(others.status, 2);
+    EXPECT_NE(others.err.find("other options"), std::string::npos) << others.err;
+}
+
+TEST_F(RivalsBeside, OrbitCountsWhatTheyGetWrong) {
+    if (!std::filesystem::exists(CDR_SOURCE_DIR "/.cache/orbit-data")) {
+        GTEST_SKIP() << "the Earth of the scene orbit is not installed; tools/setup.sh fetches it";
+    }
+    const std::string command = "orbit --frames 2 --size 160x90 --techniques reversed,anchored --out out";
+    const json with = run(command + kRivals);
+    expectBeside(with, run(command), 2);
+    const auto runway = byTechnique(json(with.at("results").begin() + 4, with.at("results").end()));
+    EXPECT_EQ(runway.at("object-anchors").at("wrong"), runway.at("anchored").at("wrong"));
+    EXPECT_GT(runway.at("atomic-log/prepass").at("wrong_fraction"), 0.02);
+    EXPECT_FALSE(runway.at("object-anchors").contains("picture"));
+    EXPECT_FALSE(std::filesystem::exists(folder() / "out" / "orbit_object-anchors.png"));
+}
+
+/// Never the times themselves, only what must hold of any.
+TEST_F(RivalsBeside, TimingHoldsThemAgainstADepthTestThatShadesAsLittle) {
+    const json with =
+        run(std::string("timing --frames 3 --size 64x36 --modes log --csv t.csv --trace t") + kRivals);
+    std::vector<std::string> names;
+    for (const json& row : with.at("results")) {
+        const bool isRival = row.contains("rival");
+        names.push_back(row.at("name"));
+        EXPECT_EQ(row.contains("over"), isRival) << row;
+        EXPECT_EQ(row.at("targets").is_null(), names.size() > 3) << row;
+        EXPECT_GT(row.at("execute_us").get<double>(), 0.0);
+        EXPECT_GT(row.at("draws").get<double>(), 1000.0);
+        if (isRival) {
+            EXPECT_EQ(row.at("over"), "standard/ids");
+        }
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"standard", "standard-again", "log", "standard/ids",
+                                               "object-anchors", "atomic-log/prepass"}));
+    EXPECT_EQ(with.at("needs").size(), 2u);
+}
+
+TEST_F(RivalsBeside, AreRefusedInOneLineWhereTheyCannotBeTimed) {
+    for (const auto& [with, says] :
+         {std::pair("--scene traffic", "draws a scene that stands still, not traffic"),
+          std::pair("--in-flight 2", "draws one frame at a time, not several in flight"),
+          std::pair("--stages", "--rivals goes with none of --against, --stages and --memory"),
+          std::pair("--memory", "--rivals goes with none of --against, --stages and --memory")}) {
+        const ProgramResult result = runProgram(
+            std::string("timing --frames 1 --size 16x16 --rivals atomic-log --json t.json ") + with,
+            folder());
+        EXPECT_EQ(result.status, 2) << with;
+        EXPECT_NE(result.err.find(says), std::string::npos) << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder()));
 }
 
 } // namespace

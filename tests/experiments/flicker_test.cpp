@@ -146,6 +146,7 @@ TEST_F(FlickerTest, AStateOfAnotherRunIsRefused) {
     EXPECT_TRUE(refused(with([](auto& o) { o.width = 322; })));
     EXPECT_TRUE(refused(with([](auto& o) { o.nearObject = true; })));
     EXPECT_TRUE(refused(with([](auto& o) { o.techniques.pop_back(); })));
+    EXPECT_TRUE(refused(with([](auto& o) { o.rivalsBeside = {rivals::parseRival("atomic-log")}; })));
     EXPECT_TRUE(refused(with([](auto& o) { o.techniques[0].technique.format = depth::DepthFormat::d16; })));
     EXPECT_FALSE(refused(with([](auto& o) { o.threads = 2; }))); // which changes nothing
 }
@@ -226,6 +227,31 @@ TEST_F(FlickerTest, ANearObjectDisturbsAFittedRangeAndNotFittedCascades) {
     EXPECT_GT(with[0].wrong.fraction(), 0.1);
     EXPECT_LT(with[1].wrong.fraction(), 0.0001);
     EXPECT_GE(with[1].cascades, 2u);
+}
+
+TEST_F(FlickerTest, RivalsHaveFiguresAndNoPictures) {
+    if (!device().info().hasInt64Atomics || !device().info().hasFragmentStores) {
+        leaveOut("64-bit atomics");
+        return;
+    }
+    FlickerOptions options = smallRun();
+    options.frames = 2;
+    const auto without = runFlicker(device(), options);
+    options.rivalsBeside = {rivals::parseRival("object-anchors")};
+    Watcher watcher;
+    auto with = runFlicker(device(), options, watcher.hooks());
+    ASSERT_EQ(with.size(), 3u);
+    const FlickerResult rival = with.back();
+    EXPECT_TRUE(rival.isRival);
+    EXPECT_EQ(rival.flipFrames, 0u);
+    EXPECT_EQ(rival.wrong.pixels, with.front().wrong.pixels);
+    EXPECT_EQ(rival.wrong.wrong, with[1].wrong.wrong); // as anchored
+    EXPECT_EQ(rival.duplication(), 1.0);
+    for (const auto& [frame, pictures] : watcher.pictures) {
+        EXPECT_EQ(pictures.size(), 2u) << frame;
+    }
+    with.pop_back();
+    expectSame(with, without);
 }
 
 FlickerResult resultOf(const std::string& technique, std::uint64_t flips) {

@@ -56,6 +56,16 @@ TEST(TimingModes, ChosenOnesKeepTheBaselineOnce) {
     EXPECT_THROW(timingModesNamed({"cdr-9"}), InputError);
 }
 
+TEST(TimingModes, RivalsFollowADepthTestThatShadesAsLittle) {
+    EXPECT_TRUE(rivalTimingModes({}).empty());
+    const std::vector<TimingMode> modes = rivalTimingModes({cdr::rivals::parseRival("two-float/prepass")});
+    ASSERT_EQ(modes.size(), 2u);
+    EXPECT_EQ(modes[0].name, "standard/ids");
+    EXPECT_TRUE(modes[0].idsAlone && !modes[0].isRival());
+    EXPECT_EQ(modes[1].name, "two-float/prepass");
+    EXPECT_TRUE(modes[1].isRival());
+}
+
 TEST(Scaling, ThreadStepsReachTwiceTheCpus) {
     EXPECT_EQ(threadSteps(1), (std::vector<std::size_t>{1, 2}));
     EXPECT_EQ(threadSteps(2), (std::vector<std::size_t>{1, 2, 3, 4}));

@@ -2,9 +2,11 @@
 #include <cdr/host/file.h>
 #include <cli/command.h>
 #include <cli/commands.h>
+#include <cli/rival_needs.h>
 #include <experiments/flicker/flicker.h>
 #include <experiments/flicker/output.h>
 #include <experiments/flicker/pairs.h>
+#include <experiments/rivals/row_columns.h>
 #include <experiments/wrong_pixels_columns.h>
 
 #include <fmt/format.h>
@@ -31,7 +33,8 @@ experiments::Columns<experiments::FlickerResult> flickerColumns() {
     return experiments::joined<Result>(
         {{{.key = "scene", .value = &Result::scene},
           {.key = "technique", .value = &Result::technique, .heading = "technique"},
-          {.key = "format", .value = &Result::format, .heading = "format"},
+          experiments::rivalColumn(&Result::isRival),
+          experiments::formatColumn(&Result::format),
           {.key = "frames", .value = &Result::frames}},
          experiments::columnsOf(&Result::wrong,
                                 experiments::wrongPixelsColumns(
@@ -43,7 +46,13 @@ experiments::Columns<experiments::FlickerResult> flickerColumns() {
           {.key = "flips_per_thousand",
            .value = [](const Result& result) { return result.flips.perThousand(); },
            .heading = "flips / 1000"},
-          {.key = "mean_flip", .value = &Result::meanFlip, .heading = "mean FLIP"},
+          {.key = "mean_flip",
+           .value =
+               [](const Result& result) {
+                   return result.isRival ? experiments::Json(nullptr) : experiments::Json(result.meanFlip());
+               },
+           .heading = "mean FLIP",
+           .format = {.missing = "-"}},
           {.key = "flip_frames", .value = &Result::flipFrames},
           {.key = "duplication", .value = &Result::duplication},
           {.key = "cascades", .value = &Result::cascades, .heading = "cascades"}}});
@@ -162,6 +171,7 @@ void run(Command& command, FlickerArguments& arguments) {
         console.line("");
         console.table(experiments::tableOf(pairColumns(), pairs));
     }
+    printNeeds(console, options.rivalsBeside);
     console.line(fmt::format("\n{}; {} frames of {}x{}, FLIP of every {}., seed {}", command.opened().text(),
                              options.frames, options.width, options.height, options.flipEvery, options.seed));
 
@@ -173,6 +183,7 @@ void run(Command& command, FlickerArguments& arguments) {
                                           {"flip_every", options.flipEvery}});
     document["results"] = experiments::jsonOf(columns, results);
     document["pairs"] = experiments::jsonOf(pairColumns(), pairs);
+    addNeeds(document, options.rivalsBeside);
     command.writeDocument(document);
 }
 
@@ -181,6 +192,7 @@ void addOptions(CLI::App& command, FlickerArguments& arguments) {
     addFrames(command, options.frames, "Frames, spread evenly over one turn of the camera");
     addSize(command, options.width, options.height);
     addTechniques(command, options.techniques);
+    addRivalList(command, options.rivalsBeside, "none");
     command.add_option("--format", arguments.format, "Depth format of all: d16, d24 or d32f");
     addSeed(command, options.seed, "Seed of the field");
     command.add_flag("--near-object", options.nearObject,

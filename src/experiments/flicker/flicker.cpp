@@ -6,6 +6,7 @@
 #include <cdr/measure/compare/flip_difference.h>
 #include <cdr/measure/truth/truth_shading.h>
 #include <cdr/render/renderer.h>
+#include <experiments/rivals/drawer.h>
 #include <experiments/units.h>
 #include <scenes/open_scene.h>
 
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace cdr::experiments {
@@ -28,11 +30,11 @@ struct TruthFrame {
     image::ImageRgba8 picture; ///< empty where FLIP is not taken
 };
 
-/// One technique on its way through the frames.
+/// One technique or rival on its way through the frames.
 struct Lane {
-    std::unique_ptr<render::Renderer> renderer;
-    std::uint32_t next = 0;    ///< frame that comes after those rendered or skipped
-    image::ImageU32 idsBefore; ///< of the frame before; empty at first
+    Drawer drawer;
+    std::uint32_t next = 0;      ///< frame that comes after those rendered or skipped
+    image::ImageU32 idsBefore{}; ///< of the frame before; empty at first
 };
 
 /// One technique in one frame.
@@ -68,19 +70,17 @@ class Flicker {
           m_gpuScene(device, m_setup.scene),
           m_caster(m_setup.scene, m_workers) {
         for (const auto& [name, technique] : options.techniques) {
-            m_lanes.push_back({.renderer = std::make_unique<render::Renderer>(
-                                   device, m_setup.scene, m_gpuScene,
-                                   render::RenderOptions{.width = options.width,
-                                                         .height = options.height,
-                                                         .technique = technique,
-                                                         .threads = options.threads}),
-                               .next = 0,
-                               .idsBefore = {}});
-            FlickerResult result;
-            result.scene = m_setup.scene.name;
-            result.technique = name;
-            result.format = nameOf(technique.format);
-            m_state.results.push_back(std::move(result));
+            const render::RenderOptions drawn{.width = options.width,
+                                              .height = options.height,
+                                              .technique = technique,
+                                              .threads = options.threads};
+            addLane(name, nameOf(technique.format),
+                    Drawer(std::make_unique<render::Renderer>(device, m_setup.scene, m_gpuScene, drawn)));
+        }
+        for (const auto& [name, rival] : options.rivalsBeside) {
+            addLane(name, "",
+                    Drawer(device, {m_setup.scene, m_gpuScene}, rival, {options.width, options.height},
+                           m_workers));
         }
     }
 
@@ -110,6 +110,16 @@ class Flicker {
     }
 
   private:
+    /// @param format empty for a rival.
+    void addLane(const std::string& name, std::string_view format, Drawer drawer) {
+        FlickerResult& result = m_state.results.emplace_back();
+        result.scene = m_setup.scene.name;
+        result.technique = name;
+        result.isRival = format.empty();
+        result.format = format;
+        m_lanes.push_back({.drawer = std::move(drawer)});
+    }
+
     scene::Camera cameraAt(std::uint32_t frame) const {
         return m_setup.path.at(
             static_cast<std::uint32_t>(std::uint64_t{frame} * m_setup.path.frames / m_options.frames));
@@ -123,25 +133,31 @@ class Flicker {
     }
 
     /// Past the frames that other ranks or an earlier run rendered, which fitted splits remember.
-    render::Frame render(std::uint32_t frame, std::size_t lane) {
+    DrawnFrame render(std::uint32_t frame, std::size_t lane) {
         step(frame, lane);
         Lane& own = m_lanes[lane];
         for (; own.next < frame; ++own.next) {
-            own.renderer->skip(cameraAt(own.next));
+            own.drawer.skip(cameraAt(own.next));
         }
         ++own.next;
-        return own.renderer->render(cameraAt(frame));
+        return own.drawer.render(cameraAt(frame));
     }
 
     /// A frame that an earlier run has measured.
     Json showFrame(std::uint32_t frame) {
         std::vector<image::ImageRgba8> pictures;
         for (std::size_t i = 0; i < m_lanes.size(); ++i) {
-            render::Frame rendered = render(frame, i);
-            m_lanes[i].idsBefore = rendered.ids();
-            pictures.push_back(std::move(rendered.color));
+            DrawnFrame drawn = render(frame, i);
+            m_lanes[i].idsBefore = std::move(drawn.ids);
+            addPicture(std::move(drawn), i, pictures);
         }
         return wireOf({}, pictures);
+    }
+
+    void addPicture(DrawnFrame drawn, std::size_t lane, std::vector<image::ImageRgba8>& pictures) const {
+        if (m_lanes[lane].drawer.shades()) {
+            pictures.push_back(std::move(drawn.color));
+        }
     }
 
     /// Has at hand what the flips of a frame are counted against.
@@ -151,7 +167,7 @@ class Flicker {
         }
         for (std::size_t i = 0; i < m_lanes.size(); ++i) {
             if (m_lanes[i].next < frame) { // else its ids are there
-                m_lanes[i].idsBefore = render(frame - 1, i).ids();
+                m_lanes[i].idsBefore = render(frame - 1, i).ids;
             }
         }
         m_truthBefore = truthAt(frame - 1);
@@ -181,31 +197,31 @@ class Flicker {
         std::vector<Figures> figures;
         std::vector<image::ImageRgba8> pictures;
         for (std::size_t i = 0; i < m_lanes.size(); ++i) {
-            render::Frame rendered = render(frame, i);
-            figures.push_back(measure(rendered, truth, steady, m_lanes[i]));
-            pictures.push_back(std::move(rendered.color));
+            DrawnFrame drawn = render(frame, i);
+            figures.push_back(measure(drawn, truth, steady, m_lanes[i]));
+            addPicture(std::move(drawn), i, pictures);
         }
         m_truthBefore = std::move(truth);
         m_truthFrame = frame;
         return wireOf(figures, pictures);
     }
 
-    Figures measure(const render::Frame& rendered, const TruthFrame& truth,
-                    const image::Raster<std::uint8_t>& steady, Lane& lane) {
-        image::ImageU32 ids = rendered.ids();
-        Figures figures{.wrong = measure::countWrong(ids, truth.truth, truth.inner),
-                        .duplication = rendered.stats.duplication,
-                        .cascades = rendered.cascades.size()};
+    /// Moves the ids to the lane.
+    Figures measure(DrawnFrame& drawn, const TruthFrame& truth, const image::Raster<std::uint8_t>& steady,
+                    Lane& lane) {
+        Figures figures{.wrong = measure::countWrong(drawn.ids, truth.truth, truth.inner),
+                        .duplication = drawn.duplication,
+                        .cascades = drawn.cascades};
         if (!lane.idsBefore.pixels.empty()) {
-            figures.flips = measure::countFlips(lane.idsBefore, ids, steady);
+            figures.flips = measure::countFlips(lane.idsBefore, drawn.ids, steady);
         }
-        if (!truth.picture.pixels.empty()) {
+        if (!truth.picture.pixels.empty() && lane.drawer.shades()) {
             const image::ImageRgba8 ordered =
-                measure::orderByTruth(rendered.color, ids, truth.truth, truth.picture);
-            figures.flip = m_flip.mean(ordered, rendered.color, m_workers);
+                measure::orderByTruth(drawn.color, drawn.ids, truth.truth, truth.picture);
+            figures.flip = m_flip.mean(ordered, drawn.color, m_workers);
             figures.flipTaken = 1;
         }
-        lane.idsBefore = std::move(ids);
+        lane.idsBefore = std::move(drawn.ids);
         return figures;
     }
 

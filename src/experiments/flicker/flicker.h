@@ -7,6 +7,7 @@
 #include <cdr/measure/compare/wrong_pixels.h>
 
 #include <ranks/ranks.h>
+#include <rivals/rival.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +26,8 @@ struct FlickerOptions {
     std::uint32_t frames = 360; ///< spread evenly over one turn of the camera
     std::size_t threads = 1;
     std::uint64_t seed = 2013;
-    std::vector<depth::NamedTechnique> techniques; ///< all presets when empty
+    std::vector<depth::NamedTechnique> techniques;  ///< all presets when empty
+    std::vector<rivals::NamedRival> rivalsBeside{}; ///< measured as the techniques are, behind them
     /// Puts a tiny object beside the camera (scene afc-near), so that fitting near and far does not help.
     bool nearObject = false;
     std::uint32_t flipEvery = 1; ///< FLIP is taken of every so-many-th frame; at least 1
@@ -33,16 +35,17 @@ struct FlickerOptions {
     std::optional<std::filesystem::path> state;
 };
 
-/// One technique over all frames.
+/// One technique or rival over all frames.
 struct FlickerResult {
     std::string scene;
     std::string technique;
-    std::string format;
+    bool isRival = false;
+    std::string format; ///< of the depth buffer; empty for a rival, which has keys of 64 bits
     std::uint32_t frames = 0;
     measure::WrongPixels wrong;   ///< summed over the frames
     measure::FlipCount flips;     ///< summed over neighbouring frames
     double flipSum = 0.0;         ///< of the mean FLIP of each frame it was taken of
-    std::uint32_t flipFrames = 0; ///< frames FLIP was taken of
+    std::uint32_t flipFrames = 0; ///< frames FLIP was taken of; 0 for a rival, which shades nothing
     double duplicationSum = 0.0;  ///< of each frame's draws per visible instance
     std::size_t cascades = 0;     ///< the most of any frame
 
@@ -56,14 +59,14 @@ struct FlickerHooks {
     /// Called before each frame with how many of all are done.
     std::function<void(std::size_t done, std::size_t all, const std::string& what)> progress;
     /// Receives every frame's pictures in the techniques' order, from the first frame on also where a run
-    /// resumes.
+    /// resumes. Rivals have none.
     std::function<void(std::uint32_t frame, const std::vector<image::ImageRgba8>& pictures)> pictures;
     /// That share the frames; null where the process is alone. The first one has results and pictures, and keeps the state.
     ranks::Ranks* ranks = nullptr;
 };
 
-/// One result per technique, in their order. base::InputError for unusable options or a state that belongs to
-/// another run.
+/// One result per technique, then per rival, in their order. base::InputError for unusable options, a rival that the
+/// device cannot draw, and a state that belongs to another run.
 std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOptions& options,
                                       const FlickerHooks& hooks = {});
 

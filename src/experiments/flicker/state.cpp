@@ -34,6 +34,9 @@ std::string digestOf(const FlickerOptions& options, const gpu::DeviceInfo& devic
         parts["techniques"].push_back({name, depth::nameOf(technique.mapping), depth::nameOf(technique.split),
                                        depth::nameOf(technique.format)});
     }
+    for (const rivals::NamedRival& named : options.rivalsBeside) {
+        parts["rivals"].push_back(named.name);
+    }
     return host::sha256Of(parts.dump());
 }
 

@@ -1,9 +1,11 @@
 #include <cli/command.h>
 #include <cli/commands.h>
 #include <cli/picture_folder.h>
+#include <cli/rival_needs.h>
 #include <experiments/gnuplot.h>
 #include <experiments/orbit/orbit.h>
 #include <experiments/readable.h>
+#include <experiments/rivals/row_columns.h>
 #include <experiments/wrong_pixels_columns.h>
 #include <scenes/orbit/orbit.h>
 
@@ -66,6 +68,7 @@ orbitColumns(const std::vector<experiments::PictureResult>& pictures, std::uint3
           {.key = "frame", .value = &Result::frame},
           {.key = "fov_degrees", .value = &Result::fovYDegrees},
           {.key = "technique", .value = &Result::technique},
+          experiments::rivalColumn(&Result::isRival),
           {.key = "cascades", .value = &Result::cascades}},
          experiments::columnsOf(&Result::wrong, experiments::wrongPixelsColumns()),
          {{.key = "picture", .value = named(".png")}, {.key = "heat_map", .value = named("_wrong.png")}}});
@@ -113,6 +116,7 @@ void run(Command& command, OrbitArguments& arguments) {
     const Console& console = command.console();
     const std::string device = command.opened().text();
     printTable(console, result.results);
+    printNeeds(console, options.rivalsBeside);
     console.line(
         fmt::format("\nshare of wrong pixels off edges; {}, {}x{}", device, options.width, options.height));
     if (folder.isWanted()) {
@@ -134,6 +138,7 @@ void run(Command& command, OrbitArguments& arguments) {
     const auto written = folder.isWanted() ? result.last : std::vector<experiments::PictureResult>();
     document["results"] =
         experiments::jsonOf(orbitColumns(written, result.results.back().frame), result.results);
+    addNeeds(document, options.rivalsBeside);
     command.writeDocument(document);
 }
 
@@ -145,6 +150,7 @@ void addOptions(CLI::App& command, OrbitArguments& arguments) {
                        "A .gltf or .glb file to park at the airport instead of the generated aircraft");
     addFrames(command, options.frames, "Frames, spread over the path of 240", 240);
     addTechniques(command, options.techniques);
+    addRivalList(command, options.rivalsBeside, "none");
     addState(command, arguments.state);
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that cull, bin, record and cast the truth");

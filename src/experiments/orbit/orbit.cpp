@@ -1,7 +1,7 @@
 #include "orbit.h"
 
 #include <cdr/measure/truth/truth.h>
-#include <cdr/render/renderer.h>
+#include <experiments/rivals/drawer.h>
 #include <experiments/units.h>
 
 #include <memory>
@@ -11,8 +11,8 @@ namespace cdr::experiments {
 
 namespace {
 
-/// One technique in one frame.
-struct Drawn {
+/// One technique or rival in one frame.
+struct Measured {
     std::size_t cascades = 0;
     measure::WrongPixels wrong;
 };
@@ -28,59 +28,65 @@ class Zoom {
           m_workers(options.threads),
           m_caster(setup.scene, m_workers) {
         for (const auto& [name, technique] : options.techniques) {
-            m_renderers.push_back(
-                std::make_unique<render::Renderer>(device, setup.scene, m_gpuScene,
-                                                   render::RenderOptions{.width = options.width,
-                                                                         .height = options.height,
-                                                                         .technique = technique,
-                                                                         .threads = options.threads}));
+            const render::RenderOptions drawn{.width = options.width,
+                                              .height = options.height,
+                                              .technique = technique,
+                                              .threads = options.threads};
+            m_drawers.emplace_back(
+                std::make_unique<render::Renderer>(device, setup.scene, m_gpuScene, drawn));
+            m_names.push_back(name);
+        }
+        for (const auto& [name, rival] : options.rivalsBeside) {
+            m_drawers.emplace_back(device, render::DrawnScene{setup.scene, m_gpuScene}, rival,
+                                   vk::Extent2D{options.width, options.height}, m_workers);
+            m_names.push_back(name);
         }
     }
 
     std::size_t frames() const { return m_numbers.size(); }
 
-    /// All techniques in one frame; of the first and the last one pictures too.
+    /// All techniques and rivals in one frame; of the first and the last one pictures too.
     Json measure(std::size_t unit, const Progress& progress) {
         for (; m_next < unit; ++m_next) {
-            for (const auto& renderer : m_renderers) {
-                renderer->skip(cameraOf(m_next));
+            for (Drawer& drawer : m_drawers) {
+                drawer.skip(cameraOf(m_next));
             }
         }
         ++m_next;
         const scene::Camera camera = cameraOf(unit);
         const measure::TruthImage truth = m_caster.cast(camera, m_options.width, m_options.height, m_workers);
         const image::Raster<std::uint8_t> inner = measure::innerMask(truth);
-        std::vector<Drawn> drawn;
+        std::vector<Measured> measured;
         Json made{{"last", Json::array()}};
-        for (const auto& renderer : m_renderers) {
-            progress(unit * m_renderers.size() + drawn.size(), m_numbers.size() * m_renderers.size(),
-                     m_options.techniques[drawn.size()].name);
-            const render::Frame frame = renderer->render(camera);
-            drawn.push_back(
-                {.cascades = frame.cascades.size(), .wrong = measure::countWrong(frame.ids(), truth, inner)});
-            if (unit == 0 && renderer == m_renderers.back()) {
+        for (std::size_t i = 0; i < m_drawers.size(); ++i) {
+            progress(unit * m_drawers.size() + i, m_numbers.size() * m_drawers.size(), m_names[i]);
+            const DrawnFrame frame = m_drawers[i].render(camera);
+            measured.push_back(
+                {.cascades = frame.cascades, .wrong = measure::countWrong(frame.ids, truth, inner)});
+            if (unit == 0 && i + 1 == m_options.techniques.size()) {
                 made["window"] = packedPicture(frame.color);
             }
-            if (unit + 1 == m_numbers.size()) {
+            if (unit + 1 == m_numbers.size() && m_drawers[i].shades()) {
                 made["last"].push_back(
                     {{"picture", packedPicture(frame.color)},
-                     {"heat_map", packedPicture(measure::heatMap(frame.ids(), truth, frame.color))}});
+                     {"heat_map", packedPicture(measure::heatMap(frame.ids, truth, frame.color))}});
             }
         }
-        made["drawn"] = packed(drawn);
+        made["measured"] = packed(measured);
         return made;
     }
 
     /// Adds what measure() made.
     void add(std::size_t unit, const Json& made, OrbitRun& run) const {
         const double fovYDegrees = cameraOf(unit).fovY * 180.0 / std::numbers::pi;
-        const std::vector<Drawn> drawn = unpacked<Drawn>(made.at("drawn"), m_renderers.size());
-        for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const std::vector<Measured> measured = unpacked<Measured>(made.at("measured"), m_drawers.size());
+        for (std::size_t i = 0; i < measured.size(); ++i) {
             run.results.push_back({.frame = m_numbers[unit],
                                    .fovYDegrees = fovYDegrees,
-                                   .technique = m_options.techniques[i].name,
-                                   .cascades = drawn[i].cascades,
-                                   .wrong = drawn[i].wrong});
+                                   .technique = m_names[i],
+                                   .isRival = i >= m_options.techniques.size(),
+                                   .cascades = measured[i].cascades,
+                                   .wrong = measured[i].wrong});
         }
         if (made.contains("window")) {
             run.window = unpackedPicture(made["window"]);
@@ -88,10 +94,10 @@ class Zoom {
         for (const Json& pictures : made.at("last")) {
             PictureResult& picture = run.last.emplace_back();
             picture.scene = "orbit";
-            picture.technique = m_options.techniques.at(run.last.size() - 1).name;
+            picture.technique = m_names.at(run.last.size() - 1);
             picture.fovYDegrees = fovYDegrees;
             picture.frames = 1;
-            picture.wrong = drawn[run.last.size() - 1].wrong;
+            picture.wrong = measured[run.last.size() - 1].wrong;
             picture.picture = unpackedPicture(pictures.at("picture"));
             picture.heatMap = unpackedPicture(pictures.at("heat_map"));
         }
@@ -106,8 +112,9 @@ class Zoom {
     render::GpuScene m_gpuScene;
     host::WorkerPool m_workers;
     measure::TruthCaster m_caster;
-    std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by technique
-    std::size_t m_next = 0; ///< unit that comes after those done or skipped
+    std::vector<Drawer> m_drawers;    ///< by technique, then rival
+    std::vector<std::string> m_names; ///< of them
+    std::size_t m_next = 0;           ///< unit that comes after those done or skipped
 };
 
 } // namespace

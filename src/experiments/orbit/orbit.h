@@ -7,6 +7,7 @@
 #include <experiments/pictures/pictures.h>
 
 #include <ranks/ranks.h>
+#include <rivals/rival.h>
 
 #include <cstdint>
 #include <string>
@@ -21,22 +22,24 @@ struct OrbitOptions {
     std::uint32_t height = 720;
     std::uint32_t frames = 25; ///< spread evenly over the path, its last among them
     std::size_t threads = 1;
-    std::vector<depth::NamedTechnique> techniques; ///< all presets when empty
+    std::vector<depth::NamedTechnique> techniques;  ///< all presets when empty
+    std::vector<rivals::NamedRival> rivalsBeside{}; ///< measured as the techniques are, behind them
 };
 
-/// One technique in one frame.
+/// One technique or rival in one frame.
 struct OrbitResult {
     std::uint32_t frame = 0; ///< of the path
     double fovYDegrees = 0.0;
     std::string technique;
+    bool isRival = false;
     std::size_t cascades = 0;
     measure::WrongPixels wrong;
 };
 
 /// On the first rank; empty on others.
 struct OrbitRun {
-    std::vector<OrbitResult> results; ///< by frame, then technique
-    std::vector<PictureResult> last;  ///< of the path's last frame, by technique
+    std::vector<OrbitResult> results; ///< by frame, then technique, then rival
+    std::vector<PictureResult> last;  ///< of the path's last frame, by technique; rivals shade nothing
     image::ImageRgba8 window;         ///< the first frame under the last technique
 };
 
@@ -44,7 +47,8 @@ struct OrbitRun {
 std::vector<std::uint32_t> zoomFrames(std::uint32_t length, std::uint32_t count);
 
 /// Frames are units of the ranks.
-/// @param setup the scene; other scenes with a path do as well.
+/// @param setup the scene; other scenes with a path do as well. With rivals one that rivals::Contender draws.
+/// base::InputError for a rival that the device cannot draw, and for such a scene.
 OrbitRun runOrbit(const gpu::Device& device, const scene::SceneSetup& setup, const OrbitOptions& given,
                   const Progress& progress, ranks::Ranks& ranks);
 

@@ -1,15 +1,18 @@
 #include <cdr/base/error.h>
 #include <cli/command.h>
 #include <cli/commands.h>
+#include <cli/rival_needs.h>
 #include <experiments/columns.h>
 #include <experiments/probe/probe.h>
 #include <experiments/readable.h>
+#include <experiments/rivals/row_columns.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 namespace cdr::cli {
@@ -33,7 +36,15 @@ experiments::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit uni
         return base::quantityText(view, unit, base::NumberStyle::plain);
     };
     const auto resolvedText = [text](const Result& result) {
-        return result.resolvedView ? text(*result.resolvedView) : "none, > " + text(result.largestView);
+        const char* orLess = result.isRival && result.resolvesAll ? " or less" : "";
+        return result.resolvedView ? text(*result.resolvedView) + orLess
+                                   : "none, > " + text(result.largestView);
+    };
+    const auto predictedText = [unit](const Result& result) {
+        return result.isRival ? std::string()
+               : std::isfinite(result.predictedView)
+                   ? fmt::format("{}", experiments::Readable{result.predictedView, unit})
+                   : "none";
     };
     const auto ratioText = [](const Result& result) {
         const std::optional<double> ratio = ratioOf(result);
@@ -41,16 +52,22 @@ experiments::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit uni
     };
     return {
         {.key = "technique", .value = &Result::technique, .heading = "technique"},
-        {.key = "format", .value = &Result::format, .heading = "format"},
+        experiments::rivalColumn(&Result::isRival),
+        experiments::formatColumn(&Result::format),
         {.key = "distance", .value = &Result::distanceView, .heading = "distance", .format = {.unit = unit}},
         {.key = "resolved",
          .value = [](const Result& result) { return experiments::finiteOrNull(result.resolvedView); },
          .heading = "resolved",
          .text = resolvedText},
+        {.key = "resolves_all",
+         .value =
+             [](const Result& result) {
+                 return result.isRival ? experiments::Json(result.resolvesAll) : experiments::absent();
+             }},
         {.key = "predicted",
          .value = [](const Result& result) { return experiments::finiteOrNull(result.predictedView); },
          .heading = "predicted",
-         .format = {.missing = "none", .unit = unit}},
+         .text = predictedText},
         {.key = "ratio",
          .value = [](const Result& result) { return experiments::finiteOrNull(ratioOf(result)); },
          .heading = "measured / predicted",
@@ -94,6 +111,7 @@ void run(Command& command, ProbeArguments& arguments) {
         command.console().line(
             fmt::format("left out, the device cannot draw to it: {}", fmt::join(missing, ", ")));
     }
+    printNeeds(command.console(), options.rivalsBeside);
     command.console().line(fmt::format("\n{}; seed {}; one picture each of {}x{}", command.opened().text(),
                                        options.seed, options.width, options.height));
 
@@ -101,6 +119,7 @@ void run(Command& command, ProbeArguments& arguments) {
         command.makeDocument({{"width", options.width}, {"height", options.height}, {"seed", options.seed}});
     document["results"] = experiments::jsonOf(columns, results);
     document["missing_formats"] = missing;
+    addNeeds(document, options.rivalsBeside);
     command.writeDocument(document);
 }
 
@@ -110,6 +129,7 @@ void addOptions(CLI::App& command, ProbeArguments& arguments) {
         ->delimiter(',')
         ->capture_default_str();
     addTechniques(command, options.techniques);
+    addRivalList(command, options.rivalsBeside, "none");
     command.add_option("--formats", arguments.formats, "Depth formats, a comma between them; all")
         ->delimiter(',');
     addSize(command, options.width, options.height);

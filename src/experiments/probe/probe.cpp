@@ -6,6 +6,7 @@
 #include <cdr/measure/truth/truth.h>
 #include <cdr/render/renderer.h>
 #include <cdr/scene/frustum.h>
+#include <experiments/rivals/drawer.h>
 #include <experiments/units.h>
 #include <scenes/ladder.h>
 
@@ -13,6 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <string_view>
 
 namespace cdr::experiments {
 
@@ -43,9 +47,13 @@ depth::ForecastScene forecastScene(const scene::SceneSetup& setup, const scenes:
             .somethingNear = false};
 }
 
+/// depth::forecast() knows no rival.
+constexpr double kNotForecast = std::numeric_limits<double>::quiet_NaN();
+
 /// What a picture comes to.
 struct Probed {
     std::optional<double> resolvedView;
+    bool resolvesAll = false;
     double predictedView = 0.0;
     double guaranteedView = 0.0;
     std::size_t cascades = 0;
@@ -63,12 +71,17 @@ class Prober {
         if (m_options.formats.empty()) {
             m_options.formats = device.info().depthFormats;
         }
+        for (const rivals::NamedRival& named : m_options.rivalsBeside) {
+            rivals::requireFeatures(device.info(), named.rival);
+        }
     }
 
     /// Pictures of a distance.
-    std::size_t pictures() const { return m_options.techniques.size() * m_options.formats.size(); }
+    std::size_t pictures() const {
+        return m_options.techniques.size() * m_options.formats.size() + m_options.rivalsBeside.size();
+    }
 
-    /// Every technique in every format, in their order.
+    /// Every technique in every format, then every rival, in their order.
     std::vector<Probed>
     probe(double distanceView,
           const std::function<void(std::size_t done, const std::string& name)>& progress) {
@@ -78,24 +91,34 @@ class Prober {
         const render::GpuScene gpuScene(m_device, setup.scene);
         const measure::TruthImage truth =
             measure::castTruth(setup.scene, camera, m_options.width, m_options.height, m_workers);
+        const auto measured = [&](Drawer& drawer, double predictedView, double guaranteedView) -> Probed {
+            const DrawnFrame frame = drawer.render(camera);
+            return {.resolvedView = smallestResolved(frame.ids, truth, ladder),
+                    .resolvesAll = resolvesAll(frame.ids, truth, ladder),
+                    .predictedView = predictedView,
+                    .guaranteedView = guaranteedView,
+                    .cascades = frame.cascades};
+        };
         std::vector<Probed> all;
         for (auto [name, technique] : m_options.techniques) {
             for (const depth::DepthFormat format : m_options.formats) {
                 technique.format = format;
                 progress(all.size(), name);
-                render::Renderer renderer(m_device, setup.scene, gpuScene,
-                                          {.width = m_options.width,
-                                           .height = m_options.height,
-                                           .technique = technique,
-                                           .threads = m_options.threads});
-                const render::Frame frame = renderer.render(camera);
+                render::RenderOptions drawn{.width = m_options.width,
+                                            .height = m_options.height,
+                                            .technique = technique,
+                                            .threads = m_options.threads};
+                Drawer drawer(std::make_unique<render::Renderer>(m_device, setup.scene, gpuScene, drawn));
                 const auto forecast =
                     depth::forecast(technique, forecastScene(setup, ladder, m_options.height));
-                all.push_back({.resolvedView = smallestResolved(frame.ids(), truth, ladder),
-                               .predictedView = forecast.resolvedView(),
-                               .guaranteedView = forecast.guaranteedView(),
-                               .cascades = frame.cascades.size()});
+                all.push_back(measured(drawer, forecast.resolvedView(), forecast.guaranteedView()));
             }
+        }
+        for (const rivals::NamedRival& named : m_options.rivalsBeside) {
+            progress(all.size(), named.name);
+            Drawer drawer(m_device, {setup.scene, gpuScene}, named.rival, {m_options.width, m_options.height},
+                          m_workers);
+            all.push_back(measured(drawer, kNotForecast, kNotForecast));
         }
         return all;
     }
@@ -105,19 +128,28 @@ class Prober {
                  std::vector<ProbeResult>& results) const {
         const scenes::LadderOptions ladder = probeLadder(distanceView, m_options.nearView, m_options.farView);
         auto probed = all.begin();
+        const auto add = [&](const std::string& name, std::string_view format) {
+            ProbeResult& row = results.emplace_back();
+            row.technique = name;
+            row.isRival = format.empty();
+            row.format = format;
+            row.distanceView = distanceView;
+            row.resolvedView = probed->resolvedView;
+            row.resolvesAll = probed->resolvesAll;
+            row.predictedView = probed->predictedView;
+            row.guaranteedView = probed->guaranteedView;
+            row.smallestView = scenes::ladderSeparation(ladder, 0);
+            row.largestView = scenes::ladderSeparation(ladder, scenes::kLadderPairs - 1);
+            row.cascades = probed->cascades;
+            ++probed;
+        };
         for (const auto& [name, technique] : m_options.techniques) {
             for (const depth::DepthFormat format : m_options.formats) {
-                results.push_back({.technique = name,
-                                   .format = std::string(nameOf(format)),
-                                   .distanceView = distanceView,
-                                   .resolvedView = probed->resolvedView,
-                                   .predictedView = probed->predictedView,
-                                   .guaranteedView = probed->guaranteedView,
-                                   .smallestView = scenes::ladderSeparation(ladder, 0),
-                                   .largestView = scenes::ladderSeparation(ladder, scenes::kLadderPairs - 1),
-                                   .cascades = probed->cascades});
-                ++probed;
+                add(name, nameOf(format));
             }
+        }
+        for (const rivals::NamedRival& named : m_options.rivalsBeside) {
+            add(named.name, "");
         }
     }
 

@@ -4,6 +4,7 @@
 #include <cdr/gpu/device.h>
 
 #include <ranks/ranks.h>
+#include <rivals/rival.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +22,8 @@ namespace cdr::experiments {
 /// units all of it shrinks, cubes, grid and separations alike, to a thousandth of the distance per unit.
 struct ProbeOptions {
     std::vector<double> distancesView{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
-    std::vector<depth::NamedTechnique> techniques; ///< all presets when empty
+    std::vector<depth::NamedTechnique> techniques;  ///< all presets when empty
+    std::vector<rivals::NamedRival> rivalsBeside{}; ///< measured as the techniques are, behind them
     std::optional<double> nearView;
     std::optional<double>
         farView; ///< at least 1.02 times the distance is taken, so that the field is before it
@@ -32,14 +34,16 @@ struct ProbeOptions {
     std::uint64_t seed = 2013;
 };
 
-/// One technique and format at one distance.
+/// One technique and format, or one rival, at one distance.
 struct ProbeResult {
     std::string technique;
-    std::string format;
+    bool isRival = false;
+    std::string format; ///< of the depth buffer; empty for a rival, which has keys of 64 bits
     double distanceView = 0.0;
     /// The smallest separation that, with all larger ones, shows no wrong pixel; empty when the largest does.
     std::optional<double> resolvedView;
-    double predictedView = 0.0;  ///< depth::forecast()
+    bool resolvesAll = false;    ///< no separation of the ladder shows one, so less may be resolved
+    double predictedView = 0.0;  ///< depth::forecast(); NaN for a rival, which it does not know
     double guaranteedView = 0.0; ///< the same with every rounding at its worst
     double smallestView = 0.0;   ///< of the ladder: `resolved` can be no less
     double largestView = 0.0;    ///< of the ladder: null means more than this
@@ -50,7 +54,7 @@ struct ProbeResult {
 using ProbeProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
 
 /// Distances are units of the ranks; the first rank has the results, others an empty list. base::InputError for an
-/// unusable distance or a depth format the device lacks.
+/// unusable distance, and for a depth format or a rival that the device cannot draw.
 std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions& options,
                                   const ProbeProgress& progress, ranks::Ranks& ranks);
 

@@ -27,6 +27,27 @@ bool tells(const measure::TruthPixel& pixel, bool inner, const scenes::LadderOpt
     return pixel.gapView() >= 0.5 * separation;
 }
 
+/// By pair.
+struct Rungs {
+    std::array<bool, scenes::kLadderPairs> lucky; ///< it comes out right by luck, or no pixel tells of it
+    std::array<bool, scenes::kLadderPairs> wrong; ///< it shows a wrong pixel
+};
+
+Rungs judged(const image::ImageU32& ids, const measure::TruthImage& truth,
+             const scenes::LadderOptions& ladder) {
+    const auto inner = measure::innerMask(truth);
+    Rungs rungs{};
+    rungs.lucky.fill(true); // nor does a pair that no pixel tells of pass
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        const measure::TruthPixel& pixel = truth.pixels[i];
+        if (tells(pixel, inner.pixels[i] != 0, ladder)) {
+            rungs.lucky[pairOf(pixel.id)] = pixel.id > pixel.secondId;
+            rungs.wrong[pairOf(pixel.id)] |= ids.pixels[i] != pixel.id;
+        }
+    }
+    return rungs;
+}
+
 } // namespace
 
 scenes::LadderOptions probeLadder(double distanceView, std::optional<double> nearView,
@@ -43,24 +64,20 @@ scenes::LadderOptions probeLadder(double distanceView, std::optional<double> nea
 
 std::optional<double> smallestResolved(const image::ImageU32& ids, const measure::TruthImage& truth,
                                        const scenes::LadderOptions& ladder) {
-    const auto inner = measure::innerMask(truth);
-    std::array<bool, scenes::kLadderPairs> lucky;
-    lucky.fill(true); // nor does a pair that no pixel tells of pass
-    std::array<bool, scenes::kLadderPairs> wrong{};
-    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-        const measure::TruthPixel& pixel = truth.pixels[i];
-        if (tells(pixel, inner.pixels[i] != 0, ladder)) {
-            lucky[pairOf(pixel.id)] = pixel.id > pixel.secondId;
-            wrong[pairOf(pixel.id)] |= ids.pixels[i] != pixel.id;
-        }
-    }
+    const Rungs rungs = judged(ids, truth, ladder);
     std::optional<double> resolved;
-    for (std::uint32_t pair = scenes::kLadderPairs; pair-- > 0 && !wrong[pair];) {
-        if (!lucky[pair]) {
+    for (std::uint32_t pair = scenes::kLadderPairs; pair-- > 0 && !rungs.wrong[pair];) {
+        if (!rungs.lucky[pair]) {
             resolved = scenes::ladderSeparation(ladder, pair);
         }
     }
     return resolved;
+}
+
+bool resolvesAll(const image::ImageU32& ids, const measure::TruthImage& truth,
+                 const scenes::LadderOptions& ladder) {
+    const Rungs rungs = judged(ids, truth, ladder);
+    return std::none_of(rungs.wrong.begin(), rungs.wrong.end(), [](bool wrong) { return wrong; });
 }
 
 } // namespace cdr::experiments

@@ -20,4 +20,9 @@ scenes::LadderOptions probeLadder(double distanceView, std::optional<double> nea
 std::optional<double> smallestResolved(const image::ImageU32& ids, const measure::TruthImage& truth,
                                        const scenes::LadderOptions& ladder);
 
+/// Whether no separation shows a wrong pixel: then smaller ones than smallestResolved() may be resolved too.
+/// @param ids as above.
+bool resolvesAll(const image::ImageU32& ids, const measure::TruthImage& truth,
+                 const scenes::LadderOptions& ladder);
+
 } // namespace cdr::experiments

@@ -6,6 +6,7 @@
 #include <cdr/render/renderer.h>
 #include <cli/command.h>
 #include <cli/commands.h>
+#include <cli/rival_needs.h>
 #include <experiments/columns.h>
 #include <experiments/gnuplot.h>
 #include <experiments/readable.h>
@@ -31,6 +32,7 @@ struct TimingArguments {
     std::filesystem::path trace;
     std::filesystem::path against;
     std::uint32_t rounds = experiments::AgainstOptions{}.rounds;
+    std::vector<rivals::NamedRival> rivalsBeside;
     bool stages = false;
     bool memory = false;
     std::optional<std::uint32_t> frames; ///< none: what suits what is timed
@@ -54,8 +56,18 @@ experiments::Json deviceTimeOf(const experiments::TimingResult& result) {
     return experiments::finiteOrNull(result.parts ? result.parts->deviceUs : std::nullopt);
 }
 
+/// How a mode renders; null where ids alone are drawn.
+template <typename Part>
+auto howOf(Part experiments::TimingMode::*part) {
+    return [part](const experiments::TimingResult& result) {
+        return result.mode.idsAlone ? experiments::Json(nullptr)
+                                    : experiments::Json(nameOf(result.mode.*part));
+    };
+}
+
 experiments::Columns<experiments::TimingResult> timingColumns() {
     using Result = experiments::TimingResult;
+    using Mode = experiments::TimingMode;
     using Parts = experiments::TimingParts;
     const experiments::CellFormat micros{.missing = "-"};
     const auto range = [](const Result& result) {
@@ -65,10 +77,15 @@ experiments::Columns<experiments::TimingResult> timingColumns() {
     return {
         {.key = "mode", .value = [](const Result& result) { return result.mode.preset; }},
         {.key = "name", .value = [](const Result& result) { return result.mode.name; }, .heading = "mode"},
-        {.key = "targets", .value = [](const Result& result) { return nameOf(result.mode.targets); }},
-        {.key = "submission", .value = [](const Result& result) { return nameOf(result.mode.submission); }},
-        {.key = "batching", .value = [](const Result& result) { return nameOf(result.mode.batching); }},
-        {.key = "surface", .value = [](const Result& result) { return nameOf(result.mode.surface); }},
+        {.key = "rival",
+         .value =
+             [](const Result& result) {
+                 return result.mode.isRival() ? experiments::Json(true) : experiments::absent();
+             }},
+        {.key = "targets", .value = howOf(&Mode::targets)},
+        {.key = "submission", .value = howOf(&Mode::submission)},
+        {.key = "batching", .value = howOf(&Mode::batching)},
+        {.key = "surface", .value = howOf(&Mode::surface)},
         {.key = "cascades", .value = &Result::cascades, .heading = "cascades"},
         {.key = "median_us", .value = &Result::medianUs, .heading = "frame us", .format = micros},
         {.key = "p5_us", .value = &Result::lowUs, .heading = "5-95 %", .text = range},
@@ -81,6 +98,11 @@ experiments::Columns<experiments::TimingResult> timingColumns() {
         {.key = "execute_us", .value = partOf(&Parts::executeUs), .heading = "execute us", .format = micros},
         {.key = "device_us", .value = deviceTimeOf},
         {.key = "draws", .value = partOf(&Parts::draws)},
+        {.key = "over",
+         .value =
+             [](const Result& result) {
+                 return result.mode.isRival() ? experiments::Json(result.over) : experiments::absent();
+             }},
         {.key = "overhead_pct",
          .value = &Result::overheadPercent,
          .heading = "overhead",
@@ -133,9 +155,14 @@ void checkArguments(TimingArguments& arguments, CommandFiles& files, const ranks
     if (!isPlain && arguments.options.scene != experiments::TimingOptions{}.scene) {
         throw base::InputError("--scene goes with none of --against, --stages and --memory");
     }
+    if (!isPlain && !arguments.rivalsBeside.empty()) {
+        throw base::InputError("--rivals goes with none of --against, --stages and --memory");
+    }
     if (!arguments.modes.empty()) {
         arguments.options.modes = experiments::timingModesNamed(arguments.modes);
     }
+    const auto rivalModes = experiments::rivalTimingModes(arguments.rivalsBeside);
+    arguments.options.modes.insert(arguments.options.modes.end(), rivalModes.begin(), rivalModes.end());
     if (!arguments.csv.empty()) {
         files.writes("--csv", arguments.csv);
     }
@@ -315,6 +342,12 @@ void timeModes(Command& command, TimingArguments& arguments) {
                              experiments::Readable{again.overheadPercent},
                              experiments::Readable{again.overheadPercent95.low},
                              experiments::Readable{again.overheadPercent95.high}));
+    if (!arguments.rivalsBeside.empty()) {
+        printNeeds(console, arguments.rivalsBeside);
+        console.line(
+            "\nRivals and standard/ids draw ids and distances, and shade nothing. Overheads of rivals are over "
+            "standard/ids.");
+    }
     if (!arguments.csv.empty()) {
         writeTimingCsv(arguments.csv, experiments::jsonOf(timingColumns(), results));
     }
@@ -327,6 +360,7 @@ void timeModes(Command& command, TimingArguments& arguments) {
     auto document = makeDocument(command, arguments, results);
     experiments::addMeasuredBy(document, command.ranks(),
                                ranks.measuredBy(options.framesInFlight > 1 ? "runs" : "frames"));
+    addNeeds(document, arguments.rivalsBeside);
     command.writeDocument(document);
 }
 
@@ -371,6 +405,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
                     "Only these beside standard, such as cdr-2,log,logcdr-5; also naive and standard/NAME "
                     "with a batching, submission, surface or occlusion-culling")
         ->delimiter(',');
+    addRivalList(command, arguments.rivalsBeside, "none");
     CLI::Option* against = command.add_option(
         "--against", arguments.against,
         "Run this build and PROGRAM, another build, in turns, and say how their times differ, if they do");

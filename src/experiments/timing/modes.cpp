@@ -105,6 +105,21 @@ std::vector<TimingMode> extraTimingModes() {
     return modes;
 }
 
+std::vector<TimingMode> rivalTimingModes(const std::vector<rivals::NamedRival>& rivals) {
+    std::vector<TimingMode> modes;
+    if (!rivals.empty()) {
+        modes.push_back(makeMode("standard/ids", "standard", std::nullopt));
+        modes.back().idsAlone = modes.back().technique;
+    }
+    for (const auto& [name, rival] : rivals) {
+        TimingMode& mode = modes.emplace_back();
+        mode.name = name;
+        mode.preset = name;
+        mode.idsAlone = rival;
+    }
+    return modes;
+}
+
 std::vector<TimingMode> timingModesNamed(const std::vector<std::string>& names) {
     std::vector<TimingMode> all = timingModes();
     std::vector<TimingMode> extra = extraTimingModes();

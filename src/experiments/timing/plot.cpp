@@ -15,8 +15,9 @@ std::string timingPlot(const std::vector<TimingResult>& results, const std::stri
     for (std::size_t i = 1; i < results.size(); ++i) {
         const TimingResult& result = results[i];
         // In data, unlike in commands, only double quotes make a string.
+        const std::string over = result.mode.isRival() ? " over " + result.over : "";
         rows +=
-            fmt::format("{} \"{}\" {} {} {} {}\n", i, result.mode.name, result.overheadPercent,
+            fmt::format("{} \"{}{}\" {} {} {} {}\n", i, result.mode.name, over, result.overheadPercent,
                         result.overheadPercent95.low, result.overheadPercent95.high,
                         result.mode.thesisPercent ? fmt::format("{}", *result.mode.thesisPercent) : "NaN");
     }

@@ -5,6 +5,7 @@
 #include <cdr/host/stopwatch.h>
 #include <cdr/render/renderer.h>
 #include <experiments/interleaved_frames.h>
+#include <experiments/rivals/drawer.h>
 #include <scenes/city.h>
 #include <scenes/cubes.h>
 #include <scenes/moving_scene.h>
@@ -39,8 +40,11 @@ scene::SceneSetup openTimed(const TimingOptions& options) {
         throw base::InputError("frames in flight are timed of a scene that stands still, not of traffic");
     }
     for (const TimingMode& mode : options.modes) {
-        if (moves &&
-            (mode.meshes == TimingMeshes::unshared || mode.surface == render::SurfacePath::visibility)) {
+        if (mode.idsAlone && options.framesInFlight > 1) {
+            throw base::InputError("mode " + mode.name + " draws one frame at a time, not several in flight");
+        }
+        if (moves && (mode.meshes == TimingMeshes::unshared ||
+                      mode.surface == render::SurfacePath::visibility || mode.idsAlone)) {
             throw base::InputError("mode " + mode.name + " draws a scene that stands still, not traffic");
         }
     }
@@ -80,7 +84,7 @@ class Race {
                                          : render::GpuScene(device, m_setup.scene)),
           m_frames(options.modes.size(), options.seed) {
         for (const TimingMode& mode : options.modes) {
-            m_renderers.push_back(makeRenderer(device, mode));
+            m_drawers.push_back(makeDrawer(device, mode));
         }
         m_path = m_setup.path;
         if (options.scene != TimingScene::city) { // which has a street to go along
@@ -107,15 +111,16 @@ class Race {
                 catchUp(first);
                 m_next = first + count;
             }
-            return length > 1 ? timedRun(*m_renderers[mode], cameras(first, count)) : draw(mode, first);
+            return length > 1 ? timedRun(m_drawers[mode].renderer(), cameras(first, count))
+                              : draw(mode, first);
         });
     }
 
     std::vector<TimingResult> results() {
         std::vector<TimingResult> results;
-        for (std::size_t mode = 0; mode < m_renderers.size(); ++mode) {
+        for (std::size_t mode = 0; mode < m_drawers.size(); ++mode) {
             results.push_back(summarise(mode));
-            results.back().cascades = m_renderers[mode]->render(m_path.at(0)).cascades.size();
+            results.back().cascades = m_drawers[mode].render(m_path.at(0)).cascades;
         }
         return results;
     }
@@ -132,18 +137,18 @@ class Race {
     void catchUp(std::uint32_t number) {
         for (; m_next < number; ++m_next) {
             show(m_next);
-            for (const auto& renderer : m_renderers) {
-                renderer->skip(m_path.at(m_next));
+            for (Drawer& drawer : m_drawers) {
+                drawer.skip(m_path.at(m_next));
             }
         }
         show(number);
     }
 
     FrameSample draw(std::size_t mode, std::uint32_t number) {
-        if (m_options.trace != nullptr) {
+        if (m_options.trace != nullptr && m_drawers[mode].shades()) { // no contender is traced
             m_options.trace->beginFrame(m_options.modes[mode].name);
         }
-        return timed([&] { return m_renderers[mode]->draw(m_path.at(number)); });
+        return timed([&] { return m_drawers[mode].draw(m_path.at(number)); });
     }
 
     std::vector<scene::Camera> cameras(std::uint32_t first, std::uint32_t count) const {
@@ -152,6 +157,17 @@ class Race {
             cameras.push_back(m_path.at(frame));
         }
         return cameras;
+    }
+
+    Drawer makeDrawer(const gpu::Device& device, const TimingMode& mode) {
+        if (mode.idsAlone) {
+            return {device,
+                    {m_setup.scene, m_gpuScene},
+                    *mode.idsAlone,
+                    {m_options.width, m_options.height},
+                    m_workers};
+        }
+        return Drawer(makeRenderer(device, mode));
     }
 
     std::unique_ptr<render::Renderer> makeRenderer(const gpu::Device& device, const TimingMode& mode) {
@@ -190,8 +206,20 @@ class Race {
         return isTimed ? std::optional(kUsPerMs * measure::median(deviceMs)) : std::nullopt;
     }
 
+    /// The mode that an overhead is over.
+    std::size_t baselineOf(std::size_t mode) const {
+        const std::vector<TimingMode>& modes = m_options.modes;
+        if (!modes[mode].isRival()) {
+            return 0;
+        }
+        const auto isBaseline = [](const TimingMode& other) { return other.idsAlone && !other.isRival(); };
+        const auto found = std::find_if(modes.begin(), modes.end(), isBaseline);
+        return found != modes.end() ? static_cast<std::size_t>(found - modes.begin()) : 0;
+    }
+
     TimingResult summarise(std::size_t mode) const {
-        std::vector<double> overheads = m_frames.ratios(mode, 0, &FrameSample::frameMs);
+        const std::size_t baseline = baselineOf(mode);
+        std::vector<double> overheads = m_frames.ratios(mode, baseline, &FrameSample::frameMs);
         std::transform(overheads.begin(), overheads.end(), overheads.begin(),
                        [](double ratio) { return 100.0 * (ratio - 1.0); });
         const std::vector<double> frameMs = m_frames.samples(mode, &FrameSample::frameMs);
@@ -207,6 +235,7 @@ class Race {
                                        .deviceUs = deviceUs(mode),
                                        .draws = m_frames.median(mode, &FrameSample::draws)};
         }
+        result.over = m_options.modes[baseline].name;
         result.overheadPercent = measure::median(overheads);
         result.overheadPercent95 = measure::bootstrapMedian(overheads, m_options.seed + mode);
         return result;
@@ -218,8 +247,8 @@ class Race {
     scene::CameraPath m_path;
     std::unique_ptr<scenes::MovingScene> m_moving; ///< where the scene moves
     render::GpuScene m_gpuScene;
-    std::unique_ptr<NaiveScene> m_naive;                        ///< once a mode draws it
-    std::vector<std::unique_ptr<render::Renderer>> m_renderers; ///< by mode
+    std::unique_ptr<NaiveScene> m_naive; ///< once a mode draws it
+    std::vector<Drawer> m_drawers;       ///< by mode
     InterleavedFrames m_frames;
     std::uint32_t m_next = 0; ///< frame that comes after those drawn or passed over
 };

@@ -9,6 +9,8 @@
 #include <cdr/render/targets/targets.h>
 #include <experiments/timed_ranks.h>
 
+#include <rivals/contender.h>
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -37,6 +39,11 @@ struct TimingMode {
     TimingMeshes meshes = TimingMeshes::indexed;
     bool occlusionCulling = false;
     std::optional<double> thesisPercent; ///< overhead over standard that Figure 6.4 gives
+    /// Where there is one, ids and distances alone are drawn by it, as rivals draw: nothing is shaded, and of the above the
+    /// names alone count.
+    std::optional<rivals::Competing> idsAlone{};
+
+    bool isRival() const { return idsAlone && std::holds_alternative<rivals::Rival>(*idsAlone); }
 };
 
 /// The modes of Figure 6.4 and ours, each again under one-pass. The first is standard, the baseline; the
@@ -46,6 +53,10 @@ std::vector<TimingMode> timingModes();
 /// Modes that compare ways to draw rather than techniques: the naive baseline, batchings, submissions,
 /// surfaces and variants of the logarithm. Timed where they are asked for.
 std::vector<TimingMode> extraTimingModes();
+
+/// A mode for each rival, and in front standard/ids, over which they are: standard as rivals draw, by
+/// rivals::DepthTestPass. None where there is no rival.
+std::vector<TimingMode> rivalTimingModes(const std::vector<rivals::NamedRival>& rivals);
 
 /// The modes of those names, standard twice in front whether named or not. base::InputError with a suggestion
 /// for an unknown name.
@@ -101,12 +112,13 @@ struct TimingParts {
 /// being done.
 struct TimingResult {
     TimingMode mode;
-    std::size_t cascades = 0;            ///< of the first camera
-    double medianUs = 0.0;               ///< whole frame: cull to the end of execute
-    double lowUs = 0.0;                  ///< 5th percentile of the same
-    double highUs = 0.0;                 ///< 95th
-    std::optional<TimingParts> parts;    ///< of latency; frames in flight have no parts of their own
-    double overheadPercent = 0.0;        ///< over standard: the median of the ratios frame by frame
+    std::size_t cascades = 0;         ///< of the first camera
+    double medianUs = 0.0;            ///< whole frame: cull to the end of execute
+    double lowUs = 0.0;               ///< 5th percentile of the same
+    double highUs = 0.0;              ///< 95th
+    std::optional<TimingParts> parts; ///< of latency; frames in flight have no parts of their own
+    std::string over; ///< mode that the overhead is over: standard, or standard/ids of rivals, if it is there
+    double overheadPercent = 0.0;        ///< the median of the ratios frame by frame
     measure::Interval overheadPercent95; ///< bootstrapped
 };
 
@@ -114,7 +126,8 @@ struct TimingResult {
 using TimingProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Results in the order of the modes. base::InputError for no frames or fewer than two modes, for an unknown scene, and
-/// where frames in flight, unshared meshes or a visibility buffer meet a scene that moves.
+/// where frames in flight, unshared meshes, a visibility buffer or ids alone meet a scene that moves; where ids alone meet
+/// frames in flight; and for a rival that the device cannot draw.
 /// @param ranks that share the frames, or the runs of frames in flight; the first one alone has results, and traces.
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
                                     const TimingProgress& progress, TimedRanks& ranks);
