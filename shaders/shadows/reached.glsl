@@ -54,6 +54,9 @@ bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
     float perTexel = depthPerTexel(lens, z);
     float texelLength = lens.texel * w; // scene units
     vec2 inMap = (place.xy / w - map.low) / lens.texel;
+    if (map.part.x > 0.0 && (any(lessThan(inMap, vec2(1.0))) || any(greaterThan(inMap, map.part)))) {
+        return true; // another part of the map says
+    }
     vec2 slope = slopeOf(map, receiver.normal, place.xy / w);
 
     ivec2 last = map.mapLast;

@@ -52,8 +52,7 @@ struct ReceiverPush {
     uint channel;  // of the mask
     uint isPlain;  // whether surfaces are compared as today's practice is
     ivec2 mapLast; // texel of the map
-    uint unused0;  // as wide as an array of them is laid out
-    uint unused1;
+    vec2 part;     // of a part of a map, the last place in texels that it decides about; of a whole map 0
 };
 
 #ifdef __cplusplus

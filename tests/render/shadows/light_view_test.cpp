@@ -1,4 +1,5 @@
 #include <cdr/render/shadows/cull_casters.h>
+#include <cdr/render/shadows/divided_view.h>
 #include <cdr/render/shadows/light_view.h>
 
 #include <gtest/gtest.h>
@@ -65,6 +66,18 @@ class LightViewTest : public testing::Test {
                map.y <= view.size.height;
     }
 
+    /// What a camera would see of the view if its texels were so many pixels wide.
+    std::vector<LightView> dividedAt(double pixels, const LightView& view, const ReceiverSlice& slice) const {
+        return render::dividedView(view, slice, m_camera.position,
+                                   render::pixelsPerTexel(view, 1.0) / pixels);
+    }
+    bool isSeen(const glm::dvec3& fromCamera, const ReceiverSlice& slice) const {
+        const double distanceView = -fromCamera.z;
+        return std::abs(fromCamera.x) < frustum().tanX * distanceView &&
+               std::abs(fromCamera.y) < frustum().tanY * distanceView && distanceView >= slice.nearView &&
+               distanceView < slice.farView;
+    }
+
     scene::Camera m_camera;
     scene::Scene m_scene;
     host::WorkerPool m_workers{2};
@@ -106,9 +119,7 @@ TEST_F(LightViewTest, EachReceiverIsInAMapWhereverTheLightIs) {
             }
             for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
                 const glm::dvec3 centre = m_scene.instances.position(i) - m_camera.position;
-                const bool isSeen = std::abs(centre.x) < frustum().tanX * -centre.z &&
-                                    std::abs(centre.y) < frustum().tanY * -centre.z;
-                if (!isSeen || -centre.z < slice.nearView || -centre.z >= slice.farView) {
+                if (!isSeen(centre, slice)) {
                     continue;
                 }
                 const auto view = std::find_if(views.begin(), views.end(),
@@ -143,6 +154,66 @@ TEST_F(LightViewTest, TexelsKeepTheirPlacesAsTheCameraMoves) {
         EXPECT_NEAR(place.y, std::round(place.y), 1e-3);
     }
     EXPECT_EQ(std::exp2(std::round(std::log2(before.texel))), before.texel);
+}
+
+TEST_F(LightViewTest, PartsOfAWideMapDecideAboutEachReceiver) {
+    addCrowd(300);
+    const std::vector<ReceiverSlice> made = slices();
+    std::size_t receivers = 0;
+    for (const glm::dvec3& light :
+         {glm::dvec3(1e9, 2e9, -1e9), glm::dvec3(100.0, 80.0, -30.0), glm::dvec3(2.0, 1.0, -20.0)}) {
+        for (const ReceiverSlice& slice : made) {
+            for (const LightView& view : viewsOf(light, slice)) {
+                const std::vector<LightView> parts = dividedAt(6.0, view, slice);
+                ASSERT_LE(parts.size(), 4u);
+                for (const LightView& part : parts) {
+                    EXPECT_TRUE(part.isPart);
+                    EXPECT_EQ(part.texel, 0.5 * view.texel);
+                    EXPECT_LE(part.size.width, view.size.width);
+                    EXPECT_LE(part.size.height, view.size.height);
+                    const glm::dvec2 moved = (part.low - view.low) / part.texel;
+                    EXPECT_NEAR(moved.x, std::round(moved.x), 1e-6); // texels keep their places
+                    EXPECT_NEAR(moved.y, std::round(moved.y), 1e-6);
+                }
+                for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
+                    const glm::dvec3 centre = m_scene.instances.position(i) - m_camera.position;
+                    if (!isSeen(centre, slice) || !shows(view, centre)) {
+                        continue;
+                    }
+                    EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [&](const LightView& part) {
+                        const glm::dvec3 map = inMap(part, centre);
+                        return map.x >= 1.0 && map.y >= 1.0 && map.x <= part.size.width - 1.0 &&
+                               map.y <= part.size.height - 1.0;
+                    })) << i;
+                    ++receivers;
+                }
+            }
+        }
+    }
+    EXPECT_GT(receivers, 300u);
+}
+
+/// A long lens sees a strip of what its map shows.
+TEST_F(LightViewTest, PartsBesideWhatIsSeenAreLeftOut) {
+    m_camera.fovY = 0.002;
+    add({0.0, 0.0, -40.0}, 5.0f);
+    const ReceiverSlice slice = slices().front();
+    const LightView view = viewsOf({1e9, 2e9, -1e9}, slice).front();
+    EXPECT_LT(dividedAt(6.0, view, slice).size(), 4u);
+}
+
+TEST_F(LightViewTest, MapsAreDividedOnlyWhereThatSuffices) {
+    addCrowd(300);
+    const ReceiverSlice slice = slices().front();
+    const LightView view = viewsOf({1e9, 2e9, -1e9}, slice).front();
+    for (const double pixels : {0.1, 3.9, 8.1, 300.0}) {
+        const std::vector<LightView> same = dividedAt(pixels, view, slice);
+        ASSERT_EQ(same.size(), 1u) << pixels;
+        EXPECT_FALSE(same.front().isPart);
+        EXPECT_EQ(same.front().texel, view.texel);
+    }
+    EXPECT_TRUE(dividedAt(4.1, view, slice).front().isPart);
+    EXPECT_TRUE(dividedAt(7.9, view, slice).front().isPart);
 }
 
 TEST_F(LightViewTest, CastersAreAllThatMayStandBetween) {

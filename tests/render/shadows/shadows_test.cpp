@@ -99,6 +99,20 @@ TEST_F(ShadowsTest, OffEdgesNextToNonePixelIsWrong) {
     }
 }
 
+/// Hangars from 430 km: a map covers kilometres, and its texels would be five pixels wide.
+TEST_F(ShadowsTest, WideTexelsAreHalved) {
+    const scene::SceneSetup setup = scenes::openScene("eclipse", scenes::kDefaultSeed).setup;
+    const scene::Camera camera = setup.path.at(40);
+    RenderOptions options = shadowOptions("anchored");
+    options.width = 640;
+    options.height = 360;
+    options.shadows.mostTexels = 1024;
+    const auto truth = ShadowTruth(setup.scene).cast(camera, options);
+    const measure::WrongShadows wrong = wrongShadowsIn(draw(setup.scene, camera, options), truth);
+    EXPECT_GT(wrong.shadowed, 1000u);
+    EXPECT_LE(wrong.wrong, wrong.pixels / 10'000);
+}
+
 TEST_F(ShadowsTest, TheCountSeesShadowsThatAreMissing) {
     const scene::SceneSetup setup = scenes::openScene("alley", scenes::kDefaultSeed).setup;
     host::WorkerPool workers(2);

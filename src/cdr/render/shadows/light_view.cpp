@@ -15,8 +15,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kDistantRatio = 2.0;
 /// What a texel need not be smaller than, of a pixel: surfaces that lie along the light need many for a pixel.
 constexpr double kPixelsPerTexel = 0.125;
-/// Texels around what is read: of the two by two that a receiver reads, and of roundings.
-constexpr double kBorder = 2.0;
+constexpr double kBorder = kMapBorder;
 
 /// What a convex body covers of a view.
 struct Cover {

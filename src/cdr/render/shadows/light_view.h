@@ -28,6 +28,7 @@ struct LightView {
     vk::Extent2D size;      ///< texels
     double nearAhead = 0.0; ///< of what is drawn, the nearest to the light
     double farAhead = 0.0;  ///< of the receivers, the farthest from it
+    bool isPart = false;    ///< its map decides about what it shows alone: dividedView()
 
     bool isDistant() const { return wOffset != 0.0; }
     /// A place relative to the origin, along the three axes.
@@ -38,6 +39,9 @@ struct LightView {
     /// @param nearAhead of the nearest caster; behind it nothing is drawn.
     shaders::LightLens lens() const;
 };
+
+/// Texels around what is read: of the two by two that a receiver reads, and of roundings.
+inline constexpr std::uint32_t kMapBorder = 2;
 
 /// The views of a light that show a slice's surfaces: one from a distance, else one for each side of the light that faces
 /// some. None where the slice's surfaces fill no space.

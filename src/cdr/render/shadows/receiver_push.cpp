@@ -40,8 +40,10 @@ shaders::ReceiverPush receiverPush(const LightView& view, const FrameView& frame
             .channel = static_cast<std::uint32_t>(options.light),
             .isPlain = options.isPlain ? 1u : 0u,
             .mapLast = {},
-            .unused0 = 0,
-            .unused1 = 0};
+            // A texel less than the border, so that neighbouring parts overlap.
+            .part = view.isPart ? shaders::vec2(static_cast<float>(view.size.width) - 1.0f,
+                                                static_cast<float>(view.size.height) - 1.0f)
+                                : shaders::vec2(0.0f)};
 }
 
 } // namespace cdr::render

@@ -1,4 +1,5 @@
 #include <cdr/gpu/commands.h>
+#include <cdr/render/shadows/divided_view.h>
 #include <cdr/render/shadows/receiver_push.h>
 #include <cdr/render/shadows/receiver_slices.h>
 #include <cdr/render/shadows/shadow_pass.h>
@@ -72,10 +73,14 @@ void ShadowPass::prepare(Slot& slot, const FrameView& view, const visibility::Vi
     const std::size_t lights = std::min(m_scene.scene.lights.size(), kMostShadowLights);
     for (std::size_t light = 0; light < lights; ++light) {
         for (const ReceiverSlice& slice : slices) {
-            const std::vector<LightView> views =
-                lightViews(m_scene.scene.lights[light].position, view.camera.position, slice,
-                           view.frustum.footprintSlope, m_options.mostTexels);
-            slot.views.insert(slot.views.end(), views.begin(), views.end());
+            for (const LightView& whole :
+                 lightViews(m_scene.scene.lights[light].position, view.camera.position, slice,
+                            view.frustum.footprintSlope, m_options.mostTexels)) {
+                const std::vector<LightView> views =
+                    isPlain ? std::vector{whole}
+                            : dividedView(whole, slice, view.camera.position, view.frustum.footprintSlope);
+                slot.views.insert(slot.views.end(), views.begin(), views.end());
+            }
             lightOf.resize(slot.views.size(), light);
         }
     }
