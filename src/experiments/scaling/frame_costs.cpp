@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -22,6 +23,7 @@ namespace {
 constexpr std::size_t kFramesPerRank = 12;
 constexpr std::size_t kClaims = 64;
 constexpr std::size_t kMessageBytes = 4'000'000;
+constexpr int kMessages = 7;
 
 /// A file that goes when this does.
 class ScratchFile {
@@ -73,16 +75,21 @@ double claimMs(ranks::Ranks& ranks) {
     return ranks.isAlone() ? 0.0 : watch.milliseconds() / kClaims;
 }
 
-/// Milliseconds of a byte's way from the second rank to the first.
+/// Milliseconds of a byte's way from the second rank to the first. Each message is sent several times, since a busy machine
+/// makes some late; the quickest counts.
 double byteMs(ranks::Ranks& ranks) {
     const bool sends = ranks.place().index == 1;
-    const auto exchange = [&](std::size_t bytes) {
-        const host::Stopwatch watch;
-        ranks.merge([&] { return host::Bytes(sends ? bytes : 0); }, [](const host::Bytes&) {});
-        return watch.milliseconds();
+    const auto quickest = [&](std::size_t bytes) {
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < kMessages; ++i) {
+            const host::Stopwatch watch;
+            ranks.merge([&] { return host::Bytes(sends ? bytes : 0); }, [](const host::Bytes&) {});
+            least = std::min(least, watch.milliseconds());
+        }
+        return least;
     };
-    const double nothing = exchange(0);
-    return ranks.isAlone() ? 0.0 : std::max(exchange(kMessageBytes) - nothing, 0.0) / kMessageBytes;
+    const double nothing = quickest(0);
+    return ranks.isAlone() ? 0.0 : std::max(quickest(kMessageBytes) - nothing, 0.0) / kMessageBytes;
 }
 
 } // namespace
