@@ -156,6 +156,17 @@ struct LayerFade {
     float perUnit;    // of distance
 };
 
+// scene::Air as a camera sees it. Lengths are in radii of the planet, which is a sphere once everything is stretched along its
+// axis. Directions are in view space.
+struct AirRecord {
+    vec4 up;        // stretched, unit: from the planet's centre to the camera; the camera's height
+    vec4 axis;      // times the root of how much is added along it; 1 / radius in scene units
+    vec4 toSun;     // stretched, unit; the height over which there is no air
+    vec4 molecules; // scattering per radius; the height by which they get thinner
+    vec4 haze;      // the same
+    vec4 sunlight;  // linear; how much haze scatters ahead
+};
+
 // What the shading pass needs, followed by the lights.
 struct ShadingHeader {
     vec3 ambient;
@@ -169,6 +180,7 @@ struct ShadingHeader {
     vec4 skyZenith;   // linear radiance
     vec4 skyHorizon;
     vec4 skyGround;
+    AirRecord air;
     vec2 anchors[kCascadeSlots]; // each cascade's anchor plane as a float and its rest
 };
 
@@ -183,7 +195,7 @@ static_assert(sizeof(FacetRecord) == 32);
 static_assert(sizeof(LightRecord) == 64);
 static_assert(kManyLights == kFlatLights + 1 && kShapedLights == kFlatLights + 2);
 static_assert(sizeof(LayerPush) == 16);
-static_assert(sizeof(ShadingHeader) == 128 + 8 * kCascadeSlots);
+static_assert(sizeof(ShadingHeader) == 224 + 8 * kCascadeSlots);
 static_assert(sizeof(DetailRecord) == 48);
 } // namespace cdr::shaders
 #endif

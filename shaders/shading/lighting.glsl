@@ -1,6 +1,6 @@
 // Ambient and point lights on a surface, for the deferred pass and for what is drawn after it. Define LIGHTING_SET and
 // LIGHTING_BINDING first, and
-// SKY_CONSTANT where the scene may have a sky, and SHADOWED where points know which lights reach them. Knows view distances, not how they were mapped to depth. FLAT_LIGHTING: what all pixels share
+// SKY_CONSTANT where the scene may have a sky, AIR_CONSTANT where it may have air, and SHADOWED where points know which lights reach them. Knows view distances, not how they were mapped to depth. FLAT_LIGHTING: what all pixels share
 // comes as flat varyings from shading.vert (flat_lighting.glsl), not from the buffer.
 #ifndef CDR_SHADERS_LIGHTING_GLSL
 #define CDR_SHADERS_LIGHTING_GLSL
@@ -49,6 +49,19 @@ vec3 throughFog(vec3 color, vec2 ray, float distanceView) {
     float distance = distanceView * length(vec3(ray, 1.0));
     return mix(fogColor(), color, exp(-fogExtinction() * distance));
 }
+
+#ifdef AIR_CONSTANT
+layout(constant_id = AIR_CONSTANT) const uint kAiry = 0u;
+#include "shading/air.glsl"
+
+// What a colour becomes through the air between the camera and a point on a ray; below 0: and nothing behind.
+vec3 throughAir(vec3 color, vec2 ray, float distanceView) {
+    vec3 way = vec3(ray, -1.0);
+    float perView = length(way);
+    AirSeen seen = airAlong(header.air, way / perView, distanceView * perView);
+    return color * seen.passed + seen.added;
+}
+#endif
 
 // A point that is lit, in view space.
 struct LitPoint {

@@ -5,6 +5,7 @@
 #define LIGHTING_SET 0
 #define LIGHTING_BINDING 1
 #define SKY_CONSTANT 7
+#define AIR_CONSTANT 8
 #ifndef LAYER
 #define FLAT_LIGHTING
 #endif
@@ -150,6 +151,9 @@ vec4 shade(ivec2 pixel, uvec4 texel) {
     if (kFoggy != 0u) {
         color = throughFog(color, surface.ray, surface.anchor.x + surface.ahead);
     }
+    if (kAiry != 0u) {
+        color = throughAir(color, surface.ray, surface.anchor.x + surface.ahead);
+    }
     return covering(color, surface.ahead);
 }
 
@@ -159,6 +163,8 @@ void main() {
     outColor = background();
     if (kMarked != 0u || !isBackground(texel)) {
         outColor = shade(pixel, texel);
+    } else if (kAiry != 0u) {
+        outColor.rgb = throughAir(outColor.rgb, rayHere(), -1.0);
     }
     outColor.rgb = finished(outColor.rgb, kFinish, kExposure);
 }

@@ -9,6 +9,7 @@
 #define LIGHTING_SET 1
 #define LIGHTING_BINDING 1
 #define SKY_CONSTANT 2
+#define AIR_CONSTANT 4
 #include "shading/lighting.glsl"
 
 layout(constant_id = 0) const uint kTextured = 0u;
@@ -114,7 +115,11 @@ vec4 seenColor(Surface surface, float ahead) {
         color = min(color + surface.emission, kBrightest);
 #endif
     }
-    return vec4(throughFog(color, ray, distanceView), clamp(surface.baseColor.a, 0.0, 1.0));
+    color = throughFog(color, ray, distanceView);
+    if (kAiry != 0u) {
+        color = throughAir(color, ray, distanceView);
+    }
+    return vec4(color, clamp(surface.baseColor.a, 0.0, 1.0));
 }
 
 // By how much the fragment's layer moves it towards the camera.

@@ -59,7 +59,7 @@ void addEffectOptions(CLI::App& command, EffectArguments& arguments) {
         .add_option(
             "--tone-map", arguments.toneMap,
             "How bright light comes into the picture: none cuts it off, neutral compresses it and keeps base "
-            "colours (Khronos PBR Neutral); scene: neutral under a sky, else none")
+            "colours (Khronos PBR Neutral); scene: neutral under a sky or through air, else none")
         ->capture_default_str();
     command.add_option("--exposure", arguments.exposure, "Stops by which the picture is brighter, -16 to 16")
         ->check(CLI::Range(-render::kMostExposure, render::kMostExposure))

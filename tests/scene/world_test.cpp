@@ -367,6 +367,20 @@ TEST(World, RefusesAnUnsoundScene) {
     EXPECT_EQ(refusalOf([&] { World{scene}; }), "instance 0: material 3 is not there, the scene has 0");
 }
 
+TEST(World, RefusesAirThatCannotBe) {
+    Scene scene;
+    scene.air.emplace();
+    EXPECT_EQ(refusalOf([&] { requireUsable(scene); }), "");
+    for (const Air& air :
+         {Air{.centre = {0.0, kNan, 0.0}}, Air{.radius = 0.0}, Air{.axis = glm::dvec3(1.0)},
+          Air{.flattening = 1.0}, Air{.flattening = -0.1}, Air{.toSun = glm::dvec3(0.0)},
+          Air{.sunlight = glm::vec3(-1.0f)}, Air{.molecules = {.scattering = glm::vec3(-1.0f)}},
+          Air{.haze = {.height = 0.0}}, Air{.hazeAhead = 1.0}}) {
+        scene.air = air;
+        EXPECT_NE(refusalOf([&] { requireUsable(scene); }).find("the air"), std::string::npos);
+    }
+}
+
 TEST(World, LightsKeepTheirOrder) {
     World world = boxWorld();
     const LightHandle a = world.addLight({.position = {1.0, 0.0, 0.0}});

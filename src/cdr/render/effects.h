@@ -30,7 +30,7 @@ CDR_EXPORT Antialias parseAntialias(std::string_view name);
 
 /// How light that is brighter than a picture can show comes into it.
 enum class ToneMap : std::uint8_t {
-    scene,   ///< as is usual for the scene: neutral under a sky, else none
+    scene,   ///< as is usual for the scene: neutral under a sky or through air, else none
     none,    ///< it is cut off
     neutral, ///< highlights are compressed and base colours stay (Khronos PBR Neutral)
 };

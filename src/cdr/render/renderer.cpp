@@ -48,6 +48,9 @@ makeOwnTargets(const gpu::Device& device, const DrawnScene& drawn, const RenderO
     if (!options.focus.isOn()) {
         return makeTargets(device, options.targets, targets);
     }
+    if (drawn.scene.air) {
+        throw base::InputError("a lens with a focus does without air, which the scene has");
+    }
     return std::make_unique<FocusLayers>(device, targets, picture.lit(),
                                          FocusLayersOptions{.effects = options.effects,
                                                             .background = drawn.scene.background,
@@ -90,7 +93,7 @@ class StageWatch {
 Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options,
                          const Needs& needs)
     : extent(checkedExtent(device, options, needs.blended)),
-      picture(device, pictureOptions(extent, options, needs.blended, needs.sky)),
+      picture(device, pictureOptions(extent, options, needs.blended, needs.sky || needs.air)),
       ownTargets(makeOwnTargets(device, drawn, options, {needs.shiny, needs.emission}, picture)),
       targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),
       cutter(options, targets),
@@ -102,10 +105,11 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
                .shiny = needs.shiny,
                .anchored = depth::isAnchored(options.technique.mapping),
                .sky = needs.sky,
-               .finishes = !needsLit(pictureOptions(extent, options, needs.blended, needs.sky)),
+               .air = needs.air,
+               .finishes = !needsLit(pictureOptions(extent, options, needs.blended, needs.sky || needs.air)),
                .emission = targets.emission(),
                .facets = drawsFacets(options),
-               .marks = targets.marks(),
+               .marks = needs.air ? nullptr : targets.marks(), // the background has air too
                .shadows = shadows != nullptr ? &shadows->mask() : nullptr,
                .lightForm = lightFormOf(drawn.scene),
                .preparedLights = options.prepareFor.lights,

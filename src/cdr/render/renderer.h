@@ -120,6 +120,7 @@ class CDR_EXPORT Renderer {
         bool blended = false;
         bool emission = false;
         bool sky = false;
+        bool air = false;
 
         bool operator==(const Needs&) const = default;
     };

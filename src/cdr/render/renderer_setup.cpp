@@ -74,12 +74,13 @@ void requireShadows(const RenderOptions& options) {
 
 } // namespace
 
-PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended, bool sky) {
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended,
+                              bool daylight) {
     return {.extent = extent,
             .hasSteps = hasBlended || options.focus.isOn(),
             .antialias = options.effects.antialias,
             .finish = options.effects.finish,
-            .sky = sky};
+            .daylight = daylight};
 }
 
 TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options,

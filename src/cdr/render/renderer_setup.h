@@ -19,7 +19,8 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
 /// @param hasBlended as above.
 std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options, bool hasBlended);
 
-PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended, bool sky);
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended,
+                              bool daylight);
 /// @param emission whether surfaces keep what they emit.
 TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options,
                               bool emission);

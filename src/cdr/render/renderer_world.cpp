@@ -13,7 +13,8 @@ Renderer::Needs Renderer::needs() const {
     return {.shiny = (uploaded.isShiny() || prepared.shine) && keepsShine(m_options),
             .blended = uploaded.hasBlended() || prepared.blended,
             .emission = (uploaded.hasEmission() || prepared.emission) && keepsEmission(m_options),
-            .sky = m_drawn.scene.sky.has_value()};
+            .sky = m_drawn.scene.sky.has_value(),
+            .air = m_drawn.scene.air.has_value()};
 }
 
 void Renderer::remake(const Needs& needs, const RenderOptions& options) {

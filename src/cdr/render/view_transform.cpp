@@ -53,6 +53,10 @@ shaders::DrawRecord DrawRecordMaker::make(const DrawSource& source, const Materi
             .baseColorBa = material.baseColorBa};
 }
 
+glm::dvec3 directionInView(const scene::Camera& camera, const glm::dvec3& world) {
+    return {glm::dot(camera.right, world), glm::dot(camera.up, world), glm::dot(camera.back, world)};
+}
+
 glm::vec2 splitDouble(double value) {
     const depth::FloatPair pair = depth::floatPair(value);
     return {pair.value, pair.rest};

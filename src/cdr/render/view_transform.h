@@ -33,6 +33,9 @@ class DrawRecordMaker {
 /// A light in view space, each coordinate as a float and its rest.
 shaders::LightRecord makeLightRecord(const scene::PointLight& light, const scene::Camera& camera);
 
+/// A direction of the world along the camera's axes: right, up, back.
+glm::dvec3 directionInView(const scene::Camera& camera, const glm::dvec3& world);
+
 /// A float64 as a float and the rest that the float left out.
 glm::vec2 splitDouble(double value);
 

@@ -4,6 +4,7 @@
 /// @errors None.
 
 #include <cdr/base/export.h>
+#include <cdr/scene/air.h>
 #include <cdr/scene/mesh.h>
 
 #include <glm/glm.hpp>
@@ -86,6 +87,7 @@ struct CDR_EXPORT Scene {
     glm::vec3 ambient{0.25f};             ///< linear, multiplies albedo
     glm::vec3 background{0.0f};           ///< linear
     std::optional<Sky> sky{};             ///< takes the place of `ambient`
+    std::optional<Air> air{};             ///< between the camera and what it sees
 
     /// One more than the largest object index; 0 of an empty scene. Looks at every instance.
     std::uint32_t objectCount() const;

@@ -55,7 +55,7 @@ std::string_view explain(render::Antialias antialias) {
 
 std::string_view explain(render::ToneMap toneMap) {
     constexpr std::array<std::string_view, 3> kTexts{
-        "Highlights are compressed under a sky, which models have, and else cut off.",
+        "Highlights are compressed under a sky, which models have, or through air, and else cut off.",
         "What is brighter than the picture's white is cut off.",
         "Highlights are compressed, and base colours stay as they are (Khronos PBR Neutral)."};
     return kTexts[static_cast<std::size_t>(toneMap)];

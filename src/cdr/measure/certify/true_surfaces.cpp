@@ -1,6 +1,7 @@
 #include <cdr/measure/certify/true_surfaces.h>
 #include <cdr/measure/truth/object_ray.h>
 #include <cdr/measure/truth/surface_hit.h>
+#include <cdr/measure/truth/truth_air.h>
 #include <cdr/measure/truth/truth_light.h>
 #include <cdr/measure/truth/visible_instances.h>
 
@@ -53,9 +54,10 @@ void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, cons
     const TruthTextures textures(scene);
     workers.run(repairs.size(), [&](std::size_t i, std::size_t) {
         PixelRepair& repair = repairs[i];
-        repair.color = encode(glm::dvec3(scene.background));
         const double x = slopes.x[repair.x];
         const double y = slopes.y[repair.y];
+        const glm::dvec3 ray = -camera.back + x * camera.right + y * camera.up;
+        repair.color = encode(backgroundAlong(scene, camera.position, ray));
         std::vector<SurfaceHit> hits;
         for (const VisibleInstance& instance : byObject.at(repair.id)) {
             const PixelRect& pixels = instance.pixels;
@@ -66,15 +68,16 @@ void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, cons
             }
         }
         if (const SurfaceHit* hit = hitAt(hits, repair.distanceView)) {
-            const glm::dvec3 ray = -camera.back + x * camera.right + y * camera.up;
             repair.normal = hit->normal;
             repair.baseColor = glm::dvec3(hit->baseColor);
-            repair.color = encode(hit->isUnlit ? repair.baseColor
-                                               : lightFrom(scene, camera,
-                                                           {.baseColor = repair.baseColor,
-                                                            .shine = hit->shine,
-                                                            .fromCamera = hit->distanceView * ray,
-                                                            .normal = hit->normal}));
+            const glm::dvec3 fromCamera = hit->distanceView * ray;
+            const glm::dvec3 color = hit->isUnlit ? repair.baseColor
+                                                  : lightFrom(scene, camera,
+                                                              {.baseColor = repair.baseColor,
+                                                               .shine = hit->shine,
+                                                               .fromCamera = fromCamera,
+                                                               .normal = hit->normal});
+            repair.color = encode(throughAir(scene, camera.position, fromCamera, color));
         }
     });
 }

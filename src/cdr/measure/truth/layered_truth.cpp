@@ -2,6 +2,7 @@
 #include <cdr/measure/shadows/shadow_truth.h>
 #include <cdr/measure/truth/layered_truth.h>
 #include <cdr/measure/truth/surface_hit.h>
+#include <cdr/measure/truth/truth_air.h>
 #include <cdr/measure/truth/truth_light.h>
 
 #include <algorithm>
@@ -108,12 +109,14 @@ void castPixel(const View& view, std::uint32_t x, std::uint32_t y, LayeredPixel&
         const double alpha = hit.isBlended ? std::clamp(hit.baseColor.a, 0.0, 1.0) : 1.0;
         const glm::dvec3 fromCamera = hit.distanceView * ray;
         const glm::dvec4 reached = reachedAt(view, hit, fromCamera);
-        pixel.color += transmittance * alpha * colorOf(view, hit, fromCamera, reached);
+        pixel.color +=
+            transmittance * alpha *
+            throughAir(view.scene, camera.position, fromCamera, colorOf(view, hit, fromCamera, reached));
         transmittance *= 1.0 - alpha;
         pixel.fragments += hit.isBlended ? 1 : 0;
         sequence.push_back({hit.id, hit.facet, reached});
     }
-    pixel.color += transmittance * glm::dvec3(view.scene.background);
+    pixel.color += transmittance * backgroundAlong(view.scene, camera.position, ray);
 }
 
 /// What the pixels of three rows show that follow each other, in the order of y modulo 3.

@@ -1,5 +1,6 @@
 #include <cdr/base/error.h>
 #include <cdr/measure/truth/object_ray.h>
+#include <cdr/measure/truth/truth_air.h>
 #include <cdr/measure/truth/truth_light.h>
 #include <cdr/measure/truth/truth_shading.h>
 
@@ -77,11 +78,13 @@ glm::dvec3 normalAt(const Box& box, const glm::dvec3& point) {
 image::Rgba8 shade(const scene::Scene& scene, const scene::Camera& camera, const Box& box,
                    const ObjectRay& ray, double distanceView) {
     const glm::dvec3 point = ray.origin + ray.direction * distanceView;
-    return encode(lightFrom(scene, camera,
-                            {.baseColor = box.baseColor,
-                             .shine = box.shine,
-                             .fromCamera = box.objectToWorld * (ray.direction * distanceView),
-                             .normal = normalAt(box, point)}));
+    const glm::dvec3 fromCamera = box.objectToWorld * (ray.direction * distanceView);
+    const glm::dvec3 color = lightFrom(scene, camera,
+                                       {.baseColor = box.baseColor,
+                                        .shine = box.shine,
+                                        .fromCamera = fromCamera,
+                                        .normal = normalAt(box, point)});
+    return encode(throughAir(scene, camera.position, fromCamera, color));
 }
 
 template <typename A, typename B>
@@ -98,7 +101,7 @@ image::ImageRgba8 shadeTruth(const scene::Scene& scene, const scene::Camera& cam
                              host::WorkerPool& workers) {
     const std::vector<std::optional<Box>> boxes = boxesOf(scene, camera);
     const PixelSlopes slopes = pixelSlopes(camera, truth.width, truth.height);
-    image::ImageRgba8 picture(truth.width, truth.height, encode(glm::dvec3(scene.background)));
+    image::ImageRgba8 picture(truth.width, truth.height);
     workers.run(truth.height, [&](std::size_t row, std::size_t) {
         const auto y = static_cast<std::uint32_t>(row);
         for (std::uint32_t x = 0; x < truth.width; ++x) {
@@ -107,6 +110,10 @@ image::ImageRgba8 shadeTruth(const scene::Scene& scene, const scene::Camera& cam
                 const Box& box = boxes.at(pixel.id - 1).value();
                 picture.at(x, y) =
                     shade(scene, camera, box, box.camera.ray(slopes.x[x], slopes.y[y]), pixel.distanceView);
+            } else {
+                picture.at(x, y) = encode(
+                    backgroundAlong(scene, camera.position,
+                                    -camera.back + slopes.x[x] * camera.right + slopes.y[y] * camera.up));
             }
         }
     });

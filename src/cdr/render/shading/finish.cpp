@@ -13,8 +13,8 @@ float gainOf(const Finish& finish) {
     return static_cast<float>(std::exp2(finish.exposure));
 }
 
-bool isNeutral(const Finish& finish, bool sky) {
-    return finish.toneMap == ToneMap::neutral || (finish.toneMap == ToneMap::scene && sky);
+bool isNeutral(const Finish& finish, bool daylight) {
+    return finish.toneMap == ToneMap::neutral || (finish.toneMap == ToneMap::scene && daylight);
 }
 
 glm::vec3 neutralOf(glm::vec3 color) {
@@ -33,17 +33,17 @@ glm::vec3 neutralOf(glm::vec3 color) {
 
 } // namespace
 
-std::array<std::uint32_t, 2> finishConstants(const Finish& finish, bool sky) {
+std::array<std::uint32_t, 2> finishConstants(const Finish& finish, bool daylight) {
     std::uint32_t kind = finish.exposure != 0.0 ? shaders::kFinishExposed : shaders::kFinishNone;
-    if (isNeutral(finish, sky)) {
+    if (isNeutral(finish, daylight)) {
         kind = shaders::kFinishNeutral;
     }
     return {kind, std::bit_cast<std::uint32_t>(gainOf(finish))};
 }
 
-glm::vec3 finished(glm::vec3 color, const Finish& finish, bool sky) {
+glm::vec3 finished(glm::vec3 color, const Finish& finish, bool daylight) {
     color *= gainOf(finish);
-    return isNeutral(finish, sky) ? neutralOf(color) : color;
+    return isNeutral(finish, daylight) ? neutralOf(color) : color;
 }
 
 } // namespace cdr::render

@@ -21,8 +21,8 @@ struct PictureOptions {
     /// its format encodes. Antialiasing is such a step.
     bool hasSteps = false;
     Antialias antialias = Antialias::none;
-    Finish finish{};  ///< where there are steps; else shading finishes
-    bool sky = false; ///< whether the scene has one
+    Finish finish{};       ///< where there are steps; else shading finishes
+    bool daylight = false; ///< whether the scene has a sky or air
 };
 
 /// Whether anything comes between shading and the picture.

@@ -1,4 +1,5 @@
 #include <cdr/gpu/commands.h>
+#include <cdr/render/shading/air_record.h>
 #include <cdr/render/shading/finish.h>
 #include <cdr/render/shading/shading_pass.h>
 #include <cdr/render/targets/gbuffer_rendering.h>
@@ -78,8 +79,8 @@ std::vector<ImageUse> imagesOf(const ShadingOptions& shading) {
 
 FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading, std::uint32_t lightForm) {
     const Effects& effects = shading.effects;
-    const auto [finish, exposure] =
-        finishConstants(shading.finishes ? effects.finish : Finish{ToneMap::none}, shading.sky);
+    const auto [finish, exposure] = finishConstants(shading.finishes ? effects.finish : Finish{ToneMap::none},
+                                                    shading.sky || shading.air);
     FullscreenPassOptions options{
         .name = "shading",
         .vertexSpirv = kShadingVert,
@@ -88,7 +89,7 @@ FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shadi
         .format = format,
         .constants = {effects.fog.visibility > 0.0 ? 1u : 0u, shading.shiny ? 1u : 0u, lightForm,
                       shading.anchored ? 1u : 0u, shading.marks != nullptr ? 1u : 0u, finish, exposure,
-                      shading.sky ? 1u : 0u}};
+                      shading.sky ? 1u : 0u, shading.air ? 1u : 0u}};
     if (shading.marks != nullptr) {
         options.marks = shading.marks->options().format;
     }
@@ -98,10 +99,6 @@ FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shadi
                                                            : kImage);
     }
     return options;
-}
-
-glm::dvec3 directionInView(const scene::Camera& camera, const glm::dvec3& world) {
-    return {glm::dot(camera.right, world), glm::dot(camera.up, world), glm::dot(camera.back, world)};
 }
 
 } // namespace
@@ -178,7 +175,7 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     m_background = fog.visibility > 0.0 ? fog.color : scene.background;
     header.background = m_background;
     if (m_finishes) {
-        m_background = finished(m_background, m_effects.finish, scene.sky.has_value());
+        m_background = finished(m_background, m_effects.finish, scene.sky || scene.air);
     }
     header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
     header.rayScale = glm::vec2(frustum.tanX, frustum.tanY);
@@ -191,6 +188,9 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
         header.skyZenith = glm::vec4(scene.sky->zenith, 0.0f);
         header.skyHorizon = glm::vec4(scene.sky->horizon, 0.0f);
         header.skyGround = glm::vec4(scene.sky->ground, 0.0f);
+    }
+    if (scene.air) {
+        header.air = makeAirRecord(*scene.air, camera);
     }
     std::transform(anchorsView.begin(), anchorsView.end(), header.anchors, splitDouble);
     auto* lights = reinterpret_cast<shaders::LightRecord*>(&header + 1);

@@ -52,6 +52,7 @@ struct ShadingOptions {
     bool shiny = false;                   ///< whether the surfaces hold how they shine
     bool anchored = false;                ///< whether the mapping has anchor planes
     bool sky = false;                     ///< whether the scene has one
+    bool air = false;                     ///< whether the scene has some; then without marks
     bool finishes = false;                ///< whether no later step does what Effects::finish says
     const gpu::Image* emission = nullptr; ///< Targets::emission()
     bool facets = false; ///< whether surfaces come from a visibility buffer; then effects hold no occlusion

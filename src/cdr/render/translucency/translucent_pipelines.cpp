@@ -85,7 +85,7 @@ gpu::Pipeline TranslucentPipelines::make(std::uint32_t key) const {
          .vertexSpirv = isDetailed ? gpu::Spirv(kTranslucentDetailedVert) : gpu::Spirv(kTranslucentVert),
          .fragmentSpirv = isDetailed ? m_options.detailedSpirv : m_options.fragmentSpirv,
          .constants = {key & kTexturedVariant, (key & kShinyKey) != 0 ? 1u : 0u,
-                       m_scene.scene().sky ? 1u : 0u, key / kDetailStep},
+                       m_scene.scene().sky ? 1u : 0u, key / kDetailStep, m_scene.scene().air ? 1u : 0u},
          .layout = m_layout,
          .bindings = bindings(isDetailed),
          .attributes = attributes(isDetailed),

@@ -92,6 +92,33 @@ void requireSky(const Sky& sky) {
     }
 }
 
+void requireAir(const Air& air) {
+    const auto isScattering = [](const AirPart& part) {
+        return areFinite(part.scattering) &&
+               glm::all(glm::greaterThanEqual(part.scattering, glm::vec3(0.0f))) &&
+               std::isfinite(part.height) && part.height > 0.0;
+    };
+    if (!isScattering(air.molecules) || !isScattering(air.haze)) {
+        refuseUse("the air must scatter a finite share of 0 or more, and its heights must be above 0");
+    }
+    if (!areFinite(air.centre) || !(std::isfinite(air.radius) && air.radius > 0.0)) {
+        refuseUse("the air's planet must be at a finite place and have a radius above 0");
+    }
+    if (!(air.flattening >= 0.0 && air.flattening <= 0.1) ||
+        !(air.hazeAhead >= 0.0 && air.hazeAhead <= 0.95)) {
+        refuseUse(
+            "the air's flattening must lie in 0 to 0.1, and how much its haze scatters ahead in 0 to 0.95");
+    }
+    for (const glm::dvec3& direction : {air.axis, air.toSun}) {
+        if (!(std::abs(glm::length(direction) - 1.0) < 1e-6)) {
+            refuseUse("the air's axis and its way to the Sun must be of length 1");
+        }
+    }
+    if (!areFinite(air.sunlight) || !glm::all(glm::greaterThanEqual(air.sunlight, glm::vec3(0.0f)))) {
+        refuseUse("the air's sunlight must be finite and 0 or more");
+    }
+}
+
 void requireCone(const LightCone& cone, const std::string& what) {
     if (!(std::abs(glm::length(cone.direction) - 1.0) < 1e-6)) {
         refuseUse("{}: the direction of its cone must be of length 1", what);
@@ -229,6 +256,9 @@ void requireUsable(const Scene& scene) {
     requireAll(scene.lights, "light ");
     if (scene.sky) {
         requireSky(*scene.sky);
+    }
+    if (scene.air) {
+        requireAir(*scene.air);
     }
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         requireInstance(scene, i);

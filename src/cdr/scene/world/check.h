@@ -41,7 +41,7 @@ CDR_EXPORT void requireUsable(const Texture& texture, const std::string& what);
 /// Textures that are there, and numbers in the ranges that Material and MaterialDetail name.
 /// @param textures of the scene
 CDR_EXPORT void requireUsable(const Material& material, std::size_t textures, const std::string& what);
-/// All of the above, the sky, and that instances name meshes and materials that are there, and objects up to kMaxObjects.
+/// All of the above, the sky, the air, and that instances name meshes and materials that are there, and objects up to kMaxObjects.
 CDR_EXPORT void requireUsable(const Scene& scene);
 
 } // namespace cdr::scene
