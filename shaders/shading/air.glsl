@@ -115,7 +115,9 @@ AirSeen airAlong(AirRecord air, vec3 ray, float distance) {
     float sunUp = dot(air.up.xyz, air.toSun.xyz) * (1.0 + way.eyeHeight);
     float sunAhead = dot(ahead, air.toSun.xyz);
     vec2 phases = airPhases(sunAhead, air.sunlight.w);
-    for (int step = 0; step < 2 * kAirSteps; ++step) {
+    int first = lowestAt > begin ? 0 : kAirSteps;
+    int last = end > lowestAt ? 2 * kAirSteps : kAirSteps;
+    for (int step = first; step < last; ++step) {
         bool falls = step < kAirSteps;
         float rim = falls ? begin : end;
         float whole = abs(rim - lowestAt);
@@ -125,17 +127,16 @@ AirSeen airAlong(AirRecord air, vec3 ray, float distance) {
         vec2 shares = vec2(piece, piece + 1) / float(kAirSteps);
         vec2 heights = low + (high - low) * shares * shares * shares;
         float middle = 0.5 * (heights.x + heights.y);
+        // How far these heights are from the lowest place.
         vec3 above = vec3(heights, middle);
-        vec3 aside = (above - low) * (2.0 + above + low);
-        vec3 from = aside / max(vec3(airReach(way, above.x), airReach(way, above.y), airReach(way, above.z)) + offset, 1e-20);
-        from = min(from, vec3(whole));
+        vec3 reach = vec3(airReach(way, above.x), airReach(way, above.y), airReach(way, above.z));
+        vec3 from = min((above - low) * (2.0 + above + low) / max(reach + offset, 1e-20), vec3(whole));
         if (piece == kAirSteps - 1) {
             from.y = whole;
         }
         float along = falls ? lowestAt - from.z : lowestAt + from.z;
-        if (whole > 0.0) {
-            seen = airPiece(air, seen, heights, (from.y - from.x) / stretch, (sunUp + along * sunAhead) / (1.0 + middle), phases);
-        }
+        float toSunUp = (sunUp + along * sunAhead) / (1.0 + middle);
+        seen = airPiece(air, seen, heights, (from.y - from.x) / stretch, toSunUp, phases);
     }
     seen.added *= air.sunlight.rgb;
     return seen;

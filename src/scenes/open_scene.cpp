@@ -6,6 +6,7 @@
 #include <scenes/city.h>
 #include <scenes/coplanar.h>
 #include <scenes/cubes.h>
+#include <scenes/earth/earth.h>
 #include <scenes/ladder.h>
 #include <scenes/mixed.h>
 #include <scenes/open_scene.h>
@@ -42,6 +43,7 @@ constexpr std::array kGenerators{
     Generator{"orbit", [](std::uint64_t) { return openOrbit(orbitFiles()).setup; }},
     Generator{"terrain", [](std::uint64_t seed) { return makeTerrain(seed); }},
     Generator{"eclipse", [](std::uint64_t) { return openEclipse(orbitFiles()); }},
+    Generator{"earth", [](std::uint64_t) { return openEarth(orbitFiles()).setup; }},
     Generator{"traffic", [](std::uint64_t seed) { return makeTraffic(seed); }},
 };
 

@@ -11,8 +11,7 @@ namespace {
 
 // WGS84.
 constexpr double kEquatorRadius = 6'378'137.0;
-constexpr double kFlattening = 1.0 / 298.257223563;
-constexpr double kEccentricitySquared = kFlattening * (2.0 - kFlattening);
+constexpr double kEccentricitySquared = kEarthFlattening * (2.0 - kEarthFlattening);
 
 /// Degrees within which normals are taken: 2 km, an eighth of a texel of the topography.
 constexpr double kNormalStep = 0.02;

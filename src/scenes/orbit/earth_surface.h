@@ -50,6 +50,9 @@ class EarthSurface {
     glm::dvec3 m_south{0.0};
 };
 
+/// Of WGS84: 1 - polar radius / equatorial radius.
+inline constexpr double kEarthFlattening = 1.0 / 298.257223563;
+
 /// Mean radius of the Earth, metres.
 inline constexpr double kEarthRadius = 6'371'008.8;
 

@@ -157,16 +157,17 @@ EarthQuadtree refineEarth(const EarthSurface& surface, const TileDetail& detail)
     });
 }
 
-scene::SourceMesh tileMesh(const EarthSurface& surface, const EarthQuadtree& tree, const EarthTile& leaf) {
+scene::SourceMesh tileMesh(const EarthSurface& surface, const EarthQuadtree& tree, const EarthTile& leaf,
+                           const GeodeticFrame& frame) {
     scene::SourceMesh mesh;
     mesh.name = fmt::format("earth {}/{}/{}", leaf.level, leaf.x, leaf.y);
     for (std::uint32_t row = 0; row <= kTileCells; ++row) {
         for (std::uint32_t column = 0; column <= kTileCells; ++column) {
             const Geodetic place = cornerOf(leaf, column, row);
             mesh.positions.push_back(surface.at(place));
-            mesh.vertices.push_back(
-                {.normal = glm::vec3(surface.normalAt(place)),
-                 .uv = glm::vec2((place.longitude + 180.0) / 360.0, (90.0 - place.latitude) / 180.0)});
+            mesh.vertices.push_back({.normal = glm::vec3(surface.normalAt(place)),
+                                     .uv = glm::vec2((place.longitude - frame.west) / frame.width,
+                                                     (frame.north - place.latitude) / frame.height)});
         }
     }
     const Stitching stitching(tree, leaf);

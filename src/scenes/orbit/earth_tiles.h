@@ -27,12 +27,21 @@ struct TileDetail {
 /// The tree of tiles that a detail asks for.
 EarthQuadtree refineEarth(const EarthSurface& surface, const TileDetail& detail);
 
-/// The mesh of a leaf: world space, float64, (0, 0) to (1, 1) of its texture coordinates the whole Earth.
+/// A rectangle of latitude and longitude, degrees: the whole Earth unless told.
+struct GeodeticFrame {
+    double west = -180.0;
+    double north = 90.0;
+    double width = 360.0;
+    double height = 180.0;
+};
+
+/// The mesh of a leaf: world space, float64, (0, 0) to (1, 1) of its texture coordinates the frame.
 ///
 /// No cracks: corners of tiles of one level are the same places, computed from the same integers; along a
 /// coarser neighbour a tile has no corners but the neighbour's. What the renderer's float32 origins round
 /// differently, a hair's breadth, is closed by a skirt that hangs from every edge.
-scene::SourceMesh tileMesh(const EarthSurface& surface, const EarthQuadtree& tree, const EarthTile& leaf);
+scene::SourceMesh tileMesh(const EarthSurface& surface, const EarthQuadtree& tree, const EarthTile& leaf,
+                           const GeodeticFrame& frame = {});
 
 /// Corners of tileMesh() that are on the ground; those of the skirt follow.
 inline constexpr std::uint32_t kTileCorners = (kTileCells + 1) * (kTileCells + 1);

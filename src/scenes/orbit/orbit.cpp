@@ -20,17 +20,22 @@ constexpr double kFirstAim = 36.0;
 constexpr double kMoonBelow = 18.4;
 constexpr double kMoonRight = 9.0;
 
-void addEarth(SceneBuilder& builder, const EarthSurface& surface, const StationPose& station,
-              image::ImageRgba8 color) {
+std::uint32_t addBlueMarble(SceneBuilder& builder, image::ImageRgba8 color) {
     scene::Scene& scene = builder.scene();
     scene.textures.push_back(
         {.name = "blue marble", .pixels = std::move(color), .repeatU = true, .repeatV = false});
-    const std::uint32_t material = builder.addMaterial(scene::Material{
+    return builder.addMaterial(scene::Material{
         .name = "earth", .baseColorTexture = static_cast<std::uint32_t>(scene.textures.size() - 1)});
+}
+
+void addEarth(SceneBuilder& builder, const EarthSurface& surface, const StationPose& station,
+              const GroundCover& cover) {
+    const std::function<TileCoat(const EarthTile&)> coatOf = cover(builder);
     builder.beginObject("earth");
     const EarthQuadtree tree = refineEarth(surface, orbitDetail(station));
     for (const EarthTile& leaf : tree.leaves()) {
-        builder.addMesh(material, tileMesh(surface, tree, leaf));
+        const TileCoat coat = coatOf(leaf);
+        builder.addMesh(coat.material, tileMesh(surface, tree, leaf, coat.frame));
     }
 }
 
@@ -54,9 +59,9 @@ void addMoon(SceneBuilder& builder, const EarthSurface& surface, const StationPo
 }
 
 void addLights(scene::Scene& scene, const StationPose& station) {
-    const glm::dvec3 toSun = glm::normalize(glm::dvec3(-0.35, 0.75, 0.55));
-    scene.lights.push_back(
-        {.position = kSunDistance * toSun, .color = glm::vec3(1.5f), .halfDistance = 100.0 * kSunDistance});
+    scene.lights.push_back({.position = kSunDistance * orbitToSun(),
+                            .color = glm::vec3(1.5f),
+                            .halfDistance = 100.0 * kSunDistance});
     // A lamp in the cabin, which reaches no further than the window.
     scene.lights.push_back({.position = station.eye + 0.15 * station.up,
                             .color = glm::vec3(0.5f, 0.45f, 0.38f),
@@ -66,6 +71,10 @@ void addLights(scene::Scene& scene, const StationPose& station) {
 }
 
 } // namespace
+
+glm::dvec3 orbitToSun() {
+    return glm::normalize(glm::dvec3(-0.35, 0.75, 0.55));
+}
 
 StationPose orbitStation(const EarthSurface& surface) {
     const double metresPerDegree = kEarthRadius * kDegree * std::cos(kOrbitAirport.latitude * kDegree);
@@ -84,6 +93,15 @@ TileDetail orbitDetail(const StationPose& station) {
 
 scene::SceneSetup makeOrbit(EarthMaps maps, const scene::Scene* parked) {
     const EarthSurface surface(maps.topography, kOrbitAirport, airportPad());
+    const auto cover = [&](SceneBuilder& builder) {
+        const std::uint32_t material = addBlueMarble(builder, std::move(maps.color));
+        return [material](const EarthTile&) { return TileCoat{material}; };
+    };
+    return makeOrbitOn(surface, cover, parked);
+}
+
+scene::SceneSetup makeOrbitOn(const EarthSurface& surface, const GroundCover& cover,
+                              const scene::Scene* parked) {
     const StationPose station = orbitStation(surface);
     scene::SceneSetup setup;
     setup.scene.name = "orbit";
@@ -97,7 +115,7 @@ scene::SceneSetup makeOrbit(EarthMaps maps, const scene::Scene* parked) {
         addAircraft(builder);
     }
     addAirport(builder);
-    addEarth(builder, surface, station, std::move(maps.color));
+    addEarth(builder, surface, station, cover);
     addMoon(builder, surface, station);
     addLights(setup.scene, station);
     const double below = kFirstAim * kDegree;

@@ -1,0 +1,86 @@
+#include <cdr/host/worker_pool.h>
+#include <cdr/scene/gltf/gltf.h>
+#include <scenes/earth/earth.h>
+#include <scenes/earth/ground_blocks.h>
+#include <scenes/earth/ground_painter.h>
+#include <scenes/orbit/airport.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+namespace cdr::scenes {
+
+namespace {
+
+constexpr double kCloudHeight = 3'000.0;
+
+std::uint32_t addGroundMaterial(SceneBuilder& builder, std::string name, image::ImageRgba8 pixels) {
+    scene::Scene& scene = builder.scene();
+    scene.textures.push_back({.name = name, .pixels = std::move(pixels), .repeatU = false, .repeatV = false});
+    return builder.addMaterial(scene::Material{
+        .name = std::move(name), .baseColorTexture = static_cast<std::uint32_t>(scene.textures.size() - 1)});
+}
+
+/// Paints the blocks; a tile wears the finest that covers it.
+std::function<TileCoat(const EarthTile&)>
+addPaintedGround(SceneBuilder& builder, const GroundPainter& painter, const EarthOptions& options) {
+    host::WorkerPool workers(options.threads > 0 ? options.threads
+                                                 : std::max(1u, std::thread::hardware_concurrency()));
+    std::vector<std::pair<GroundBlock, TileCoat>> coats;
+    const std::vector<GroundBlock> blocks = blocksAround(kOrbitAirport, EarthQuadtree::kDeepest - 1);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        GroundPainter::Canvas canvas{blocks[i].frame(), options.blockTexels / 2, options.blockTexels};
+        if (i == 0) { // the whole Earth is twice as wide as high
+            canvas.width = 2 * options.blockTexels;
+        }
+        if (i + 1 < blocks.size()) {
+            canvas.hidden = blocks[i + 1].frame();
+        }
+        const std::uint32_t material =
+            addGroundMaterial(builder, fmt::format("ground {}", i), painter.paint(canvas, workers));
+        coats.emplace_back(blocks[i], TileCoat{material, canvas.frame});
+    }
+    return [coats = std::move(coats)](const EarthTile& tile) {
+        const auto finest = std::find_if(coats.rbegin(), coats.rend(),
+                                         [&](const auto& coat) { return coat.first.covers(tile); });
+        return finest->second;
+    };
+}
+
+scene::Air airOf(const EarthSurface& surface, const scene::PointLight& sun) {
+    // The Earth's axis in world space: from its centre to the pole.
+    const glm::dvec3 centre = surface.earthCentre();
+    return {.centre = centre,
+            .axis = glm::normalize(surface.toWorld({90.0, 0.0}, 0.0) - centre),
+            .flattening = kEarthFlattening,
+            .toSun = glm::normalize(sun.position),
+            .sunlight = sun.color,
+            .haze = {.scattering = glm::vec3(2.5e-6f), .height = 1'200.0}};
+}
+
+} // namespace
+
+scene::SceneSetup makeEarth(const EarthMaps& maps, const scene::Scene* parked, const EarthOptions& options) {
+    const EarthSurface surface(maps.topography, kOrbitAirport, airportPad());
+    const glm::dvec3 toSun = orbitToSun();
+    const GroundPainter painter(maps.color, kOrbitAirport,
+                                kCloudHeight / toSun.y * glm::dvec2(toSun.x, toSun.z));
+    const auto cover = [&](SceneBuilder& builder) { return addPaintedGround(builder, painter, options); };
+    scene::SceneSetup setup = makeOrbitOn(surface, cover, parked);
+    setup.scene.name = "earth";
+    setup.scene.air = airOf(surface, setup.scene.lights.front());
+    return setup;
+}
+
+scene::OpenedScene openEarth(const OrbitFiles& files) {
+    if (files.model.empty()) {
+        return {.setup = makeEarth(loadEarthMaps(files.folder)), .notes = {}};
+    }
+    scene::GltfImport model = scene::loadGltf(files.model);
+    return {.setup = makeEarth(loadEarthMaps(files.folder), &model.scene), .notes = std::move(model.ignored)};
+}
+
+} // namespace cdr::scenes

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <scenes/orbit/earth_tiles.h>
+
+#include <vector>
+
+namespace cdr::scenes {
+
+/// A part of the Earth that one texture shows: so many tiles of a level in each direction.
+struct GroundBlock {
+    EarthTile first{}; ///< in its north-western corner
+    std::uint32_t columns = 2;
+    std::uint32_t rows = 1;
+
+    /// Whether a tile lies in it as a whole.
+    bool covers(const EarthTile& tile) const;
+    GeodeticFrame frame() const;
+};
+
+/// The whole Earth, and blocks of 4 x 4 tiles around a place, each half as wide as the last, down to tiles of a level.
+std::vector<GroundBlock> blocksAround(const Geodetic& place, std::uint32_t finest);
+
+} // namespace cdr::scenes

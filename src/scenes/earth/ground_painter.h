@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cdr/host/worker_pool.h>
+#include <cdr/image/image.h>
+#include <scenes/earth/airport_map.h>
+#include <scenes/earth/blue_marble.h>
+#include <scenes/earth/clouds.h>
+#include <scenes/earth/countryside.h>
+#include <scenes/orbit/earth_tiles.h>
+
+#include <optional>
+
+namespace cdr::scenes {
+
+/// Paints the Earth from above: the blue marble, with coasts, country and clouds where it is too coarse. Each place has one colour,
+/// whichever picture it is on, but for what the picture's texels are too large to show.
+class GroundPainter {
+  public:
+    /// @param marble plate carree; must outlive the painter.
+    /// @param toShade as of Clouds.
+    GroundPainter(const image::ImageRgba8& marble, const Geodetic& airport, const glm::dvec2& toShade);
+
+    /// What is painted, on how many texels: multiples of kGridTexels.
+    struct Canvas {
+        GeodeticFrame frame{};
+        std::uint32_t width = 0;
+        std::uint32_t height = 0;
+        /// What another picture shows more finely: only a few of its texels are worked out, for levels of less detail.
+        std::optional<GeodeticFrame> hidden{};
+    };
+    image::ImageRgba8 paint(const Canvas& canvas, host::WorkerPool& workers) const;
+
+  private:
+    /// What a coarse grid holds.
+    struct Slow {
+        MarbleColor marble;
+        Country country;
+        Clouds::Weather weather;
+    };
+    Slow slowAt(const Geodetic& place, double texel) const;
+    static Slow between(const Slow& a, const Slow& b, double share);
+    glm::dvec3 colorOf(const Slow& slow, const glm::dvec2& place, double texel) const;
+
+    BlueMarble m_marble;
+    AirportMap m_map;
+    Clouds m_clouds;
+};
+
+} // namespace cdr::scenes
