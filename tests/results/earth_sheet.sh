@@ -8,10 +8,10 @@ program=${1-build/release/bin/cdr}
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 
-for frame in 0 72 132; do
+for frame in 0 92 134; do
     "$program" --quiet render earth --technique anchored --shadows anchored --frame "$frame" -o "$folder/$frame.png"
 done
 small=scale=640:360:flags=area
-ffmpeg -v error -y -i "$folder/0.png" -i "$folder/72.png" -i "$folder/132.png" -filter_complex \
+ffmpeg -v error -y -i "$folder/0.png" -i "$folder/92.png" -i "$folder/134.png" -filter_complex \
     "[0]$small,pad=644:360:0:0[a];[1]$small,pad=644:360:0:0[b];[2]$small[c];[a][b][c]hstack=3" \
     -frames:v 1 -q:v 4 -map_metadata -1 -fflags +bitexact -flags +bitexact tests/results/earth_sheet.jpg
