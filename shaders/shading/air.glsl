@@ -24,13 +24,13 @@ AirWay airWay(float eyeHeight, float climb) {
     float eye = 1.0 + eyeHeight;
     float nearest = -eye * climb;
     float nearestRadius = sqrt(max(eye * eye - nearest * nearest, 0.0));
-    return AirWay(eyeHeight, nearest, eyeHeight - nearest * nearest / (nearestRadius + eye));
+    return AirWay(eyeHeight, nearest, eyeHeight - nearest * nearest / max(nearestRadius + eye, 1e-20));
 }
 
 float airHeightAt(AirWay way, float along) {
     float eye = 1.0 + way.eyeHeight;
     float squares = along * (along - 2.0 * way.nearest);
-    return way.eyeHeight + squares / (sqrt(max(eye * eye + squares, 0.0)) + eye);
+    return way.eyeHeight + squares / max(sqrt(max(eye * eye + squares, 0.0)) + eye, 1e-20);
 }
 
 // From the place nearest to the centre to that of a height above it.
@@ -135,7 +135,7 @@ AirSeen airAlong(AirRecord air, vec3 ray, float distance) {
             from.y = whole;
         }
         float along = falls ? lowestAt - from.z : lowestAt + from.z;
-        float toSunUp = (sunUp + along * sunAhead) / (1.0 + middle);
+        float toSunUp = (sunUp + along * sunAhead) / max(1.0 + middle, 0.5);
         seen = airPiece(air, seen, heights, (from.y - from.x) / stretch, toSunUp, phases);
     }
     seen.added *= air.sunlight.rgb;
