@@ -13,7 +13,7 @@ constexpr std::uint32_t kCoarsest = 3; ///< level of the widest block's tiles: i
 /// The first of the tiles around the corner that is nearest to a place.
 std::uint32_t firstAround(double position, std::uint32_t count) {
     const double first =
-        std::clamp(std::round(position) - kAcross / 2, 0.0, static_cast<double>(count - kAcross));
+        std::clamp(std::round(position) - 0.5 * kAcross, 0.0, static_cast<double>(count - kAcross));
     return static_cast<std::uint32_t>(first);
 }
 

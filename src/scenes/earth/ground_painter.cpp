@@ -32,7 +32,7 @@ class Encoder {
   private:
     static constexpr std::size_t kLast = 8'191;
     std::uint8_t step(double value) const {
-        return m_steps[static_cast<std::size_t>(std::clamp(value, 0.0, 1.0) * kLast + 0.5)];
+        return m_steps[static_cast<std::size_t>(std::lround(std::clamp(value, 0.0, 1.0) * kLast))];
     }
     std::array<std::uint8_t, kLast + 1> m_steps{};
 };
