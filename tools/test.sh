@@ -47,8 +47,8 @@ if [[ $preset == tsan ]] && setarch --addr-no-randomize true 2>/dev/null; then
     launcher=(setarch --addr-no-randomize)
 fi
 passed=true
-# Two more than there are processors, since tests of ranks mostly wait for their launcher.
-"${launcher[@]}" ctest --preset "$preset" --parallel "$(($(nproc) + 2))" || passed=false
+# Four more than there are processors, since tests of ranks mostly wait for their launcher.
+"${launcher[@]}" ctest --preset "$preset" --parallel "$(($(nproc) + 4))" || passed=false
 echo "Seconds: $((built - start)) to build, $((SECONDS - built)) to test"
 
 if ! $formatted; then echo "tools/test.sh: the formatting differs, see above; tools/format.sh mends it" >&2; fi

@@ -111,7 +111,7 @@ scene::SceneSetup Command::openScene(const std::string& nameOrPath, std::uint64_
                                      const scene::GltfChoice& choice) {
     if (scene::isGltfPath(nameOrPath)) {
         reads(nameOrPath);
-    } else if (nameOrPath == "orbit") {
+    } else if (scenes::readsEarth(nameOrPath)) {
         const scenes::OrbitFiles files = scenes::orbitFiles();
         readsEarth(files.folder);
         if (!files.model.empty()) {

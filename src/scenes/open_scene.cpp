@@ -60,6 +60,10 @@ std::span<const std::string_view> generatedScenes() {
     return kNames;
 }
 
+bool readsEarth(std::string_view scene) {
+    return scene == "orbit" || scene == "eclipse" || scene == "earth";
+}
+
 scene::OpenedScene openScene(const std::string& nameOrPath, std::uint64_t seed,
                              const scene::GltfChoice& choice) {
     if (scene::isGltfPath(nameOrPath)) {

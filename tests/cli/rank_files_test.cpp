@@ -113,7 +113,8 @@ TEST_F(RankFiles, ThePicturesOfTheEarthAreAlikeOnAllRanks) {
     }
     fs::resize_file(at("1") / "maps/earth-topology.png", 1000);
     for (const char* arguments :
-         {"render orbit --size 32x18", "orbit --frames 1 --size 32x18", "report --smallest -o r"}) {
+         {"render orbit --size 32x18", "render eclipse --size 32x18", "render earth --size 32x18",
+          "orbit --frames 1 --size 32x18", "report --smallest -o r"}) {
         const ProgramResult result = run(arguments);
         if (result.err.find("npm packages") != std::string::npos) {
             continue; // built without the report's page

@@ -11,8 +11,9 @@ inline std::string launched(const std::string& launcher, int ranks) {
     if (ranks == 0) {
         return "";
     }
-    // MPI and its launcher keep memory until they end, in ways that no list of suppressions names.
-    return "ASAN_OPTIONS=\"$ASAN_OPTIONS:detect_leaks=0\" OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+    // MPI and its launcher keep memory until they end, in ways that no list of suppressions names. Its hwloc looks for graphics
+    // cards at X servers, and Xlib ends the launcher if one goes meanwhile, such as that of a test of the viewer.
+    return "HWLOC_COMPONENTS=-gl ASAN_OPTIONS=\"$ASAN_OPTIONS:detect_leaks=0\" OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
            "OMPI_MCA_rmaps_base_oversubscribe=1 "
            "OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_orte_execute_quiet=1 "
            "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_default_binding_policy=none '" +
