@@ -4,21 +4,22 @@
 
 namespace cdr::experiments {
 
-Drawer::Drawer(std::unique_ptr<render::Renderer> renderer) : m_renderer(std::move(renderer)) {}
+Drawer::Drawer(std::unique_ptr<render::Renderer> renderer) : m_by(std::move(renderer)) {}
 
 Drawer::Drawer(const gpu::Device& device, const render::DrawnScene& scene, const rivals::Competing& competing,
                const vk::Extent2D& extent, host::WorkerPool& workers)
-    : m_contender(std::make_unique<rivals::Contender>(device, scene, competing, extent, workers)) {}
+    : m_by(std::make_unique<rivals::Contender>(device, scene, competing, extent, workers)) {}
 
 DrawnFrame Drawer::render(const scene::Camera& camera) {
-    if (!shades()) {
+    if (const auto* alone = std::get_if<IdsAlone>(&m_by)) {
+        rivals::Contender& contender = **alone;
         DrawnFrame drawn;
-        drawn.ids = m_contender->render(camera).ids;
-        drawn.cascades = m_contender->cascades();
-        drawn.duplication = m_contender->duplication();
+        drawn.ids = contender.render(camera).ids;
+        drawn.cascades = contender.cascades();
+        drawn.duplication = contender.duplication();
         return drawn;
     }
-    render::Frame frame = m_renderer->render(camera);
+    render::Frame frame = renderer().render(camera);
     return {.ids = frame.ids(),
             .color = std::move(frame.color),
             .cascades = frame.cascades.size(),
@@ -26,12 +27,12 @@ DrawnFrame Drawer::render(const scene::Camera& camera) {
 }
 
 render::FrameStats Drawer::draw(const scene::Camera& camera) {
-    return shades() ? m_renderer->draw(camera) : m_contender->draw(camera);
+    return std::visit([&](const auto& by) { return by->draw(camera); }, m_by);
 }
 
 void Drawer::skip(const scene::Camera& camera) {
     if (shades()) {
-        m_renderer->skip(camera);
+        renderer().skip(camera);
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <variant>
 
 namespace cdr::experiments {
 
@@ -33,7 +34,7 @@ class Drawer {
     Drawer(const gpu::Device& device, const render::DrawnScene& scene, const rivals::Competing& competing,
            const vk::Extent2D& extent, host::WorkerPool& workers);
 
-    bool shades() const { return m_renderer != nullptr; }
+    bool shades() const { return std::holds_alternative<WholeFrames>(m_by); }
 
     /// Draws a frame and copies it.
     DrawnFrame render(const scene::Camera& camera);
@@ -43,11 +44,13 @@ class Drawer {
     void skip(const scene::Camera& camera);
 
     /// Of a drawer that shades.
-    render::Renderer& renderer() { return *m_renderer; }
+    render::Renderer& renderer() { return *std::get<WholeFrames>(m_by); }
 
   private:
-    std::unique_ptr<render::Renderer> m_renderer; ///< either this or the next is there
-    std::unique_ptr<rivals::Contender> m_contender;
+    using WholeFrames = std::unique_ptr<render::Renderer>;
+    using IdsAlone = std::unique_ptr<rivals::Contender>;
+
+    std::variant<WholeFrames, IdsAlone> m_by;
 };
 
 } // namespace cdr::experiments
