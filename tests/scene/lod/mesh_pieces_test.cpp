@@ -125,6 +125,22 @@ TEST(MeshPieces, AMeshThatIsGivenAwayMakesTheSamePieces) {
     }
 }
 
+/// As an importer's mesh, whose float32 vertices are all that its file has.
+TEST(MeshPieces, AMeshWithoutPositionsLiesWhereItsVerticesDo) {
+    SourceMesh exact = bumpySquare(16, {5.0, 0.0, -7.0});
+    SourceMesh single = exact;
+    for (std::size_t i = 0; i < single.vertices.size(); ++i) {
+        single.vertices[i].position = glm::vec3(exact.positions[i]);
+    }
+    single.positions.clear();
+    for (const double radius : {1e9, 4.0}) {
+        const std::vector<MeshPiece> pieces = cutIntoPieces(single, radius);
+        EXPECT_EQ(holders(pieces), holders(cutIntoPieces(exact, radius)));
+        EXPECT_EQ(holders(pieces).size(), exact.indices.size() / 3);
+    }
+    EXPECT_EQ(holders(cutIntoPieces(std::move(single), 1e9)), holders(cutIntoPieces(exact, 1e9)));
+}
+
 TEST(MeshPieces, HoldEveryTriangleWithinTheRadiusAndAtMostFourTimes) {
     const SourceMesh source = bumpySquare(64, {1e7, 0.0, -3e6});
     const std::vector<MeshPiece> pieces = cutIntoPieces(source, 8.0);

@@ -60,14 +60,13 @@ PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors, bo
         // Deriving tangents may split each vertex in two.
         const std::uint64_t most = isShared ? std::min(corners, 2 * vertices) : corners;
         bytes.kept = most * (sizeof(Vertex) + sizeof(VertexDetail)) + corners * kIndexBytes;
-        bytes.passing = bytes.kept +
-                        most * (sizeof(glm::dvec3) + kTangentBytes + kTablesPerVertex * kIndexBytes) +
+        bytes.passing = bytes.kept + most * (kTangentBytes + kTablesPerVertex * kIndexBytes) +
                         corners * 2 * kIndexBytes + positions * kIndexBytes;
         return bytes;
     }
     bytes.kept = vertices * sizeof(Vertex) + corners * kIndexBytes;
-    bytes.passing = vertices * (sizeof(Vertex) + sizeof(glm::dvec3) + kTablesPerVertex * kIndexBytes) +
-                    corners * 2 * kIndexBytes + (isShared && corners > 0 ? positions * kIndexBytes : 0);
+    bytes.passing = vertices * (sizeof(Vertex) + kTablesPerVertex * kIndexBytes) + corners * 2 * kIndexBytes +
+                    (isShared && corners > 0 ? positions * kIndexBytes : 0);
     return bytes;
 }
 

@@ -109,10 +109,6 @@ std::optional<SourcePrimitive> MeshImporter::readTriangles(const Primitive& prim
             source.fileVertices[source.mesh.indices[i]] = source.fileVertices[before[i]];
         }
     }
-    source.mesh.positions.reserve(source.mesh.vertices.size());
-    for (const Vertex& vertex : source.mesh.vertices) {
-        source.mesh.positions.emplace_back(vertex.position);
-    }
     return source;
 }
 
@@ -314,6 +310,7 @@ void MeshImporter::addShared(SourcePrimitive& source, const Attributes& attribut
     }
     SourceMesh& mesh = source.mesh;
     std::vector<std::uint32_t>& used = source.fileVertices;
+    used.reserve(std::min(attributes.position->count(), mesh.indices.size()));
     for (std::uint32_t& index : mesh.indices) {
         if (m_newIndex[index] == kUnused) {
             m_newIndex[index] = static_cast<std::uint32_t>(used.size());

@@ -1,3 +1,4 @@
+#include <cdr/scene/box_tree.h>
 #include <cdr/scene/lod/mesh_pieces.h>
 #include <cdr/scene/lod/triangle_clusters.h>
 
@@ -15,19 +16,20 @@ constexpr std::size_t kTrianglesPerPiece = 8;
 
 /// For each position the index of the first equal one in sorted order: vertices that differ only in normal or
 /// texture coordinate are one point.
-std::vector<std::uint32_t> pointsOf(std::span<const glm::dvec3> positions) {
-    std::vector<std::uint32_t> order(positions.size());
+std::vector<std::uint32_t> pointsOf(const SourceMesh& source) {
+    std::vector<std::uint32_t> order(source.vertices.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         order[i] = static_cast<std::uint32_t>(i);
     }
     const auto key = [&](std::uint32_t i) {
-        return std::array{positions[i].x, positions[i].y, positions[i].z};
+        const glm::dvec3 position = source.positionOf(i);
+        return std::array{position.x, position.y, position.z};
     };
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
-    std::vector<std::uint32_t> points(positions.size());
+    std::vector<std::uint32_t> points(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
+        const bool same = i > 0 && source.positionOf(order[i]) == source.positionOf(order[i - 1]);
         points[order[i]] = same ? points[order[i - 1]] : order[i];
     }
     return points;
@@ -72,14 +74,14 @@ class PieceMaker {
   public:
     explicit PieceMaker(const SourceMesh& source)
         : m_source(source),
-          m_newIndex(source.positions.size(), kUnused) {}
+          m_newIndex(source.vertices.size(), kUnused) {}
 
     MeshPiece make(std::span<const std::uint32_t> triangles, const glm::dvec3& origin, std::string name) {
         MeshPiece piece{.mesh = {}, .origin = origin};
         piece.mesh.name = std::move(name);
         piece.mesh.indices.reserve(3 * triangles.size());
         if (3 * triangles.size() == m_source.indices.size()) { // all of it: most of its vertices are used
-            piece.mesh.vertices.reserve(m_source.positions.size());
+            piece.mesh.vertices.reserve(m_source.vertices.size());
         }
         std::vector<std::uint32_t> used;
         for (const std::uint32_t triangle : triangles) {
@@ -89,7 +91,7 @@ class PieceMaker {
                     m_newIndex[index] = static_cast<std::uint32_t>(used.size());
                     used.push_back(index);
                     Vertex vertex = m_source.vertices[index];
-                    vertex.position = glm::vec3(m_source.positions[index] - origin);
+                    vertex.position = glm::vec3(m_source.positionOf(index) - origin);
                     piece.mesh.vertices.push_back(vertex);
                     if (!m_source.details.empty()) {
                         piece.mesh.details.push_back(m_source.details[index]);
@@ -113,24 +115,25 @@ class PieceMaker {
 std::vector<TriangleCluster> clustersOf(const SourceMesh& source, double radius) {
     const std::size_t triangles = source.indices.size() / 3;
     const std::size_t most = std::clamp<std::size_t>(triangles / kTrianglesPerPiece, 2, kMostPieces);
-    return clusterTriangles(source.positions, source.indices, radius, most);
+    return clusterTriangles(source, radius, most);
 }
 
 /// From the middle of float32 vertices to a vertex at least the piece's size from the source's origin is a float32 without
 /// rounding.
-glm::dvec3 originOf(const TriangleCluster& cluster) {
-    return (cluster.low + cluster.high) * 0.5;
+glm::dvec3 originOf(const glm::dvec3& low, const glm::dvec3& high) {
+    return (low + high) * 0.5;
 }
 
 std::vector<MeshPiece> makePieces(const SourceMesh& source, std::vector<TriangleCluster> clusters) {
     PieceMaker maker(source);
     if (clusters.size() > 1) {
-        closeSeams(pointsOf(source.positions), source.indices, clusters);
+        closeSeams(pointsOf(source), source.indices, clusters);
     }
     std::vector<MeshPiece> pieces;
     for (const TriangleCluster& cluster : clusters) {
         const std::string suffix = clusters.size() > 1 ? " piece " + std::to_string(pieces.size()) : "";
-        pieces.push_back(maker.make(cluster.triangles, originOf(cluster), source.name + suffix));
+        pieces.push_back(
+            maker.make(cluster.triangles, originOf(cluster.low, cluster.high), source.name + suffix));
     }
     return pieces;
 }
@@ -144,22 +147,31 @@ bool isInOrderOfUse(const SourceMesh& source) {
         }
         used += index == used ? 1 : 0;
     }
-    return used == source.positions.size();
+    return used == source.vertices.size();
 }
 
 /// The piece of all triangles of a mesh that isInOrderOfUse().
 MeshPiece takeWhole(SourceMesh&& source, const glm::dvec3& origin) {
+    for (std::size_t i = 0; i < source.vertices.size(); ++i) {
+        source.vertices[i].position = glm::vec3(source.positionOf(i) - origin);
+    }
     MeshPiece piece{.mesh = {}, .origin = origin};
     piece.mesh.name = std::move(source.name);
     piece.mesh.vertices = std::move(source.vertices);
     piece.mesh.details = std::move(source.details);
     piece.mesh.indices = std::move(source.indices);
-    for (std::size_t i = 0; i < piece.mesh.vertices.size(); ++i) {
-        piece.mesh.vertices[i].position = glm::vec3(source.positions[i] - origin);
-    }
     source = {};
     piece.mesh.boundingRadius = boundingRadiusOf(piece.mesh.vertices);
     return piece;
+}
+
+/// Around all vertices.
+Box boxOf(const SourceMesh& source) {
+    Box box;
+    for (std::size_t i = 0; i < source.vertices.size(); ++i) {
+        box.add(source.positionOf(i));
+    }
+    return box;
 }
 
 } // namespace
@@ -169,12 +181,13 @@ std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source, double radius) {
 }
 
 std::vector<MeshPiece> cutIntoPieces(SourceMesh&& source, double radius) {
-    std::vector<TriangleCluster> clusters = clustersOf(source, radius);
+    // Clusters list all triangles, which a mesh that stays whole does not need.
+    const Box box = boxOf(source);
     std::vector<MeshPiece> pieces;
-    if (clusters.size() == 1 && isInOrderOfUse(source)) {
-        pieces.push_back(takeWhole(std::move(source), originOf(clusters.front())));
+    if (0.5 * box.diagonal() <= radius && isInOrderOfUse(source)) {
+        pieces.push_back(takeWhole(std::move(source), originOf(box.low, box.high)));
     } else {
-        pieces = makePieces(source, std::move(clusters));
+        pieces = makePieces(source, clustersOf(source, radius));
         source = {};
     }
     return pieces;

@@ -23,10 +23,15 @@ namespace cdr::scene {
 /// step of 1/16 before anybody sees it); generators may use all of float64.
 struct SourceMesh {
     std::string name;                    ///< that pieces get
-    std::vector<glm::dvec3> positions;   ///< in the source's own space
-    std::vector<Vertex> vertices;        ///< one per position; their own positions are not read
-    std::vector<std::uint32_t> indices;  ///< three per triangle, each below positions.size()
-    std::vector<VertexDetail> details{}; ///< one per position, or empty
+    std::vector<glm::dvec3> positions;   ///< one per vertex, or empty, which takes the vertices' own
+    std::vector<Vertex> vertices;        ///< their own positions are read only where `positions` is empty
+    std::vector<std::uint32_t> indices;  ///< three per triangle, each below vertices.size()
+    std::vector<VertexDetail> details{}; ///< one per vertex, or empty
+
+    /// Where a vertex lies in the source's own space. @param vertex below vertices.size()
+    glm::dvec3 positionOf(std::size_t vertex) const {
+        return positions.empty() ? glm::dvec3(vertices[vertex].position) : positions[vertex];
+    }
 };
 
 /// A part of a mesh about an origin of its own.
@@ -55,8 +60,8 @@ inline constexpr double kPieceRadius = 512.0;
 CDR_EXPORT std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source,
                                                 double radius = std::numeric_limits<double>::infinity());
 
-/// The same pieces of a mesh that is not needed any more. One that stays whole is not copied, where its vertices come in the
-/// order in which its triangles first use them, as importers make it.
+/// The same pieces of a mesh that is not needed any more. One no wider than `radius` is moved and not copied, if its vertices
+/// come in the order in which its triangles first use them, as importers make it.
 /// @param source not empty, positions finite; without contents afterwards.
 /// @param radius in units of the source's space, > 0; infinity for one piece.
 CDR_EXPORT std::vector<MeshPiece> cutIntoPieces(SourceMesh&& source,

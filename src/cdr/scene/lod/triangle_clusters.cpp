@@ -17,12 +17,10 @@ constexpr std::size_t kLeastShare = 8;
 
 class Clusterer {
   public:
-    Clusterer(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices)
-        : m_positions(positions),
-          m_indices(indices) {}
+    explicit Clusterer(const SourceMesh& source) : m_source(source) {}
 
     TriangleCluster all() const {
-        std::vector<std::uint32_t> triangles(m_indices.size() / 3);
+        std::vector<std::uint32_t> triangles(m_source.indices.size() / 3);
         std::iota(triangles.begin(), triangles.end(), 0u);
         return bounded(std::move(triangles));
     }
@@ -45,7 +43,7 @@ class Clusterer {
 
   private:
     glm::dvec3 corner(std::uint32_t triangle, std::size_t i) const {
-        return m_positions[m_indices[std::size_t{3} * triangle + i]];
+        return m_source.positionOf(m_source.indices[std::size_t{3} * triangle + i]);
     }
     Box boxOf(std::uint32_t triangle) const {
         Box box;
@@ -88,16 +86,13 @@ class Clusterer {
         return upper;
     }
 
-    std::span<const glm::dvec3> m_positions;
-    std::span<const std::uint32_t> m_indices;
+    const SourceMesh& m_source;
 };
 
 } // namespace
 
-std::vector<TriangleCluster> clusterTriangles(std::span<const glm::dvec3> positions,
-                                              std::span<const std::uint32_t> indices, double radius,
-                                              std::size_t most) {
-    const Clusterer clusterer(positions, indices);
+std::vector<TriangleCluster> clusterTriangles(const SourceMesh& source, double radius, std::size_t most) {
+    const Clusterer clusterer(source);
     std::vector<TriangleCluster> clusters{clusterer.all()};
     // By width, and at equal widths the first; clusters that cannot be cut are not in it.
     std::priority_queue<std::pair<double, std::size_t>> open;

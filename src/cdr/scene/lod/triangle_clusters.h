@@ -1,10 +1,11 @@
 #pragma once
 
+#include <cdr/scene/lod/mesh_pieces.h>
+
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace cdr::scene {
@@ -23,10 +24,8 @@ struct TriangleCluster {
 /// `most`, or cutting would not help: a triangle is never cut, so what is hardly wider than its largest
 /// triangle stays. Every triangle is in one cluster. The same clusters whatever the machine; O(triangles log
 /// triangles).
-/// @param indices three per triangle, each below positions.size(); not empty.
+/// @param source not empty.
 /// @param radius > 0; infinity for one cluster.
-std::vector<TriangleCluster> clusterTriangles(std::span<const glm::dvec3> positions,
-                                              std::span<const std::uint32_t> indices, double radius,
-                                              std::size_t most);
+std::vector<TriangleCluster> clusterTriangles(const SourceMesh& source, double radius, std::size_t most);
 
 } // namespace cdr::scene
