@@ -6,8 +6,8 @@
 # MPICH, and the jobs for Slurm. It takes hours on two cores.
 # Usage: tools/check.sh [--changed]
 # --changed does what fits into a few minutes: clang-tidy over the sources that differ from origin/main, or from the
-# parent commit where they do not differ, the tests of the rooms that do under AddressSanitizer, and those of threads without
-# a driver under ThreadSanitizer.
+# parent commit where they do not differ, the tests of the rooms that do under AddressSanitizer, those of threads without a
+# driver under ThreadSanitizer, and a minute of fuzzing for each parser of those rooms.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -112,6 +112,20 @@ check_changed() {
         if printf '%s\n' "${rooms[@]}" | grep --quiet --line-regexp "$room"; then targets=(test_host test_visibility); fi
     done
     test_under tsan "ThreadSanitizer" "${targets[@]}"
+    local parsers=()
+    for room in "${rooms[@]}"; do
+        case $room in
+            scene) parsers+=(gltf camera_path words) ;;
+            image) parsers+=(image) ;;
+            experiments) parsers+=(state unit_state) ;;
+            scenes | visibility) parsers+=(words) ;;
+            fuzz) parsers=(gltf camera_path words image state unit_state) && break ;;
+        esac
+    done
+    if ((${#parsers[@]})); then
+        mapfile -t parsers < <(printf '%s\n' "${parsers[@]}" | sort --unique)
+        tools/fuzz.sh 60 "${parsers[@]}"
+    fi
 }
 
 # Builds tests and runs them under a sanitizer.

@@ -29,7 +29,7 @@ packages=(
     # the reference of the installed headers, and the test of what they say: optional, it skips and says so
     doxygen
     # tests, benchmarks and checks
-    libbenchmark-dev libgtest-dev clang-format clang-tidy libvulkan-volk-dev
+    libbenchmark-dev libgtest-dev clang clang-format clang-tidy libclang-rt-dev libvulkan-volk-dev
 )
 
 fail() {
