@@ -36,7 +36,7 @@ uint packLanding(uint bucket, uint cascades) { return bucket | cascades << 8u; }
 uint landingBucket(uint landing) { return landing & 0xffu; }
 uint landingCascades(uint landing) { return landing >> 8u; }
 
-// One bit per instance of the block and bucket: who lands there. Setting bits in any order gives the same masks, so
+// One bit per instance of the block and bucket: who lands there. Setting bits in any order gives the same masks. So
 // ranks, and with them the order of draws, do not depend on how invocations are scheduled.
 const uint kMaskWords = kBinBlock / 32u;
 shared uint masks[(kBinBuckets + 1u) * kMaskWords]; // the last row: lands anywhere

@@ -21,8 +21,8 @@ vec4 clipPosition(uint form, float x, float y, float ahead, float centreAhead, C
     return cdrClipPositionLogTangent(projected, ahead, touchView, depthOf(cascade));
 }
 
-// Signed distances to the near and far plane of the clip range, positive inside, for gl_ClipDistance. Clip z cannot cut:
-// near the far plane of a ratio-1000 cascade z - w changes by a thousandth of what w does, so float32 clipping at z = w
+// Signed distances to the near and far plane of the clip range, positive inside, for gl_ClipDistance. Clip z cannot cut.
+// Near the far plane of a ratio-1000 cascade z - w changes by a thousandth of what w does. So float32 clipping at z = w
 // would be off by a ten-thousandth of the distance. Pipelines clamp depth, so that clip z does not cut.
 vec2 clipDistances(float ahead, CascadePush cascade) {
     return cdrInside(ahead, vec2(cascade.nearAhead, cascade.farAhead));

@@ -74,7 +74,7 @@ void main() {
     uint shine = inCutoffAndShine;
 #endif
 #endif
-    // Clipping would round to the size of the triangle; the interpolated distance rounds to itself, and is the same in
+    // Clipping would round to the size of the triangle. The interpolated distance rounds to itself, and is the same in
     // every cascade, so cutting by it leaves no seam.
     if (kWide != 0u && cdrIsOutside(inside)) {
         discard;

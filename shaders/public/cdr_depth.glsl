@@ -1,5 +1,5 @@
-// Depth mappings for any engine. This file needs GLSL 3.30 or newer, or HLSL by cdr_depth.hlsl, and nothing else of cdr. cdr's own shaders use it, so
-// the tests of cdr cover it. src/cdr/README.md shows how to use it, on the CPU and in a shader.
+// Depth mappings for any engine. This file needs GLSL 3.30 or newer, or HLSL by cdr_depth.hlsl, and nothing else of cdr. cdr's
+// own shaders use it. So the tests of cdr cover it. src/cdr/README.md shows how to use it, on the CPU and in a shader.
 //
 // What you do
 // - On the CPU, in float64, per cascade: cdr::depth::cascadeConstants() gives the 32 bytes of CdrCascade.
@@ -41,7 +41,7 @@ vec4 cdrClipPosition(vec2 projected, float ahead, CdrDepth depth) {
 }
 
 // Logarithmic depth in [0, 1] of a view distance, for gl_FragDepth or a vertex. A vertex behind the camera has no
-// logarithm; its triangle needs depth per fragment, where w is positive, and the clamp only keeps the value a number.
+// logarithm. Its triangle needs depth per fragment, where w is positive, and the clamp only keeps the value a number.
 // @range distanceView: above 0 for a depth that means something; below 0 and above 1 beyond the cascade's planes.
 float cdrLogDepth(float distanceView, CdrDepth depth) {
     return log(max(distanceView * depth.scale, 1e-30)) * depth.offset;

@@ -1,5 +1,5 @@
-// Smooths stairs along edges of brightness, after Lottes 2009, "FXAA": find the edge through a pixel, walk along it to both
-// ends, and from the nearer one tell how far the true edge reaches into the pixel. Blends linear light.
+// Smooths stairs along edges of brightness, after Lottes 2009, "FXAA". It finds the edge through a pixel, and walks along
+// it to both ends. The nearer one tells how far the true edge reaches into the pixel. Blends linear light.
 #ifndef CDR_SHADERS_EDGE_ANTIALIAS_GLSL
 #define CDR_SHADERS_EDGE_ANTIALIAS_GLSL
 

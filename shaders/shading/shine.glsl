@@ -1,8 +1,8 @@
 // How shiny surfaces reflect light: the metallic-roughness material of glTF 2.0 (specification, appendix B), a mix of a
-// dielectric and a metal as B.2 has it (B.3.5 lets the metal's Fresnel term dim the dielectric's diffuse light too, which
-// takes the colour out of half metals), with the microfacets of Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces" (GGX), Smith's shadowing
-// between them in the height-correlated form of Heitz 2014, and Schlick 1994's Fresnel term. All reflectances are times pi,
-// as a light's colour is what a white matt surface that faces it sends back.
+// dielectric and a metal as B.2 has it. (B.3.5 lets the metal's Fresnel term dim the dielectric's diffuse light too, which
+// takes the colour out of half metals.) Its microfacets are those of Walter et al. 2007, "Microfacet Models for Refraction
+// through Rough Surfaces" (GGX), Smith's shadowing between them in the height-correlated form of Heitz 2014, and Schlick 1994's
+// Fresnel term. All reflectances are times pi, as a light's colour is what a white matt surface that faces it sends back.
 #ifndef CDR_SHADERS_SHINE_GLSL
 #define CDR_SHADERS_SHINE_GLSL
 

@@ -37,8 +37,9 @@ vec2 slopeOf(ReceiverPush map, vec3 normalView, vec2 inView) {
     return clamp(normal.xy / (abs(facing) < 1e-4 ? 1e-4 : facing), -kMostSlope, kMostSlope);
 }
 
-// Whether the light reaches a surface. What the map has of that surface lies in one plane with it, and what it has of a
-// neighbouring one of a curved body differs by no more than their slopes do: only what is farther before it casts a shadow.
+// Whether the light reaches a surface. What the map has of that surface lies in one plane with it. What it has of a
+// neighbouring one of a curved body differs by no more than their slopes do. So only what is farther before it casts a
+// shadow.
 bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
     LightLens lens = map.lens;
     float beyond = (receiver.anchor.x - map.referenceView) + receiver.anchor.y + receiver.ahead;

@@ -1,5 +1,5 @@
 // What shadow maps are drawn and read with. A light's view has axes right and up across its direction, and ahead away from
-// it; clip w, and clip z, grow evenly ahead, so that a distant light and one near by are drawn alike. Every struct is laid
+// it. Clip w, and clip z, grow evenly ahead, so that a distant light and one near by are drawn alike. Every struct is laid
 // out the same by std430 and by C++.
 #ifndef CDR_SHADERS_SHADOWS_SHARED_H
 #define CDR_SHADERS_SHADOWS_SHARED_H

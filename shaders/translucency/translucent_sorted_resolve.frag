@@ -12,7 +12,7 @@ layout(push_constant) uniform Push {
 
 layout(location = 0) out vec4 outColor;
 
-// Whether fragment a is laid over fragment b. A total order over all that a fragment shows, so lists of the same
+// Whether fragment a is laid over fragment b. A total order over all that a fragment shows. So lists of the same
 // fragments come out alike, whoever was first in: by distance, at the same distance by object, in one object by colour.
 bool isNearer(uint a, uint b) {
     vec2 distanceA = vec2(nodes[a].distance, nodes[a].rest);

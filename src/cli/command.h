@@ -61,8 +61,8 @@ class Command {
     /// The ranks() that keep units; null where no file is named.
     experiments::KeptRanks* keptRanks() { return m_kept ? &*m_kept : nullptr; }
 
-    /// Opens a scene as scenes::openScene(), or of a glTF file what is chosen, and notes what of the file is
-    /// not drawn. base::InputError when something is chosen of a scene that is no file.
+    /// Opens a scene as scenes::openScene(), or of a glTF file what is chosen. Notes what of the file is not
+    /// drawn. base::InputError when something is chosen of a scene that is no file.
     scene::SceneSetup openScene(const std::string& nameOrPath, std::uint64_t seed,
                                 const scene::GltfChoice& choice = {});
 

@@ -10,7 +10,7 @@ namespace cdr::experiments {
 void requirePlottable(const std::filesystem::path& path);
 
 /// Draws a gnuplot script into a .png or .svg file, whole or not at all. gnuplot runs as a program of its
-/// own, without a shell; the script says neither terminal nor output. base::RunError, with gnuplot's own
+/// own, without a shell. The script says neither terminal nor output. base::RunError, with gnuplot's own
 /// words, when it fails or has not written all of it.
 void writePlot(const std::filesystem::path& path, const std::string& script);
 

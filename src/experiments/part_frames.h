@@ -11,8 +11,8 @@ namespace cdr::experiments {
 /// shows the background takes next to none.
 host::Bytes packedSurfaces(const render::Frame& frame);
 
-/// Lays what packedSurfaces() made of farther cascades under a frame of nearer ones.
-/// base::RunError for bytes that are not of a frame of its size; then the frame is half done.
+/// Lays what packedSurfaces() made of farther cascades under a frame of nearer ones. base::RunError
+/// for bytes that are not of a frame of its size. Then the frame is half done.
 void layUnder(render::Frame& frame, const host::Bytes& farther);
 
 /// The first rank's frame becomes the whole one, where each rank has drawn its part (render::CascadePart) of the same.

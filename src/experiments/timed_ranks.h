@@ -19,7 +19,7 @@ class TimedRanks {
 
     bool isFirst() const { return m_ranks.isFirst(); }
 
-    /// Forgets who timed what before, and lets each unit be timed on some rank; the first one takes what came of it, in the
+    /// Forgets who timed what before, and lets each unit be timed on some rank. The first one takes what came of it, in the
     /// order of the units.
     void forEachUnit(std::size_t count, const std::function<Json(std::size_t unit)>& time,
                      const std::function<void(std::size_t unit, const Json& timed)>& take);

@@ -16,11 +16,11 @@ struct VideoTiming {
 };
 
 /// base::InputError unless frames of this size can be encoded: both sides even, which H.264's halved colour
-/// needs, and at most 16384, and ffmpeg installed; the message names its package. Call before long work.
+/// needs, and at most 16384, and ffmpeg installed. The message names its package. Call before long work.
 void requireEncodable(std::uint32_t width, std::uint32_t height);
 
 /// Encodes frames as they come into an .mp4 (H.264): ffmpeg runs as a program of its own, without a shell,
-/// and reads raw pixels from its standard input, so no frame is stored.
+/// and reads raw pixels from its standard input. So no frame is stored.
 class VideoWriter {
   public:
     /// @param path whole when finish() returns, absent before.

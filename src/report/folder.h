@@ -20,8 +20,8 @@ std::vector<std::filesystem::path> filesUnder(const std::filesystem::path& folde
 /// folder, is filled instead: the temporary folder lies in it.
 class PendingFolder {
   public:
-    /// base::InputError where no report may stand: at a file, at a folder that is neither empty nor a report with
-    /// nothing but its own files, at one in which the current folder lies deeper, and where no folder can be made.
+    /// base::InputError where no report may stand: at a file, at a folder in which the current folder lies, where
+    /// no folder can be made, and at a folder that is neither empty nor a report with nothing but its own files.
     /// @param state what an earlier report of this state left is taken up: its temporary folder, else the report's own files, of
     /// which the caller has to remove what is not wanted. Empty for a report that starts anew.
     explicit PendingFolder(const std::filesystem::path& path, const std::string& state = "");

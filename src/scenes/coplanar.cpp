@@ -23,7 +23,7 @@ glm::dmat3 turnedAboutZ(double angle) {
         {std::cos(angle), std::sin(angle), 0.0}, {-std::sin(angle), std::cos(angle), 0.0}, {0.0, 0.0, 1.0}};
 }
 
-/// A rectangle in the plane z = 0, in cells no wider than kCell: depth of a triangle that reaches from behind the camera to
+/// A rectangle in the plane z = 0, in cells no wider than kCell. Depth of a triangle that reaches from behind the camera to
 /// the horizon is rounded by far more than layers are apart.
 scene::SourceMesh gridMesh(const std::string& name, const glm::dvec2& halfSides) {
     const glm::uvec2 cells(glm::ceil(2.0 * halfSides / kCell));

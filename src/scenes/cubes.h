@@ -9,7 +9,7 @@ namespace cdr::scenes {
 /// Figures 6.1 to 6.3: a field of 1000 cubes 12,000 units away, near 0.01, far 100,000. The thesis gives
 /// neither lens nor field: here the afc field scaled 10 times, which fills the width of a 16:9 picture
 /// through a 0.87 degree lens. Cubes are listed nearest first, as an engine that sorts for early depth tests
-/// submits them, so a depth buffer that tells nothing apart shows the farthest.
+/// submits them. So a depth buffer that tells nothing apart shows the farthest.
 scene::SceneSetup makeCubes(std::uint64_t seed);
 
 /// The 2AFC scene (thesis section 6.1.2): 1000 unit cubes at random in a 32^3 field about the origin, a white
@@ -17,8 +17,8 @@ scene::SceneSetup makeCubes(std::uint64_t seed);
 /// 0.001, far 2 10^6.
 scene::SceneSetup makeAfc(std::uint64_t seed);
 
-/// The 2AFC scene with something beside the camera, as in any real one: a cube of side 0.002 stays 0.01 ahead
-/// of the camera in a corner of a 16:9 picture, so near must stay at 0.001 and fitting near and far alone
+/// The 2AFC scene with something beside the camera, as in any real one. A cube of side 0.002 stays 0.01 ahead
+/// of the camera in a corner of a 16:9 picture. So near must stay at 0.001, and fitting near and far alone
 /// does not help. One such cube per frame of the path, since scenes do not move; far is 1 less, so that none
 /// shows up behind the field.
 scene::SceneSetup makeAfcNear(std::uint64_t seed);

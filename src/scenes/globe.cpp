@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kMostCells = 1024;
 
-/// Where the k-th of `cells` lines crosses an edge of the cube from -1 to 1: at even angles, and exactly at
+/// Where the k-th of `cells` lines crosses an edge of the cube from -1 to 1, at even angles. It is exact at
 /// the ends and odd about the middle, so that faces meet in the same vertices.
 double lineAt(std::uint32_t k, std::uint32_t cells) {
     const double share = (2.0 * k - cells) / cells;

@@ -39,13 +39,13 @@ struct SplitAt {
 
 /// Fitted to what is visible: the fewest cascades whose steps stay below a target, and none over empty space.
 ///
-/// Bounds stay put from frame to frame: they have a margin of 1/128 of the cascade where the target allows it, and previous
+/// Bounds stay put from frame to frame. They have a margin of 1/128 of the cascade where the target allows it. Previous
 /// ones are kept while they meet a target that is 1/8 wider.
 struct SplitFitted {
     /// What the target is in: a pixel's footprint, or scene units.
     enum class Unit { pixels, scene };
     /// Largest step: a share of what a pixel covers at its distance, or scene units. With a thousandth of a
-    /// pixel and a 60 degree lens, one cascade spans a ratio of about 30, so a scene that fills everything
+    /// pixel and a 60 degree lens, one cascade spans a ratio of about 30. So a scene that fills everything
     /// from 0.1 to 100,000 takes four.
     double target = 0.001;    ///< > 0
     Unit unit = Unit::pixels; ///< of `target`

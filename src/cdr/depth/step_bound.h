@@ -36,7 +36,7 @@ struct CDR_EXPORT StepTarget {
     StepTarget scaled(double factor) const;
 };
 
-/// What arithmetic before the depth buffer rounds away, as a share of the view distance; a finer step gains
+/// What arithmetic before the depth buffer rounds away, as a share of the view distance. A finer step gains
 /// nothing. float32 for mappings that form w in the vertex shader, float64 for anchored ones.
 CDR_EXPORT double distanceRounding(Mapping mapping);
 

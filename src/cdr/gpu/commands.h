@@ -13,7 +13,7 @@
 namespace cdr::gpu {
 
 /// A command pool of one thread and one frame slot. next() hands out buffers in turn, and reset() takes all
-/// of them back at once: that is much cheaper than freeing buffers one by one (Khronos Vulkan-Samples,
+/// of them back at once. That is much cheaper than freeing buffers one by one (Khronos Vulkan-Samples,
 /// command_buffer_usage).
 class CommandPool {
   public:

@@ -14,7 +14,7 @@ struct Failure {
     std::string line; ///< a single one, even if the error's text has several
 };
 
-/// The failure that an uncaught exception stands for: base::InputError is bad input; all else, such as errors
+/// The failure that an uncaught exception stands for: base::InputError is bad input. All else, such as errors
 /// of Vulkan and exhausted memory, is a failed run.
 /// @param error not null.
 Failure failureOf(const std::exception_ptr& error);

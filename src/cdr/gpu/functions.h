@@ -127,7 +127,7 @@
 
 namespace cdr::gpu {
 
-/// The functions of Vulkan that cdr calls. vulkan.hpp calls by it (vulkan_hpp.h), so nothing here links the system's loader,
+/// The functions of Vulkan that cdr calls. vulkan.hpp calls by it (vulkan_hpp.h). So nothing here links the system's loader,
 /// and no function of a host that has the same name is called by mistake.
 struct Functions {
     PFN_vkGetInstanceProcAddr vkGetInstanceProcAddr = nullptr; ///< the loader that the rest came from
@@ -147,7 +147,7 @@ struct Functions {
 const Functions& functions();
 
 /// Fills in the functions that need no instance. Does nothing where they are there. From any thread.
-/// @param loader a host's vkGetInstanceProcAddr. Null: the one in use; where there is none, the system's loader is opened.
+/// @param loader a host's vkGetInstanceProcAddr. Null: the one in use. Where there is none, the system's loader is opened.
 /// base::RunError when the system has no loader. base::InputError for another loader than the one in use: a process has one.
 void loadFunctions(PFN_vkGetInstanceProcAddr loader);
 

@@ -20,7 +20,7 @@ namespace cdr::host {
 /// A fixed set of threads that run the jobs of one batch at a time.
 ///
 /// The calling thread is worker 0 and takes part, so a pool of one thread starts no thread and runs the same
-/// code. Jobs are handed out by index from an atomic counter; which worker runs a job is not defined, so
+/// code. Jobs are handed out by index from an atomic counter; which worker runs a job is not defined. So
 /// results must be stored by job index, never in completion order.
 /// @threads One thread at a time, and never from within a job.
 /// @errors None but those that a function names.
@@ -46,7 +46,7 @@ class CDR_EXPORT WorkerPool {
     /// @param trace with a track per worker. It must live until another takes its place, or as long as the pool.
     void setTrace(Trace* trace) { m_trace = trace; }
 
-    /// For tests of what depends on no order: from now on the calling thread runs the jobs of each batch one after the
+    /// For tests of what depends on no order. From now on the calling thread runs the jobs of each batch one after the
     /// other, in one of all possible orders, and in the name of any worker. Between batches only.
     /// @param number of the order, any; 0 is the order of the jobs on worker 0.
     void setSchedule(std::uint64_t number) { m_schedule = number; }

@@ -11,9 +11,9 @@
 
 namespace cdr::image {
 
-/// Pictures beside each other, from the left, all of the height of the first. The first `shift` / 2 columns of the first
-/// one and as many of the last columns of the others, the odd one included, are moved out of their pictures: the first
-/// moves to the left and the others to the right. What that uncovers is `fill`.
+/// Pictures beside each other, from the left, all of the height of the first. The first one moves to the left and the
+/// others to the right. So the first `shift` / 2 columns of the first one, and as many of the last columns of the
+/// others, the odd one included, leave their pictures. What that uncovers is `fill`.
 template <typename Pixel>
 Raster<Pixel> beside(std::span<const Raster<Pixel>* const> pictures, std::uint32_t shift = 0,
                      Pixel fill = {}) {

@@ -22,8 +22,8 @@ struct Cover {
     std::array<float, 3> weights{};
 };
 
-/// A halved side of n = floor(m / 2) pixels covers m / n <= 3 pixels with each, whose bounds never make it touch a fourth:
-/// pixel i begins i / n beyond pixel 2 i where m is odd, and ends (i + 1) / n beyond pixel 2 i + 2.
+/// A halved side of n = floor(m / 2) pixels covers m / n <= 3 pixels with each, and never touches a fourth. Where m is
+/// odd, pixel i begins i / n beyond pixel 2 i, and ends (i + 1) / n beyond pixel 2 i + 2.
 std::vector<Cover> coversOf(std::uint32_t side) {
     const std::uint32_t halved = halvedSide(side);
     if (side == 1) {

@@ -24,7 +24,7 @@ CDR_EXPORT std::uint32_t levelCount(std::uint32_t width, std::uint32_t height);
 CDR_EXPORT std::uint64_t levelPixels(std::uint32_t width, std::uint32_t height, std::uint32_t levels);
 
 /// The smaller levels of a picture, largest first, the picture itself left out. Each pixel is the average, in linear
-/// light, of what it covers of the level above it; where a side is odd, pixels count by the share that is covered.
+/// light, of what it covers of the level above it. Where a side is odd, pixels count by the share that is covered.
 /// Averages are rounded once for each level and not summed up. Alpha does not weigh colours.
 /// @param most how many to make; fewer where one pixel is reached before.
 CDR_EXPORT std::vector<ImageRgba8> smallerLevels(const ImageRgba8& picture, Encoding encoding,

@@ -43,13 +43,13 @@ class CDR_EXPORT FocusLens {
     /// that a scene unit covers at F (thin lens, as in Potmesil and Chakravarty 1981).
     double circleAt(double distanceView) const;
 
-    /// Pixels of the picture along the side of one pixel of a cascade's layer: the largest power of two up to
-    /// kMostFocusScale not above the smallest circle in the range, so that nothing is blurred more than the
+    /// Pixels of the picture along the side of one pixel of a cascade's layer. It is the largest power of two
+    /// up to kMostFocusScale not above the smallest circle in the range. So nothing is blurred more than the
     /// lens would.
     std::uint32_t scaleOf(const depth::Cascade& range) const;
 
-    /// The ranges to draw where cascades that touch are to fade into each other: each but the first begins a
-    /// fifth earlier, but no earlier than the cascade before it does and than where the lens blurs half as
+    /// The ranges to draw where cascades that touch are to fade into each other. Each but the first begins a
+    /// fifth earlier, but no earlier than the cascade before it does, and than where the lens blurs half as
     /// much as the cascade's scale. Near planes still ascend.
     depth::Cascades overlapping(const depth::Cascades& cascades) const;
 

@@ -51,9 +51,9 @@ class CDR_EXPORT GpuScene {
     /// As the constructor that moves.
     GpuScene& operator=(GpuScene&&) noexcept;
 
-    /// Follows the world's edits since the last call; renderers call it at the start of a frame. Instances take time
-    /// by the number that changed. What is uploaded, meshes, vertices and textures, waits for all that the queue was given
-    /// before; what changes or goes is kept until that is done.
+    /// Follows the world's edits since the last call; renderers call it at the start of a frame. Instances take time by
+    /// the number that changed. What is uploaded, meshes, vertices and textures, waits for all that the queue was given
+    /// before. What changes or goes is kept until that is done.
     /// @errors base::InputError for a texture larger than the device's images: once it is gone, the next call follows.
     ///         base::RunError and std::system_error as the constructors.
     void update();

@@ -43,7 +43,7 @@ struct HostFrame {
     /// A primary of the family of the device's queue that is recording, outside a rendering scope. What the host bound
     /// before is not bound afterwards.
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    /// A timeline semaphore that reaches `doneValue` once the device has run `commands`; signalled by the submission
+    /// A timeline semaphore that reaches `doneValue` once the device has run `commands`. Signalled by the submission
     /// that they are in, or by the host where it drops them. The renderer waits for it before it takes back what the
     /// frame reads, so it must outlive the renderer, or live until Renderer::finish().
     VkSemaphore done = VK_NULL_HANDLE;

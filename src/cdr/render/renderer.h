@@ -39,8 +39,8 @@ class CDR_EXPORT Renderer {
   public:
     /// Of a scene that stays as it is.
     /// @param gpuScene of `scene`
-    /// @throws base::InputError for options out of range, that do not go together or that the device cannot do: a
-    ///         picture of no or too many pixels, a depth format that it lacks, and the like.
+    /// @throws base::InputError for options that are out of range, do not go together or need more than the
+    /// device has: no or too many pixels, a depth format that it lacks, and the like.
     /// @throws base::InputError for the GpuScene of a world, which changes.
     /// @throws base::RunError with both figures when the device's memory or its limits do not suffice.
     /// @throws std::system_error for Vulkan's other errors, and when the system starts no more threads.
@@ -56,9 +56,9 @@ class CDR_EXPORT Renderer {
 
     /// Renders one frame, waits for it and copies it to the host; Frame::gbuffer stays empty unless asked
     /// for.
-    /// @throws base::InputError for an unusable camera or split, with RenderOptions::motion where instances of one
-    ///         object moved apart since the last frame, and with a visibility buffer where a world has come to hold what
-    ///         that cannot show: once it is gone, frames are drawn again. So for what GpuScene::update() refuses.
+    /// @throws base::InputError for an unusable camera or split, and with RenderOptions::motion where instances of one
+    /// object moved apart since the last frame. Also with a visibility buffer where a world has come to hold what that
+    /// cannot show: once it is gone, frames are drawn again. So for what GpuScene::update() refuses.
     /// @throws base::RunError when what the frame draws has no room on the device.
     /// @throws std::system_error for Vulkan's other errors, a lost device among them.
     Frame render(const scene::Camera& camera, FrameCopy copy = FrameCopy::everything);

@@ -22,8 +22,8 @@ struct SurfaceImage {
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; ///< that the frame leaves it in
 };
 
-/// A submitted or recorded frame on the device. The images may be sampled and copied from, in any layout: a frame takes them as they
-/// are. All frames of a renderer share them, so the next one writes over them; it runs after what its queue was given
+/// A submitted or recorded frame on the device. The images may be sampled and copied from, in any layout: a frame takes them as
+/// they are. All frames of a renderer share them, so the next one writes over them. It runs after what its queue was given
 /// before, and after FrameSync::waits.
 struct Surfaces {
     SurfaceImage color; ///< sRGB, 8 bits

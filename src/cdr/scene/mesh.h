@@ -71,7 +71,7 @@ enum class TextureContent : std::uint8_t {
     data,  ///< linear
 };
 
-/// Which of a texture's smaller levels are read where its texels are smaller than pixels: none of them, so that they
+/// Which of a texture's smaller levels are read where its texels are smaller than pixels. None of them, so that they
 /// alias; the one whose texels come closest to pixels; or a blend of the two around that.
 enum class TextureLevels : std::uint8_t { none, nearest, blended };
 

@@ -66,8 +66,8 @@ inline bool isShaped(const PointLight& light) {
     return light.cone.has_value() || light.range.has_value();
 }
 
-/// Light from all around, as a clear sky over a plain sends it: of one colour below the horizon, and above it from the
-/// horizon's to the zenith's in step with the sine of the elevation.
+/// Light from all around, as a clear sky over a plain sends it. Below the horizon it has one colour. Above, it goes
+/// from the horizon's to the zenith's in step with the sine of the elevation.
 struct Sky {
     glm::vec3 zenith{0.3f, 0.42f, 0.65f};  ///< linear radiance, 0 or more
     glm::vec3 horizon{0.75f, 0.78f, 0.8f}; ///< linear radiance, 0 or more

@@ -17,8 +17,8 @@ struct PixelRect {
     double bottom = 0.0;
 };
 
-/// From where on whatever is behind a picture's opaque surfaces is hidden: a view distance for each tile of pixels, and
-/// the largest of them for squares of tiles, so that large things are tested by few looks.
+/// From where on whatever is behind a picture's opaque surfaces is hidden: a view distance for each tile of pixels.
+/// Squares of tiles have the largest of theirs, so that large things are tested by few looks.
 class DepthTiles {
   public:
     static constexpr std::uint32_t kSide = 8; ///< of a tile, in pixels

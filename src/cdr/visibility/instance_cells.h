@@ -14,7 +14,7 @@ namespace cdr::visibility {
 /// binning need not look at one by one. It holds the bounding spheres a second time, cell by cell.
 ///
 /// A cell has kCellSlots places, some of which may hold nothing. Node n of a level of the tree has the nodes
-/// [n * kFan, (n + 1) * kFan) of the level below; the lowest level is that of the cells.
+/// [n * kFan, (n + 1) * kFan) of the level below. The lowest level is that of the cells.
 class InstanceCells {
   public:
     static constexpr std::size_t kCellSlots = 64;

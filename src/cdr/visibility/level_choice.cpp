@@ -27,7 +27,7 @@ double distanceOf(const scene::Instances& instances, std::uint32_t instance, con
 }
 
 /// The coarsest level that may be used at a view distance. An error's share of the mesh's bounding radius is
-/// the share that its world-space size has of the instance's radius; products instead of that quotient are
+/// the share that its world-space size has of the instance's radius. Products instead of that quotient are
 /// the same on the device.
 std::uint8_t levelAt(const scene::Mesh& mesh, double radius, double distanceView, double slope) {
     const double limit = slope * distanceView * static_cast<double>(mesh.boundingRadius);

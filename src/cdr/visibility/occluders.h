@@ -15,9 +15,9 @@ bool canOcclude(const scene::Material& material);
 inline constexpr double kLeastOccluder = 4.0;
 inline constexpr double kLeastFirstOccluder = 24.0;
 
-/// Which of a frame's instances are drawn first, so that the rest can be tested against their depth: those that the last
-/// frame showed, if they are large enough in the picture to hide anything. Where no frame was before, all that are larger
-/// still. Any choice gives the same picture; a good one is quick.
+/// Which of a frame's instances are drawn first, so that the rest can be tested against their depth. They are those that
+/// the last frame showed, if they are large enough in the picture to hide anything. Where no frame was before, all that
+/// are larger still. Any choice gives the same picture; a good one is quick.
 class Occluders {
   public:
     /// Lists them.

@@ -11,8 +11,8 @@
 namespace cdr::experiments {
 
 /// How depth::advise() is measured on a device: what each technique resolves by the probe's ladder at the
-/// distance asked for, between the question's near and far planes, and what it costs by the timing scene,
-/// 64,000 cubes, in frames that interleave all techniques.
+/// distance asked for, between the question's near and far planes. What it costs is measured by the
+/// timing scene, 64,000 cubes, in frames that interleave all techniques.
 ///
 /// The ladder brings its own lens and its own depth, 18 units and less below 1000 units; the question's are
 /// in the prediction only.

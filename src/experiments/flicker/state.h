@@ -34,12 +34,12 @@ FlickerState readState(std::string_view text, const FlickerRun& run, const Flick
 /// Keeps a run's state in a file from frame to frame, written whole or not at all.
 class FlickerStateFile {
   public:
-    /// @param options techniques filled in; everything in them that bears on the results, with the program's
+    /// @param options techniques filled in. Everything in them that bears on the results, with the program's
     /// version and commit and the device, is what a state belongs to.
     FlickerStateFile(std::filesystem::path path, const FlickerOptions& options,
                      const gpu::DeviceInfo& device);
 
-    /// Takes what an earlier run left; leaves `state` as it is where there is no file. base::InputError as
+    /// Takes what an earlier run left. Leaves `state` as it is where there is no file. base::InputError as
     /// readState(): other options, another version and another device make another run.
     void load(FlickerState& state) const;
 

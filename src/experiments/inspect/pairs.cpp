@@ -54,8 +54,8 @@ PairCollector::PairCollector(const scene::Scene& scene)
     }
 }
 
-/// How far the vertices of the part of an object that is at a place reach: of several, the smallest, so that a small part of
-/// a large object is not taken for as coarse as the whole.
+/// How far the vertices of the part of an object that is at a place reach. Of several it is the smallest, so that a small
+/// part of a large object is not taken for as coarse as the whole.
 double PairCollector::extentAt(std::uint32_t object, const glm::dvec3& place) const {
     double extent = m_extents[object];
     for (const std::uint32_t i : m_instances[object]) {

@@ -18,7 +18,7 @@ namespace cdr::experiments {
 /// Smallest resolved separation, measured on the ladder scene (thesis chapter 7: formulas "are not reliable
 /// in practice").
 ///
-/// Near is 0.001 and far twice the distance unless given. The field is 32 units deep and wide, so below 1000
+/// Near is 0.001 and far twice the distance unless given. The field is 32 units deep and wide. So below 1000
 /// units all of it shrinks, cubes, grid and separations alike, to a thousandth of the distance per unit.
 struct ProbeOptions {
     std::vector<double> distancesView{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
@@ -53,7 +53,7 @@ struct ProbeResult {
 /// Called before each picture with how many of all are done.
 using ProbeProgress = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
 
-/// Distances are units of the ranks; the first rank has the results, others an empty list. base::InputError for an
+/// Distances are units of the ranks. The first rank has the results, others an empty list. base::InputError for an
 /// unusable distance, and for a depth format or a rival that the device cannot draw.
 std::vector<ProbeResult> runProbe(const gpu::Device& device, const ProbeOptions& options,
                                   const ProbeProgress& progress, ranks::Ranks& ranks);

@@ -14,7 +14,7 @@ scenes::LadderOptions probeLadder(double distanceView, std::optional<double> nea
                                   std::optional<double> farView = {});
 
 /// The smallest separation that, with all larger ones, shows no wrong pixel; empty when the largest does. Of surfaces that
-/// cannot be told apart the one of the higher id shows, so a pair whose front has it comes out right by luck: it can fail
+/// cannot be told apart the one of the higher id shows. So a pair whose front has it comes out right by luck: it can fail
 /// the test but not pass it.
 /// @param ids object index + 1, of a picture of `truth`'s size.
 std::optional<double> smallestResolved(const image::ImageU32& ids, const measure::TruthImage& truth,

@@ -21,8 +21,8 @@ struct RankSweepArguments {
 
 void addRankSweepOptions(CLI::App& command, RankSweepArguments& arguments);
 
-/// Runs on all ranks, sweeps them, and prints and writes what it found.
-/// base::InputError for a bad height; base::RunError where the ranks draw another image than one.
+/// Runs on all ranks, sweeps them, and prints and writes what it found. base::InputError for a bad
+/// height. base::RunError where the ranks draw another image than one.
 void runRankSweep(Command& command, experiments::RankSweepOptions options,
                   const RankSweepArguments& arguments);
 

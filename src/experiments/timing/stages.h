@@ -22,7 +22,7 @@ struct StageCost {
 /// measured. Execute is attributed by drawing the same frames without lights, without pixels (16x9 of them), without
 /// cubes, and without both, and taking differences frame by frame.
 ///
-/// A driver that passes over triangles which cover no pixel spares part of their set-up where there are few pixels; that
+/// A driver that passes over triangles which cover no pixel spares part of their set-up where there are few pixels. That
 /// part counts as pixels here.
 /// @param options mode 0 is drawn; one frame in flight. base::InputError for no frames.
 /// @param ranks that share the frames; the first one alone has results.

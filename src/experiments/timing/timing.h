@@ -78,7 +78,7 @@ std::span<const std::string_view> timingSceneNames();
 TimingScene parseTimingScene(std::string_view name);
 
 /// Figure 6.4: what each technique costs over standard. 64,000 unit cubes in a 400^3 field, the camera in the
-/// middle turning once about y over all frames; every mode renders a camera before the next camera, in an
+/// middle turning once about y over all frames. Every mode renders a camera before the next camera, in an
 /// order shuffled anew for each.
 struct TimingOptions {
     TimingScene scene = TimingScene::rotation;
@@ -126,8 +126,8 @@ struct TimingResult {
 using TimingProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Results in the order of the modes. base::InputError for no frames or fewer than two modes, for an unknown scene, and
-/// where frames in flight, unshared meshes, a visibility buffer or ids alone meet a scene that moves; where ids alone meet
-/// frames in flight; and for a rival that the device cannot draw.
+/// for a rival that the device cannot draw. Also where frames in flight, unshared meshes, a visibility buffer or ids alone
+/// meet a scene that moves, and where ids alone meet frames in flight.
 /// @param ranks that share the frames, or the runs of frames in flight; the first one alone has results, and traces.
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
                                     const TimingProgress& progress, TimedRanks& ranks);

@@ -5,7 +5,7 @@
 
 namespace cdr::scenes {
 
-// All heights of the airport are metres over the levelled soil, y = 0; x is east and z south of the middle of
+// All heights of the airport are metres over the levelled soil, y = 0. x is east and z south of the middle of
 // the runway numbers.
 inline constexpr double kSlabHeight = 0.02;        ///< of runway, taxiway and apron over the soil
 inline constexpr double kMarkingHeight = 0.005;    ///< of paint over the slab

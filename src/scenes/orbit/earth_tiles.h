@@ -14,8 +14,8 @@ namespace cdr::scenes {
 /// Squares along an edge of a tile.
 inline constexpr std::uint32_t kTileCells = 16;
 
-/// Where the ground is cut finely: tiles are no wider than a share of their distance to the eye, nor than
-/// another share of their distance to a place on the ground, above a least width.
+/// Where the ground is cut finely. Above a least width, tiles are no wider than a share of their distance
+/// to the eye, nor than another share of their distance to a place on the ground.
 struct TileDetail {
     glm::dvec3 eye{0.0};   ///< world space
     double eyeShare = 0.3; ///< so that a square of a tile is a fiftieth of its distance
@@ -37,7 +37,7 @@ struct GeodeticFrame {
 
 /// The mesh of a leaf: world space, float64, (0, 0) to (1, 1) of its texture coordinates the frame.
 ///
-/// No cracks: corners of tiles of one level are the same places, computed from the same integers; along a
+/// No cracks: corners of tiles of one level are the same places, computed from the same integers. Along a
 /// coarser neighbour a tile has no corners but the neighbour's. What the renderer's float32 origins round
 /// differently, a hair's breadth, is closed by a skirt that hangs from every edge.
 scene::SourceMesh tileMesh(const EarthSurface& surface, const EarthQuadtree& tree, const EarthTile& leaf,

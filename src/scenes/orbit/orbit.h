@@ -37,9 +37,9 @@ struct TileCoat {
 using GroundCover = std::function<std::function<TileCoat(const EarthTile&)>(SceneBuilder&)>;
 
 /// The real-life scene (the thesis' future work): a station's window 420 km up, the real Earth below it, the
-/// Moon behind, an airport on the ground with a slab 2 cm over the soil and paint 5 mm over the slab. One
-/// unit is a metre, one world space holds all of it in float64. The path zooms from the window, 60 degrees,
-/// to the numbers of the runway, 0.002 degrees, in 240 frames; near 0.1, far beyond the Moon.
+/// Moon behind, and an airport on the ground. Its slab lies 2 cm over the soil, and paint 5 mm over the
+/// slab. One unit is a metre, one world space holds all of it in float64. The path zooms from the window, 60
+/// degrees, to the numbers of the runway, 0.002 degrees, in 240 frames; near 0.1, far beyond the Moon.
 /// @param maps moved into the scene's texture.
 /// @param parked a model to stand on the apron instead of the generated aircraft; may be null.
 scene::SceneSetup makeOrbit(EarthMaps maps, const scene::Scene* parked = nullptr);

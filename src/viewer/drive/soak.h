@@ -13,9 +13,10 @@
 namespace cdr::viewer {
 
 /// Plays seeded random input, a step per frame of the interface and as fast as frames come, and watches the
-/// memory: always in one and the same view, first after a warm-up, then at each tenth of what is left. What
-/// the driver keeps for later differs by tens of megabytes with what it drew last (llvmpipe keeps up to 36
-/// MiB of bins for each pass that it ever worked on at once), so the renderer's device is made anew for it.
+/// memory. That is read always in one and the same view, first after a warm-up, then at each tenth of what
+/// is left. What the driver keeps for later differs by tens of megabytes with what it drew last. (llvmpipe
+/// keeps up to 36 MiB of bins for each pass that it ever worked on at once.) So the renderer's device is
+/// made anew for it.
 class Soak : public Driver {
   public:
     static constexpr double kStepsPerSecond = 60.0;

@@ -32,8 +32,8 @@ struct SoakOptions {
     double seconds = 1.0 / 30.0; ///< of a frame
 };
 
-/// Random input, the same for the same options on every platform: keys are held for a while, the mouse drags
-/// and jumps, the wheel turns, windows change size, techniques, views, targets, threads and effects change.
+/// Random input, the same for the same options on every platform. Keys are held for a while, the mouse drags
+/// and jumps, the wheel turns. Sizes of windows, techniques, views, targets, threads and effects change.
 /// Bounded in every value; each step follows from those before.
 class SoakInput {
   public:

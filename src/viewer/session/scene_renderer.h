@@ -24,7 +24,7 @@ class SceneRenderer {
     explicit SceneRenderer(const gpu::Device& device) : m_device(device) {}
 
     /// Opens what the request names unless it is open, and renders it. base::InputError or base::RunError say
-    /// what cannot be; the scene that was open then stays.
+    /// what cannot be. The scene that was open then stays.
     /// @param stop ends it between two pictures, with none: a picture of a slow scene takes seconds.
     RenderResult answer(const RenderRequest& request, const std::stop_token& stop);
 

@@ -29,7 +29,7 @@ class Session {
     /// Takes the newest result into the model. True when there are new pictures. Rethrows what the first
     /// scene failed for, and what ended the render thread.
     bool takeResult();
-    /// Picks what the picture shown now has at a pixel, however the camera moves on; where its surfaces were
+    /// Picks what the picture shown now has at a pixel, however the camera moves on. Where its surfaces were
     /// not copied it is rendered once more. Nothing while nothing is shown.
     void click(const glm::dvec2& pixel);
 

@@ -18,7 +18,7 @@ struct Finish {
 };
 
 /// Puts it into the options of a renderer. Occlusion per layer is for targets that have layers, so with
-/// others it is worked out over the whole picture; a focus is for `layers` alone, so with others there is
+/// others it is worked out over the whole picture. A focus is for `layers` alone, so with others there is
 /// none. There are no shadows with a focus or levels of detail.
 void apply(const Finish& finish, render::RenderOptions& options);
 

@@ -11,7 +11,7 @@ namespace cdr::viewer {
 std::uint32_t dividerColumn(double share, std::uint32_t width);
 
 /// The left part of one picture beside the right part of another, with a light line of two pixels between
-/// them; no line at the borders. base::InputError when the sizes differ.
+/// them. No line at the borders. base::InputError when the sizes differ.
 void composeSplit(const image::ImageRgba8& left, const image::ImageRgba8& right, double divider,
                   image::ImageRgba8& picture);
 

@@ -7,10 +7,10 @@
 
 namespace cdr::viewer {
 
-/// A frame as shaded, cascades, distance or ids, opaque, into a picture that is resized as needed; one of the
+/// A frame as shaded, cascades, distance or ids, opaque, into a picture that is resized as needed. One of the
 /// frame's size is reused. base::InputError for a view that needsReference().
 ///
-/// Distances run from white at the nearest surface to dark at the farthest, by their logarithm; ids get
+/// Distances run from white at the nearest surface to dark at the farthest, by their logarithm. Ids get
 /// colours that neighbours do not share; background is black in both.
 void paintView(const render::Frame& frame, ViewKind view, image::ImageRgba8& picture);
 

@@ -30,7 +30,7 @@ struct SwapchainOptions {
 /// The images a window shows in turn.
 class Swapchain {
   public:
-    /// @param old the swapchain it takes the place of, or null; it is of no use afterwards, even if this
+    /// @param old the swapchain it takes the place of, or null. It is of no use afterwards, even if this
     /// fails. vk::OutOfDateKHRError when the surface has no pixels or changes meanwhile.
     Swapchain(const gpu::Device& device, const SwapchainOptions& options, const Swapchain* old);
 

@@ -11,7 +11,7 @@
 namespace cdr::viewer {
 
 /// A logical device of the interface's own that can present to a window. It shares nothing with the device
-/// that renders, not even the instance: on a software driver an instance owns the threads that rasterise, and
+/// that renders, not even the instance. On a software driver an instance owns the threads that rasterise, and
 /// a scene that takes a second would hold up the interface.
 class UiDevice {
   public:

@@ -202,8 +202,8 @@ void fill(adoption::Engine& engine) {
 
 using AdoptionTest = RenderTest;
 
-/// Both halves of the recipe draw what is 0.00001 units nearer, a million units away, whichever is drawn first; and the shader in
-/// HLSL draws the picture of that in GLSL.
+/// Both halves of the recipe draw what is 0.00001 units nearer, a million units away, whichever is drawn first. And the shader
+/// in HLSL draws the picture of that in GLSL.
 TEST_F(AdoptionTest, TheRecipeOrdersWhatFloat32DistancesCannot) {
     std::vector<image::Raster<std::uint32_t>> pictures;
     for (const Language& language :

@@ -87,7 +87,7 @@ void expectExact(
     }
 }
 
-/// Places that the device subtracts are within 2^-43 of float64's, by GLSL and by HLSL, which agree to the bit; floats alone
+/// Places that the device subtracts are within 2^-43 of float64's, by GLSL and by HLSL, which agree to the bit. Floats alone
 /// would be off by 2^-24.
 TEST_F(PlaceTest, PairsOfFloatsPlaceObjectsAsFloat64Does) {
     std::mt19937_64 random(1971);

@@ -125,7 +125,7 @@ void expectCut(const Made& made, const Case& of, double ahead, double distanceVi
 
 using RecipeTest = RenderTest;
 
-/// Every function of the recipe, on the device, gives what float64 does, as finely as the page says, for each mapping; a
+/// Every function of the recipe, on the device, gives what float64 does, as finely as the page says, for each mapping. A
 /// metric distance as a pair of floats, which one float misses by a million times as much. HLSL agrees with GLSL to the bit.
 TEST_F(RecipeTest, EachFunctionGivesWhatFloat64DoesInGlslAndHlsl) {
     const std::vector<Case> cases = allCases();

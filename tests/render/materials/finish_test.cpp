@@ -36,7 +36,7 @@ int largestStepTo(const measure::LayeredTruth& truth, const measure::TruthFinish
     return largest;
 }
 
-/// Shading finishes the picture itself; the pass that smooths edges does so in its place; a visibility buffer's background
+/// Shading finishes the picture itself; the pass that smooths edges does so in its place. A visibility buffer's background
 /// is cleared, and comes from the CPU.
 TEST_F(FinishTest, PicturesAreFinishedAsInFloat64) {
     const scene::Scene scene = brightScene();

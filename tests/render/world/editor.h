@@ -93,7 +93,7 @@ class Editor {
     }
 
     /// What may be edited. A change of tables has everything read anew, and one of kinds has the device's
-    /// runs made anew, so what follows single changes is tried without.
+    /// runs made anew. So what follows single changes is tried without.
     enum class Scope : std::size_t { moves = 600, instances = 985, all = 1000 };
 
     void edit(Scope scope = Scope::all) { edit(below(static_cast<std::size_t>(scope)), scope); }

@@ -61,7 +61,7 @@ struct Certificate {
 /// decide only which pixels are refused, and which of the others could have been drawn in no other way.
 class Certifier {
   public:
-    /// @param scene must outlive the certifier; instances may change, and meshes that follow() is told of, materials not.
+    /// @param scene must outlive the certifier. Instances may change, and meshes that follow() is told of, materials not.
     /// base::InputError for a scene with surfaces that are blended, masked or in layers, and as TruthCaster.
     Certifier(const scene::Scene& scene, host::WorkerPool& workers);
 

@@ -29,9 +29,9 @@ struct Crack {
 };
 
 /// Hunts for holes: every pixel of `shown` around which `whole` shows a single object, another and nearer
-/// one, within `reach` pixels along rows and columns: what is behind shows through in the middle of a
+/// one, within `reach` pixels along rows and columns. There, what is behind shows through in the middle of a
 /// surface. Silhouettes that move by `reach` pixels or less are none, nor is what opens between two that both
-/// retreat; neither, thus, are holes that close to one. An object that shows through itself is not found. Row
+/// retreat. Neither, thus, are holes that close to one. An object that shows through itself is not found. Row
 /// by row.
 /// @param whole the same view without holes; base::InputError when the sizes differ.
 std::vector<Crack> findCracks(const SeenImage& shown, const SeenImage& whole,

@@ -9,8 +9,8 @@ namespace cdr::measure {
 
 /// How a rendered id image compares with the truth.
 ///
-/// An inner pixel is one whose true id is an object's (not background) and is shared by its eight neighbours;
-/// pixels at the picture's border have no eight neighbours and are not inner. Elsewhere rasterisation rules
+/// An inner pixel is one whose true id is an object's (not background) and is shared by its eight neighbours.
+/// Pixels at the picture's border have no eight neighbours and are not inner. Elsewhere rasterisation rules
 /// decide, not depth.
 struct WrongPixels {
     std::uint64_t pixels = 0;        ///< inner pixels

@@ -37,9 +37,8 @@ bool isInnerShadow(const ShadowImage& truth, std::uint32_t x, std::uint32_t y);
 /// base::InputError when the sizes differ.
 WrongShadows countWrongShadows(const RenderedLight& light, const ShadowImage& truth);
 
-/// Red where a shadow is missing off edges, blue where one is that should not be, orange where either is at an edge, else the
-/// picture as grey at half its brightness.
-/// base::InputError when the sizes differ.
+/// Red where a shadow is missing off edges, blue where one is that should not be, orange where either is at an edge.
+/// Elsewhere it is the picture as grey at half its brightness. base::InputError when the sizes differ.
 image::ImageRgba8 shadowHeatMap(const RenderedLight& light, const ShadowImage& truth,
                                 const image::ImageRgba8& picture);
 

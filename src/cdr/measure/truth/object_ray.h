@@ -61,8 +61,8 @@ struct InverseBasis {
 /// The float64 inverse of exactly these float32 values; none when the basis is flat or not finite.
 std::optional<InverseBasis> invertBasis(const glm::mat3& basis);
 
-/// Carries `camera` into the space of instance `i`: the difference of positions is formed first, in float64,
-/// so the result is as exact at 10^8 units as at 1.
+/// Carries `camera` into the space of instance `i`: the difference of positions is formed first, in float64.
+/// So the result is as exact at 10^8 units as at 1.
 PlacedCamera placeCamera(const scene::Camera& camera, const scene::Instances& instances, std::size_t i,
                          const glm::dmat3& worldToObject);
 

@@ -37,7 +37,7 @@ struct Footprint {
     double nearestView = 0.0; ///< view distance
 };
 
-/// Bounds of the part of `box` within the camera's [near, far], from the corners of that part; none when
+/// Bounds of the part of `box` within the camera's [near, far], from the corners of that part. None when
 /// nothing of it is on the picture.
 /// @param marginPixels by how much wider they are on each side, at least kLeastMargin for their own rounding.
 std::optional<Footprint> footprint(const ViewBox& box, const scene::Camera& camera, std::uint32_t width,

@@ -36,9 +36,9 @@ struct PixelRay {
     double step = 0.0; ///< from a pixel to the next, either way
 };
 
-/// Appends every visible hit of a pixel's ray on one instance within `range`, in no order: backs of single-sided
-/// materials and what a mask cuts away are not visible, and an edge that triangles share is met once. Tries
-/// each triangle, so meant for small meshes.
+/// Appends every visible hit of a pixel's ray on one instance within `range`, in no order. Backs of single-sided
+/// materials and what a mask cuts away are not visible. An edge that triangles share is met once. Tries each
+/// triangle, so meant for small meshes.
 /// @param visible of `scene`. @param textures of `scene`.
 void appendHits(const scene::Scene& scene, const TruthTextures& textures, const VisibleInstance& visible,
                 const PixelRay& pixel, const ViewRange& range, std::vector<SurfaceHit>& hits);

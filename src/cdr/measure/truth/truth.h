@@ -39,7 +39,7 @@ using TruthImage = image::Raster<TruthPixel>;
 /// Shares no code with the renderer's projection.
 ///
 /// Visible is what lies within the camera's [near, far], both ends included, and is not the back of a
-/// single-sided material; behind an invisible surface the object's next one counts. Fronts are
+/// single-sided material. Behind an invisible surface the object's next one counts. Fronts are
 /// counter-clockwise in object space, so a mirroring basis keeps the same faces in front. Blended surfaces
 /// are seen through (castLayers() has them), masked ones count as opaque. An instance whose basis is flat (no
 /// inverse) is invisible.
@@ -51,9 +51,9 @@ class TruthCaster {
     /// base::InputError when a mesh is unsound.
     TruthCaster(const scene::Scene& scene, host::WorkerPool& workers);
 
-    /// The picture of width x height pixels; its bits do not depend on the number of workers.
-    /// base::InputError when the camera is not usable, the picture has no pixels, or an instance is not
-    /// finite or refers to a mesh, material or object that cannot be.
+    /// The picture of width x height pixels. Its bits do not depend on the number of workers.
+    /// base::InputError for a camera that is not usable, a picture without pixels, and an instance that
+    /// is not finite or refers to what is not there.
     TruthImage cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
                     host::WorkerPool& workers) const;
     /// The same of the pixels that are not 0 in `wanted` alone; the others stay as they begin.

@@ -51,7 +51,7 @@ glm::dvec3 skyOnMatt(const scene::Sky& sky, const glm::dvec3& normal) {
     return sum / static_cast<double>(kSkyDirections);
 }
 
-/// What a shiny surface sends of a sky: directions even under a cosine and directions that microfacets mirror, each
+/// What a shiny surface sends of a sky. Directions are even under a cosine, or what microfacets mirror. Each is
 /// weighted by how likely either kind is to choose it (Veach and Guibas 1995, the balance heuristic).
 glm::dvec3 skyOnShiny(const scene::Sky& sky, const ShinyPoint& point) {
     const Frame frame(point.normal);

@@ -23,7 +23,7 @@ glm::dvec4 sampleTexture(const scene::Texture& texture, const glm::dvec2& uv);
 
 /// A scene's textures as pixels see them: where texels are smaller than pixels, by averages over squares of them, in
 /// linear light. Which level that is follows from the longer of the two steps in texels, as the Vulkan specification
-/// says; drivers may take up to half a level less where steps run across texels. Threads may share it.
+/// says. Drivers may take up to half a level less where steps run across texels. Threads may share it.
 class TruthTextures {
   public:
     /// @param scene must outlive this and stay as it is.

@@ -28,9 +28,8 @@ struct VisibleInstance {
     double nearestRank() const { return nearestView - layer; }
 };
 
-/// The instances that may cover pixels of the picture, by nearest view distance less
-/// the layer, then by instance index.
-/// base::InputError when an instance is not finite or refers to a mesh, material or object that cannot be.
+/// The instances that may cover pixels of the picture, by nearest view distance less the layer, then by
+/// instance index. base::InputError for an instance that is not finite or refers to what is not there.
 /// @param shapes one per mesh of the scene; must outlive the result.
 /// @param marginPixels as footprint() takes it: what lies so far off the pixel centres counts too.
 std::vector<VisibleInstance> visibleInstances(const scene::Scene& scene, std::span<const Shape> shapes,

@@ -10,7 +10,7 @@ namespace cdr::render {
 namespace {
 
 /// A facet that the camera sees from behind by more than this share of its distance is left out. float32
-/// turns no facet by as much, so the device would cull what is left out too.
+/// turns no facet by as much. So the device would cull what is left out too.
 constexpr double kFacingMargin = 1e-6;
 
 /// As encodeAlbedo() of shaders/targets/gbuffer.glsl.

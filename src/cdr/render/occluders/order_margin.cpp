@@ -23,7 +23,7 @@ double interpolationOf(depth::Mapping mapping) {
     return mapping == depth::Mapping::log ? kInterpolatedLog : 0.0;
 }
 
-/// What a forecast says of small steps, for large ones: where a step of depth is worth `step` at a distance, it is worth
+/// What a forecast says of small steps, for large ones. Where a step of depth is worth `step` at a distance, it is worth
 /// more farther away, at most as where depth goes with 1 / distance.
 double farthestBeyond(double distanceView, double step) {
     return step < distanceView ? step / (1.0 - step / distanceView) : kNever;

@@ -14,9 +14,9 @@
 
 namespace cdr::render {
 
-/// Finds which surfaces lights reach. The distances at which something is seen are cut into slices, and each light sees each
-/// slice through a map of its own, one map at a time: what lies beyond 10^6 units is shaded as what lies at arm's length, and
-/// memory does not grow.
+/// Finds which surfaces lights reach. The distances at which something is seen are cut into slices. Each light sees each
+/// slice through a map of its own, one map at a time. So what lies beyond 10^6 units is shaded as what lies at arm's length,
+/// and memory does not grow.
 class ShadowPass {
   public:
     /// @param gbuffer or the visibility buffer.    /// @param facets whether it is that.

@@ -16,7 +16,7 @@ namespace cdr::render {
 /// How lights cast shadows.
 enum class ShadowMethod : std::uint8_t {
     none,
-    /// A map for each slice of distances, laid around what is seen; places are subtracted in float64, and a surface is
+    /// A map for each slice of distances, laid around what is seen. Places are subtracted in float64, and a surface is
     /// compared with the planes of what the map holds.
     anchored,
     /// Today's practice, for comparison: four maps by the practical split (Zhang and others 2006), reversed depth, places

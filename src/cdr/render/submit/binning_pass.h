@@ -24,7 +24,7 @@ class BinningPass {
     static constexpr std::uint32_t kSceneBuffers = 6;
     using SceneBuffers = std::array<gpu::Buffer, kSceneBuffers>; ///< by binding, from 1 on
 
-    /// base::InputError when the device cannot do it, naming what it lacks; base::RunError, with both
+    /// base::InputError when the device cannot do it, naming what it lacks. base::RunError, with both
     /// figures, when the scene is too large for its memory or its buffers.
     /// @param drawn whose blended instances are never drawn.
     /// @param detail unless none, an instance whose mesh has levels is a run of its own, so that each draw

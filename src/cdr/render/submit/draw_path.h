@@ -27,7 +27,7 @@ struct HostCommands {
 };
 
 /// One way for a frame's draws to reach the device, for one frame slot: it owns the slot's command pools and
-/// lists, so a slot's frame must have finished before its next begins.
+/// lists. So a slot's frame must have finished before its next begins.
 ///
 /// A frame is bin(), begin(), whatever targets and passes put into it, end(), and once it ran, settle().
 class DrawPath : public CascadeCommands {

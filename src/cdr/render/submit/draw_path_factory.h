@@ -24,9 +24,9 @@ struct KeptSurfaces {
 /// Makes the draw paths of a renderer's frame slots, all by one submission, and owns what they share.
 class DrawPathFactory {
   public:
-    /// What the scene refers to must outlive the factory.
-    /// base::InputError for a depth format that the device lacks, and for a submission it cannot do;
-    /// base::RunError when its memory does not suffice, with both figures.
+    /// What the scene refers to must outlive the factory. base::InputError for a depth format that
+    /// the device lacks, and for a submission it cannot do. base::RunError when its memory does not
+    /// suffice, with both figures.
     /// @param facets what a visibility buffer is drawn from; empty for a G-buffer.
     DrawPathFactory(const gpu::Device& device, const DrawnScene& scene, std::optional<FacetMeshes> facets,
                     const RenderOptions& options, const KeptSurfaces& kept);

@@ -23,8 +23,8 @@ class WorkerCommandPools {
     /// The slot's last frame has finished: its buffers may be taken back.
     void beginFrame() { ++m_frame; }
 
-    /// A buffer in the initial state. The worker itself resets its pool, at its first buffer of a frame:
-    /// freeing a frame's commands takes about as long as writing them, and memory that a thread frees comes
+    /// A buffer in the initial state. The worker itself resets its pool, at its first buffer of a frame.
+    /// Freeing a frame's commands takes about as long as writing them, and memory that a thread frees comes
     /// back to it warm.
     vk::CommandBuffer next(std::size_t worker) {
         Pool& pool = m_pools[worker];

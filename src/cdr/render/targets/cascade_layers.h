@@ -31,7 +31,7 @@ class CascadeLayers final : public Targets {
     const gpu::Image* emission() const override { return m_accumulatedEmission.get(); }
 
   private:
-    /// Adds layers until there are `layers`; those that are there stay, so commands that use them may still
+    /// Adds layers until there are `layers`; those that are there stay. So commands that use them may still
     /// run. base::RunError, with both figures and before anything is allocated, when memory does not suffice.
     void grow(std::size_t layers);
     struct Layer {

@@ -6,7 +6,7 @@
 namespace cdr::render {
 
 /// Clears the depth buffer inside a rendering scope, so that a nearer cascade is drawn over a farther one without leaving
-/// the scope: a graphics card that draws by tiles then keeps the G-buffer on the chip.
+/// the scope. A graphics card that draws by tiles then keeps the G-buffer on the chip.
 class DepthClear {
   public:
     DepthClear(const gpu::Device& device, const TargetsOptions& options);

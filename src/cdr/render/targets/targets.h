@@ -56,7 +56,7 @@ std::unique_ptr<gpu::Image> makeEmission(const gpu::Device& device, const Target
                                          const std::string& name);
 
 /// Makes the targets chosen. base::RunError, with both figures, when the device has too little memory for
-/// them; base::InputError for a pool whose layers are out of range.
+/// them. base::InputError for a pool whose layers are out of range.
 std::unique_ptr<Targets> makeTargets(const gpu::Device& device, const TargetsChoice& choice,
                                      const TargetsOptions& options);
 

@@ -27,7 +27,7 @@ class TranslucentDraws {
     /// What the scene refers to must outlive the draws.
     TranslucentDraws(const gpu::Device& device, const DrawnScene& scene);
 
-    /// Overwrites the lists and records; the last frame that drew them must have finished. base::RunError,
+    /// Overwrites the lists and records. The last frame that drew them must have finished. base::RunError,
     /// with both figures, when the records need more memory than there is.
     void prepare(const FrameView& view, host::WorkerPool& workers);
 

@@ -37,7 +37,7 @@ class TranslucentPipelines {
                          const TranslucentPipelinesOptions& options);
 
     vk::PipelineLayout layout() const { return *m_layout; }
-    /// Those of variants that were given, and of the blended instances that the scene had at first, are there; any other is
+    /// Those of variants that were given, and of the blended instances that the scene had at first, are there. Any other is
     /// made when first asked for.
     vk::Pipeline pipeline(const DrawKind& kind) const;
     /// Which set DrawKind::detailSet is.

@@ -10,7 +10,7 @@
 namespace cdr::render {
 
 /// Translucency::weighted: sums each cascade's fragments into two images, far cascade first, and lays the
-/// weighted mean over what is farther. Additions on the device follow draw order, so the picture is the same
+/// weighted mean over what is farther. Additions on the device follow draw order. So the picture is the same
 /// to the bit for every thread count, targets and submission, but not for another order of instances.
 class WeightedBlend {
   public:

@@ -50,12 +50,12 @@ class CDR_EXPORT ViewsRenderer {
     /// @param sync waited for before the first view and signalled after the last.
     /// @errors base::InputError, base::RunError and std::system_error as render(), of earlier frames too.
     void submit(std::span<const scene::Camera> cameras, const FrameSync& sync = {});
-    /// Records one frame of each camera into a host's command buffers and images, as Renderer::record(): views may share
+    /// Records one frame of each camera into a host's command buffers and images, as Renderer::record(). Views may share
     /// a command buffer or have one each, which the host submits in the order of the views. What all frames occupy is
     /// covered by the cascades, which the views share.
     /// @param frames one for each view, each with images of its own
     /// @throws base::InputError for another number of cameras or frames, for lenses that differ, for a frame that
-    ///         Renderer::record() refuses, or where two frames share an image; then nothing was recorded.
+    /// Renderer::record() refuses, or where two frames share an image. Then nothing was recorded.
     /// @throws base::RunError, std::system_error as Renderer::record(): the commands of all views are then to be reset.
     void record(std::span<const scene::Camera> cameras, std::span<const HostFrame> frames);
     /// Waits for all that was submitted or recorded.

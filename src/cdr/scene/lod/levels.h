@@ -21,8 +21,8 @@ struct LevelOptions {
 };
 
 /// Coarser levels of a mesh, by edge collapses (meshoptimizer). Each collapse moves a vertex onto a
-/// neighbour, so levels use the mesh's own vertices; open borders stay as they are, so neighbours that share
-/// one still meet, whatever level each is drawn at, and seams of normals, colours and texture coordinates are
+/// neighbour, so levels use the mesh's own vertices. Open borders stay as they are, so neighbours that share
+/// one still meet, whatever level each is drawn at. Seams of normals, colours and texture coordinates are
 /// collapsed along themselves alone. A level's error is measured (surfaceDeviation()): the simplifier's own
 /// figure, a mean over quadrics, was exceeded up to twice. Errors ascend. The same levels each time.
 ///

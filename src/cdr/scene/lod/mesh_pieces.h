@@ -20,7 +20,7 @@ namespace cdr::scene {
 /// A mesh as it comes: its vertices may lie anywhere, in float64.
 ///
 /// Importers fill it with what their files hold (glTF: float32, so a vertex 10^6 from the mesh's origin has a
-/// step of 1/16 before anybody sees it); generators may use all of float64.
+/// step of 1/16 before anybody sees it). Generators may use all of float64.
 struct SourceMesh {
     std::string name;                    ///< that pieces get
     std::vector<glm::dvec3> positions;   ///< one per vertex, or empty, which takes the vertices' own
@@ -51,7 +51,7 @@ inline constexpr double kPieceRadius = 512.0;
 /// larger ones then. One piece where the mesh is no wider. Triangles are not cut: one larger than `radius`
 /// goes by its centre, its piece is as large as it is, and the renderer's wide draws take it.
 ///
-/// No cracks: at every vertex where pieces meet, the widest of them holds all triangles of that vertex, so
+/// No cracks: at every vertex where pieces meet, the widest of them holds all triangles of that vertex. So
 /// any two triangles that share an edge or a corner are drawn by one piece with one transform. The pieces of
 /// one object thus overlap by a row of triangles at their seams, at most three copies of each, and are not
 /// for blending, which would show them twice.
@@ -76,7 +76,7 @@ struct PieceSet {
 /// Moves pieces into a scene's meshes.
 CDR_EXPORT PieceSet addPieces(Scene& scene, std::vector<MeshPiece> pieces);
 
-/// Appends an instance per piece, all of one object. Origins are turned in float64 by `toWorld`, so a piece
+/// Appends an instance per piece, all of one object. Origins are turned in float64 by `toWorld`. So a piece
 /// is where its node says, and only what lies within it turns by the basis rounded to float32.
 /// @param pieces of addPieces() for this scene.
 /// @param toWorld affine, from the source's space.

@@ -49,9 +49,9 @@ class SurfaceDistance {
     BoxTree m_tree;
 };
 
-/// Hausdorff distance of two surfaces over the same vertices, sampled: the vertices that `full` uses against
-/// `coarse`, and points spread over each triangle of `coarse`, about as many as `full` has triangles, against
-/// `full`. Both need a triangle.
+/// Hausdorff distance of two surfaces over the same vertices, sampled. The vertices that `full` uses are held
+/// against `coarse`. Points spread over each triangle of `coarse`, about as many as `full` has triangles, are
+/// held against `full`. Both need a triangle.
 double surfaceDeviation(std::span<const glm::vec3> positions, std::span<const std::uint32_t> full,
                         std::span<const std::uint32_t> coarse);
 

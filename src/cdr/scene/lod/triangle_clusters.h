@@ -21,7 +21,7 @@ struct TriangleCluster {
 };
 
 /// Sorts triangles into clusters, the widest cut first, until each fits a sphere of `radius`, there are
-/// `most`, or cutting would not help: a triangle is never cut, so what is hardly wider than its largest
+/// `most`, or cutting would not help: a triangle is never cut. So what is hardly wider than its largest
 /// triangle stays. Every triangle is in one cluster. The same clusters whatever the machine; O(triangles log
 /// triangles).
 /// @param source not empty.

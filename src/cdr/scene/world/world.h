@@ -21,7 +21,7 @@ struct InstanceOptions {
 };
 
 /// A scene that changes while it is drawn. It is the one owner of what it holds; a render::GpuScene made from it follows
-/// at the start of each frame, so all that draws sees an edit in the same frame.
+/// at the start of each frame. So all that draws sees an edit in the same frame.
 ///
 /// A copy takes the handles of the world that it is copied from. Handles that either gives after that are not told apart by
 /// the other, and may name another thing there.

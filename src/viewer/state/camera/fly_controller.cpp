@@ -36,7 +36,7 @@ scene::Camera look(const scene::Camera& camera, const CameraInput& input, double
         return camera;
     }
     const Heading heading = headingOf(camera);
-    // Near straight down a turn about the vertical moves the picture's centre little; a narrow lens makes up
+    // Near straight down a turn about the vertical moves the picture's centre little. A narrow lens makes up
     // for that, as far as the picture does not spin.
     const double widest = std::max(1.0, 0.5 * kSteepest / camera.fovY);
     const double upright = std::min(1.0 / std::cos(heading.elevation), widest);

@@ -17,10 +17,10 @@ struct FlySpeed {
 /// Flies freely: keys and scrolling move, dragging looks about, so that what is under the pointer follows it pixel by
 /// pixel.
 ///
-/// Speed follows from the distance of what is looked at: ahead it is a share of the way there, so a surface
-/// is approached and never passed; sideways a share of what the picture covers there, so it looks equally
-/// fast through every lens. Independent of the frame rate. A camera that turns loses its roll; one that does
-/// not keeps its bits.
+/// Speed follows from the distance of what is looked at. Ahead it is a share of the way there, so a surface
+/// is approached and never passed. Sideways it is a share of what the picture covers there, so it looks
+/// equally fast through every lens. Independent of the frame rate. A camera that turns loses its roll; one
+/// that does not keeps its bits.
 /// @param surfaceView view distance of what is looked at, or of the nearest surface: see flightDistance().
 scene::Camera fly(const scene::Camera& camera, const CameraInput& input, double surfaceView,
                   const FlySpeed& speed = {});

@@ -8,8 +8,8 @@
 namespace cdr::scene::gltf {
 
 // Of the extensions that compress buffer views EXT_meshopt_compression is supported (meshopt.h). A file that uses another one
-// without requiring it has the same geometry uncompressed as well, which is what we read; what is missing there would read
-// as zeros, or as bytes that mean something else.
+// without requiring it has the same geometry uncompressed as well, which is what we read. What is missing there would read as
+// zeros, or as bytes that mean something else.
 
 /// Bytes of a buffer.
 struct BufferRange {

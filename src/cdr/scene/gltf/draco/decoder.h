@@ -11,7 +11,7 @@ class Mesh;
 
 namespace cdr::scene::gltf {
 
-/// Decodes a mesh by libdraco. Its decoder takes memory by counts that lie all over the stream and has no limit of its own, so
+/// Decodes a mesh by libdraco. Its decoder takes memory by counts that lie all over the stream and has no limit of its own. So
 /// each of them is looked at just before the decoder reads it. Refuses damaged streams.
 std::unique_ptr<draco::Mesh> decodeGuarded(const DracoStream& stream, const DracoBounds& bounds,
                                            const std::string& where);

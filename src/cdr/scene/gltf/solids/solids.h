@@ -46,8 +46,8 @@ std::uint64_t solidCount(const Primitive& primitive, Accessors& accessors);
 /// Triangles that a primitive is drawn as at most, from its counts alone.
 std::uint64_t drawnTriangleCount(const Primitive& primitive, Accessors& accessors);
 
-/// Radius of points that nobody gave one: a third of the distance of neighbours, if they were spread evenly over a surface
-/// as large as three sides of their box, as those of a scan are; of points in a row, over its length.
+/// Radius of points that nobody gave one: a third of the distance of neighbours. That is taken as if they were spread
+/// evenly over a surface as large as three sides of their box, as those of a scan are; or over the length of a row.
 /// @param sides of their box. 0 where they are all at one place.
 double defaultPointRadius(const glm::dvec3& sides, std::uint64_t count);
 
