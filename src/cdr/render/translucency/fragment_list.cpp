@@ -14,6 +14,8 @@ namespace {
 using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
+using Usage = vk::BufferUsageFlagBits;
+
 constexpr auto kStorage = vk::DescriptorType::eStorageBuffer;
 constexpr std::uint64_t kNodeBytes = sizeof(shaders::FragmentNode);
 
@@ -54,11 +56,13 @@ FragmentList::FragmentList(const gpu::Device& device, const gpu::SetLayout& layo
                            std::uint64_t mostBytes)
     : m_device(device),
       m_mostBytes(mostBytes),
-      m_heads(device, pixelsOf(extent) * sizeof(std::uint32_t),
-              vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst,
+      m_heads(device, pixelsOf(extent) * sizeof(std::uint32_t), Usage::eStorageBuffer | Usage::eTransferDst,
               gpu::MemoryUse::deviceOnly, "fragment list heads"),
-      m_count(device, sizeof(std::uint32_t), vk::BufferUsageFlagBits::eStorageBuffer,
-              gpu::MemoryUse::hostReads, "fragment count"),
+      m_count(device, sizeof(std::uint32_t),
+              Usage::eStorageBuffer | Usage::eTransferDst | Usage::eTransferSrc, gpu::MemoryUse::deviceOnly,
+              "fragment count"),
+      m_readCount(device, sizeof(std::uint32_t), Usage::eTransferDst, gpu::MemoryUse::hostReads,
+                  "fragment count, copied"),
       m_pool(gpu::makeDescriptorPool(device, 1, kBindings, {kStorage})),
       m_set(gpu::allocateSet(device, *m_pool, *layout)) {
     gpu::writeBufferBinding(device, m_set, 0, kStorage, m_heads.handle());
@@ -78,33 +82,39 @@ void FragmentList::makeNodes(std::uint64_t fragments) {
     const std::uint64_t bytes = bytesFor(fragments);
     gpu::requireDeviceBytes(m_device, bytes, fmt::format("{} translucent fragments", fragments));
     m_nodes = {}; // first, so that both need not fit
-    m_nodes = gpu::Buffer(m_device, bytes, vk::BufferUsageFlagBits::eStorageBuffer,
-                          gpu::MemoryUse::deviceOnly, "fragment list nodes");
+    m_nodes = gpu::Buffer(m_device, bytes, Usage::eStorageBuffer, gpu::MemoryUse::deviceOnly,
+                          "fragment list nodes");
     m_capacity = static_cast<std::uint32_t>(fragments);
     gpu::writeBufferBinding(m_device, m_set, 1, kStorage, m_nodes.handle());
 }
 
 void FragmentList::recordClear(vk::CommandBuffer primary) const {
-    const auto barrier = [&](vk::PipelineStageFlags2 from, vk::AccessFlags2 written,
-                             vk::PipelineStageFlags2 to, vk::AccessFlags2 used) {
-        gpu::pipelineBarrier(
-            primary, {},
-            {{.srcStageMask = from, .srcAccessMask = written, .dstStageMask = to, .dstAccessMask = used}});
-    };
-    barrier(Stage::eFragmentShader, Access::eShaderStorageWrite, Stage::eTransfer, Access::eTransferWrite);
+    gpu::pipelineBarrier(primary, {},
+                         {{.srcStageMask = Stage::eFragmentShader | Stage::eTransfer,
+                           .srcAccessMask = Access::eShaderStorageWrite,
+                           .dstStageMask = Stage::eTransfer,
+                           .dstAccessMask = Access::eTransferWrite}});
     primary.fillBuffer(m_heads.handle(), 0, VK_WHOLE_SIZE, shaders::kNoNode);
-    barrier(Stage::eTransfer, Access::eTransferWrite, Stage::eFragmentShader,
-            Access::eShaderStorageRead | Access::eShaderStorageWrite);
+    primary.fillBuffer(m_count.handle(), 0, VK_WHOLE_SIZE, 0);
+    gpu::pipelineBarrier(primary, {},
+                         {{.srcStageMask = Stage::eTransfer,
+                           .srcAccessMask = Access::eTransferWrite,
+                           .dstStageMask = Stage::eFragmentShader,
+                           .dstAccessMask = Access::eShaderStorageRead | Access::eShaderStorageWrite}});
 }
 
-void FragmentList::resetCount() {
-    m_count.as<std::uint32_t>(1).front() = 0;
-    m_count.flush();
+void FragmentList::recordCount(vk::CommandBuffer primary) const {
+    primary.copyBuffer(m_count.handle(), m_readCount.handle(), {{0, 0, sizeof(std::uint32_t)}});
+    gpu::pipelineBarrier(primary, {},
+                         {{.srcStageMask = Stage::eTransfer,
+                           .srcAccessMask = Access::eTransferWrite,
+                           .dstStageMask = Stage::eHost,
+                           .dstAccessMask = Access::eHostRead}});
 }
 
 std::uint32_t FragmentList::count() const {
-    m_count.invalidate();
-    return m_count.as<std::uint32_t>(1).front();
+    m_readCount.invalidate();
+    return m_readCount.as<std::uint32_t>(1).front();
 }
 
 std::optional<ListRefusal> FragmentList::grow(std::uint64_t fragments) {

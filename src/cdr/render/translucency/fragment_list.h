@@ -26,10 +26,10 @@ class FragmentList {
     std::uint32_t capacity() const { return m_capacity; } ///< fragments
     std::uint64_t bytes() const { return m_heads.size() + m_nodes.size(); }
 
-    /// Empties the lists; outside a rendering scope.
+    /// Empties the lists and sets their counter to 0; outside a rendering scope.
     void recordClear(vk::CommandBuffer primary) const;
-    /// Sets the counter to 0; no frame may be using it.
-    void resetCount();
+    /// Copies the counter to where count() reads it; behind a barrier from the last draw to transfers.
+    void recordCount(vk::CommandBuffer primary) const;
     /// Fragments that the last frame had, room or not; the frame must have finished.
     std::uint32_t count() const;
 
@@ -48,7 +48,8 @@ class FragmentList {
     std::uint64_t m_mostBytes;
     gpu::Buffer m_heads;
     gpu::Buffer m_nodes;
-    gpu::Buffer m_count;
+    gpu::Buffer m_count;     ///< every fragment adds to it, so it stays on the device
+    gpu::Buffer m_readCount; ///< a copy
     std::uint32_t m_capacity = 0;
     vk::UniqueDescriptorPool m_pool;
     vk::DescriptorSet m_set;

@@ -73,12 +73,13 @@ void SortedBlend::record(vk::CommandBuffer primary, const TranslucentFrame& fram
             recordNext(primary, frame);
         }
     }
-    gpu::pipelineBarrier(
-        primary, {chainBarrier(frame.lit)},
-        {{.srcStageMask = Stage::eFragmentShader,
-          .srcAccessMask = Access::eShaderStorageWrite,
-          .dstStageMask = Stage::eFragmentShader | Stage::eHost,
-          .dstAccessMask = Access::eShaderStorageRead | Access::eShaderStorageWrite | Access::eHostRead}});
+    gpu::pipelineBarrier(primary, {chainBarrier(frame.lit)},
+                         {{.srcStageMask = Stage::eFragmentShader,
+                           .srcAccessMask = Access::eShaderStorageWrite,
+                           .dstStageMask = Stage::eFragmentShader | Stage::eTransfer,
+                           .dstAccessMask = Access::eShaderStorageRead | Access::eShaderStorageWrite |
+                                            Access::eTransferRead}});
+    list.recordCount(primary);
     const vk::Extent2D extent = frame.lit.options().extent;
     const FullscreenPass::Draw lists{.set = list.set(), .push = std::as_bytes(std::span(&extent, 1))};
     m_resolve.record(primary, {&lists, 1}, frame.lit, vk::AttachmentLoadOp::eLoad);

@@ -98,7 +98,6 @@ void TranslucentPass::record(vk::CommandBuffer primary, Slot& slot) const {
                                  .counter = m_counter.get(),
                                  .shadows = slot.shadows ? &*slot.shadows : nullptr};
     if (sorts(slot)) {
-        slot.list->resetCount();
         m_sorted->record(primary, frame, *slot.list);
     } else {
         m_weighted.record(primary, frame);
