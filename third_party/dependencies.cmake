@@ -1,4 +1,13 @@
 # Every dependency comes from the distribution through tools/setup.sh; nothing is vendored.
+# MikkTSpace's source is C. By the sibling of the C++ compiler, so that both know the same flags.
+if(NOT CMAKE_C_COMPILER AND NOT DEFINED ENV{CC})
+    string(REGEX REPLACE "clang\\+\\+([^/]*)$" "clang\\1" sibling "${CMAKE_CXX_COMPILER}")
+    string(REGEX REPLACE "g\\+\\+([^/]*)$" "gcc\\1" sibling "${sibling}")
+    if(EXISTS "${sibling}" AND NOT sibling STREQUAL CMAKE_CXX_COMPILER)
+        set(CMAKE_C_COMPILER "${sibling}")
+    endif()
+endif()
+enable_language(C)
 find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -54,8 +54,11 @@ function pinnedFiles() {
     const [, version] = read("third_party/orbit_data.sh").match(/^package=three-globe@(\S+)/m);
     const pictures = [...read("third_party/orbit_data.sh").matchAll(/^([0-9a-f]{64}) {2}(\S+)$/gm)]
         .map(([, hash, name]) => ({ name, version, licence: "LicenseRef-NASA", checksum: ["SHA256", hash] }));
+    const mikktspace = read("third_party/mikktspace.sh");
+    const archives = [...mikktspace.matchAll(/^([0-9a-f]{64}) {2}(\w+)-(\S+)\.tgz$/gm)].map(([, hash, name, version]) =>
+        ({ name, version, purl: `pkg:npm/${name}@${version}`, checksum: ["SHA256", hash] }));
     const vma = read("third_party/vma.sh");
-    return [...pictures, {
+    return [...pictures, ...archives, {
         name: "vk_mem_alloc.h", version: vma.match(/^version='([^*'-]+)/m)[1], licence: "MIT",
         checksum: ["SHA256", vma.match(/^header_sha256=([0-9a-f]{64})$/m)[1]],
     }];

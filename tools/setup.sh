@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs whatever is missing to build, test and run cdr, on Debian 12, Debian 13, Ubuntu 24.04 or later: distribution
 # packages, into src/page/node_modules the npm packages of the report's page, and into .cache the pictures of the Earth for
-# the scene orbit. Where all is there it touches neither the system nor the network.
+# the scene orbit and the source of MikkTSpace. Where all is there it touches neither the system nor the network.
 # Usage: tools/setup.sh [--dry-run | --list]
 # --dry-run says what is missing, where it would come from and what checks it, and changes nothing. --list names the
 # distribution's packages.
@@ -87,6 +87,8 @@ if $dry_run; then
         "$(sed -nE 's,^        "node_modules/([^@"]+)": [{]$,\1,p' "$lock" | paste --serial --delimiters=' ')"
     third_party/orbit_data.sh --present ||
         would "by npm into .cache/orbit-data, checked by SHA-256" "two pictures of the Earth"
+    third_party/mikktspace.sh --present ||
+        would "by npm into .cache/mikktspace, checked by SHA-256" "MikkTSpace as C source, translated by wabt"
     echo "nothing was changed"
     exit
 fi
@@ -119,3 +121,6 @@ fi
 
 # The Earth of the scene orbit: only that scene asks for it, and says so where it is missing.
 third_party/orbit_data.sh
+
+# Tangents that glTF files lack: without it they are derived otherwise, and a note says so.
+third_party/mikktspace.sh

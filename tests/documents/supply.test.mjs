@@ -15,7 +15,7 @@ test("third_party/LICENCES.md names each package of setup.sh and of npm, and no 
     const listed = [...read("third_party/LICENCES.md").matchAll(/^\| `([^`]+)` \| [A-Z]?[a-z]?[^|]{2,} \|/gm)]
         .map((match) => match[1]).filter((name) => !name.includes("/"));
     const npm = pinned.map(([name]) => name).filter((name) => !name.startsWith("@esbuild/"));
-    assert.deepEqual(listed.sort(), [...wanted, ...npm, "three-globe"].sort());
+    assert.deepEqual(listed.sort(), [...wanted, ...npm, "three-globe", "mikktspace", "wabt"].sort());
 });
 
 test("the bill of materials is SPDX and holds every package with its version, licence and hash", () => {
@@ -28,7 +28,7 @@ test("the bill of materials is SPDX and holds every package with its version, li
         assert.equal(byName.get(name)?.versionInfo, version, name);
         assert.match(byName.get(name).checksums[0].checksumValue, /^[0-9a-f]{128}$/, name);
     }
-    for (const name of ["vk_mem_alloc.h", "earth-blue-marble.jpg", "earth-topology.png"]) {
+    for (const name of ["vk_mem_alloc.h", "earth-blue-marble.jpg", "earth-topology.png", "mikktspace", "wabt"]) {
         assert.match(byName.get(name).checksums[0].checksumValue, /^[0-9a-f]{64}$/, name);
     }
     for (const entry of bill.packages) {

@@ -9,7 +9,7 @@ target_compile_options(cdr_options INTERFACE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
     # In a batch one file sees the file-local names of another, and GCC takes the files for headers.
     $<$<BOOL:${CDR_UNITY_BUILD}>:-Wno-shadow>
-    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CDR_UNITY_BUILD}>>:-Wno-subobject-linkage>
+    $<$<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,$<BOOL:${CDR_UNITY_BUILD}>>:-Wno-subobject-linkage>
     $<$<BOOL:${CDR_WARNINGS_AS_ERRORS}>:-Werror>)
 if(CDR_SANITIZE)
     target_compile_options(cdr_options INTERFACE -fsanitize=${CDR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
