@@ -67,7 +67,7 @@ class Importer {
           m_memory(limits.maxBytes),
           m_accessors(sources.document.root, sources.buffers),
           m_decompressor(sources.buffers, m_accessors, limits.maxFileBytes),
-          m_meshes(m_accessors, sources.notes),
+          m_meshes(m_accessors, m_memory, sources.notes),
           m_materials(sources, m_scene) {}
 
     void run(const PlacedNodes& nodes, GltfImport& result) {

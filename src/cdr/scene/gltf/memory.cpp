@@ -57,7 +57,7 @@ PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors, bo
     const std::uint64_t vertices = isShared ? std::min(corners, positions) : corners;
     PrimitiveBytes bytes;
     if (hasDetail) {
-        // Deriving tangents may split each vertex in two.
+        // Deriving tangents may make twice as many vertices. MikkTSpace runs only in memory that is left beside (mesh.cpp).
         const std::uint64_t most = isShared ? std::min(corners, 2 * vertices) : corners;
         bytes.kept = most * (sizeof(Vertex) + sizeof(VertexDetail)) + corners * kIndexBytes;
         bytes.passing = bytes.kept + most * (kTangentBytes + kTablesPerVertex * kIndexBytes) +
@@ -75,6 +75,10 @@ MemoryPrediction::MemoryPrediction(std::uint64_t limit) : m_limit(limit) {}
 void MemoryPrediction::add(const PrimitiveBytes& bytes, const std::string& where) {
     m_kept += bytes.kept;
     require(bytes.passing, where);
+}
+
+std::uint64_t MemoryPrediction::leftBeside(const PrimitiveBytes& bytes) const {
+    return left() - std::min(left(), bytes.passing);
 }
 
 void MemoryPrediction::addInstances(std::uint64_t count) {

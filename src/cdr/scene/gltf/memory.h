@@ -32,6 +32,9 @@ class MemoryPrediction {
     void release(std::uint64_t bytes) { m_kept -= bytes; }
     /// Bytes up to the limit.
     std::uint64_t left() const { return m_limit - m_kept; }
+    /// Bytes up to the limit while a primitive that add() was told of is imported, beside what it takes: of use for what can
+    /// be done without.
+    std::uint64_t leftBeside(const PrimitiveBytes& bytes) const;
     /// Instances: what places a primitive in the world.
     void addInstances(std::uint64_t count);
 

@@ -3,6 +3,7 @@
 #include "bytes/reading_order.h"
 #include "checks.h"
 #include "draco/decompressor.h"
+#include "materials/mikktspace_tangents.h"
 #include "materials/tangents.h"
 #include "triangles.h"
 
@@ -73,7 +74,10 @@ struct MeshImporter::Attributes {
     UvPlaces places;
 };
 
-MeshImporter::MeshImporter(Accessors& accessors, Notes& notes) : m_accessors(accessors), m_notes(notes) {}
+MeshImporter::MeshImporter(Accessors& accessors, const MemoryPrediction& memory, Notes& notes)
+    : m_accessors(accessors),
+      m_memory(memory),
+      m_notes(notes) {}
 
 std::optional<SourcePrimitive> MeshImporter::read(const Primitive& primitive, const UvPlaces& uv,
                                                   std::optional<double> pointRadius,
@@ -103,13 +107,22 @@ std::optional<SourcePrimitive> MeshImporter::readTriangles(const Primitive& prim
     }
     if (uv.tangents != UvPlaces::Tangents::none && attributes.tangent == nullptr) {
         const std::vector<std::uint32_t> before = source.mesh.indices;
-        deriveTangents(source.mesh, uv.tangents == UvPlaces::Tangents::second);
+        addTangents(source.mesh, primitive, uv.tangents == UvPlaces::Tangents::second, where);
         source.fileVertices.resize(source.mesh.vertices.size());
-        for (std::size_t i = 0; i < before.size(); ++i) { // a vertex may have become two
+        for (std::size_t i = 0; i < before.size(); ++i) { // a vertex may have become several
             source.fileVertices[source.mesh.indices[i]] = source.fileVertices[before[i]];
         }
     }
     return source;
+}
+
+void MeshImporter::addTangents(SourceMesh& mesh, const Primitive& primitive, bool second,
+                               const std::string& where) {
+    const std::uint64_t spare = m_memory.leftBeside(predictBytes(primitive, m_accessors, true));
+    if (const std::optional<std::string> reason = deriveMikkTSpaceTangents(mesh, second, spare)) {
+        m_notes.add(fmt::format("its tangents are not MikkTSpace's: {}", *reason), where);
+        deriveTangents(mesh, second);
+    }
 }
 
 std::optional<SourcePrimitive> MeshImporter::readSolids(const Primitive& primitive, const UvPlaces& uv,

@@ -2,6 +2,7 @@
 
 #include "accessor.h"
 #include "materials/uv_places.h"
+#include "memory.h"
 #include "notes.h"
 #include "primitive.h"
 #include "solids/solids.h"
@@ -34,7 +35,8 @@ struct MeshSizes {
 /// each use a little of one large vertex buffer cost what they use.
 class MeshImporter {
   public:
-    MeshImporter(Accessors& accessors, Notes& notes);
+    /// @param memory what the import still may take, which says whether MikkTSpace can run.
+    MeshImporter(Accessors& accessors, const MemoryPrediction& memory, Notes& notes);
 
     /// Nothing when the primitive has nothing to draw. `where` names it in messages.
     std::optional<SourcePrimitive> read(const Primitive& primitive, const UvPlaces& uv,
@@ -50,6 +52,8 @@ class MeshImporter {
     /// Nothing when the primitive has no triangles.
     std::optional<SourcePrimitive> readTriangles(const Primitive& primitive, const UvPlaces& uv,
                                                  const std::string& where);
+    /// Those that the file lacks.
+    void addTangents(SourceMesh& mesh, const Primitive& primitive, bool second, const std::string& where);
     /// Nothing when the primitive has no points or lines with an extent.
     std::optional<SourcePrimitive> readSolids(const Primitive& primitive, const UvPlaces& uv,
                                               std::optional<double> radius, const std::string& where);
@@ -66,6 +70,7 @@ class MeshImporter {
     void addFlat(SourcePrimitive& source, const Attributes& attributes, const std::string& where);
 
     Accessors& m_accessors;
+    const MemoryPrediction& m_memory;
     Notes& m_notes;
     std::vector<std::uint32_t> m_newIndex; ///< by index in the file; kUnused between calls
 };

@@ -4,7 +4,7 @@
 
 namespace cdr::scene::gltf {
 
-/// Works out the tangents of a mesh whose file has none: of each corner the direction in which u grows on its triangle,
+/// Works out the tangents of a mesh whose file has none, where MikkTSpace cannot (mikktspace_tangents.h): of each corner the direction in which u grows on its triangle,
 /// weighted by the corner's angle and turned into the plane of the vertex' normal. A vertex between triangles that run
 /// through their texture in opposite senses becomes two.
 /// @param mesh with details. @param second whether tangents follow VertexDetail::uv; else Vertex::uv.

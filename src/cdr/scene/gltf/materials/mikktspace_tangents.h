@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cdr/scene/lod/mesh_pieces.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace cdr::scene::gltf {
+
+/// Gives a mesh whose file has no tangents those of MikkTSpace, as glTF asks. A vertex whose corners get different ones
+/// becomes several, of which the first stays where it was and the others follow behind all; there are at most twice as many
+/// then. Triangles without extent take part in nothing.
+/// @param mesh with details. @param second whether tangents follow VertexDetail::uv; else Vertex::uv.
+/// @param bytes that it may take while it runs.
+/// @return why it has none, and is unchanged; nothing where it has them.
+std::optional<std::string> deriveMikkTSpaceTangents(SourceMesh& mesh, bool second, std::uint64_t bytes);
+
+} // namespace cdr::scene::gltf
