@@ -56,6 +56,19 @@ TEST(TimingModes, ChosenOnesKeepTheBaselineOnce) {
     EXPECT_THROW(timingModesNamed({"cdr-9"}), InputError);
 }
 
+TEST(TimingModes, OptionsOfARendererSayAllThatAModeDoes) {
+    namespace render = cdr::render;
+    const auto optionsOf = [](const char* name) { return renderOptionsOf(timingModesNamed({name}).back()); };
+    EXPECT_EQ(optionsOf("cdr-3").technique.split, cdr::depth::Split(cdr::depth::SplitCount{3}));
+    EXPECT_EQ(optionsOf("reversed/one-pass").targets, render::parseTargets("one-pass"));
+    EXPECT_EQ(optionsOf("anchored/gpu-driven").submission, render::Submission::gpuDriven);
+    EXPECT_EQ(optionsOf("naive").batching, render::Batching::perObject);
+    EXPECT_EQ(optionsOf("reversed/visibility").surface, render::SurfacePath::visibility);
+    EXPECT_TRUE(optionsOf("standard/occlusion-culling").occlusionCulling);
+    EXPECT_EQ(optionsOf("standard"),
+              render::RenderOptions{.technique = cdr::depth::parseTechnique("standard")});
+}
+
 TEST(TimingModes, RivalsFollowADepthTestThatShadesAsLittle) {
     EXPECT_TRUE(rivalTimingModes({}).empty());
     const std::vector<TimingMode> modes = rivalTimingModes({cdr::rivals::parseRival("two-float/prepass")});

@@ -49,6 +49,15 @@ std::optional<render::TargetsChoice> targetsIfKnown(std::string_view name) {
 
 } // namespace
 
+render::RenderOptions renderOptionsOf(const TimingMode& mode) {
+    return {.technique = mode.technique,
+            .targets = mode.targets,
+            .submission = mode.submission,
+            .batching = mode.batching,
+            .surface = mode.surface,
+            .occlusionCulling = mode.occlusionCulling};
+}
+
 std::vector<TimingMode> timingModes() {
     const TimingMode standard = makeMode("standard", "standard", std::nullopt);
     std::vector<TimingMode> modes{standard, standard};

@@ -1,6 +1,7 @@
 #include "stages.h"
 
 #include <cdr/base/error.h>
+#include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/renderer.h>
 #include <experiments/interleaved_frames.h>
 #include <scenes/cubes.h>
@@ -17,6 +18,8 @@ namespace {
 /// What is left out of a frame.
 enum class Variant : std::size_t { whole, noLights, noPixels, noCubes, neither };
 constexpr std::size_t kVariants = 5;
+
+constexpr vk::Extent2D kFewPixels{16, 9};
 
 std::size_t indexOf(Variant variant) {
     return static_cast<std::size_t>(variant);
@@ -44,12 +47,12 @@ class StageRace {
                       std::make_unique<render::GpuScene>(device, m_noLights),
                       std::make_unique<render::GpuScene>(device, m_noCubes)},
           m_frames(kVariants, options.seed) {
-        const bool isFew = true;
-        addRenderer(device, m_setup.scene, *m_gpuScenes[0], !isFew);
-        addRenderer(device, m_noLights, *m_gpuScenes[1], !isFew);
-        addRenderer(device, m_setup.scene, *m_gpuScenes[0], isFew);
-        addRenderer(device, m_noCubes, *m_gpuScenes[2], !isFew);
-        addRenderer(device, m_noCubes, *m_gpuScenes[2], isFew);
+        const vk::Extent2D whole{options.width, options.height};
+        addRenderer(device, m_setup.scene, *m_gpuScenes[0], whole);
+        addRenderer(device, m_noLights, *m_gpuScenes[1], whole);
+        addRenderer(device, m_setup.scene, *m_gpuScenes[0], kFewPixels);
+        addRenderer(device, m_noCubes, *m_gpuScenes[2], whole);
+        addRenderer(device, m_noCubes, *m_gpuScenes[2], kFewPixels);
         const scene::Camera first = m_setup.path.at(0);
         m_path = scene::turnPath(first, first.position, options.frames);
     }
@@ -90,18 +93,12 @@ class StageRace {
     using Term = std::pair<double, const std::vector<double>&>;
 
     void addRenderer(const gpu::Device& device, const scene::Scene& scene, const render::GpuScene& gpuScene,
-                     bool hasFewPixels) {
-        const TimingMode& mode = m_options.modes.front();
-        m_renderers.push_back(std::make_unique<render::Renderer>(
-            device, scene, gpuScene,
-            render::RenderOptions{.width = hasFewPixels ? 16 : m_options.width,
-                                  .height = hasFewPixels ? 9 : m_options.height,
-                                  .technique = mode.technique,
-                                  .targets = mode.targets,
-                                  .threads = m_options.threads,
-                                  .submission = mode.submission,
-                                  .batching = mode.batching,
-                                  .surface = mode.surface}));
+                     vk::Extent2D extent) {
+        render::RenderOptions options = renderOptionsOf(m_options.modes.front());
+        options.width = extent.width;
+        options.height = extent.height;
+        options.threads = m_options.threads;
+        m_renderers.push_back(std::make_unique<render::Renderer>(device, scene, gpuScene, options));
     }
 
     std::vector<double> of(Variant variant, double FrameSample::*part) const {

@@ -171,18 +171,13 @@ class Race {
     }
 
     std::unique_ptr<render::Renderer> makeRenderer(const gpu::Device& device, const TimingMode& mode) {
-        const render::RenderOptions options{.width = m_options.width,
-                                            .height = m_options.height,
-                                            .technique = mode.technique,
-                                            .targets = mode.targets,
-                                            .threads = m_options.threads,
-                                            .submission = mode.submission,
-                                            .batching = mode.batching,
-                                            .surface = mode.surface,
-                                            .occlusionCulling = mode.occlusionCulling,
-                                            .framesInFlight = m_options.framesInFlight,
-                                            .deviceClock = m_options.framesInFlight <= 1,
-                                            .trace = m_options.trace};
+        render::RenderOptions options = renderOptionsOf(mode);
+        options.width = m_options.width;
+        options.height = m_options.height;
+        options.threads = m_options.threads;
+        options.framesInFlight = m_options.framesInFlight;
+        options.deviceClock = m_options.framesInFlight <= 1;
+        options.trace = m_options.trace;
         if (m_moving != nullptr) {
             return std::make_unique<render::Renderer>(device, m_gpuScene, options);
         }

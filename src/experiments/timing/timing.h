@@ -4,6 +4,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/host/trace.h>
 #include <cdr/measure/statistics/statistics.h>
+#include <cdr/render/render_options.h>
 #include <cdr/render/submit/draw_path.h>
 #include <cdr/render/surface_path.h>
 #include <cdr/render/targets/targets.h>
@@ -45,6 +46,10 @@ struct TimingMode {
 
     bool isRival() const { return idsAlone && std::holds_alternative<rivals::Rival>(*idsAlone); }
 };
+
+/// How a mode that shades draws: what it says of a renderer, and each other option's default.
+/// @errors None.
+render::RenderOptions renderOptionsOf(const TimingMode& mode);
 
 /// The modes of Figure 6.4 and ours, each again under one-pass. The first is standard, the baseline; the
 /// second is standard again, whose overhead is the noise floor.
