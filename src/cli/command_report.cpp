@@ -65,8 +65,8 @@ nlohmann::ordered_json describe(const report::Section& section, const SectionOut
     if (!outcome.document.is_null()) {
         row["json"] = section.jsonFile().generic_string();
     }
-    if (!outcome.failure.empty()) {
-        row["failure"] = outcome.failure;
+    if (outcome.failure) {
+        row["failure"] = *outcome.failure;
     }
     return row;
 }

@@ -87,14 +87,15 @@ Json filesOf(const report::Section& section, const fs::path& root) {
 
 Json packedOutcome(SectionOutcome outcome, Json files) {
     return {{"seconds", outcome.seconds},
-            {"failure", std::move(outcome.failure)},
+            {"failure", outcome.failure ? Json(std::move(*outcome.failure)) : Json(nullptr)},
             {"document", std::move(outcome.document)},
             {"files", std::move(files)}};
 }
 
 SectionOutcome unpackedOutcome(Json made) {
+    const Json& failure = made.at("failure");
     return {.seconds = made.at("seconds").get<double>(),
-            .failure = made.at("failure").get<std::string>(),
+            .failure = failure.is_null() ? std::nullopt : std::optional(failure.get<std::string>()),
             .document = std::move(made.at("document"))};
 }
 
@@ -158,7 +159,7 @@ void SectionRunner::add(std::size_t section, SectionOutcome outcome) {
     m_forecast.done(m_plan[section], outcome.seconds);
     sayNow(console, fmt::format("{}/{} {}: {} s{}", ++m_done, m_plan.size(), m_plan[section].name,
                                 experiments::Readable{outcome.seconds},
-                                outcome.failure.empty() ? "" : ", failed: " + outcome.failure));
+                                outcome.failure ? ", failed: " + *outcome.failure : ""));
     m_outcomes[section] = std::move(outcome);
 }
 
@@ -167,10 +168,10 @@ void takeUpSections(experiments::KeptRanks& kept, const fs::path& root) {
     kept.keepOnly([&](const host::Bytes& made) {
         const Json outcome = Json::from_cbor(made);
         const auto& files = outcome.at("files").get_ref<const Json::object_t&>();
-        const bool stands = outcome.at("failure").get_ref<const std::string&>().empty() &&
-                            std::all_of(files.begin(), files.end(), [&](const auto& file) {
-                                return file.second == digestIn(root, file.first);
-                            });
+        const bool stands =
+            outcome.at("failure").is_null() && std::all_of(files.begin(), files.end(), [&](const auto& file) {
+                return file.second == digestIn(root, file.first);
+            });
         for (const auto& [name, digest] : files) {
             if (stands) {
                 own.insert(name);

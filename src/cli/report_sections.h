@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace cdr::cli {
 /// What one section came to.
 struct SectionOutcome {
     double seconds = 0.0;
-    std::string failure;             ///< empty when it went well
-    nlohmann::ordered_json document; ///< null when there is none
+    std::optional<std::string> failure; ///< what went wrong, if anything did
+    nlohmann::ordered_json document;    ///< null when there is none
 };
 
 /// Runs sections of a plan into a folder, each as one process does. Every rank has one.

@@ -22,12 +22,15 @@ experiments::Columns<experiments::CoplanarResult> coplanarColumns() {
     using Result = experiments::CoplanarResult;
     const auto ofOffset = [](float render::LayerOptions::*factor) {
         return [factor](const Result& result) {
-            return result.method == "polygon offset" ? experiments::Json(result.layers.*factor)
-                                                     : experiments::Json(nullptr);
+            return result.method == experiments::CoplanarMethod::polygonOffset
+                       ? experiments::Json(result.layers.*factor)
+                       : experiments::Json(nullptr);
         };
     };
     return {{.key = "technique", .value = &Result::technique, .heading = "technique"},
-            {.key = "method", .value = &Result::method, .heading = "method"},
+            {.key = "method",
+             .value = [](const Result& result) { return nameOf(result.method); },
+             .heading = "method"},
             {.key = "slope_factor",
              .value = ofOffset(&render::LayerOptions::slopeFactor),
              .heading = "slope factor"},
@@ -78,7 +81,7 @@ void run(Command& command, CoplanarArguments& arguments) {
     for (const experiments::CoplanarResult& result : results) {
         auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
         if (!result.picture.pixels.empty()) {
-            std::string name = result.technique + "_" + result.method + ".png";
+            std::string name = fmt::format("{}_{}.png", result.technique, nameOf(result.method));
             std::replace(name.begin(), name.end(), ' ', '_');
             folder.write("picture", name, result.picture, row);
         }

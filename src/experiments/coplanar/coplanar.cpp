@@ -1,5 +1,6 @@
 #include "coplanar.h"
 
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/measure/compare/flips.h>
 #include <cdr/measure/compare/wrong_pixels.h>
@@ -23,6 +24,9 @@ namespace {
 constexpr std::array kSlopes{0.0f, 0.25f, 1.0f, 2.0f, 4.0f};
 constexpr std::array kConstants{0.0f, 1.0f, 4.0f, 16.0f, 64.0f, 256.0f, 1024.0f, 4096.0f};
 constexpr render::LayerOptions kNoOffset{.method = render::LayerMethod::polygonOffset};
+
+constexpr base::EnumNames<CoplanarMethod, kCoplanarMethods.size()> kCoplanarMethodNames{
+    "method", {"none", "polygon offset", "layers"}};
 
 /// A view, and one from a little aside.
 std::array<scene::Camera, 2> viewPair(std::uint64_t seed, std::uint32_t view) {
@@ -75,8 +79,8 @@ class CoplanarComparison {
         return best.second;
     }
 
-    void add(const depth::NamedTechnique& named, std::string method, const render::LayerOptions& layers) {
-        m_results.push_back({.technique = named.name, .method = std::move(method), .layers = layers});
+    void add(const depth::NamedTechnique& named, CoplanarMethod method, const render::LayerOptions& layers) {
+        m_results.push_back({.technique = named.name, .method = method, .layers = layers});
         m_renderers.push_back(makeRenderer(named.technique, layers));
         m_worst.push_back(0);
         m_shownWrong.push_back(0);
@@ -221,6 +225,10 @@ class CoplanarComparison {
 
 } // namespace
 
+std::string_view nameOf(CoplanarMethod method) {
+    return kCoplanarMethodNames.nameOf(method);
+}
+
 std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const CoplanarOptions& options,
                                         const CoplanarProgress& progress, ranks::Ranks& ranks) {
     if (options.views < 1 || options.searchViews < 1) {
@@ -242,9 +250,9 @@ std::vector<CoplanarResult> runCoplanar(const gpu::Device& device, const Coplana
         });
     offsets = sharedOf(ranks, offsets);
     for (std::size_t i = 0; i < techniques.size(); ++i) {
-        comparison.add(techniques[i], "none", kNoOffset);
-        comparison.add(techniques[i], "polygon offset", offsets[i]);
-        comparison.add(techniques[i], "layers", {});
+        comparison.add(techniques[i], CoplanarMethod::none, kNoOffset);
+        comparison.add(techniques[i], CoplanarMethod::polygonOffset, offsets[i]);
+        comparison.add(techniques[i], CoplanarMethod::layers, {});
     }
     forEachUnit(
         ranks, options.views,

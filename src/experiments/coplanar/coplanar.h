@@ -7,10 +7,12 @@
 
 #include <ranks/ranks.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cdr::experiments {
@@ -28,10 +30,21 @@ struct CoplanarOptions {
     std::vector<depth::NamedTechnique> techniques; ///< none: all presets
 };
 
+/// What decides between faces at the same place.
+enum class CoplanarMethod : std::uint8_t {
+    none,          ///< nothing: as they come
+    polygonOffset, ///< Vulkan's depth bias at the best of many settings
+    layers,        ///< layers, in scene units
+};
+inline constexpr std::array kCoplanarMethods{CoplanarMethod::none, CoplanarMethod::polygonOffset,
+                                             CoplanarMethod::layers};
+/// "none", "polygon offset" or "layers".
+std::string_view nameOf(CoplanarMethod method);
+
 /// One technique and method over all views. Pixels are inner ones (measure::WrongPixels).
 struct CoplanarResult {
     std::string technique{};
-    std::string method{};          ///< "none", "polygon offset" or "layers"
+    CoplanarMethod method = CoplanarMethod::none;
     render::LayerOptions layers{}; ///< how it was drawn
     std::uint64_t pixels = 0;
     std::uint64_t wrong = 0; ///< that show another object than the truth, but for `coverage`

@@ -18,7 +18,9 @@ struct EffectsArguments {
 
 experiments::Columns<experiments::EffectsResult> effectsColumns() {
     using Result = experiments::EffectsResult;
-    return {{.key = "mode", .value = &Result::mode, .heading = "effect"},
+    return {{.key = "mode",
+             .value = [](const Result& result) { return nameOf(result.mode); },
+             .heading = "effect"},
             {.key = "execute_ms", .value = &Result::executeMs, .heading = "execute ms"},
             {.key = "execute_ratio", .value = &Result::ratio, .heading = "over plain"},
             {.key = "ci95",
@@ -61,7 +63,7 @@ void run(Command& command, EffectsArguments& arguments) {
     auto document = command.makeDocument(std::move(settings));
     for (const auto& result : report.results) {
         auto& row = document["results"].emplace_back(experiments::jsonOf(columns, result));
-        folder.write("picture", result.mode + ".png", result.picture, row);
+        folder.write("picture", fmt::format("{}.png", nameOf(result.mode)), result.picture, row);
     }
     document["lost_per_layer"] = report.lostPerLayer;
     experiments::addMeasuredBy(document, command.ranks(), ranks.measuredBy("frames"));

@@ -1,39 +1,46 @@
 #include "effects.h"
 
+#include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
 #include <cdr/render/renderer.h>
 #include <experiments/interleaved_frames.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 
 namespace cdr::experiments {
 
 namespace {
 
-constexpr std::array kEffectModes{"plain", "edges", "occlusion", "occlusion-layers", "fog"};
-constexpr std::size_t kWhole = 2;
-constexpr std::size_t kPerLayer = 3;
+constexpr base::EnumNames<EffectMode, kEffectModes.size()> kEffectModeNames{
+    "effect", {"plain", "edges", "occlusion", "occlusion-layers", "fog"}};
+
+std::size_t indexOf(EffectMode mode) {
+    return static_cast<std::size_t>(mode);
+}
 
 /// Twelve cascades, so that boundaries run through what is near.
 depth::Technique shownTechnique() {
     return depth::Technique{depth::Mapping::anchored, depth::SplitCount{12}, depth::DepthFormat::d32f};
 }
 
-render::Effects effectsOf(std::size_t mode, const EffectsOptions& options) {
-    const std::string name = kEffectModes[mode];
-    render::Effects effects;
-    if (name == "edges") {
-        effects.antialias = render::Antialias::edges;
-    } else if (mode == kWhole || mode == kPerLayer) {
-        effects.occlusion = {.radius = options.occlusionRadius, .perLayer = mode == kPerLayer};
-    } else if (name == "fog") {
-        effects.fog.visibility = options.visibility;
+render::Effects effectsOf(EffectMode mode, const EffectsOptions& options) {
+    switch (mode) {
+    case EffectMode::edges:
+        return {.antialias = render::Antialias::edges};
+    case EffectMode::occlusion:
+        return {.occlusion = {.radius = options.occlusionRadius}};
+    case EffectMode::occlusionLayers:
+        return {.occlusion = {.radius = options.occlusionRadius, .perLayer = true}};
+    case EffectMode::fog:
+        return {.fog = {.visibility = options.visibility}};
+    case EffectMode::plain:
+        break;
     }
-    return effects;
+    return {};
 }
 
 /// Which pixels are apart: all that differ, or those that are brighter in the first picture.
@@ -68,7 +75,7 @@ class EffectsComparison {
           m_camera(m_setup.path.at(0)),
           m_gpuScene(device, m_setup.scene),
           m_frames(kEffectModes.size(), options.seed) {
-        for (std::size_t mode = 0; mode < kEffectModes.size(); ++mode) {
+        for (const EffectMode mode : kEffectModes) {
             m_renderers.push_back(makeRenderer(mode, shownTechnique()));
         }
     }
@@ -78,33 +85,36 @@ class EffectsComparison {
                      [&](std::size_t mode, std::uint32_t) { return m_renderers[mode]->draw(m_camera); });
     }
 
-    EffectsResult summarise(std::size_t mode) {
+    EffectsResult summarise(EffectMode effect) {
+        const std::size_t mode = indexOf(effect);
         const std::vector<double> ratios = m_frames.ratios(mode, 0, &FrameSample::executeMs);
-        EffectsResult result{.mode = kEffectModes[mode],
+        EffectsResult result{.mode = effect,
                              .executeMs = m_frames.median(mode, &FrameSample::executeMs),
                              .ratio = measure::median(ratios),
                              .ratio95 = measure::bootstrapMedian(ratios, m_options.seed + mode),
                              .leastAlike = {},
                              .picture = m_renderers[mode]->render(m_camera).color};
+        std::optional<double> most;
         for (const auto& [name, technique] : depth::presets()) {
-            const double share = shareApart(makeRenderer(mode, technique)->render(m_camera).color,
+            const double share = shareApart(makeRenderer(effect, technique)->render(m_camera).color,
                                             result.picture, Apart::either);
-            if (result.leastAlike.empty() || share > result.differing) {
+            if (!most || share > *most) {
+                most = share;
                 result.leastAlike = name;
-                result.differing = share;
             }
         }
+        result.differing = most.value_or(0.0);
         return result;
     }
 
   private:
-    std::unique_ptr<render::Renderer> makeRenderer(std::size_t mode,
-                                                   const depth::Technique& technique) const {
+    std::unique_ptr<render::Renderer> makeRenderer(EffectMode mode, const depth::Technique& technique) const {
         const render::RenderOptions options{.width = m_options.width,
                                             .height = m_options.height,
                                             .technique = technique,
-                                            .targets = mode == kPerLayer ? render::TargetsKind::accumulate
-                                                                         : render::TargetsKind::single,
+                                            .targets = mode == EffectMode::occlusionLayers
+                                                           ? render::TargetsKind::accumulate
+                                                           : render::TargetsKind::single,
                                             .threads = m_options.threads,
                                             .effects = effectsOf(mode, m_options)};
         return std::make_unique<render::Renderer>(m_device, m_setup.scene, m_gpuScene, options);
@@ -121,6 +131,10 @@ class EffectsComparison {
 
 } // namespace
 
+std::string_view nameOf(EffectMode mode) {
+    return kEffectModeNames.nameOf(mode);
+}
+
 EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& setup,
                          const EffectsOptions& options, const EffectsProgress& progress, TimedRanks& ranks) {
     if (options.frames < 1) {
@@ -134,12 +148,12 @@ EffectsReport runEffects(const gpu::Device& device, const scene::SceneSetup& set
         return {};
     }
     EffectsReport report;
-    for (std::size_t mode = 0; mode < kEffectModes.size(); ++mode) {
+    for (const EffectMode mode : kEffectModes) {
         progress(done++, all);
         report.results.push_back(comparison.summarise(mode));
     }
-    report.lostPerLayer =
-        shareApart(report.results[kPerLayer].picture, report.results[kWhole].picture, Apart::brighter);
+    report.lostPerLayer = shareApart(report.results[indexOf(EffectMode::occlusionLayers)].picture,
+                                     report.results[indexOf(EffectMode::occlusion)].picture, Apart::brighter);
     return report;
 }
 

@@ -6,9 +6,11 @@
 #include <experiments/timed_ranks.h>
 #include <scenes/open_scene.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cdr::experiments {
@@ -26,9 +28,22 @@ struct EffectsOptions {
     double visibility = 100.0;    ///< in fog, scene units
 };
 
-/// One mode: "plain", "edges", "occlusion", "occlusion-layers" or "fog". Times are medians, milliseconds.
+/// Which effect a mode has.
+enum class EffectMode : std::uint8_t {
+    plain,           ///< none
+    edges,           ///< smooth edges
+    occlusion,       ///< ambient occlusion over the whole picture
+    occlusionLayers, ///< ambient occlusion of each cascade by itself
+    fog,
+};
+inline constexpr std::array kEffectModes{EffectMode::plain, EffectMode::edges, EffectMode::occlusion,
+                                         EffectMode::occlusionLayers, EffectMode::fog};
+/// "plain", "edges", "occlusion", "occlusion-layers" or "fog".
+std::string_view nameOf(EffectMode mode);
+
+/// One mode. Times are medians, milliseconds.
 struct EffectsResult {
-    std::string mode;
+    EffectMode mode = EffectMode::plain;
     double executeMs = 0.0;
     double ratio = 1.0;        ///< of execute to "plain": the median of the ratios frame by frame
     measure::Interval ratio95; ///< bootstrapped

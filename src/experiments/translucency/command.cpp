@@ -91,7 +91,7 @@ void run(Command& command, TranslucencyArguments& arguments) {
     const auto columns = translucencyColumns();
     command.console().table(experiments::tableOf(columns, all.results));
     for (const experiments::TranslucencyResult& result : all.results) {
-        if (!result.note.empty()) {
+        if (result.stats.refusal) {
             command.console().line(
                 fmt::format("{} cascades drawn weighted: {}", result.cascades, result.note));
         }

@@ -34,7 +34,7 @@ struct TranslucencyResult {
     std::string technique;
     unsigned cascades = 1;
     render::TranslucencyStats stats;
-    std::string note; ///< why it was not sorted, though it was to be; else empty
+    std::string note; ///< of `stats.refusal`, for people: why it was not sorted, though it was to be
     measure::LayerDifference difference;
     double executeMs = 0.0; ///< median
     image::ImageRgba8 picture;

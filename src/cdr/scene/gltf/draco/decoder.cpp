@@ -271,8 +271,8 @@ class GuardedEdgebreaker final : public GuardedMesh<draco::MeshEdgebreakerDecode
     }
 };
 
-/// Empty if all went well, else what did not.
-std::string decodeInto(draco::Mesh& mesh, const DracoStream& stream, DracoGuard& guard) {
+/// What went wrong, if anything did.
+std::optional<std::string> decodeInto(draco::Mesh& mesh, const DracoStream& stream, DracoGuard& guard) {
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(stream.bytes.data()), stream.bytes.size());
     std::unique_ptr<draco::MeshDecoder> decoder;
@@ -284,7 +284,7 @@ std::string decodeInto(draco::Mesh& mesh, const DracoStream& stream, DracoGuard&
     const draco::DecoderOptions options;
     try {
         const draco::Status status = decoder->Decode(options, &buffer, &mesh);
-        return status.ok() ? "" : status.error_msg_string();
+        return status.ok() ? std::nullopt : std::optional(status.error_msg_string());
     } catch (const std::exception& error) {
         return error.what();
     }
@@ -296,12 +296,12 @@ std::unique_ptr<draco::Mesh> decodeGuarded(const DracoStream& stream, const Drac
                                            const std::string& where) {
     DracoGuard guard(stream, bounds);
     auto mesh = std::make_unique<draco::Mesh>();
-    const std::string fault = decodeInto(*mesh, stream, guard);
-    if (!guard.reason().empty()) {
-        refuse("{}: {} holds {}", where, kDraco, guard.reason());
+    const std::optional<std::string> fault = decodeInto(*mesh, stream, guard);
+    if (guard.reason()) {
+        refuse("{}: {} holds {}", where, kDraco, *guard.reason());
     }
-    if (!fault.empty()) {
-        refuse("{}: what {} holds is damaged: {}", where, kDraco, oneLine(fault));
+    if (fault) {
+        refuse("{}: what {} holds is damaged: {}", where, kDraco, oneLine(*fault));
     }
     return mesh;
 }

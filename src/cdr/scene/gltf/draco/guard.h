@@ -3,6 +3,7 @@
 #include "stream.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace draco {
@@ -17,8 +18,8 @@ class DracoGuard {
     /// Both must outlive this.
     DracoGuard(const DracoStream& stream, const DracoBounds& bounds) : m_stream(stream), m_bounds(bounds) {}
 
-    /// Empty where the decoder was not stopped here.
-    const std::string& reason() const { return m_reason; }
+    /// Nothing where the decoder was not stopped here.
+    const std::optional<std::string>& reason() const { return m_reason; }
 
     /// Attributes whose descriptions a buffer stands before, together with those before them.
     bool allowsAttributes(const draco::DecoderBuffer& buffer);
@@ -35,7 +36,7 @@ class DracoGuard {
     const DracoStream& m_stream;
     const DracoBounds& m_bounds;
     std::uint32_t m_attributes = 0;
-    std::string m_reason;
+    std::optional<std::string> m_reason;
 };
 
 } // namespace cdr::scene::gltf
