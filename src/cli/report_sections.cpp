@@ -58,7 +58,7 @@ SectionOutcome runSection(const GlobalOptions& global, const report::Section& se
 /// Empty where there is no such file.
 std::string digestIn(const fs::path& root, const fs::path& file) {
     try {
-        return host::sha256(host::readFile(root / file, std::numeric_limits<std::uintmax_t>::max()));
+        return host::digestOfFile(root / file, std::numeric_limits<std::uintmax_t>::max()).sha256;
     } catch (const base::InputError&) {
         return "";
     }

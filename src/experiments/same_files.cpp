@@ -29,10 +29,10 @@ std::vector<std::string> digestsOf(const std::vector<scene::GltfReference>& file
     std::vector<std::string> digests;
     for (const scene::GltfReference& file : files) {
         try {
-            const host::Bytes bytes =
-                host::readFile(file.path, std::min(left, scene::GltfLimits{}.maxFileBytes));
-            left -= bytes.size();
-            digests.push_back(host::sha256(bytes));
+            const host::FileDigest digest =
+                host::digestOfFile(file.path, std::min(left, scene::GltfLimits{}.maxFileBytes));
+            left -= digest.bytes;
+            digests.push_back(digest.sha256);
         } catch (const base::InputError&) {
             digests.emplace_back("cannot be read");
         }
@@ -81,7 +81,7 @@ void requireSameFiles(ranks::Ranks& ranks, const std::filesystem::path& path) {
     if (ranks.isAlone()) {
         return;
     }
-    const std::string digest = host::sha256(host::readFile(path, scene::GltfLimits{}.maxFileBytes));
+    const std::string digest = host::digestOfFile(path, scene::GltfLimits{}.maxFileBytes).sha256;
     ranks.requireSame(digest, fmt::format("{}: is another file than the first rank's", path.string()));
     if (scene::isGltfPath(path)) {
         requireAlike(ranks, path.string(), scene::gltfReferences(path));

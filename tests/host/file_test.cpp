@@ -205,6 +205,22 @@ TEST(Sha256, MatchesPublishedVectors) {
     EXPECT_EQ(cdr::host::sha256({}), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
+TEST_F(FileTest, HasOneDigestWhetherReadInPartsOrWhole) {
+    for (const std::size_t bytes :
+         {std::size_t{0}, std::size_t{5}, std::size_t{1} << 20u, (std::size_t{5} << 19u) + 3}) {
+        std::string text(bytes, '\0');
+        for (std::size_t i = 0; i < bytes; ++i) {
+            text[i] = static_cast<char>(i % 251); // no two parts are alike
+        }
+        cdr::host::writeText(path("digest"), text);
+        const cdr::host::FileDigest digest = cdr::host::digestOfFile(path("digest"), bytes);
+        EXPECT_EQ(digest.sha256, cdr::host::sha256Of(text)) << bytes;
+        EXPECT_EQ(digest.bytes, bytes);
+    }
+    EXPECT_THROW(cdr::host::digestOfFile(path("digest"), 1u << 20u), InputError) << "it is larger";
+    EXPECT_THROW(cdr::host::digestOfFile(path("missing"), 1u), InputError);
+}
+
 TEST(UnknownName, SuggestsTheClosest) {
     constexpr std::array<std::string_view, 3> kKnown{"standard", "reversed", "log"};
     EXPECT_NE(cdr::base::unknownName("technique", "reversd", kKnown).find("did you mean 'reversed'"),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -15,5 +16,15 @@ std::string sha256Of(const Range& values) {
     const auto bytes = std::as_bytes(std::span(values));
     return sha256({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
+
+/// What a file holds, told by few bytes.
+struct FileDigest {
+    std::string sha256;       ///< as sha256() of its bytes
+    std::uintmax_t bytes = 0; ///< its size
+};
+
+/// Reads the file in parts, so a large one takes no memory. InputError when it is missing, not a regular file, larger than
+/// `maxBytes`, or cannot be read to its end.
+FileDigest digestOfFile(const std::filesystem::path& path, std::uintmax_t maxBytes);
 
 } // namespace cdr::host
