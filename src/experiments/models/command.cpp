@@ -22,6 +22,7 @@ namespace {
 constexpr const char* kModelSheet = "models_sheet.png";
 /// Each is a row of the sheet, and its four pictures stay in memory for that.
 constexpr std::size_t kMostModels = 256;
+constexpr std::uint64_t kMostPictureBytes = std::uint64_t{4} << 30u;
 
 struct ModelsArguments {
     std::vector<std::string> files;
@@ -66,6 +67,18 @@ void requireModels(const std::vector<std::string>& files) {
     }
 }
 
+/// base::InputError where the pictures of all models take more memory than is allowed.
+void requirePictureMemory(std::size_t models, const experiments::ModelsOptions& options) {
+    const std::uint64_t bytes = models * experiments::kModelPictures * sizeof(image::Rgba8) *
+                                std::uint64_t{options.width} * options.height;
+    if (bytes > kMostPictureBytes) {
+        throw base::InputError(
+            fmt::format("the pictures of {} models at {}x{} take {} MiB, {} are allowed: give "
+                        "fewer models or a smaller --size",
+                        models, options.width, options.height, bytes >> 20u, kMostPictureBytes >> 20u));
+    }
+}
+
 /// A model as chosen. Of one without animations no moment is chosen.
 scene::SceneSetup openModel(Command& command, const std::string& file, const scene::GltfChoice& choice,
                             std::optional<double> seconds) {
@@ -92,6 +105,7 @@ void writePictures(const PictureFolder& folder, const std::vector<experiments::M
 
 void run(Command& command, ModelsArguments& arguments) {
     requireModels(arguments.files);
+    requirePictureMemory(arguments.files.size(), arguments.options);
     arguments.options.closer = !arguments.camera.has_value();
     arguments.options.technique = depth::parseTechnique(arguments.technique);
     const scene::ModelLight light = scene::parseModelLight(arguments.light);

@@ -21,6 +21,9 @@ struct ModelsOptions {
     bool closer = true; ///< narrows the lens until the model fills the picture
 };
 
+/// Pictures of each model that a ModelResult holds.
+inline constexpr std::size_t kModelPictures = 4;
+
 /// One model.
 struct ModelResult {
     std::string model;

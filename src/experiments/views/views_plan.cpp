@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
+#include <cdr/base/suggest.h>
 #include <cdr/image/beside.h>
 #include <cdr/render/views/joined_frame.h>
 #include <cdr/scene/cube_sides.h>
@@ -18,6 +19,23 @@ namespace {
 constexpr base::EnumNames<StereoPicture, 2> kStereoPictureNames{"stereo picture",
                                                                 {"side-by-side", "anaglyph"}};
 constexpr base::EnumNames<ViewsKind, 2> kViewsNames{"views", {"one", "six"}};
+
+constexpr std::string_view kNoStereo = "none";
+
+/// How eyes look; nothing for "none".
+std::optional<scene::StereoMode> parseStereo(std::string_view name) {
+    std::vector<std::string_view> known{kNoStereo};
+    for (const scene::StereoMode mode : scene::kStereoModes) {
+        if (name == nameOf(mode)) {
+            return mode;
+        }
+        known.push_back(nameOf(mode));
+    }
+    if (name != kNoStereo) {
+        throw base::InputError(base::unknownName("stereo", name, known));
+    }
+    return std::nullopt;
+}
 
 void requireStereoAlone(const ViewsArguments& arguments) {
     const auto refuse = [](bool isGiven, const char* option) {
@@ -71,11 +89,12 @@ ViewsPlan::ViewsPlan(const ViewsArguments& arguments, std::uint32_t width, std::
         throw base::InputError(fmt::format(
             "--views six has square pictures: give a --size such as 512x512, not {}x{}", width, height));
     }
-    if (arguments.stereo == "none") {
+    const std::optional<scene::StereoMode> stereo = parseStereo(arguments.stereo);
+    if (!stereo) {
         requireStereoAlone(arguments);
         return;
     }
-    m_rig.mode = scene::parseStereoMode(arguments.stereo);
+    m_rig.mode = *stereo;
     if (m_kind == ViewsKind::six) {
         throw base::InputError("give either --stereo or --views six");
     }
@@ -107,7 +126,7 @@ std::size_t ViewsPlan::count() const {
 }
 
 std::string_view ViewsPlan::stereoName() const {
-    return m_kind == ViewsKind::stereo ? nameOf(m_rig.mode) : "none";
+    return m_kind == ViewsKind::stereo ? nameOf(m_rig.mode) : kNoStereo;
 }
 
 scene::StereoRig ViewsPlan::rigOf(const scene::Camera& camera) const {
