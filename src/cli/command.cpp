@@ -15,6 +15,14 @@
 
 namespace cdr::cli {
 
+namespace {
+
+ProcessorUse processorUse(const GlobalOptions& global) {
+    return global.bind ? ProcessorUse::bound : ProcessorUse::free;
+}
+
+} // namespace
+
 void requireAlone(const ranks::Ranks& ranks, const std::string& name) {
     if (!ranks.isAlone()) {
         throw base::InputError(
@@ -42,7 +50,7 @@ Command::Command(const CLI::App& app, const GlobalOptions& global, OutputOptions
       m_global(global),
       m_output(std::move(output)),
       m_console(global, m_output) {
-    divideProcessors(ranks().place(), m_global.bind);
+    divideProcessors(ranks().place(), processorUse(m_global));
     m_device = global.device == "each" ? dealtDevice(ranks().place()) : global.device;
     if (global.section.empty()) { // a report has looked already
         requireKnownDevice(m_device);
@@ -54,7 +62,7 @@ Command::Command(const CLI::App& app, const GlobalOptions& global, OutputOptions
 
 void Command::sayRanks() const {
     if (!ranks().isAlone()) {
-        m_console.line(textOf(ranks().place(), m_global.bind));
+        m_console.line(textOf(ranks().place(), processorUse(m_global)));
     }
 }
 

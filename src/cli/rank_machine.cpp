@@ -46,13 +46,13 @@ std::string threadsText(const ranks::Place& place) {
 }
 
 /// How the ranks of this machine came to their processors; empty where that is not known.
-std::string choiceText(const ranks::Place& place, bool bind) {
+std::string choiceText(const ranks::Place& place, ProcessorUse use) {
     std::set<std::size_t> all;
     for (const ranks::Cpus& part : place.cpus.parts) {
         all.insert(part.begin(), part.end());
     }
     const std::string processors = fmt::format("{} processor{}", all.size(), all.size() == 1 ? "" : "s");
-    const std::string kept = bind ? ", and each keeps to its part" : "";
+    const std::string kept = use == ProcessorUse::bound ? ", and each keeps to its part" : "";
     switch (place.cpus.choice) {
     case ranks::CpuChoice::shared:
         return fmt::format("; they share {}{}", processors, kept);
@@ -87,22 +87,22 @@ std::string dealtDevice(const ranks::Place& place) {
     return devices.empty() ? "" : std::to_string(devices[place.indexOnNode % devices.size()].index);
 }
 
-void divideProcessors(const ranks::Place& place, bool bind) {
+void divideProcessors(const ranks::Place& place, ProcessorUse use) {
     if (place.countOnNode > 1) {
         ::setenv(kThreads, std::to_string(processorsOf(place)[place.indexOnNode]).c_str(), 0);
-        if (bind && place.cpus.choice != ranks::CpuChoice::unknown) {
+        if (use == ProcessorUse::bound && place.cpus.choice != ranks::CpuChoice::unknown) {
             keepTo(place.cpus.parts[place.indexOnNode]);
         }
     }
 }
 
-std::string textOf(const ranks::Place& place, bool bind) {
+std::string textOf(const ranks::Place& place, ProcessorUse use) {
     std::string text = fmt::format("{} ranks, {} of them on this machine", place.count, place.countOnNode);
     if (std::getenv(kThreads) == nullptr) {
         return text;
     }
     return fmt::format("{}; lavapipe draws with {} in each{}", text, threadsText(place),
-                       choiceText(place, bind));
+                       choiceText(place, use));
 }
 
 } // namespace cdr::cli

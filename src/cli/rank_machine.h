@@ -2,6 +2,7 @@
 
 #include <ranks/ranks.h>
 
+#include <cstdint>
 #include <string>
 
 namespace cdr::cli {
@@ -10,13 +11,19 @@ namespace cdr::cli {
 /// processors only where there are no others. Empty, for the best, where the machine has none.
 std::string dealtDevice(const ranks::Place& place);
 
+/// Where the threads of a rank may run.
+enum class ProcessorUse : std::uint8_t {
+    free,  ///< on any processor that it was started with
+    bound, ///< on its part of them alone
+};
+
 /// Divides the processors among the ranks of this machine, as the threads that lavapipe draws with, unless LP_NUM_THREADS
 /// says how many. Call it before a Vulkan instance is made.
-/// @param bind whether all threads of this rank are to keep to its part of them; base::RunError where they cannot.
-void divideProcessors(const ranks::Place& place, bool bind);
+/// base::RunError where threads are to be bound and cannot be.
+void divideProcessors(const ranks::Place& place, ProcessorUse use);
 
 /// "4 ranks, 2 of them on this machine; lavapipe draws with 1 thread in each; they share 2 processors".
-/// @param bind as divideProcessors() was told.
-std::string textOf(const ranks::Place& place, bool bind);
+/// @param use as divideProcessors() was told.
+std::string textOf(const ranks::Place& place, ProcessorUse use);
 
 } // namespace cdr::cli

@@ -79,8 +79,9 @@ void predict(const InspectedView& view, const depth::Cascades& cascades, Inspect
     for (std::size_t i = 0; i < view.truth.pixels.size(); ++i) {
         const measure::TruthPixel& pixel = view.truth.pixels[i];
         if (view.judgedPixels.pixels[i] != 0 && pixel.secondId != 0) {
-            const OrderChance chance = orderChance(technique.technique, cascades, pixel.distanceView,
-                                                   pixel.gapView(), pixel.secondId > pixel.id);
+            const OrderChance chance =
+                orderChance(technique.technique, cascades, pixel.distanceView, pixel.gapView(),
+                            pixel.secondId > pixel.id ? DrawnLater::farther : DrawnLater::nearer);
             technique.undecided += chance.undecided;
             technique.predictedWrong += chance.wrong;
         }
@@ -134,8 +135,8 @@ class TechniqueRun {
 } // namespace
 
 OrderChance orderChance(const depth::Technique& technique, const depth::Cascades& cascades,
-                        double distanceView, double gapView, bool isBackDrawnLater) {
-    const double later = isBackDrawnLater ? 1.0 : 0.0;
+                        double distanceView, double gapView, DrawnLater drawnLater) {
+    const double later = drawnLater == DrawnLater::farther ? 1.0 : 0.0;
     const auto forecast = depth::forecastIn(technique, cascades, distanceView);
     if (!forecast || !std::isfinite(forecast->bufferStepView)) {
         return {.undecided = 1.0, .wrong = later};

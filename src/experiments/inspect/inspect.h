@@ -77,7 +77,11 @@ struct OrderChance {
         0.0; ///< the farther one shows: what is drawn later, where the buffer stores one number for both
 };
 
+/// Which of two surfaces is drawn later.
+enum class DrawnLater : std::uint8_t { nearer, farther };
+
+/// At a distance, for surfaces that are `gapView` apart.
 OrderChance orderChance(const depth::Technique& technique, const depth::Cascades& cascades,
-                        double distanceView, double gapView, bool isBackDrawnLater);
+                        double distanceView, double gapView, DrawnLater later);
 
 } // namespace cdr::experiments

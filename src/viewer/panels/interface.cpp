@@ -130,11 +130,11 @@ void Interface::uploadFont() const {
 #endif // newer back ends upload when they first need it
 }
 
-void Interface::begin(double seconds, bool keysChoose) {
+void Interface::begin(double seconds, ArrowKeys keys) {
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    io.ConfigFlags = keysChoose ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
+    io.ConfigFlags = keys == ArrowKeys::choose ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
     io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 1.0));
     // The window's size as the callbacks told it, so that injected sizes count too.
     const vk::Extent2D extent = m_window.extent();

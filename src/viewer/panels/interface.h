@@ -3,9 +3,16 @@
 #include <viewer/window/presenter.h>
 #include <viewer/window/window.h>
 
+#include <cstdint>
 #include <string>
 
 namespace cdr::viewer {
+
+/// What arrow keys do.
+enum class ArrowKeys : std::uint8_t {
+    fly,    ///< they are not the interface's
+    choose, ///< they go from item to item
+};
 
 /// Dear ImGui on a window: its context, fonts, style and back ends.
 class Interface {
@@ -17,8 +24,7 @@ class Interface {
 
     /// Starts a frame; widgets follow.
     /// @param seconds since the last.
-    /// @param keysChoose whether arrow keys go from item to item.
-    void begin(double seconds, bool keysChoose);
+    void begin(double seconds, ArrowKeys keys);
     /// Ends it; valid until the next begin().
     ImDrawData* end();
 

@@ -48,8 +48,8 @@ Application::Application(const Arguments& arguments, Driver* driver)
       m_renderInstance({.validate = arguments.validate, .extensions = {}}),
       m_renderDevice(m_renderInstance, arguments.device),
       m_window(m_system, windowSize(arguments).width, windowSize(arguments).height, "cdr-viewer"),
-      m_ui(m_system, m_window, arguments.device, arguments.validate),
-      m_presenter(m_ui, m_window, arguments.waitsForDisplay),
+      m_ui(m_system, m_window, {.choice = arguments.device, .validate = arguments.validate}),
+      m_presenter(m_ui, m_window, arguments.waitsForDisplay ? Pace::display : Pace::newest),
       m_interface(m_ui, m_window, m_presenter, arguments.uiScale),
       m_session(m_renderDevice, m_model) {
     m_model.performance.device = describe(m_renderDevice.device().info());
@@ -182,7 +182,7 @@ void Application::drawFrame() {
     m_lastFrame = begin;
     m_places.beginFrame();
     m_interface.begin(m_driver != nullptr ? Driver::kStepSeconds : interval,
-                      m_model.interface.panelKeys.has_value());
+                      m_model.interface.panelKeys ? ArrowKeys::choose : ArrowKeys::fly);
     layOut();
     ImDrawData* drawn = m_interface.end();
     image::ImageRgba8 pixels;
@@ -218,7 +218,10 @@ void Application::run() {
         m_control.apply(pictureArea(), seconds, m_model);
         m_model.interface.firstSteps.see(m_model.settings, m_model.camera.now);
         if (m_window.extent().width > 0 && m_window.extent().height > 0) {
-            m_session.update(pictureArea(), m_control.cursor(), seconds, m_control.isActive());
+            m_session.update({.area = pictureArea(),
+                              .cursor = m_control.cursor(),
+                              .seconds = seconds,
+                              .isSteered = m_control.isActive()});
         }
         if (isRedrawDue()) {
             drawFrame();

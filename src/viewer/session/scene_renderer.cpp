@@ -34,6 +34,10 @@ std::unique_ptr<scenes::MovingScene> worldOf(const scene::SceneSetup& setup,
     return world;
 }
 
+FramesBefore framesBefore(const RenderRequest& request) {
+    return request.isAtRest ? FramesBefore::forgotten : FramesBefore::kept;
+}
+
 } // namespace
 
 void SceneRenderer::open(const ViewSettings& settings) {
@@ -110,7 +114,7 @@ SideResult SceneRenderer::renderSide(const RenderRequest& request, std::size_t s
     result.options = renderOptions(request.settings, side, request.extent);
     result.frame = std::make_shared<const render::Frame>(m_sides.at(side).render(
         set(), result.options, planOf(request, result.options), camera,
-        readsSurfaces ? render::FrameCopy::everything : render::FrameCopy::color, request.isAtRest));
+        readsSurfaces ? render::FrameCopy::everything : render::FrameCopy::color, framesBefore(request)));
     result.timeline = timelineOf(m_sides.at(side).trace());
     return result;
 }
@@ -119,7 +123,7 @@ render::Frame SceneRenderer::renderReference(const RenderRequest& request, const
     render::RenderOptions options = renderOptions(request.settings, 0, request.extent);
     options.technique = referenceTechnique();
     return m_reference.render(set(), options, planOf(request, options), camera, render::FrameCopy::everything,
-                              request.isAtRest);
+                              framesBefore(request));
 }
 
 /// A count that is only beside the picture must not cost the picture.

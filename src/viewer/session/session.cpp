@@ -110,7 +110,7 @@ RenderRequest Session::wantedRequest(const PictureArea& area) const {
     return request;
 }
 
-void Session::update(const PictureArea& area, const glm::dvec2& cursor, double seconds, bool isSteered) {
+void Session::update(const SessionInput& input) {
     while (!m_pending.empty() && m_pending.front().serial <= m_shownSerial) {
         m_pending.pop_front();
     }
@@ -122,19 +122,21 @@ void Session::update(const PictureArea& area, const glm::dvec2& cursor, double s
     if (m_click) {
         return; // the picture that was clicked on comes first
     }
-    followPath(seconds);
-    followAnimation(seconds);
-    if (m_model.camera.recorder.isRecording() && !m_model.camera.recorder.add(seconds, m_model.camera.now)) {
+    followPath(input.seconds);
+    followAnimation(input.seconds);
+    if (m_model.camera.recorder.isRecording() &&
+        !m_model.camera.recorder.add(input.seconds, m_model.camera.now)) {
         m_model.actions.push_back(Action::record); // it is full
     }
-    readCursor(area, cursor);
+    readCursor(input.area, input.cursor);
     const auto now = Clock::now();
-    Wanted wanted{
-        .request = wantedRequest(area),
-        .isFlying = isSteered || m_model.camera.motion != Motion::free || m_model.camera.playback.isPlaying,
-        .rendersAlways = m_model.performance.rendersAlways,
-        .surfacesAreDue = (area.contains(cursor) || isSteered) && now - m_surfacesAsked >= kSurfacesEvery,
-        .isThreadReady = m_thread->isReady()};
+    Wanted wanted{.request = wantedRequest(input.area),
+                  .isFlying = input.isSteered || m_model.camera.motion != Motion::free ||
+                              m_model.camera.playback.isPlaying,
+                  .rendersAlways = m_model.performance.rendersAlways,
+                  .surfacesAreDue = (input.area.contains(input.cursor) || input.isSteered) &&
+                                    now - m_surfacesAsked >= kSurfacesEvery,
+                  .isThreadReady = m_thread->isReady()};
     auto request = decide(m_asked ? &*m_asked : nullptr, std::move(wanted));
     if (!request) {
         return;

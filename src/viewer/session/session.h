@@ -14,6 +14,14 @@
 
 namespace cdr::viewer {
 
+/// What the window has for a session since the last update.
+struct SessionInput {
+    PictureArea area;
+    glm::dvec2 cursor{0.0};
+    double seconds = 0.0;   ///< since then
+    bool isSteered = false; ///< somebody moves the camera by hand
+};
+
 /// Keeps the render thread asked for what the model wants to see, and the model told of what came of it.
 class Session {
   public:
@@ -24,8 +32,7 @@ class Session {
     void renewDevice();
 
     /// Moves the camera along its path, if it follows one, and asks for what is wanted and not yet asked for.
-    /// @param isSteered whether somebody moves the camera by hand.
-    void update(const PictureArea& area, const glm::dvec2& cursor, double seconds, bool isSteered);
+    void update(const SessionInput& input);
     /// Takes the newest result into the model. True when there are new pictures. Rethrows what the first
     /// scene failed for, and what ended the render thread.
     bool takeResult();

@@ -4,7 +4,7 @@ namespace cdr::viewer {
 
 render::Frame SideRenderer::render(const SceneOnDevice& set, render::RenderOptions options,
                                    const experiments::ViewsPlan& plan, const scene::Camera& camera,
-                                   render::FrameCopy copy, bool forgets) {
+                                   render::FrameCopy copy, FramesBefore before) {
     const std::size_t views = plan.count();
     if (m_drawer == nullptr || m_asked != options || m_viewsAsked != views) {
         m_drawer.reset(); // its memory goes before that of the next is asked for
@@ -15,7 +15,7 @@ render::Frame SideRenderer::render(const SceneOnDevice& set, render::RenderOptio
         m_drawer =
             std::make_unique<experiments::ViewsDrawer>(set.device, set.scene, set.onDevice, options, views);
     }
-    if (forgets) {
+    if (before == FramesBefore::forgotten) {
         m_drawer->forgetFrames();
     }
     m_trace->forget();

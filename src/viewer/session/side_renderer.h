@@ -8,6 +8,7 @@
 #include <experiments/views/views_plan.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 namespace cdr::viewer {
@@ -19,14 +20,19 @@ struct SceneOnDevice {
     render::GpuScene& onDevice; ///< of `scene`, or of a world that began as it
 };
 
+/// What a renderer does with the frames before.
+enum class FramesBefore : std::uint8_t {
+    kept,
+    forgotten, ///< render::Renderer::forgetFrames()
+};
+
 /// One renderer, of one eye or two, and its trace, made anew when what it is made from changes.
 class SideRenderer {
   public:
     /// Of two eyes, their frames beside each other.
-    /// @param forgets the frames before, see render::Renderer::forgetFrames().
     render::Frame render(const SceneOnDevice& set, render::RenderOptions options,
                          const experiments::ViewsPlan& plan, const scene::Camera& camera,
-                         render::FrameCopy copy, bool forgets);
+                         render::FrameCopy copy, FramesBefore before);
     /// Of the last frame.
     const host::Trace& trace() const { return *m_trace; }
     void drop() { m_drawer.reset(); }

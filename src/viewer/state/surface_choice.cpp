@@ -31,10 +31,10 @@ bool holdsBytes(vk::Format format) {
            format == vk::Format::eA8B8G8R8UnormPack32;
 }
 
-vk::PresentModeKHR choosePresentMode(std::span<const vk::PresentModeKHR> offered, bool waitsForDisplay) {
+vk::PresentModeKHR choosePresentMode(std::span<const vk::PresentModeKHR> offered, Pace pace) {
     constexpr auto kMailbox = vk::PresentModeKHR::eMailbox;
     const bool hasMailbox = std::find(offered.begin(), offered.end(), kMailbox) != offered.end();
-    return hasMailbox && !waitsForDisplay ? kMailbox : vk::PresentModeKHR::eFifo;
+    return hasMailbox && pace == Pace::newest ? kMailbox : vk::PresentModeKHR::eFifo;
 }
 
 std::optional<vk::Extent2D> chooseSurfaceExtent(const vk::SurfaceCapabilitiesKHR& surface,

@@ -15,9 +15,14 @@ vk::SurfaceFormatKHR chooseSurfaceFormat(std::span<const vk::SurfaceFormatKHR> o
 /// Whether a pixel of such a format is four bytes, blue or red first.
 bool holdsBytes(vk::Format format);
 
-/// Mailbox, where the newest picture wins, unless frames are to come at the display's pace; else FIFO, which
-/// every surface has.
-vk::PresentModeKHR choosePresentMode(std::span<const vk::PresentModeKHR> offered, bool waitsForDisplay);
+/// When frames are shown.
+enum class Pace : std::uint8_t {
+    newest,  ///< as they come: the newest picture wins (mailbox), where the surface has that
+    display, ///< at the display's pace (FIFO)
+};
+
+/// Mailbox or FIFO, which every surface has.
+vk::PresentModeKHR choosePresentMode(std::span<const vk::PresentModeKHR> offered, Pace pace);
 
 /// What a swapchain's images must measure: what the surface insists on, or `wanted` within its limits where
 /// it leaves the choice (Wayland does). Empty while it can have none, as some systems have it of a minimised

@@ -32,11 +32,11 @@ vk::Rect2D within(const vk::Rect2D& area, vk::Extent2D extent) {
 
 } // namespace
 
-Presenter::Presenter(UiDevice& ui, const Window& window, bool waitsForDisplay)
+Presenter::Presenter(UiDevice& ui, const Window& window, Pace pace)
     : m_ui(ui),
       m_device(ui.device()),
       m_window(window),
-      m_waitsForDisplay(waitsForDisplay),
+      m_pace(pace),
       m_pictures{std::make_unique<PictureTexture>(m_device, kFramesInFlight, "left picture"),
                  std::make_unique<PictureTexture>(m_device, kFramesInFlight, "right picture")},
       m_format(
@@ -83,7 +83,7 @@ bool Presenter::renew() {
                                                                    .format = m_format,
                                                                    .renderPass = *m_renderPass,
                                                                    .wanted = m_wanted,
-                                                                   .waitsForDisplay = m_waitsForDisplay},
+                                                                   .pace = m_pace},
                                                   m_swapchain.get());
         return true;
     } catch (const vk::OutOfDateKHRError&) {

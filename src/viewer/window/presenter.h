@@ -27,7 +27,7 @@ class Presenter {
   public:
     static constexpr std::size_t kFramesInFlight = 2;
 
-    Presenter(UiDevice& ui, const Window& window, bool waitsForDisplay);
+    Presenter(UiDevice& ui, const Window& window, Pace pace);
     ~Presenter();
     Presenter(const Presenter&) = delete;
     Presenter& operator=(const Presenter&) = delete;
@@ -63,7 +63,7 @@ class Presenter {
     UiDevice& m_ui;
     const gpu::Device& m_device;
     const Window& m_window;
-    bool m_waitsForDisplay;
+    Pace m_pace;
     std::array<std::unique_ptr<PictureTexture>, 2> m_pictures;
     std::array<Slot, kFramesInFlight> m_slots;
     std::size_t m_frames = 0;

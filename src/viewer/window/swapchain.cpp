@@ -38,8 +38,7 @@ Swapchain::Swapchain(const gpu::Device& device, const SwapchainOptions& options,
          .imageSharingMode = vk::SharingMode::eExclusive,
          .preTransform = m_transform,
          .compositeAlpha = chooseCompositeAlpha(surface),
-         .presentMode =
-             choosePresentMode(physical.getSurfacePresentModesKHR(options.surface), options.waitsForDisplay),
+         .presentMode = choosePresentMode(physical.getSurfacePresentModesKHR(options.surface), options.pace),
          .clipped = VK_TRUE,
          .oldSwapchain = old != nullptr ? *old->m_swapchain : vk::SwapchainKHR()});
     makeImages(options.renderPass);

@@ -2,6 +2,7 @@
 
 #include <cdr/gpu/device.h>
 #include <cdr/gpu/vulkan_hpp.h>
+#include <viewer/state/surface_choice.h>
 
 #include <cstdint>
 #include <optional>
@@ -23,8 +24,7 @@ struct SwapchainOptions {
     vk::SurfaceFormatKHR format;
     vk::RenderPass renderPass; ///< framebuffers are for
     vk::Extent2D wanted;       ///< pixels; the surface may insist on others
-    bool waitsForDisplay =
-        false; ///< shows frames at the display's pace (FIFO) instead of the newest (mailbox)
+    Pace pace = Pace::newest;
 };
 
 /// The images a window shows in turn.

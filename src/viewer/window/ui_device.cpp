@@ -42,14 +42,14 @@ vk::UniqueDevice makeDevice(vk::PhysicalDevice physical, std::uint32_t family) {
 
 } // namespace
 
-UiDevice::UiDevice(const WindowSystem& system, const Window& window, const std::string& choice, bool validate)
-    : m_instance({.validate = validate, .extensions = system.instanceExtensions()}),
+UiDevice::UiDevice(const WindowSystem& system, const Window& window, const Options& options)
+    : m_instance({.validate = options.validate, .extensions = system.instanceExtensions()}),
       m_surface(window.makeSurface(m_instance.handle())) {
     const auto devices = vk::Instance(m_instance.handle()).enumeratePhysicalDevices();
     // The one that renders first; the choice itself is checked by whoever makes that device.
     std::vector<std::uint32_t> order;
     try {
-        order.push_back(gpu::Device(m_instance, choice).info().index);
+        order.push_back(gpu::Device(m_instance, options.choice).info().index);
     } catch (const base::InputError&) {
     }
     for (std::uint32_t index = 0; index < devices.size(); ++index) {

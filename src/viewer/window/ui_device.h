@@ -15,9 +15,13 @@ namespace cdr::viewer {
 /// a scene that takes a second would hold up the interface.
 class UiDevice {
   public:
-    /// @param choice as for gpu::Device; where that one cannot present, one that can is taken instead.
+    struct Options {
+        std::string choice;    ///< of a device, as gpu::Device takes it
+        bool validate = false; ///< under the validation layers
+    };
+    /// @param options whose choice is as for gpu::Device; where that one cannot present, one that can is taken instead.
     /// base::RunError when none can.
-    UiDevice(const WindowSystem& system, const Window& window, const std::string& choice, bool validate);
+    UiDevice(const WindowSystem& system, const Window& window, const Options& options);
 
     const gpu::Instance& instance() const { return m_instance; }
     const gpu::Device& device() const { return *m_device; }

@@ -45,9 +45,9 @@ TEST(PresentMode, IsMailboxWhereThereIsOne) {
     using Mode = vk::PresentModeKHR;
     const std::vector<Mode> all{Mode::eImmediate, Mode::eMailbox, Mode::eFifo};
     const std::vector<Mode> least{Mode::eFifo};
-    EXPECT_EQ(choosePresentMode(all, false), Mode::eMailbox);
-    EXPECT_EQ(choosePresentMode(all, true), Mode::eFifo);
-    EXPECT_EQ(choosePresentMode(least, false), Mode::eFifo);
+    EXPECT_EQ(choosePresentMode(all, Pace::newest), Mode::eMailbox);
+    EXPECT_EQ(choosePresentMode(all, Pace::display), Mode::eFifo);
+    EXPECT_EQ(choosePresentMode(least, Pace::newest), Mode::eFifo);
 }
 
 vk::SurfaceCapabilitiesKHR surfaceOf(vk::Extent2D now, vk::Extent2D least = {1, 1},
