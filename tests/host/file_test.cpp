@@ -1,6 +1,5 @@
 #include <cdr/base/enum_names.h>
 #include <cdr/base/error.h>
-#include <cdr/base/suggest.h>
 #include <cdr/host/document.h>
 #include <cdr/host/file.h>
 #include <cdr/host/input_file.h>
@@ -219,15 +218,6 @@ TEST_F(FileTest, HasOneDigestWhetherReadInPartsOrWhole) {
     }
     EXPECT_THROW(cdr::host::digestOfFile(path("digest"), 1u << 20u), InputError) << "it is larger";
     EXPECT_THROW(cdr::host::digestOfFile(path("missing"), 1u), InputError);
-}
-
-TEST(UnknownName, SuggestsTheClosest) {
-    constexpr std::array<std::string_view, 3> kKnown{"standard", "reversed", "log"};
-    EXPECT_NE(cdr::base::unknownName("technique", "reversd", kKnown).find("did you mean 'reversed'"),
-              std::string::npos);
-    EXPECT_EQ(cdr::base::unknownName("technique", "zzzzzzzzzzzzz", kKnown).find("did you mean"),
-              std::string::npos);
-    EXPECT_LT(cdr::base::unknownName("technique", std::string(100000, 'x'), kKnown).size(), 200u);
 }
 
 TEST(EnumNames, ReadInBothDirections) {
