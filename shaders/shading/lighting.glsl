@@ -41,7 +41,8 @@ vec2 rayAt(vec2 pixel, vec2 pictureSize) {
 
 // Difference of two view distances, each an anchor plane (a float and its rest) and what lies ahead of it.
 float distanceBetween(vec2 fromAnchor, float fromAhead, vec2 toAnchor, float toAhead) {
-    return (toAnchor.x - fromAnchor.x) + (toAnchor.y - fromAnchor.y) + (toAhead - fromAhead);
+    precise float between = (toAnchor.x - fromAnchor.x) + (toAnchor.y - fromAnchor.y) + (toAhead - fromAhead);
+    return between;
 }
 
 // What a colour becomes through the fog between the camera and a point on a ray.
@@ -83,12 +84,13 @@ float shareOf(LitPoint point, uint light) { return 1.0; }
 #endif
 
 // From a point to a light. Subtracting float from float and rest from rest keeps the small difference of two large
-// distances.
+// distances; none of it is fused with a multiplication.
 vec3 wayTo(LightRecord light, LitPoint point) {
     vec2 across = point.ray * (point.anchor.x + point.ahead);
     float lightAhead = (light.position.z - point.anchor.x) + (light.positionRest.z - point.anchor.y);
-    vec2 lightAcross = (light.position.xy - across) + light.positionRest.xy;
-    return vec3(lightAcross, point.ahead - lightAhead);
+    precise vec2 lightAcross = (light.position.xy - across) + light.positionRest.xy;
+    precise float ahead = point.ahead - lightAhead;
+    return vec3(lightAcross, ahead);
 }
 
 // The share of a light that its range and its cone let through, by KHR_lights_punctual. toLight is of length 1.

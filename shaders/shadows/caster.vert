@@ -19,6 +19,8 @@ void main() {
     float ahead = dot(inAhead.xyz, inPosition) + inAhead.w;
     LightLens lens = push.lens;
     float w = lens.wOffset + lens.wPerUnit * ahead;
-    gl_Position = vec4(vec2(right, up) * push.scale + w * push.shift, lens.zOffset + lens.zPerUnit * ahead, w);
+    // Rounded as written: the rows are sums of large numbers that nearly cancel.
+    precise vec4 place = vec4(vec2(right, up) * push.scale + w * push.shift, lens.zOffset + lens.zPerUnit * ahead, w);
+    gl_Position = place;
     outRounding = inRounding;
 }

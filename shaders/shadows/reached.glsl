@@ -19,10 +19,28 @@ struct Receiver {
     vec3 normal; // view space
 };
 
-// How many texels the surface at a texel of the map, continued to the receiver, lies before it.
+// How far the receiver lies beyond the map's view distance of reference: a small difference of two large distances.
+float beyondReference(ReceiverPush map, Receiver receiver) {
+    precise float beyond = (receiver.anchor.x - map.referenceView) + receiver.anchor.y + receiver.ahead;
+    return beyond;
+}
+
+// A place of the light's view in texels of the map.
+vec2 texelsAt(ReceiverPush map, vec2 inView) {
+    precise vec2 texels = (inView - map.low) / map.lens.texel;
+    return texels;
+}
+
+// How many texels the surface at a texel of the map lies before the receiver's depth.
+float texelsBefore(ReceiverPush map, ivec2 texel, float z, float perTexel) {
+    precise float texels = (mapDepthAt(map.mapCorner + texel) - z) / perTexel;
+    return texels;
+}
+
+// The same of that surface continued to the receiver.
 float gapAt(ReceiverPush map, ivec2 texel, vec2 inMap, float z, float perTexel, vec3 slope) {
     vec2 across = inMap - (vec2(texel) + 0.5);
-    return (mapDepthAt(map.mapCorner + texel) - z) / perTexel + dot(slope.xy, across);
+    return texelsBefore(map, texel, z, perTexel) + dot(slope.xy, across);
 }
 
 float sumOf(vec2 v) { return abs(v.x) + abs(v.y); }
@@ -42,7 +60,7 @@ vec2 slopeOf(ReceiverPush map, vec3 normalView, vec2 inView) {
 // shadow.
 bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
     LightLens lens = map.lens;
-    float beyond = (receiver.anchor.x - map.referenceView) + receiver.anchor.y + receiver.ahead;
+    float beyond = beyondReference(map, receiver);
     float distanceView = receiver.anchor.x + receiver.ahead;
     vec3 offset = vec3(map.right.w, map.up.w, map.ahead.w);
     vec3 point = vec3(ray * distanceView, beyond);
@@ -54,7 +72,7 @@ bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
     float z = (lens.zOffset + lens.zPerUnit * place.z) / w;
     float perTexel = depthPerTexel(lens, z);
     float texelLength = lens.texel * w; // scene units
-    vec2 inMap = (place.xy / w - map.low) / lens.texel;
+    vec2 inMap = texelsAt(map, place.xy / w);
     if (map.part.x > 0.0 && (any(lessThan(inMap, vec2(1.0))) || any(greaterThan(inMap, map.part)))) {
         return true; // another part of the map says
     }
@@ -86,8 +104,7 @@ bool isReached(ReceiverPush map, Receiver receiver, vec2 ray) {
     float gap = gaps[nearest.x + 2 * nearest.y];
     if (map.isPlain != 0u) {
         vec3 caster = slopes[nearest.x + 2 * nearest.y];
-        float atTexel = (mapDepthAt(map.mapCorner + corner + nearest) - z) / perTexel;
-        return atTexel <= kPlainConstant + kPlainSlope * max(abs(caster.x), abs(caster.y));
+        return texelsBefore(map, corner + nearest, z, perTexel) <= kPlainConstant + kPlainSlope * max(abs(caster.x), abs(caster.y));
     }
     if (!(gap > allowed)) { // what is not a number casts no shadow
         return true;

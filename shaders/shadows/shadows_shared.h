@@ -63,7 +63,8 @@ static_assert(sizeof(ReceiverPush) == 128);
 #else
 // Clip z per unit of w that a texel's length towards the light amounts to, at a depth.
 float depthPerTexel(LightLens lens, float z) {
-    return lens.texel * abs(lens.zPerUnit - z * lens.wPerUnit);
+    precise float perUnit = lens.zPerUnit - z * lens.wPerUnit;
+    return lens.texel * abs(perUnit);
 }
 #endif
 
