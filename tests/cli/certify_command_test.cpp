@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace cdr::cli_test {
@@ -28,6 +29,8 @@ TEST(CertifyCommand, WritesPicturesThatAreRightAndTheirCertificate) {
     EXPECT_EQ(certificate.at("sub_pixel_bits"), deviceInfo().subPixelBits);
     EXPECT_EQ(certificate.at("options").at("mapping"), "anchored");
     ASSERT_EQ(certificate.at("results").size(), 2u);
+    // Cast is what snapped outlines pass over, so the device's bits say how much: with 4 and with 8, 0.3 to 0.5 of this share.
+    const double mostCast = std::ldexp(1.0, -2 - static_cast<int>(deviceInfo().subPixelBits));
     for (std::size_t i = 0; i < 2; ++i) {
         const json& frame = certificate.at("results")[i];
         EXPECT_EQ(frame.at("frame"), i);
@@ -35,7 +38,7 @@ TEST(CertifyCommand, WritesPicturesThatAreRightAndTheirCertificate) {
         EXPECT_EQ(frame.at("certified").get<int>() + frame.at("cast").get<int>(), 320 * 180);
         EXPECT_GT(frame.at("proven").get<int>(), 0);
         EXPECT_LT(frame.at("proven").get<int>(), frame.at("certified").get<int>() / 10);
-        EXPECT_GT(frame.at("certified_fraction"), 0.999);
+        EXPECT_GT(frame.at("certified_fraction"), 1.0 - mostCast);
         EXPECT_EQ(frame.at("refused"), 0);
         EXPECT_GE(frame.at("repaired"), frame.at("wrong_before"));
         EXPECT_EQ(frame.at("hash"), rows[i].at("hash"));
