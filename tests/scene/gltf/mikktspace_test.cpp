@@ -302,6 +302,8 @@ TEST_F(GltfMikkTSpace, AMeshThatItIsNotForStaysAsItWas) {
     expectUnchanged(plane(), 1'000, "MikkTSpace would take too much memory");
     expectUnchanged(plane(), 1u << 22u, "MikkTSpace would take too much memory");
     expectUnchanged(fan(3'000), kPlenty, "too many triangles meet at a point for MikkTSpace");
+    SourceMesh disc = fan(1'000);
+    EXPECT_EQ(gltf::deriveMikkTSpaceTangents(disc, false, kPlenty), std::nullopt);
     SourceMesh apart = fan(3'000); // the same, where no two triangles share a vertex
     SourceMesh copies;
     for (const std::uint32_t index : apart.indices) {

@@ -22,8 +22,8 @@ constexpr std::uint64_t kTableBytes = 64;
 
 /// MikkTSpace compares triangles that meet at a vertex with each other. Usually six do.
 constexpr std::uint64_t kMeetingsPerCorner = 64;
-/// For meshes that are small.
-constexpr std::uint64_t kFewMeetings = 1u << 22u;
+/// For meshes that are small: about a disc of a thousand triangles.
+constexpr std::uint64_t kFewMeetings = 1u << 20u;
 
 TangentCorner cornerOf(const SourceMesh& mesh, std::uint32_t vertex, bool second) {
     const Vertex& source = mesh.vertices[vertex];

@@ -88,10 +88,11 @@ class Module {
 
   private:
     std::uint8_t* at(std::uint64_t place, std::uint64_t bytes) {
-        if (place + bytes > m_state.w2c_memory.size) {
+        const wasm_rt_memory_t& memory = *w2c_mikktspace_memory(&m_state);
+        if (place + bytes > memory.size) {
             throw Trap{WASM_RT_TRAP_OOB};
         }
-        return m_state.w2c_memory.data + place;
+        return memory.data + place;
     }
 
     w2c_mikktspace m_state{};
