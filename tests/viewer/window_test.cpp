@@ -188,6 +188,28 @@ TEST_F(ViewerTest, RecordsBothSidesAsAVideo) {
     EXPECT_GT(brightness(image::differencePicture(picture("left.png"), picture("right.png"), 1)), 6.0);
 }
 
+TEST_F(ViewerTest, NoScriptWaitsForFramesThatNothingAsksFor) {
+    const RunResult run =
+        play("--size 640x360 --technique standard " CDR_SOURCE_DIR "/tests/golden/shapes.gltf",
+             "wait-frame 7\nstate\nkey space\nwait-frame 7\nstate\nquit\n");
+    const auto states = run.lines("scene=");
+    ASSERT_EQ(states.size(), 2u);
+    EXPECT_EQ(valueOf(states[1], "motion"), "free") << "a path of one frame is over at once";
+    EXPECT_EQ(valueOf(states[1], "eye"), valueOf(states[0], "eye"));
+}
+
+TEST_F(ViewerTest, ScriptsScrollToWhatTheyClick) {
+    const RunResult run = play("--size 640x240 --technique standard cubes",
+                               "wait-frame\nclick Draw\nwhere tone mapping\nclick tone mapping\n"
+                               "click tone mapping=neutral\nwait-frame\nwhere tone mapping\ncommand\nquit\n");
+    const auto places = run.lines("tone mapping ");
+    ASSERT_EQ(places.size(), 2u) << run.out;
+    const auto rowOf = [](const std::string& place) { return std::stod(place.substr(place.rfind(' '))); };
+    EXPECT_GT(rowOf(places[0]), 240.0) << "it was in view from the start";
+    EXPECT_LT(rowOf(places[1]), 240.0);
+    EXPECT_NE(run.out.find("--tone-map=neutral"), std::string::npos) << run.out;
+}
+
 TEST_F(ViewerTest, EveryTabDraws) {
     std::string script = "wait-frame\n";
     std::vector<std::string> names;

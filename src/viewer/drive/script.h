@@ -14,13 +14,14 @@ namespace cdr::viewer {
 // What a script can ask for besides input. One of these or an input event stands on each line.
 
 struct ClickItem {
-    std::string name; ///< as ItemPlaces knows it
+    std::string name;        ///< as ItemPlaces knows it
+    bool isRevealed = false; ///< its panel has been scrolled for it
 };
 struct WindowSize {
     int width = 0;
     int height = 0;
 };
-/// Waits until what was asked for is on the screen, and then for so many results more.
+/// Waits until what was asked for is on the screen, and then for so many results more. Ends where nothing changes.
 struct WaitFrame {
     std::uint64_t more = 0;
 };
@@ -56,10 +57,11 @@ using ScriptStep = std::variant<InputEvent, ClickItem, WindowSize, WaitFrame, Wa
 ///     key NAME [shift] [control]   presses and releases: a letter, a digit, F1 to F12, tab, space, home, ...
 ///     hold NAME, let NAME          presses, releases
 ///     move X Y, press [B], release [B], scroll N
-///     click NAME                   the interface's item of that name
+///     click NAME                   the interface's item of that name, scrolled into view where it is not
 ///     type TEXT                    its letters, into what has the keyboard
 ///     drop FILE, resize W H, minimise, restore
 ///     wait-frame [N], wait-ui N, window FILE, picture FILE, where NAME, state, quit
+///                                  wait-frame ends, too, where nothing changes any more
 ///     wait-state TEXT              until the line that `state` prints holds it
 ///     command                      prints the command line that renders the picture without a window
 ///

@@ -36,8 +36,17 @@ ItemPlaces::Place ScriptPlayer::placeOf(const std::string& name, const ItemPlace
     return *place;
 }
 
-void ScriptPlayer::clickItem(const std::string& name, const ItemPlaces& places) {
-    const ItemPlaces::Place place = placeOf(name, places);
+void ScriptPlayer::clickItem(const ClickItem& click, ItemPlaces& places) {
+    const ItemPlaces::Place place = placeOf(click.name, places);
+    if (!place.isInView && !click.isRevealed) {
+        places.reveal(click.name);
+        m_steps.push_front(ClickItem{.name = click.name, .isRevealed = true});
+        m_steps.push_front(WaitUi{2}); // for the panel to scroll, and to be drawn so
+        return;
+    }
+    if (!place.isInView) {
+        throw base::RunError(fmt::format("script: the item '{}' cannot be scrolled into view", click.name));
+    }
     m_steps.push_front(WaitUi{2}); // for what the click opens to be drawn
     m_steps.push_front(InputEvent(ButtonInput{.button = 0, .pressed = false}));
     m_steps.push_front(InputEvent(ButtonInput{.button = 0, .pressed = true}));
@@ -62,7 +71,8 @@ bool ScriptPlayer::waitsForFrame(const WaitFrame& frame, const Session& session)
     if (!m_resultsWanted && (frame.more > 0 || session.isSettled())) {
         m_resultsWanted = session.results() + frame.more;
     }
-    if (!m_resultsWanted || session.results() < *m_resultsWanted) {
+    const bool isThere = m_resultsWanted && session.results() >= *m_resultsWanted;
+    if (!isThere && !session.isIdle()) {
         return keepWaiting();
     }
     m_resultsWanted.reset();
@@ -88,7 +98,7 @@ bool ScriptPlayer::waits(const Session& session, const ViewerModel& model) {
 void ScriptPlayer::play(const ScriptStep& step, const DrivenViewer& viewer) {
     Window& window = viewer.window;
     std::visit(Overloaded{[&](const InputEvent& event) { window.inject(event); },
-                          [&](const ClickItem& click) { clickItem(click.name, viewer.places); },
+                          [&](const ClickItem& click) { clickItem(click, viewer.places); },
                           [&](const WindowSize& size) { window.resize(size.width, size.height); },
                           [&](const SaveWindow& save) { viewer.capture = save.file; },
                           [&](const SavePicture& save) { savePicture(save.file, viewer.model); },

@@ -26,7 +26,7 @@ class ScriptPlayer : public Driver {
     bool waitsForFrame(const WaitFrame& frame, const Session& session);
     /// Begins or goes on waiting; base::RunError when it has taken too long.
     bool keepWaiting();
-    void clickItem(const std::string& name, const ItemPlaces& places);
+    void clickItem(const ClickItem& click, ItemPlaces& places);
     static ItemPlaces::Place placeOf(const std::string& name, const ItemPlaces& places);
 
     std::deque<ScriptStep> m_steps;

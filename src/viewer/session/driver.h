@@ -18,7 +18,7 @@ struct DrivenViewer {
     Window& window;
     Session& session;
     ViewerModel& model;
-    const ItemPlaces& places;
+    ItemPlaces& places;
     PictureArea area;
     std::optional<std::filesystem::path>& capture; ///< file that receives the window's pixels, next frame
 };

@@ -20,6 +20,11 @@ namespace {
 constexpr std::chrono::milliseconds kSurfacesEvery{100};
 constexpr std::chrono::seconds kRateWindow{1};
 
+/// Whether each frame of the scene's path shows the same.
+bool isStill(const scene::SceneSetup& setup) {
+    return setup.path.frames <= 1 && !setup.motion;
+}
+
 } // namespace
 
 Session::Session(RenderDevice& device, ViewerModel& model) : m_device(device), m_model(model) {
@@ -47,6 +52,10 @@ void Session::followPath(double seconds) {
         return;
     }
     if (m_model.camera.motion == Motion::scenePath) {
+        if (isStill(m_model.picture.shown->scene->setup)) {
+            m_model.camera.motion = Motion::free; // there is nowhere to go
+            return;
+        }
         // Frame by frame, however long each takes, so that neighbours can be compared.
         m_model.camera.now =
             scene::canonical(m_model.picture.shown->scene->setup.path.at(++m_model.camera.pathFrame));
@@ -116,6 +125,7 @@ void Session::update(const SessionInput& input) {
     }
     m_model.performance.lagSeconds =
         m_pending.empty() ? 0.0 : std::chrono::duration<double>(Clock::now() - m_pending.front().at).count();
+    m_isIdle = false;
     if (m_click && !m_click->serial) {
         pickOrAsk();
     }
@@ -137,7 +147,9 @@ void Session::update(const SessionInput& input) {
                   .surfacesAreDue = (input.area.contains(input.cursor) || input.isSteered) &&
                                     now - m_surfacesAsked >= kSurfacesEvery,
                   .isThreadReady = m_thread->isReady()};
+    const bool changes = wanted.isFlying || wanted.rendersAlways || !wanted.isThreadReady;
     auto request = decide(m_asked ? &*m_asked : nullptr, std::move(wanted));
+    m_isIdle = !request && !changes;
     if (!request) {
         return;
     }

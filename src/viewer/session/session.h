@@ -42,6 +42,8 @@ class Session {
 
     /// Whether all that is wanted is shown.
     bool isSettled() const { return m_asked && m_shownSerial == m_asked->serial && !m_click; }
+    /// Whether nothing changes: all that is wanted is shown, nothing moves, and no picture is asked for by itself.
+    bool isIdle() const { return m_isIdle && isSettled(); }
     /// Whether the render thread has taken the last request.
     bool isReady() const { return m_thread->isReady(); }
     std::uint64_t results() const { return m_results; }
@@ -76,6 +78,7 @@ class Session {
     std::uint64_t m_serial = 0;
     std::uint64_t m_shownSerial = 0;
     std::uint64_t m_results = 0;
+    bool m_isIdle = false; ///< at the last update()
     std::optional<Click> m_click;
     Clock::time_point m_surfacesAsked{};
     struct Asked {
