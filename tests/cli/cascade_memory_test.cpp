@@ -86,18 +86,21 @@ TEST(CascadeMemory, ARankHoldsWhatItsCascadesTouch) {
         return "LP_NUM_THREADS=1 sh -c 'ulimit -v " + std::to_string(megabytes * 1024) + "; exec \"$@\"' sh";
     };
     ASSERT_EQ(runProgram(render + "free.png", folder.path()).status, 0);
-    // What a process takes besides textures depends on the machine: the least that suffices is searched for.
+    // What a process takes besides textures depends on the machine: the least that suffices is searched for, from what a
+    // first machine needed, in the direction that it lies in.
     constexpr long kStep = 100;
-    long tooLittle = 0;
-    for (long limit = 700; limit < 3000; limit += kStep) {
-        const ProgramResult one = runProgram(render + "one.png", folder.path(), limited(limit));
-        if (one.status == 0) {
-            break;
-        }
-        EXPECT_FALSE(std::filesystem::exists(folder.path() / "one.png"));
-        tooLittle = limit;
-    }
-    ASSERT_GT(tooLittle, 0);
+    const auto suffices = [&](long limit) {
+        const bool isDrawn = runProgram(render + "one.png", folder.path(), limited(limit)).status == 0;
+        EXPECT_EQ(std::filesystem::remove(folder.path() / "one.png"), isDrawn) << limit << " MiB";
+        return isDrawn;
+    };
+    long limit = 1200;
+    const bool isTooMuch = suffices(limit);
+    do {
+        limit += isTooMuch ? -kStep : kStep;
+        ASSERT_TRUE(limit > 600 && limit < 3000);
+    } while (suffices(limit) == isTooMuch);
+    const long tooLittle = isTooMuch ? limit : limit - kStep;
     const ProgramResult four = runProgram(render + "four.png", folder.path(),
                                           test::launched(CDR_MPIEXEC, 4) + " " + "env " + limited(tooLittle));
     EXPECT_EQ(four.status, 0) << four.err;
