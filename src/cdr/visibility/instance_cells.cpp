@@ -33,11 +33,11 @@ void include(InstanceCells::Box& box, const InstanceCells::Box& other) {
 
 /// The least and the largest of a cell's values. Four at a time, which compilers turn into vectors.
 template <typename Value>
-std::pair<Value, Value> endsOf(const Value* values) {
+std::pair<Value, Value> endsOf(const std::array<Value, InstanceCells::kCellSlots>& values) {
     constexpr std::size_t kLanes = 4;
     std::array<Value, kLanes> low{values[0], values[1], values[2], values[3]};
     std::array<Value, kLanes> high = low;
-    for (std::size_t i = kLanes; i < InstanceCells::kCellSlots; i += kLanes) {
+    for (std::size_t i = kLanes; i < values.size(); i += kLanes) {
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
             const Value value = values[i + lane];
             low[lane] = value < low[lane] ? value : low[lane];
@@ -55,21 +55,19 @@ bool InstanceCells::Home::holds(const glm::dvec3& position) const {
 }
 
 void InstanceCells::resize(std::size_t cells) {
-    const std::size_t slots = cells * kCellSlots;
-    m_x.resize(slots);
-    m_y.resize(slots);
-    m_z.resize(slots);
-    m_radius.resize(slots, scene::kNoRadius);
-    m_instance.resize(slots);
+    m_spheres.resize(cells);
+    m_instance.resize(cells * kCellSlots);
     m_held.resize(cells);
     m_marks.resize(cells);
 }
 
 void InstanceCells::place(const scene::Instances& instances, std::uint32_t instance, std::size_t slot) {
-    m_x[slot] = instances.x[instance];
-    m_y[slot] = instances.y[instance];
-    m_z[slot] = instances.z[instance];
-    m_radius[slot] = instances.radius[instance];
+    CellSpheres& spheres = m_spheres[slot / kCellSlots];
+    const std::size_t at = slot % kCellSlots;
+    spheres.x[at] = instances.x[instance];
+    spheres.y[at] = instances.y[instance];
+    spheres.z[at] = instances.z[instance];
+    spheres.radius[at] = instances.radius[instance];
 }
 
 void InstanceCells::put(const scene::Instances& instances, std::uint32_t instance, std::size_t slot) {
@@ -106,22 +104,23 @@ void InstanceCells::build(const scene::Scene& scene, host::WorkerPool& workers) 
 }
 
 InstanceCells::Box InstanceCells::boxOfFull(std::size_t cell) const {
-    const std::size_t slot = cell * kCellSlots;
-    const auto [lowX, highX] = endsOf(&m_x[slot]);
-    const auto [lowY, highY] = endsOf(&m_y[slot]);
-    const auto [lowZ, highZ] = endsOf(&m_z[slot]);
-    return {{lowX, lowY, lowZ}, {highX, highY, highZ}, static_cast<double>(endsOf(&m_radius[slot]).second)};
+    const CellSpheres& spheres = m_spheres[cell];
+    const auto [lowX, highX] = endsOf(spheres.x);
+    const auto [lowY, highY] = endsOf(spheres.y);
+    const auto [lowZ, highZ] = endsOf(spheres.z);
+    return {{lowX, lowY, lowZ}, {highX, highY, highZ}, static_cast<double>(endsOf(spheres.radius).second)};
 }
 
 InstanceCells::Box InstanceCells::boxOf(std::size_t cell) const {
     if (m_held[cell] == ~std::uint64_t{0}) {
         return boxOfFull(cell);
     }
+    const CellSpheres& spheres = m_spheres[cell];
     Box box = kNothing;
     for (std::uint64_t held = m_held[cell]; held != 0; held &= held - 1) {
-        const std::size_t slot = cell * kCellSlots + static_cast<std::size_t>(std::countr_zero(held));
-        const glm::dvec3 centre(m_x[slot], m_y[slot], m_z[slot]);
-        include(box, {centre, centre, static_cast<double>(m_radius[slot])});
+        const auto at = static_cast<std::size_t>(std::countr_zero(held));
+        const glm::dvec3 centre(spheres.x[at], spheres.y[at], spheres.z[at]);
+        include(box, {centre, centre, static_cast<double>(spheres.radius[at])});
     }
     return box;
 }
@@ -163,7 +162,7 @@ void InstanceCells::leave(std::uint32_t instance) {
     const std::uint32_t before = m_slotOf[instance];
     markStale(before / kCellSlots);
     m_held[before / kCellSlots] &= ~(std::uint64_t{1} << before % kCellSlots);
-    m_radius[before] = scene::kNoRadius;
+    m_spheres[before / kCellSlots].radius[before % kCellSlots] = scene::kNoRadius;
     m_slotOf[instance] = kNoSlot;
 }
 
@@ -235,10 +234,11 @@ void InstanceCells::update(const scene::Scene& scene, std::span<const std::uint3
         // Neighbours in the scene lie scattered over the cells, where the hardware foresees nothing.
         const std::uint32_t soon = m_slotOf[changed[std::min(i + kPrefetched, changed.size() - 1)]];
         if (soon != kNoSlot) {
-            __builtin_prefetch(&m_x[soon], 1);
-            __builtin_prefetch(&m_y[soon], 1);
-            __builtin_prefetch(&m_z[soon], 1);
-            __builtin_prefetch(&m_radius[soon], 1);
+            const CellSpheres& spheres = m_spheres[soon / kCellSlots];
+            __builtin_prefetch(&spheres.x[soon % kCellSlots], 1);
+            __builtin_prefetch(&spheres.y[soon % kCellSlots], 1);
+            __builtin_prefetch(&spheres.z[soon % kCellSlots], 1);
+            __builtin_prefetch(&spheres.radius[soon % kCellSlots], 1);
         }
         if (mayBlend || !followInside(scene.instances, changed[i])) {
             follow(scene, changed[i]);
@@ -254,8 +254,8 @@ void InstanceCells::update(const scene::Scene& scene, std::span<const std::uint3
 
 std::uint64_t InstanceCells::bytes() const {
     const auto bytesOf = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
-    std::uint64_t bytes = bytesOf(m_x) + bytesOf(m_y) + bytesOf(m_z) + bytesOf(m_radius) +
-                          bytesOf(m_instance) + bytesOf(m_slotOf) + bytesOf(m_held) + bytesOf(m_homes);
+    std::uint64_t bytes =
+        bytesOf(m_spheres) + bytesOf(m_instance) + bytesOf(m_slotOf) + bytesOf(m_held) + bytesOf(m_homes);
     for (const std::vector<Box>& level : m_levels) {
         bytes += bytesOf(level);
     }

@@ -4,6 +4,7 @@
 #include <cdr/scene/scene.h>
 #include <cdr/visibility/sphere_test.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -39,8 +40,8 @@ class InstanceCells {
     /// Which slots of a cell hold an instance.
     std::uint64_t held(std::size_t cell) const { return m_held[cell]; }
     Spheres spheres(std::size_t cell) const {
-        const std::size_t slot = cell * kCellSlots;
-        return {&m_x[slot], &m_y[slot], &m_z[slot], &m_radius[slot]};
+        const CellSpheres& spheres = m_spheres[cell];
+        return {spheres.x.data(), spheres.y.data(), spheres.z.data(), spheres.radius.data()};
     }
     /// The instances in a cell's slots.
     const std::uint32_t* instancesOf(std::size_t cell) const { return &m_instance[cell * kCellSlots]; }
@@ -49,6 +50,15 @@ class InstanceCells {
     std::uint64_t bytes() const; ///< of host memory
 
   private:
+    /// The bounding spheres of a cell by slot, together in memory: a test of a cell, and a change in it, touch one place.
+    struct CellSpheres {
+        std::array<double, kCellSlots> x{};
+        std::array<double, kCellSlots> y{};
+        std::array<double, kCellSlots> z{};
+        std::array<float, kCellSlots> radius{};
+
+        CellSpheres() { radius.fill(scene::kNoRadius); }
+    };
     /// Where the instances of a cell may go without leaving it.
     struct Home {
         glm::dvec3 centre{0.0};
@@ -76,11 +86,10 @@ class InstanceCells {
     void makeLevels();
     void refreshBoxes();
 
-    std::vector<double> m_x, m_y, m_z; ///< by slot
-    std::vector<float> m_radius;
-    std::vector<std::uint32_t> m_instance;
-    std::vector<std::uint32_t> m_slotOf; ///< by instance
-    std::vector<std::uint64_t> m_held;   ///< by cell
+    std::vector<CellSpheres> m_spheres;    ///< by cell
+    std::vector<std::uint32_t> m_instance; ///< by slot
+    std::vector<std::uint32_t> m_slotOf;   ///< by instance
+    std::vector<std::uint64_t> m_held;     ///< by cell
     std::vector<Home> m_homes;
     std::vector<std::vector<Box>> m_levels;
     std::vector<std::uint32_t> m_stale; ///< cells whose box is to be made anew
