@@ -4,10 +4,11 @@
 # include-what-you-use over all sources, every header compiled alone, depth's tests for Windows where a cross compiler and
 # wine are installed, all faults and kills of which the suite takes a sample, a minute of fuzzing for each parser, ranks over
 # MPICH, and the jobs for Slurm. It takes hours on two cores.
-# Usage: tools/check.sh [--changed]
+# Usage: tools/check.sh [--changed | --memory]
 # --changed does what fits into a few minutes: clang-tidy over the sources that differ from origin/main, or from the
 # parent commit where they do not differ, the tests of the rooms that do under AddressSanitizer, those of threads without a
 # driver under ThreadSanitizer, and a minute of fuzzing for each parser of those rooms.
+# --memory does what runs under valgrind.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -16,7 +17,7 @@ check_all() {
     tools/test.sh --preset asan
     tools/test.sh --preset tsan
     tools/build.sh --in-batches release
-    check_memory
+    if has_valgrind; then check_memory; fi
     for driver in mesa swiftshader; do
         tools/drivers.sh "$driver" ctest --preset release --parallel "$(nproc)" \
             --label-regex '^test_(gpu|render|experiments|cli)$'
@@ -47,15 +48,17 @@ check_barriers() {
     tools/layers.sh --shaders build/release/bin/test_barriers --gtest_brief=1
 }
 
+has_valgrind() {
+    command -v valgrind >/dev/null ||
+        { echo "tools/check.sh: no test ran under valgrind, which is missing (apt: valgrind)" >&2 && return 1; }
+}
+
 # Reads of what was never written, and leaks, in what needs no driver.
 check_memory() {
-    if ! command -v valgrind >/dev/null; then
-        echo "tools/check.sh: no test ran under valgrind, which is missing (apt: valgrind)" >&2
-        return
-    fi
-    local room
-    for room in base depth image scene visibility; do
-        valgrind --quiet --error-exitcode=9 --leak-check=full "build/release/bin/test_$room" --gtest_brief=1
+    local programs=(test_base test_depth test_image test_scene test_visibility) program
+    tools/build.sh --in-batches release -- --target "${programs[@]}"
+    for program in "${programs[@]}"; do
+        valgrind --quiet --error-exitcode=9 --leak-check=full "build/release/bin/$program" --gtest_brief=1
     done
 }
 
@@ -144,5 +147,6 @@ test_under() { # PRESET NAME TARGET...
 case ${1-} in
     '') check_all ;;
     --changed) check_changed ;;
-    *) echo "usage: tools/check.sh [--changed]" >&2 && exit 2 ;;
+    --memory) has_valgrind && check_memory ;;
+    *) echo "usage: tools/check.sh [--changed | --memory]" >&2 && exit 2 ;;
 esac
