@@ -4,9 +4,9 @@
 
 namespace cdr::scene::gltf {
 
-/// Works out the tangents of a mesh whose file has none, where MikkTSpace cannot (mikktspace_tangents.h): of each corner the direction in which u grows on its triangle,
-/// weighted by the corner's angle and turned into the plane of the vertex' normal. A vertex between triangles that run
-/// through their texture in opposite senses becomes two.
+/// Works out the tangents of a mesh whose file has none, where MikkTSpace cannot (mikktspace_tangents.h). Each corner has
+/// the direction in which u grows on its triangle, weighted by the corner's angle and turned into the plane of the vertex'
+/// normal. A vertex between triangles that run through their texture in opposite senses becomes two.
 /// @param mesh with details. @param second whether tangents follow VertexDetail::uv; else Vertex::uv.
 void deriveTangents(SourceMesh& mesh, bool second);
 
