@@ -31,6 +31,11 @@ if command -v ccache >/dev/null; then
     export CCACHE_BASEDIR=${CCACHE_BASEDIR-$PWD}
     # Without these, ccache passes over every file that uses a precompiled header.
     export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS-pch_defines,time_macros}
+    # By preprocessed text, ccache takes headers that differ in comments alone for equal. A precompiled header is not: GCC knows
+    # by its bytes that a file is in there already (#pragma once), and includes it again. Hence by files alone, and without the
+    # results of before.
+    export CCACHE_DEPEND=${CCACHE_DEPEND-true}
+    export CCACHE_NAMESPACE=${CCACHE_NAMESPACE-cdr-by-files}
 fi
 
 cmake --preset "$preset" "${configure_arguments[@]}"
