@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <string>
 
 namespace cdr::scene::gltf {
@@ -48,12 +48,6 @@ constexpr std::uint64_t kMostCorners =
 /// What ends a call.
 struct Trap {
     wasm_rt_trap_t cause;
-};
-
-struct Free {
-    void operator()(std::uint8_t* bytes) const {
-        std::free(bytes); // NOLINT(cppcoreguidelines-no-malloc)
-    }
 };
 
 /// The module, with all that it changes.
@@ -143,8 +137,7 @@ base::Result<std::vector<glm::vec4>> mikkTSpace(std::size_t corners,
     if (corners > kMostCorners || mikkTSpaceBytes(corners) > limits.bytes) {
         return base::Refusal{"MikkTSpace would take too much memory"};
     }
-    const std::unique_ptr<std::uint8_t, Free> memory(
-        static_cast<std::uint8_t*>(std::calloc(bytes, 1))); // NOLINT(cppcoreguidelines-no-malloc)
+    const std::unique_ptr<std::uint8_t[]> memory(new (std::nothrow) std::uint8_t[bytes]());
     if (memory == nullptr) {
         return base::Refusal{"MikkTSpace would take too much memory"};
     }
