@@ -103,6 +103,13 @@ struct FacetVertex {
     uint facet;  // of the triangles that start with it: 1 + the index of its FacetRecord
 };
 
+// Most lights by which facets are lit while they are drawn. Each of them takes two varyings, and a software rasteriser pays for
+// every varying of every triangle.
+CDR_CONST kPushedLights = 2u;
+// Where these lights lie in push constants, after the cascade's: view-space x and y, the view distance beyond the cascade's
+// anchor plane, and 1 / half distance^2.
+CDR_CONST kPushedLightsOffset = 48u;
+
 // A facet that a visibility buffer refers to: what shading needs of its surface. Two texels of four uints.
 struct FacetRecord {
     vec2 normal;  // view space, octahedral

@@ -145,6 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
               [](RenderOptions& options) { options.submission = render::Submission::gpuDriven; }},
         Swept{"Visibility", "mixed",
               [](RenderOptions& options) { options.surface = render::SurfacePath::visibility; }},
+        Swept{"Lit", "mixed", [](RenderOptions& options) { options.surface = render::SurfacePath::lit; }},
         Swept{"Effects", "mixed",
               [](RenderOptions& options) {
                   options.effects.antialias = render::Antialias::edges;

@@ -64,6 +64,7 @@ TEST(TimingModes, OptionsOfARendererSayAllThatAModeDoes) {
     EXPECT_EQ(optionsOf("anchored/gpu-driven").submission, render::Submission::gpuDriven);
     EXPECT_EQ(optionsOf("naive").batching, render::Batching::perObject);
     EXPECT_EQ(optionsOf("reversed/visibility").surface, render::SurfacePath::visibility);
+    EXPECT_EQ(optionsOf("anchored/lit").surface, render::SurfacePath::lit);
     EXPECT_TRUE(optionsOf("standard/occlusion-culling").occlusionCulling);
     EXPECT_EQ(optionsOf("standard"),
               render::RenderOptions{.technique = cdr::depth::parseTechnique("standard")});

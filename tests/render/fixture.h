@@ -25,6 +25,12 @@ class RenderTest : public test::DeviceTest {
         return all;
     }
 
+    /// Whether the device reads as many facets of boxes, two texels each.
+    bool readsFacetsOf(const scene::Scene& scene) {
+        return scene.instances.size() * 6 * 2 <=
+               vk::PhysicalDevice(device().physical()).getProperties().limits.maxTexelBufferElements;
+    }
+
     render::Frame draw(const scene::Scene& scene, const scene::Camera& camera,
                        const render::RenderOptions& options) {
         const render::GpuScene gpuScene(device(), scene);

@@ -34,12 +34,6 @@ class SurfacePathTest : public RenderTest {
         }
         return "none";
     }
-
-    /// Whether the device reads as many facets of boxes, two texels each.
-    bool readsFacetsOf(const scene::Scene& scene) const {
-        return scene.instances.size() * 6 * 2 <=
-               vk::PhysicalDevice(device().physical()).getProperties().limits.maxTexelBufferElements;
-    }
 };
 
 /// Whether the pixel and its neighbours show one face of one object, so that no edge, which each device rounds to

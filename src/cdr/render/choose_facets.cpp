@@ -1,14 +1,42 @@
 #include <cdr/base/error.h>
 #include <cdr/render/choose_facets.h>
 #include <cdr/render/renderer_setup.h>
+#include <cdr/render/shading/shading_pass.h>
+#include <cdr/shaders/shared.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace cdr::render {
 
 namespace {
 
-/// Why a visibility buffer does not do; null where it does, as far as options tell.
+/// Why surfaces cannot be lit while they are drawn, beside why facets do not do; null where they can.
+const char* litRefusalOf(const DrawnScene& drawn, const RenderOptions& options) {
+    if (hasLayers(options.targets.kind)) {
+        return "it draws into the picture, so targets must be single or one-pass";
+    }
+    if (options.effects.fog.visibility > 0.0 || options.effects.antialias != Antialias::none) {
+        return "fog and antialiasing work on surfaces that are shaded later";
+    }
+    if (options.shadows.isOn()) {
+        return "shadows fall on surfaces that are shaded later";
+    }
+    if (drawn.uploaded.isShiny() || preparedSurfaces(options.prepareFor).shine) {
+        return "it draws matt surfaces";
+    }
+    if (drawn.scene.sky || drawn.scene.air) {
+        return "it knows no sky and no air";
+    }
+    if (std::max(lightFormOf(drawn.scene), options.prepareFor.lights) > shaders::kPushedLights ||
+        options.prepareFor.shapedLights) {
+        return "it takes at most two lights, without cones and ranges";
+    }
+    return nullptr;
+}
+
+/// Why facets do not do; null where they do, as far as options tell.
 const char* refusalOf(const DrawnScene& drawn, const RenderOptions& options) {
     if (options.submission == Submission::gpuDriven) {
         return "its triangles are written by the CPU, not gpu-driven";
@@ -35,14 +63,14 @@ const char* refusalOf(const DrawnScene& drawn, const RenderOptions& options) {
     return nullptr;
 }
 
-[[noreturn]] void refuse(const char* why) {
-    throw base::InputError(fmt::format("surface visibility cannot be used: {}", why));
+[[noreturn]] void refuse(SurfacePath surface, const char* why) {
+    throw base::InputError(fmt::format("surface {} cannot be used: {}", nameOf(surface), why));
 }
 
 } // namespace
 
 std::optional<FacetMeshes> chooseFacets(const DrawnScene& drawn, const RenderOptions& options) {
-    if (options.surface != SurfacePath::visibility) {
+    if (options.surface == SurfacePath::gbuffer) {
         return std::nullopt;
     }
     FacetMeshes facets = FacetMeshes::of(drawn.scene, drawn.uploaded);
@@ -52,10 +80,15 @@ std::optional<FacetMeshes> chooseFacets(const DrawnScene& drawn, const RenderOpt
 
 void requireFacets(const DrawnScene& drawn, const RenderOptions& options, const FacetMeshes& facets) {
     if (const char* refusal = refusalOf(drawn, options)) {
-        refuse(refusal);
+        refuse(options.surface, refusal);
+    }
+    const char* ofLight = options.surface == SurfacePath::lit ? litRefusalOf(drawn, options) : nullptr;
+    if (ofLight != nullptr) {
+        refuse(options.surface, ofLight);
     }
     if (!facets.suffice(drawn.scene, drawn.uploaded)) {
         refuse(
+            options.surface,
             "a mesh is not made of a few plane faces of one colour, or a material is textured, masked or double-sided");
     }
 }

@@ -8,8 +8,8 @@
 
 namespace cdr::render {
 
-/// The meshes to draw by facets, for a visibility buffer. Empty for a G-buffer. base::InputError,
-/// with the reason, where a visibility buffer is asked for and cannot be used.
+/// The meshes to draw by facets, into a visibility buffer or lit into the picture. Empty for a G-buffer. base::InputError,
+/// with the reason, where one of these is asked for and cannot be used.
 std::optional<FacetMeshes> chooseFacets(const DrawnScene& drawn, const RenderOptions& options);
 
 /// base::InputError, with the reason, where the scene has become one that facets do not do for.

@@ -27,6 +27,9 @@ namespace cdr::render {
 /// What one frame in flight owns, and what it was drawn from.
 struct Renderer::Slot {
     std::unique_ptr<DrawPath> path;
+    /// Where surfaces are lit while they are drawn: draws them once more, into a visibility buffer, for whoever reads that.
+    std::unique_ptr<DrawPath> readPath;
+    std::vector<vk::CommandBuffer> commands{}; ///< that the frame submits; none that a host does
     ShadingInputs shading;
     PassInputs resolve;                               ///< where a visibility buffer is drawn
     std::optional<TranslucentPass::Slot> translucent; ///< where the scene has blended materials
@@ -71,6 +74,8 @@ struct Renderer::Passes {
     const gpu::Image& gbuffer() const { return resolve != nullptr ? resolve->gbuffer() : targets.gbuffer(); }
 
     vk::Extent2D extent;
+    std::unique_ptr<Targets>
+        litTargets; ///< whose G-buffer is the picture; null unless surfaces are lit while drawn
     Picture picture;
     OwnedTargets ownTargets;
     Targets& targets; ///< those

@@ -43,6 +43,8 @@ struct FrameView {
     visibility::LevelRule levels;      ///< at which level of detail each draw is drawn
     std::vector<CascadeView> cascades; ///< nearest first
     host::IndexRange drawn;            ///< cascades that this renderer draws
+    /// What the colour attachment is cleared to: the background where surfaces are lit while they are drawn, else 0.
+    glm::vec4 clearColor{0.0f};
 
     depth::Cascades ranges() const;
     depth::Cascades clipRanges() const;

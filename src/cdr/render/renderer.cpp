@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <cdr/gpu/commands.h>
+#include <cdr/host/stage_watch.h>
 #include <cdr/render/choose_facets.h>
 #include <cdr/render/output/host_commands.h>
 #include <cdr/render/renderer_setup.h>
@@ -17,12 +18,9 @@ namespace cdr::render {
 
 namespace {
 
-double millisecondsBetween(host::Trace::Clock::time_point begin, host::Trace::Clock::time_point end) {
-    return std::chrono::duration<double, std::milli>(end - begin).count();
-}
-
-bool drawsFacets(const RenderOptions& options) {
-    return options.surface == SurfacePath::visibility;
+/// Whether surfaces are drawn by facets: for whoever reads them also where they are lit while they are drawn.
+bool hasFacets(const RenderOptions& options) {
+    return options.surface != SurfacePath::gbuffer;
 }
 
 const GpuScene& fixed(const GpuScene& gpuScene) {
@@ -44,7 +42,7 @@ makeOwnTargets(const gpu::Device& device, const DrawnScene& drawn, const RenderO
                const KeptSurfaces& kept, const Picture& picture) {
     const TargetsOptions targets =
         targetsOptions(picture.lit().options().extent,
-                       drawsFacets(options) ? kVisibilityFormat : kGBufferFormat, options, kept.emission);
+                       hasFacets(options) ? kVisibilityFormat : kGBufferFormat, options, kept.emission);
     if (!options.focus.isOn()) {
         return makeTargets(device, options.targets, targets);
     }
@@ -59,6 +57,14 @@ makeOwnTargets(const gpu::Device& device, const DrawnScene& drawn, const RenderO
                                                             .shiny = kept.shine});
 }
 
+/// Whose G-buffer is the picture; null unless surfaces are lit while they are drawn.
+std::unique_ptr<Targets> makeLitTargets(const gpu::Device& device, vk::Extent2D extent,
+                                        const RenderOptions& options) {
+    return options.surface == SurfacePath::lit
+               ? makeTargets(device, options.targets, targetsOptions(extent, kPictureFormat, options, false))
+               : nullptr;
+}
+
 /// Of the materials that a renderer is prepared for.
 std::vector<std::uint32_t> blendedVariants(const PrepareFor& prepared) {
     std::vector<scene::Material> blended;
@@ -68,37 +74,19 @@ std::vector<std::uint32_t> blendedVariants(const PrepareFor& prepared) {
     return variantsOf(blended);
 }
 
-/// Times one stage after the other.
-class StageWatch {
-  public:
-    explicit StageWatch(host::Trace* trace) : m_trace(trace) {}
-
-    /// Milliseconds since the last call; they were `stage`.
-    double lap(const char* stage) {
-        const auto now = host::Trace::Clock::now();
-        const auto last = std::exchange(m_last, now);
-        if (m_trace != nullptr) {
-            m_trace->addStage(stage, last, now);
-        }
-        return millisecondsBetween(last, now);
-    }
-
-  private:
-    host::Trace* m_trace;
-    host::Trace::Clock::time_point m_last = host::Trace::Clock::now();
-};
-
 } // namespace
 
 Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options,
                          const Needs& needs)
     : extent(checkedExtent(device, options, needs.blended)),
-      picture(device, pictureOptions(extent, options, needs.blended, needs.sky || needs.air)),
+      litTargets(makeLitTargets(device, extent, options)),
+      picture(device, pictureOptions(extent, options, needs.blended, needs.sky || needs.air),
+              litTargets != nullptr ? &litTargets->gbuffer() : nullptr),
       ownTargets(makeOwnTargets(device, drawn, options, {needs.shiny, needs.emission}, picture)),
       targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),
       cutter(options, targets),
       shadows(options.shadows.isOn() ? std::make_unique<ShadowPass>(device, drawn, targets.gbuffer(),
-                                                                    drawsFacets(options), options.shadows)
+                                                                    hasFacets(options), options.shadows)
                                      : nullptr),
       shading(device, targets.gbuffer(), picture.lit(),
               {.effects = options.effects,
@@ -108,13 +96,13 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
                .air = needs.air,
                .finishes = !needsLit(pictureOptions(extent, options, needs.blended, needs.sky || needs.air)),
                .emission = targets.emission(),
-               .facets = drawsFacets(options),
+               .facets = hasFacets(options),
                .marks = needs.air ? nullptr : targets.marks(), // the background has air too
                .shadows = shadows != nullptr ? &shadows->mask() : nullptr,
                .lightForm = lightFormOf(drawn.scene),
                .preparedLights = options.prepareFor.lights,
                .preparedShapes = options.prepareFor.shapedLights}),
-      resolve(drawsFacets(options) ? std::make_unique<ResolvePass>(device, targets.gbuffer()) : nullptr),
+      resolve(hasFacets(options) ? std::make_unique<ResolvePass>(device, targets.gbuffer()) : nullptr),
       translucent(needs.blended ? std::make_unique<TranslucentPass>(
                                       device, drawn, targets.gbuffer(), picture.lit(), options.translucency,
                                       options.shadows, blendedVariants(options.prepareFor))
@@ -172,6 +160,10 @@ void Renderer::makePasses() {
             Slot& begun = m_passes->slots.emplace_back();
             begun.path =
                 m_paths->make(m_workers, m_passes->deviceOcclusion.get(), fmt::format("frame slot {}", slot));
+            if (m_passes->litTargets != nullptr) {
+                begun.readPath = std::move(begun.path);
+                begun.path = m_paths->makeLit(m_workers, fmt::format("lit frame slot {}", slot));
+            }
             begun.done = vk::Device(m_device.handle()).createFenceUnique({});
             if (m_options.deviceClock && gpu::DeviceClock::isThere(m_device)) {
                 begun.clock.emplace(m_device, fmt::format("frame slot {}", slot));
@@ -259,71 +251,6 @@ Renderer::Slot& Renderer::nextSlot() {
     return slot;
 }
 
-void Renderer::launch(Slot& slot, const Delivery& delivery) {
-    StageWatch watch(m_options.trace);
-    const Destination destination = delivery.destination;
-    const HostCommands host = delivery.host != nullptr
-                                  ? hostCommands(m_device, m_options, slot.view, *delivery.host)
-                                  : HostCommands{};
-    slot.destination = destination;
-    slot.path->bin(slot.view, *m_visible, slot.stats);
-    slot.stats.times.binMs = watch.lap("bin");
-    slot.path->begin(slot.view, host);
-    m_passes->targets.record(*slot.path, slot.view);
-    shade(slot);
-    recordSurfaces(slot, delivery);
-    if (slot.translucent) {
-        m_passes->translucent->record(slot.path->primary(), *slot.translucent);
-    }
-    m_passes->picture.finish(slot.path->primary());
-    if (destination != Destination::device) {
-        recordReadback(slot.path->primary(), destination);
-    }
-    slot.recorded.reset();
-    if (delivery.host != nullptr) {
-        recordOutputs(slot, *delivery.host);
-        slot.recorded = {.timeline = delivery.host->done, .value = delivery.host->doneValue};
-    }
-    const std::span<const vk::CommandBuffer> commands = slot.path->end(slot.view);
-    slot.stats.times.recordMs = watch.lap("record");
-    slot.submitted = host::Trace::Clock::now();
-    if (delivery.host == nullptr) {
-        const auto timed = slot.clock ? slot.clock->around(commands)
-                                      : std::vector<vk::CommandBuffer>(commands.begin(), commands.end());
-        gpu::submit(m_device, timed, *slot.done, delivery.sync.waits, delivery.sync.signals);
-    }
-    slot.isPending = true;
-}
-
-void Renderer::shade(Slot& slot) {
-    if (drawsFacets(m_options)) {
-        slot.shading.setFacets(slot.path->facets());
-        if (slot.shadows) {
-            slot.shadows->inputs.setTexels(ShadingInputs::kFacetsBinding, slot.path->facets());
-        }
-    }
-    if (const auto* focus = std::get_if<std::unique_ptr<FocusLayers>>(&m_passes->ownTargets)) {
-        (*focus)->light(slot.path->primary(), slot.shading, slot.focus);
-    } else {
-        m_passes->shading.begin(slot.path->primary(), slot.shading);
-        if (slot.shadows) {
-            m_passes->shadows->record(slot.path->primary(), *slot.shadows);
-        }
-        m_passes->shading.record(slot.path->primary(), slot.shading);
-    }
-}
-
-void Renderer::recordSurfaces(Slot& slot, const Delivery& delivery) {
-    const bool wantsDepth = delivery.host != nullptr && delivery.host->depth.has_value();
-    const bool isRead = delivery.destination == Destination::host || wantsDepth || slot.motion;
-    if (m_passes->resolve != nullptr && isRead) {
-        m_passes->resolve->record(slot.path->primary(), slot.resolve, slot.path->facets());
-    }
-    if (slot.motion) {
-        m_passes->motion->record(slot.path->primary(), *slot.motion);
-    }
-}
-
 void Renderer::settle(Slot& slot) {
     while (slot.isPending) {
         if (slot.recorded) {
@@ -358,7 +285,7 @@ Renderer::Slot& Renderer::run(const scene::Camera& camera, const Delivery& deliv
     const FrameMotion motion = m_motion != nullptr ? m_motion->follow(m_drawn, camera) : FrameMotion{};
     Slot& slot = nextSlot();
     slot.revision = m_revision;
-    StageWatch watch(m_options.trace);
+    host::StageWatch watch(m_options.trace);
     slot.view = m_passes->cutter.look(camera);
     if (delivery.shared == nullptr && readsVisible(slot)) {
         cull(slot.view);
@@ -454,7 +381,7 @@ void Renderer::finish() {
 void Renderer::waitFor(Slot& slot) {
     settle(slot);
     const auto done = host::Trace::Clock::now();
-    slot.stats.times.executeMs = millisecondsBetween(slot.submitted, done);
+    slot.stats.times.executeMs = host::millisecondsBetween(slot.submitted, done);
     if (slot.clock) {
         slot.stats.times.deviceMs = slot.clock->lastMs();
     }

@@ -152,6 +152,10 @@ class CDR_EXPORT Renderer {
     /// Whether a frame of the slot reads that list.
     bool readsVisible(const Slot& slot) const;
     void shade(Slot& slot);
+    /// Whether somebody reads the frame's G-buffer, beside shading.
+    static bool isRead(const Slot& slot, const Delivery& delivery);
+    /// Where surfaces are lit while they are drawn: draws a visibility buffer for whoever reads the frame's surfaces.
+    void recordReadSurfaces(Slot& slot, const HostFrame* host);
     /// Resolves the G-buffer of a visibility buffer where somebody reads it, and works out motion.
     void recordSurfaces(Slot& slot, const Delivery& delivery);
     bool hasRoomSufficed(Slot& slot);

@@ -52,6 +52,14 @@ std::uint64_t predictOcclusionBytes(const gpu::Device& device, vk::Extent2D exte
                                                        : OcclusionCulling::predictBytes(device, extent);
 }
 
+/// Beside the picture, which they are drawn into.
+std::uint64_t predictLitBytes(const gpu::Device& device, vk::Extent2D extent, const RenderOptions& options) {
+    return options.surface == SurfacePath::lit
+               ? gpu::predictBytes(
+                     device, depthBufferOptions(device, extent, options.technique.format, kPictureFormat))
+               : 0;
+}
+
 void requireShadows(const RenderOptions& options) {
     if (!options.shadows.isOn()) {
         return;
@@ -115,10 +123,11 @@ bool keepsEmission(const RenderOptions& options) {
 
 std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
     const vk::Extent2D extent{options.width, options.height};
-    const bool hasFacets = options.surface == SurfacePath::visibility;
+    const bool hasFacets = options.surface != SurfacePath::gbuffer;
     return predictLayerBytes(device, extent, options.technique.format,
                              hasFacets ? kVisibilityFormat : kGBufferFormat) +
            (hasFacets ? gpu::predictBytes(device, gbufferOptions(extent)) : 0) +
+           predictLitBytes(device, extent, options) +
            Picture::predictBytes(device, pictureOptions(extent, options, hasBlended, false)) +
            ShadingPass::predictBytes(extent, options.effects) +
            (options.motion ? MotionPass::predictBytes(device, extent) : 0) +

@@ -45,7 +45,9 @@ void Renderer::followScene() {
         m_live->update();
     }
     const std::uint64_t revision = m_drawn.uploaded.revision();
-    if (m_revision != revision && m_paths->facets() != nullptr) {
+    // Lights change without a new revision, and whether facets can be lit while they are drawn depends on them.
+    const bool haveFacetsChanged = m_revision != revision || m_options.surface == SurfacePath::lit;
+    if (haveFacetsChanged && m_paths->facets() != nullptr) {
         followFacets();
     }
     if (needs() != m_needs) {

@@ -6,7 +6,7 @@ namespace cdr::render {
 namespace {
 
 constexpr base::EnumNames<SurfacePath, kSurfacePaths.size()> kSurfaceNames{"surface",
-                                                                           {"gbuffer", "visibility"}};
+                                                                           {"gbuffer", "visibility", "lit"}};
 
 } // namespace
 

@@ -28,7 +28,7 @@ struct SurfaceImage {
 struct Surfaces {
     SurfaceImage color; ///< sRGB, 8 bits
     SurfaceImage
-        gbuffer; ///< a GBufferPixel each; no image under SurfacePath::visibility, which keeps no G-buffer
+        gbuffer; ///< a GBufferPixel each; no image but for SurfacePath::gbuffer, since the others keep no G-buffer
     /// VK_FORMAT_R32G32_SFLOAT, as cdr_gbuffer.glsl reads it; no image unless RenderOptions::motion.
     SurfaceImage motion{};
     /// By cascade: what is added to GBufferPixel::ahead for the view distance.

@@ -100,7 +100,8 @@ void addTechniqueOptions(CLI::App& command, RenderArguments& arguments) {
         ->capture_default_str();
     command
         .add_option("--surface", arguments.surface,
-                    "What is kept of surfaces until they are shaded: gbuffer or visibility")
+                    "What is kept of surfaces until they are shaded: gbuffer or visibility; or lit, "
+                    "which shades matt surfaces while they are drawn")
         ->capture_default_str();
     command.add_flag("--occlusion-culling", arguments.occlusionCulling,
                      "Leave out what opaque surfaces hide; the picture is the same");

@@ -102,8 +102,11 @@ std::vector<TimingMode> extraTimingModes() {
             add(prefix + std::string(nameOf(batching)), technique,
                 [&](TimingMode& mode) { mode.batching = batching; });
         }
-        add(prefix + std::string(nameOf(render::SurfacePath::visibility)), technique,
-            [](TimingMode& mode) { mode.surface = render::SurfacePath::visibility; });
+        for (const render::SurfacePath surface :
+             {render::SurfacePath::visibility, render::SurfacePath::lit}) {
+            add(prefix + std::string(nameOf(surface)), technique,
+                [&](TimingMode& mode) { mode.surface = surface; });
+        }
         add(prefix + "occlusion-culling", technique, [](TimingMode& mode) { mode.occlusionCulling = true; });
         for (const render::Submission submission :
              {render::Submission::primaries, render::Submission::gpuDriven}) {

@@ -43,8 +43,8 @@ scene::SceneSetup openTimed(const TimingOptions& options) {
         if (mode.idsAlone && options.framesInFlight > 1) {
             throw base::InputError("mode " + mode.name + " draws one frame at a time, not several in flight");
         }
-        if (moves && (mode.meshes == TimingMeshes::unshared ||
-                      mode.surface == render::SurfacePath::visibility || mode.idsAlone)) {
+        if (moves && (mode.meshes == TimingMeshes::unshared || mode.surface != render::SurfacePath::gbuffer ||
+                      mode.idsAlone)) {
             throw base::InputError("mode " + mode.name + " draws a scene that stands still, not traffic");
         }
     }

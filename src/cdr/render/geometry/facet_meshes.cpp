@@ -61,10 +61,12 @@ bool FacetMeshes::suffice(const scene::Scene& scene, const GpuScene& gpuScene) c
     return true;
 }
 
-std::uint64_t bytesPerDraw(const FacetCounts& most) {
+std::uint64_t bytesPerDraw(const FacetCounts& most, std::size_t litStride) {
+    const std::uint64_t ofFacets = litStride > 0
+                                       ? std::uint64_t{most.vertices} * litStride * sizeof(glm::vec3)
+                                       : std::uint64_t{most.facets} * sizeof(shaders::FacetRecord);
     return std::uint64_t{most.vertices} * sizeof(shaders::FacetVertex) +
-           std::uint64_t{most.indices} * sizeof(std::uint32_t) +
-           std::uint64_t{most.facets} * sizeof(shaders::FacetRecord);
+           std::uint64_t{most.indices} * sizeof(std::uint32_t) + ofFacets;
 }
 
 } // namespace cdr::render

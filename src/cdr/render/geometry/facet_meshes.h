@@ -38,6 +38,7 @@ class FacetMeshes {
 };
 
 /// Bytes that the drawing of one instance in one cascade takes at most.
-std::uint64_t bytesPerDraw(const FacetCounts& most);
+/// @param litStride FacetLight::stride() where facets are lit while they are drawn, else 0.
+std::uint64_t bytesPerDraw(const FacetCounts& most, std::size_t litStride = 0);
 
 } // namespace cdr::render

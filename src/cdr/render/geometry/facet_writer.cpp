@@ -3,6 +3,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cdr::render {
@@ -25,13 +26,15 @@ float along(const glm::vec4& row, const glm::vec3& corner) {
 
 } // namespace
 
-FacetWriter::FacetWriter(const FrameView& view, std::size_t cascade, bool shiny, const FacetStreams& into)
+FacetWriter::FacetWriter(const FrameView& view, std::size_t cascade, bool shiny, const FacetStreams& into,
+                         FacetLight* light)
     : m_cameraPosition(view.camera.position),
       m_toView(glm::transpose(glm::dmat3(view.camera.right, view.camera.up, view.camera.back))),
       m_records(view.camera, view.cascades[cascade].terms.anchorView),
       m_cascadeBits(static_cast<std::uint32_t>(cascade) << shaders::kIdBits),
       m_shiny(shiny),
-      m_into(into) {}
+      m_into(into),
+      m_light(light) {}
 
 void FacetWriter::turn(const FacetSolid& solid, const DrawSource& source, const shaders::DrawRecord& record) {
     m_turned.solid = &solid;
@@ -61,6 +64,9 @@ void FacetWriter::turnFacet(std::size_t index, const glm::dmat3& basis, const sh
     const glm::vec4 baseColor =
         glm::vec4(facet.color) / 255.0f *
         glm::vec4(glm::unpackHalf2x16(record.baseColorRg), glm::unpackHalf2x16(record.baseColorBa));
+    if (m_light != nullptr) {
+        m_light->turn(index, glm::vec3(baseColor), (record.id & shaders::kIdUnlit) != 0);
+    }
     const double scale =
         std::sqrt(glm::dot(basis[0], basis[0]) + glm::dot(basis[1], basis[1]) + glm::dot(basis[2], basis[2]));
     m_turned.records[index] = {.normal = glm::vec2(encodeOctahedral(m_toView * normal)),
@@ -86,6 +92,33 @@ std::uint32_t FacetWriter::facing(const DrawSource& source) const {
     return mask;
 }
 
+void FacetWriter::writeRecords(const FacetSolid& solid, const FacetPattern& pattern, const glm::vec3& place,
+                               std::uint32_t id) {
+    shaders::FacetRecord* facet = m_into.facets + m_counts.facets;
+    for (const std::uint8_t listed : pattern.facets) {
+        const glm::vec3 at = m_turned.corners[solid.facets()[listed].corner] + place;
+        *facet = m_turned.records[listed];
+        facet->x = at.x;
+        facet->y = at.y;
+        facet->ahead = at.z;
+        facet->id = id;
+        ++facet;
+    }
+}
+
+void FacetWriter::writeLight(const FacetPattern& pattern, const glm::dvec3& origin) {
+    const std::size_t stride = m_light->stride();
+    std::array<glm::vec3, kMaxSolidParts*(1 + shaders::kPushedLights)> lit;
+    for (std::size_t i = 0; i < pattern.facets.size(); ++i) {
+        const std::size_t facet = pattern.facets[i];
+        m_light->write(facet, m_turned.normals[facet], m_turned.heights[facet], origin, &lit[i * stride]);
+    }
+    glm::vec3* into = m_into.lit + m_counts.vertices * stride;
+    for (const FacetPattern::Vertex& vertex : pattern.vertices) {
+        into = std::copy_n(&lit[vertex.facet * stride], stride, into);
+    }
+}
+
 void FacetWriter::add(const FacetSolid& solid, const DrawSource& source, const MaterialWords& material) {
     const shaders::DrawRecord record = m_records.make(source, material);
     if (&solid != m_turned.solid || source.basis != m_turned.basis || source.material != m_turned.material) {
@@ -106,15 +139,10 @@ void FacetWriter::add(const FacetSolid& solid, const DrawSource& source, const M
         *index++ = m_counts.vertices + pattern.indices[i + second];
         *index++ = m_counts.vertices + pattern.indices[i + 3 - second];
     }
-    shaders::FacetRecord* facet = m_into.facets + m_counts.facets;
-    for (const std::uint8_t listed : pattern.facets) {
-        const glm::vec3 at = m_turned.corners[solid.facets()[listed].corner] + place;
-        *facet = m_turned.records[listed];
-        facet->x = at.x;
-        facet->y = at.y;
-        facet->ahead = at.z;
-        facet->id = record.id | m_cascadeBits;
-        ++facet;
+    if (m_light != nullptr) {
+        writeLight(pattern, source.position);
+    } else {
+        writeRecords(solid, pattern, place, record.id | m_cascadeBits);
     }
     m_counts.vertices += static_cast<std::uint32_t>(pattern.vertices.size());
     m_counts.indices += static_cast<std::uint32_t>(pattern.indices.size());

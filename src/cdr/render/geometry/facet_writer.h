@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cdr/render/frame_view.h>
+#include <cdr/render/geometry/facet_light.h>
 #include <cdr/render/geometry/facet_solid.h>
 #include <cdr/render/gpu_scene.h>
 #include <cdr/render/view_transform.h>
@@ -27,15 +28,19 @@ struct FacetCounts {
 struct FacetStreams {
     shaders::FacetVertex* vertices = nullptr;
     std::uint32_t* indices = nullptr; ///< from 0, the writer's first vertex
+    /// Null where facets are lit while they are drawn; else `lit` is.
     shaders::FacetRecord* facets = nullptr;
     std::uint32_t firstFacet = 0; ///< index of the first among all of the frame's
+    glm::vec3* lit = nullptr;     ///< FacetLight::stride() for each vertex
 };
 
 /// Transforms solids into one cascade's vertices, and records of the facets that face the camera. Camera and
 /// anchor are subtracted in float64, and corners are rounded as geometry.vert rounds them.
 class FacetWriter {
   public:
-    FacetWriter(const FrameView& view, std::size_t cascade, bool shiny, const FacetStreams& into);
+    /// @param light what writes FacetStreams::lit; null where there is none.
+    FacetWriter(const FrameView& view, std::size_t cascade, bool shiny, const FacetStreams& into,
+                FacetLight* light = nullptr);
 
     void add(const FacetSolid& solid, const DrawSource& source, const MaterialWords& material);
     const FacetCounts& counts() const { return m_counts; }
@@ -55,6 +60,9 @@ class FacetWriter {
     void turn(const FacetSolid& solid, const DrawSource& source, const shaders::DrawRecord& record);
     void turnFacet(std::size_t index, const glm::dmat3& basis, const shaders::DrawRecord& record);
     std::uint32_t facing(const DrawSource& source) const;
+    void writeRecords(const FacetSolid& solid, const FacetPattern& pattern, const glm::vec3& place,
+                      std::uint32_t id);
+    void writeLight(const FacetPattern& pattern, const glm::dvec3& origin);
 
     glm::dvec3 m_cameraPosition;
     glm::dmat3 m_toView; ///< turns world space
@@ -62,6 +70,7 @@ class FacetWriter {
     std::uint32_t m_cascadeBits;
     bool m_shiny;
     FacetStreams m_into;
+    FacetLight* m_light;
     FacetCounts m_counts;
     Turned m_turned;
 };

@@ -4,6 +4,7 @@
 #include <cdr/gpu/pipeline.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <cdr/render/draw_source.h>
+#include <cdr/render/effects.h>
 #include <cdr/render/geometry/batching.h>
 #include <cdr/render/layer_options.h>
 
@@ -20,6 +21,7 @@ namespace cdr::render {
 enum class GeometryOutput : std::uint8_t {
     surfaces, ///< what shading needs, and depth by the technique
     depth,    ///< near / view distance alone, at the same pixels: render::occluderView()
+    lit,      ///< the picture, and depth by the technique; of facets alone
 };
 
 /// How surfaces are drawn.
@@ -33,6 +35,7 @@ struct GeometryOptions {
     glm::vec2 snapSteps{0.0f};
     std::uint32_t subPixelBits = 8; ///< to which vertices are rounded, by the device or by snapSteps
     LayerOptions layers{};
+    Finish finish{};                       ///< of GeometryOutput::lit
     std::vector<std::uint32_t> variants{}; ///< that have pipelines from the start, beside those of the scene
 };
 

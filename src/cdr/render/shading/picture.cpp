@@ -6,6 +6,7 @@
 #include <cdr/shaders/encode_frag.h>
 
 #include <array>
+#include <utility>
 
 namespace cdr::render {
 
@@ -15,11 +16,9 @@ using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 using Usage = vk::ImageUsageFlagBits;
 
-constexpr auto kEncodedFormat = vk::Format::eR8G8B8A8Srgb;
-
 gpu::ImageOptions encodedOptions(vk::Extent2D extent) {
     return {.extent = extent,
-            .format = kEncodedFormat,
+            .format = kPictureFormat,
             .usage = Usage::eColorAttachment | Usage::eTransferSrc | Usage::eSampled};
 }
 
@@ -33,9 +32,12 @@ bool needsLit(const PictureOptions& options) {
     return options.hasSteps || options.antialias != Antialias::none;
 }
 
-Picture::Picture(const gpu::Device& device, const PictureOptions& options)
+Picture::Picture(const gpu::Device& device, const PictureOptions& options, const gpu::Image* drawn)
     : m_device(device),
-      m_encoded(device, encodedOptions(options.extent), "picture"),
+      m_drawn(drawn),
+      m_own(drawn == nullptr
+                ? std::optional<gpu::Image>(std::in_place, device, encodedOptions(options.extent), "picture")
+                : std::nullopt),
       m_lit(needsLit(options) ? makeLit(device, options) : nullptr) {}
 
 std::unique_ptr<Picture::Lit> Picture::makeLit(const gpu::Device& device, const PictureOptions& options) {
@@ -47,7 +49,7 @@ std::unique_ptr<Picture::Lit> Picture::makeLit(const gpu::Device& device, const 
                      {.name = "encode",
                       .fragmentSpirv = smooth ? gpu::Spirv(kEncodeAntialiasedFrag) : gpu::Spirv(kEncodeFrag),
                       .bindings = {vk::DescriptorType::eCombinedImageSampler},
-                      .format = kEncodedFormat,
+                      .format = kPictureFormat,
                       .constants = {constants.begin(), constants.end()}}},
             .inputs = {}});
     lit->inputs = lit->pass.makeInputs();
@@ -58,12 +60,12 @@ std::unique_ptr<Picture::Lit> Picture::makeLit(const gpu::Device& device, const 
 void Picture::finish(vk::CommandBuffer primary) const {
     m_device.beginLabel(primary, "picture");
     if (m_lit) {
-        gpu::pipelineBarrier(primary, {readBarrier(m_lit->image), attachBarrier(m_encoded)});
-        m_lit->pass.record(primary, m_lit->inputs, m_encoded);
+        gpu::pipelineBarrier(primary, {readBarrier(m_lit->image), attachBarrier(encoded())});
+        m_lit->pass.record(primary, m_lit->inputs, encoded());
     }
     gpu::pipelineBarrier(
         primary,
-        {gpu::imageBarrier(m_encoded.handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
+        {gpu::imageBarrier(encoded().handle(), vk::ImageAspectFlagBits::eColor, Stage::eColorAttachmentOutput,
                            Access::eColorAttachmentWrite, Stage::eAllTransfer, Access::eTransferRead,
                            vk::ImageLayout::eColorAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal)});
     m_device.endLabel(primary);

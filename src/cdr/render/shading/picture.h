@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace cdr::render {
 
@@ -31,17 +32,19 @@ bool needsLit(const PictureOptions& options);
 /// The sRGB picture of a frame, and where steps follow shading the linear image that they work on.
 class Picture {
   public:
-    Picture(const gpu::Device& device, const PictureOptions& options);
+    /// @param drawn a picture into which surfaces are drawn lit, of kPictureFormat. It must outlive this, which then has no
+    ///        steps. Null: the picture is its own.
+    Picture(const gpu::Device& device, const PictureOptions& options, const gpu::Image* drawn = nullptr);
 
     /// What shading writes and steps change: linear to whoever blends or reads it. Between them in the colour
     /// attachment layout.
-    const gpu::Image& lit() const { return m_lit ? m_lit->image : m_encoded; }
+    const gpu::Image& lit() const { return m_lit ? m_lit->image : encoded(); }
 
     /// Takes lit() from colour attachment layout and leaves encoded() in transfer source layout.
     void finish(vk::CommandBuffer primary) const;
 
     /// 8 bits, sRGB.
-    const gpu::Image& encoded() const { return m_encoded; }
+    const gpu::Image& encoded() const { return m_drawn != nullptr ? *m_drawn : *m_own; }
 
     static std::uint64_t predictBytes(const gpu::Device& device, const PictureOptions& options);
 
@@ -55,8 +58,9 @@ class Picture {
     static std::unique_ptr<Lit> makeLit(const gpu::Device& device, const PictureOptions& options);
 
     const gpu::Device& m_device;
-    gpu::Image m_encoded;
-    std::unique_ptr<Lit> m_lit; ///< null without steps
+    const gpu::Image* m_drawn;       ///< else
+    std::optional<gpu::Image> m_own; ///< the picture
+    std::unique_ptr<Lit> m_lit;      ///< null without steps
 };
 
 } // namespace cdr::render

@@ -1,4 +1,3 @@
-#include <cdr/base/error.h>
 #include <cdr/render/submit/draw_path_factory.h>
 #include <cdr/render/submit/facet_draws.h>
 #include <cdr/render/submit/gpu_driven_path.h>
@@ -59,6 +58,12 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
         depthAlone.batching = Batching::instanced;
         m_occluders = makePasses(facets, depthAlone);
     }
+    if (options.surface == SurfacePath::lit) {
+        GeometryOptions lit = geometry;
+        lit.output = GeometryOutput::lit;
+        lit.finish = options.effects.finish;
+        m_lit = makePasses(facets, lit);
+    }
     m_surfaces = makePasses(std::move(facets), geometry);
 }
 
@@ -82,7 +87,7 @@ void DrawPathFactory::followKinds() {
 }
 
 void DrawPathFactory::setFacets(const FacetMeshes& facets) {
-    for (const HostPasses* passes : {&m_surfaces, &m_occluders}) {
+    for (const HostPasses* passes : {&m_surfaces, &m_occluders, &m_lit}) {
         if (passes->facets != nullptr) {
             passes->facets->setMeshes(facets);
         }
@@ -113,17 +118,24 @@ std::unique_ptr<HostDraws> DrawPathFactory::makeDraws(const HostPasses& passes,
     return std::make_unique<RecordDraws>(context, *passes.geometry);
 }
 
+std::unique_ptr<DrawPath> DrawPathFactory::makeRecorded(const HostPasses& passes, host::WorkerPool& workers,
+                                                        const std::string& name) const {
+    if (m_submission == Submission::primaries) {
+        return std::make_unique<PrimaryPath>(m_device, makeDraws(passes, workers), name);
+    }
+    return std::make_unique<SecondaryPath>(m_device, makeDraws(passes, workers), name);
+}
+
 std::unique_ptr<DrawPath> DrawPathFactory::make(host::WorkerPool& workers, DeviceOcclusion* occlusion,
                                                 const std::string& name) const {
-    switch (m_submission) {
-    case Submission::secondaries:
-        return std::make_unique<SecondaryPath>(m_device, makeDraws(m_surfaces, workers), name);
-    case Submission::primaries:
-        return std::make_unique<PrimaryPath>(m_device, makeDraws(m_surfaces, workers), name);
-    case Submission::gpuDriven:
+    if (m_submission == Submission::gpuDriven) {
         return std::make_unique<GpuDrivenPath>(m_device, *m_binning, *m_surfaces.geometry, occlusion, name);
     }
-    throw base::RunError("submission out of range");
+    return makeRecorded(m_surfaces, workers, name);
+}
+
+std::unique_ptr<DrawPath> DrawPathFactory::makeLit(host::WorkerPool& workers, const std::string& name) const {
+    return makeRecorded(m_lit, workers, name);
 }
 
 } // namespace cdr::render

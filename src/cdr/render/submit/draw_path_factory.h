@@ -27,7 +27,7 @@ class DrawPathFactory {
     /// What the scene refers to must outlive the factory. base::InputError for a depth format that
     /// the device lacks, and for a submission it cannot do. base::RunError when its memory does not
     /// suffice, with both figures.
-    /// @param facets what a visibility buffer is drawn from; empty for a G-buffer.
+    /// @param facets what is drawn by facets; empty for a G-buffer.
     DrawPathFactory(const gpu::Device& device, const DrawnScene& scene, std::optional<FacetMeshes> facets,
                     const RenderOptions& options, const KeptSurfaces& kept);
 
@@ -37,6 +37,9 @@ class DrawPathFactory {
     std::unique_ptr<DrawPath> make(host::WorkerPool& workers, DeviceOcclusion* occlusion,
                                    const std::string& name) const;
 
+    /// With SurfacePath::lit: a path whose draws are lit, into the picture. Those of make() fill a visibility buffer.
+    std::unique_ptr<DrawPath> makeLit(host::WorkerPool& workers, const std::string& name) const;
+
     /// With RenderOptions::occlusionCulling: the draws of occluders by the CPU, or culling by the device.
     std::unique_ptr<HostDraws> makeOccluders(host::WorkerPool& workers) const;
     std::unique_ptr<DeviceOcclusion> makeDeviceOcclusion(const depth::Technique& technique,
@@ -44,7 +47,7 @@ class DrawPathFactory {
 
     /// Makes the pipelines of draw kinds that came to the scene; those that are there stay.
     void followKinds();
-    /// What a visibility buffer is drawn from is now this.
+    /// What is drawn by facets is now this.
     void setFacets(const FacetMeshes& facets);
     /// The same, as it is; null for a G-buffer.
     const FacetMeshes* facets() const;
@@ -53,10 +56,13 @@ class DrawPathFactory {
     /// What draws of the CPU are recorded with: one of both.
     struct HostPasses {
         std::unique_ptr<GeometryPass> geometry; ///< for a G-buffer
-        std::unique_ptr<FacetPass> facets;      ///< for a visibility buffer
+        std::unique_ptr<FacetPass> facets;      ///< for a visibility buffer, or lit into the picture
     };
     HostPasses makePasses(std::optional<FacetMeshes> facets, const GeometryOptions& options) const;
     std::unique_ptr<HostDraws> makeDraws(const HostPasses& passes, host::WorkerPool& workers) const;
+    /// Not gpu-driven.
+    std::unique_ptr<DrawPath> makeRecorded(const HostPasses& passes, host::WorkerPool& workers,
+                                           const std::string& name) const;
 
     const gpu::Device& m_device;
     DrawnScene m_scene;
@@ -66,6 +72,7 @@ class DrawPathFactory {
     std::unique_ptr<BinningPass> m_binning; ///< for Submission::gpuDriven
     HostPasses m_surfaces;
     HostPasses m_occluders; ///< none without occlusion culling
+    HostPasses m_lit;       ///< none but for SurfacePath::lit
 };
 
 } // namespace cdr::render

@@ -5,7 +5,7 @@
 
 namespace cdr::render {
 
-/// Draws into a visibility buffer: vertices, indices and the records of facets.
+/// Draws facets: vertices and indices, and the records of facets or how each vertex' facet is lit.
 class FacetDraws final : public HostDraws {
   public:
     FacetDraws(const HostDrawsContext& context, const FacetPass& pass) : HostDraws(context), m_pass(pass) {}
@@ -21,11 +21,17 @@ class FacetDraws final : public HostDraws {
     void makeRoom(std::size_t draws) override;
 
   private:
+    void makeRecords(std::size_t facets);
+    /// The most draws whose facets the device reads. base::RunError if these are more.
+    std::size_t mostDraws(std::size_t draws) const;
+
     const FacetPass& m_pass;
     std::size_t m_room = 0; ///< draws
     FacetCounts m_most;     ///< of a draw
     gpu::Buffer m_vertices;
     gpu::Buffer m_indices;
+    std::size_t m_litStride = 0; ///< FacetLight::stride(); 0 where each facet has a record
+    gpu::Buffer m_lit;           ///< where facets are lit while they are drawn, else `m_facets`
     gpu::Buffer m_facets;
     vk::UniqueBufferView m_facetTexels;
 };

@@ -43,6 +43,7 @@ class HostDraws {
 
   protected:
     const gpu::Device& device() const { return m_context.device; }
+    const scene::Scene& scene() const { return m_context.scene; }
     virtual depth::Mapping mapping() const = 0;
     virtual void makeRoom(std::size_t draws) = 0;
     /// Half as many again, so that a camera that turns does not make new buffers at every frame.

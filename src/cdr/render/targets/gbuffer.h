@@ -21,6 +21,9 @@ inline constexpr vk::Format kGBufferFormat = vk::Format::eR32G32B32A32Uint;
 /// background, else 1 + the index of a shaders::FacetRecord. Vulkan requires it likewise.
 inline constexpr vk::Format kVisibilityFormat = vk::Format::eR32Uint;
 
+/// Format of the picture, which facets that are lit while they are drawn write. Vulkan requires it likewise.
+inline constexpr vk::Format kPictureFormat = vk::Format::eR8G8B8A8Srgb;
+
 /// Format of the emission buffer, which lies beside the geometry buffer of scenes that need one: see
 /// shaders/targets/emission.glsl. Vulkan requires it likewise.
 inline constexpr vk::Format kEmissionFormat = vk::Format::eR32Uint;
@@ -28,7 +31,7 @@ inline constexpr vk::Format kEmissionFormat = vk::Format::eR32Uint;
 static_assert(GBufferPixel::kIdBits == shaders::kIdBits &&
               GBufferPixel::kCascadeMask == shaders::kCascadeMask);
 
-/// @param format kGBufferFormat, kVisibilityFormat, or kEmissionFormat.
+/// @param format kGBufferFormat, kVisibilityFormat, kPictureFormat or kEmissionFormat.
 gpu::ImageOptions gbufferOptions(vk::Extent2D extent, vk::Format format = kGBufferFormat);
 gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name,
                        vk::Format format = kGBufferFormat);

@@ -2,6 +2,7 @@
 #include <cdr/render/targets/gbuffer_rendering.h>
 #include <cdr/render/targets/zero_fill.h>
 
+#include <array>
 #include <vector>
 
 namespace cdr::render {
@@ -27,6 +28,10 @@ vk::AttachmentLoadOp loadOf(const GBufferScope& scope) {
         return vk::AttachmentLoadOp::eLoad;
     }
     return scope.zeroFill != nullptr ? vk::AttachmentLoadOp::eDontCare : vk::AttachmentLoadOp::eClear;
+}
+
+vk::ClearColorValue clearValueOf(const glm::vec4& color) {
+    return std::array{color.r, color.g, color.b, color.a};
 }
 
 } // namespace
@@ -91,7 +96,8 @@ void beginGBufferScope(vk::CommandBuffer primary, const GBufferScope& scope, vk:
     std::vector<vk::RenderingAttachmentInfo> colors{{.imageView = scope.gbuffer.view(),
                                                      .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
                                                      .loadOp = loadOf(scope),
-                                                     .storeOp = vk::AttachmentStoreOp::eStore}};
+                                                     .storeOp = vk::AttachmentStoreOp::eStore,
+                                                     .clearValue = clearValueOf(scope.clearColor)}};
     if (scope.emission != nullptr) {
         colors.push_back(
             {.imageView = scope.emission->view(),

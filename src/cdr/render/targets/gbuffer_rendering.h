@@ -15,6 +15,7 @@ struct GBufferScope {
     const gpu::Image* emission = nullptr; ///< beside the G-buffer, and never cleared; null: there is none
     bool keepsColors = false;             ///< that an earlier scope over these images drew
     bool reversedDepth = false;
+    glm::vec4 clearColor{0.0f};         ///< of the colours; zeros are 0 in formats of integers too
     const ZeroFill* zeroFill = nullptr; ///< clears the colours, where there is one, as the scope's first draw
     const DepthClear* depthClear = nullptr; ///< clears depth between cascades; null: they share it
 };

@@ -58,6 +58,7 @@ void OnePassTargets::record(CascadeCommands& commands, const FrameView& view) {
                              .depth = m_depth,
                              .emission = m_emission.get(),
                              .reversedDepth = m_reversedDepth,
+                             .clearColor = view.clearColor,
                              .zeroFill = m_zeroFill.get()};
     beginGBuffer(commands.primary(), scope);
     std::vector<std::size_t> frontToBack(view.cascades.size());

@@ -19,6 +19,7 @@ void SingleTargets::record(CascadeCommands& commands, const FrameView& view) {
                              .depth = m_depth,
                              .emission = m_emission.get(),
                              .reversedDepth = m_reversedDepth,
+                             .clearColor = view.clearColor,
                              .zeroFill = m_zeroFill.get(),
                              .depthClear = &m_depthClear};
     beginGBuffer(commands.primary(), scope);

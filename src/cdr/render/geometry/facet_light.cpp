@@ -1,0 +1,38 @@
+#include <cdr/render/geometry/facet_light.h>
+#include <cdr/render/view_transform.h>
+
+#include <algorithm>
+
+namespace cdr::render {
+
+FacetLight::FacetLight(const scene::Scene& scene) : m_scene(scene) {}
+
+void FacetLight::turn(std::size_t facet, const glm::vec3& baseColor, bool isUnlit) {
+    m_ambient[facet] = isUnlit ? baseColor : baseColor * m_scene.ambient;
+    m_albedo[facet] = isUnlit ? glm::vec3(0.0f) : baseColor;
+}
+
+void FacetLight::write(std::size_t facet, const glm::dvec3& normal, double height, const glm::dvec3& origin,
+                       glm::vec3* into) const {
+    *into++ = m_ambient[facet];
+    for (const scene::PointLight& light : m_scene.lights) {
+        const double above = glm::dot(normal, light.position - origin) - height;
+        *into++ = m_albedo[facet] * light.color * static_cast<float>(std::max(above, 0.0));
+    }
+    if (m_scene.lights.empty()) {
+        *into = glm::vec3(0.0f);
+    }
+}
+
+std::array<glm::vec4, shaders::kPushedLights> pushedLights(const scene::Scene& scene,
+                                                           const scene::Camera& camera, double anchorView) {
+    std::array<glm::vec4, shaders::kPushedLights> pushed{};
+    std::transform(
+        scene.lights.begin(), scene.lights.end(), pushed.begin(), [&](const scene::PointLight& light) {
+            const glm::dvec3 view = camera.toView(light.position);
+            return glm::vec4(view.x, view.y, -view.z - anchorView, makeLightRecord(light, camera).position.w);
+        });
+    return pushed;
+}
+
+} // namespace cdr::render

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cdr/render/geometry/facet_solid.h>
+#include <cdr/scene/camera.h>
+#include <cdr/scene/scene.h>
+#include <cdr/shaders/shared.h>
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace cdr::render {
+
+/// What facets that are lit while they are drawn are told of their light, in float64: all that does not change across a
+/// facet. The model is that of matt surfaces in shaders/shading/lighting.glsl.
+class FacetLight {
+  public:
+    /// @param scene must outlive it, and has at most shaders::kPushedLights lights, none with a cone or a range.
+    explicit FacetLight(const scene::Scene& scene);
+
+    /// Colours per vertex: ambient light that the facet reflects, then for each of litBy() its colour times the albedo and
+    /// the light's height over the facet's plane in scene units.
+    std::size_t stride() const { return 1 + litBy(m_scene); }
+    /// How many lights shaders are told of: 1 or more, since without any there is a black one.
+    static std::size_t litBy(const scene::Scene& scene) {
+        return std::max<std::size_t>(scene.lights.size(), 1);
+    }
+
+    /// What a facet of the next draws is made of. Unlit: it shows its base colour in any light.
+    void turn(std::size_t facet, const glm::vec3& baseColor, bool isUnlit);
+    /// Lights a facet of one draw.
+    /// @param normal world space, unit. @param height of the facet's plane over `origin`.
+    /// @param origin of the draw, world space. @param into stride() colours.
+    void write(std::size_t facet, const glm::dvec3& normal, double height, const glm::dvec3& origin,
+               glm::vec3* into) const;
+
+  private:
+    const scene::Scene& m_scene;
+    std::array<glm::vec3, kMaxSolidParts> m_ambient{};
+    std::array<glm::vec3, kMaxSolidParts> m_albedo{}; ///< 0 of unlit facets
+};
+
+/// The lights of a scene as the draws of a cascade are pushed them (shaders::kPushedLightsOffset).
+std::array<glm::vec4, shaders::kPushedLights> pushedLights(const scene::Scene& scene,
+                                                           const scene::Camera& camera, double anchorView);
+
+} // namespace cdr::render
