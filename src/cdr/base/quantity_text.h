@@ -30,9 +30,10 @@ enum class NumberStyle { typeset, plain };
 /// Significant digits where nobody says otherwise.
 inline constexpr int kReadableDigits = 4;
 
-/// A number as people read it, in every program of cdr: so many significant digits, but all whole ones below ten million,
-/// and no zeros at the end. A power of ten below 0.0001 and from ten million on. "infinite", and "none" for no number.
-/// tests/base/quantities.json holds it to the report's page, which follows the same rules.
+/// A number as people read it, in every program of cdr. It has `digits` significant digits, but all digits of a whole number
+/// below ten million. It has no zeros at the end. Below 0.0001 and from ten million on it has a power of ten. An infinite
+/// value is "infinite", and a value that is no number is "none". The report's page follows the same rules: see
+/// tests/base/quantities.json.
 /// @param value in any unit, which the text leaves out.
 std::string quantityText(double value, NumberStyle style = NumberStyle::typeset,
                          int digits = kReadableDigits);

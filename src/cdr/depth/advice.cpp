@@ -15,8 +15,8 @@ namespace {
 /// cascades in float64.
 constexpr std::array kSimplestFirst{"standard", "reversed", "log", "cdr", "logcdr", "anchored"};
 
-/// Fitted steps per separation, with room for the rounding of both surfaces: one step, and for each surface a
-/// gap between float32 values of up to two steps.
+/// Fitted steps per separation. One is for the buffer. Each of the two surfaces takes two more, because a gap
+/// between float32 values is up to two steps.
 constexpr double kStepsPerSeparation = 5.0;
 
 Technique anchoredFor(double separationView, DepthFormat format) {

@@ -17,9 +17,9 @@ namespace cdr::depth {
 /// fewest intervals. Each cascade begins and ends on something occupied; two of them touch where an interval
 /// is cut. Empty when more than `most` would be needed.
 ///
-/// This is exact. Steps never fall as a cascade grows (stepBoundView()). So among all ways to cover a
-/// beginning with k cascades, c of which end in a gap, the one that reaches farthest leaves the least to do.
-/// One such way is kept for every (k, c).
+/// This is exact. Steps never fall as a cascade grows (stepBoundView()). So take all ways to cover the nearest
+/// part of the range with k cascades, c of which end in a gap. The one that reaches farthest leaves the least
+/// to cover. It is kept for every (k, c).
 /// @param occupied as mergeIntervals() returns them, not empty.
 std::optional<Cascades> planCascades(const StepModel& model, const StepTarget& target,
                                      std::span<const Interval> occupied, std::size_t most);

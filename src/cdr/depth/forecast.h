@@ -34,11 +34,11 @@ struct CDR_EXPORT Forecast {
     double bufferStepView = 0.0; ///< of the depth buffer, in the cascade that holds the distance
     DepthRounding rounding;      ///< of one surface, before the buffer sees it
 
-    /// Surfaces this far apart come out in order except for single pixels: a step of the buffer, and two
-    /// standard deviations of what float32 and snapping round of two surfaces.
+    /// Surfaces this far apart come out in order except for single pixels. It is a step of the buffer, and two
+    /// standard deviations of the rounding of two surfaces by float32 and snapping.
     double resolvedView() const;
-    /// Surfaces this far apart come out in order everywhere: a step of the buffer, and every rounding of both
-    /// surfaces at its worst.
+    /// Surfaces this far apart come out in order everywhere. It is a step of the buffer, and every rounding of
+    /// both surfaces at its worst.
     double guaranteedView() const { return bufferStepView + 2.0 * rounding.worstView(); }
 };
 

@@ -34,8 +34,8 @@ struct SplitContext {
 /// - none, ratio, count, at, minimax: the whole range, without gap or overlap.
 /// - fitted: what is visible, as SplitFitted says; there may be gaps.
 ///
-/// @throws base::InputError for a range that requireRange() refuses, for more than kMaxCascades, and for a split that
-///         is fitted to pixels without a footprint slope above 0.
+/// @throws base::InputError for a range that requireRange() refuses and for more than kMaxCascades.
+/// @throws base::InputError for a split that is fitted to pixels if the footprint slope is not above 0.
 CDR_EXPORT Cascades makeCascades(const Split& split, const SplitContext& context);
 /// makeCascades(), refused instead of thrown.
 CDR_EXPORT base::Result<Cascades> tryMakeCascades(const Split& split, const SplitContext& context);

@@ -74,8 +74,8 @@ struct DepthRange {
 /// @param index below the number of cascades, which is not checked.
 CDR_EXPORT Cascade clipRange(Mapping mapping, const Cascades& cascades, std::size_t index);
 
-/// Where the depth range of the last reversed cascade ends. At infinity, which costs a float buffer nothing,
-/// or at its far plane, without which a thin cascade would use a small part of the depth range.
+/// Where the depth range of the last reversed cascade ends. `open` is at infinity, which costs a float buffer
+/// no precision. `closed` is at its far plane: an open thin cascade would use a small part of the depth range.
 enum class FarEnd : std::uint8_t { open, closed };
 
 /// The depth range of cascade `index`: its clip range. The last cascade of reversed is open to infinity
@@ -95,7 +95,7 @@ CDR_EXPORT double depthSlope(const DepthRange& range, double distanceView);
 /// Inverse of zNdcAt().
 CDR_EXPORT double distanceViewAt(const DepthRange& range, double zNdc);
 
-/// What a vertex shader needs. With d = w - anchorView, clip w is w, and clip z is
+/// What a vertex shader needs. Let d = w - anchorView. Then clip w is w. Clip z is
 /// - scale * d + offset for the linear mappings,
 /// - w * ln(d * scale) * offset for the logarithmic ones.
 struct ClipTerms {

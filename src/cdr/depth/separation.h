@@ -13,8 +13,8 @@
 
 namespace cdr::depth {
 
-/// The view-distance gap beyond `distanceView` over which a depth buffer of this format moves by one step:
-/// what the buffer alone resolves, without the rounding of vertices. Infinity where no farther value exists.
+/// The view-distance gap beyond `distanceView` over which a depth buffer of this format moves by one step.
+/// The buffer alone resolves this; vertices round as well. Infinity where no farther value exists.
 /// Exact, not to first order.
 CDR_EXPORT double separationView(const DepthRange& range, DepthFormat format, double distanceView);
 

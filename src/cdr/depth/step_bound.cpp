@@ -68,8 +68,8 @@ double worstStepShare(const StepModel& model, const StepTarget& target, const Ca
     if (!isReversed(model.mapping)) {
         return share(f); // steps grow at least as fast as targets do
     }
-    // Reversed steps rise, then fall. Their peak is where depth falls below 1/2, in the middle of the range,
-    // where the target turns from units to a share of the distance, or at an end.
+    // Reversed steps rise, then fall. Their share of the target peaks at an end, where depth falls below 1/2, or at half
+    // the far plane's distance. Or it peaks where the target turns from units to a share of the distance.
     const double turn = target.share() > 0.0 ? target.units() / target.share() : f;
     double worst = 0.0;
     for (const double w : std::array{n, 2.0 * f * n / (f + n), 0.5 * f, turn, f}) {

@@ -96,8 +96,8 @@ struct BorrowedDevice {
 
 /// A logical device with one queue and a memory allocator. Frees what it created; what it borrowed stays. It must outlive
 /// what is made on it, and its Instance must outlive it.
-/// @threads Any number at once may ask what it is. submit() belongs to one thread at a time, and what is given a handle or
-///          a command buffer to the thread that has it.
+/// @threads Any number at once may call the functions that ask for a property. submit() belongs to one thread at a time. A
+///          function that takes a handle or a command buffer belongs to the thread that owns that object.
 /// @errors None but those that a function names.
 /// @lifetime Handles, pointers and references are valid as long as the device; moving it takes them along.
 class CDR_EXPORT Device {
@@ -109,10 +109,10 @@ class CDR_EXPORT Device {
     /// @throws std::system_error for Vulkan's other errors.
     Device(const Instance& instance, const std::string& choice);
     /// Of handles that stay the caller's.
-    /// @throws base::InputError for a null handle.
-    /// @throws base::InputError that names the features which the physical device lacks or BorrowedDevice::features leaves
-    ///         off, and for a queue family that does not do graphics and compute.
-    /// @throws base::InputError for a loader that is not the one in use, or knows not all of Vulkan 1.3.
+    /// @throws base::InputError for a null handle, and for a queue family that does not do graphics and compute.
+    /// @throws base::InputError that names the features which the physical device lacks, or which BorrowedDevice::features
+    ///         leaves off.
+    /// @throws base::InputError for a loader that is not the one in use, or that does not know all of Vulkan 1.3.
     /// @throws base::RunError when there is no loader.
     /// @throws std::system_error for Vulkan's other errors.
     explicit Device(const BorrowedDevice& borrowed);

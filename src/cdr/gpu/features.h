@@ -9,8 +9,8 @@
 
 namespace cdr::gpu {
 
-/// Turns on, in the structs that a device is about to be created with, the features that cdr needs, and those that it can
-/// use and the device has. What is on stays on.
+/// Turns on the features that cdr needs, and those that it can use and the device has. It does so in the structs that the
+/// device will be created with. What is on stays on.
 /// @param instance of the device.
 /// @param features whose pNext chain holds VkPhysicalDeviceVulkan12Features and VkPhysicalDeviceVulkan13Features.
 /// @param loader as BorrowedDevice::loader.

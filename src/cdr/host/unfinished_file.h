@@ -19,9 +19,9 @@ class UnfinishedFile {
     std::size_t m_slot;
 };
 
-/// From now on the signals that ask a process to end (SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU) remove what is
-/// unfinished, and then end it as before. One that is ignored stays ignored. A file beyond the limit of file sizes
-/// (SIGXFSZ) becomes an error of the write instead.
+/// From now on a signal that asks the process to end first removes the unfinished files. Then it ends the process as before.
+/// These signals are SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM and SIGXCPU. A signal that is ignored stays ignored. A file
+/// beyond the limit of file sizes (SIGXFSZ) becomes an error of the write instead.
 ///
 /// For main() of a program: a library leaves signals alone.
 void removeUnfinishedFilesOnSignals();

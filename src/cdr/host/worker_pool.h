@@ -46,8 +46,9 @@ class CDR_EXPORT WorkerPool {
     /// @param trace with a track per worker. It must live until another takes its place, or as long as the pool.
     void setTrace(Trace* trace) { m_trace = trace; }
 
-    /// For tests of what depends on no order. From now on the calling thread runs the jobs of each batch one after the
-    /// other, in one of all possible orders, and in the name of any worker. Between batches only.
+    /// For tests that results do not depend on the order of jobs. From now on the calling thread runs the jobs of each
+    /// batch one after the other. The number chooses one of all possible orders, and which worker each job is told that
+    /// it runs on. Call it between batches only.
     /// @param number of the order, any; 0 is the order of the jobs on worker 0.
     void setSchedule(std::uint64_t number) { m_schedule = number; }
 

@@ -11,9 +11,9 @@
 
 namespace cdr::image {
 
-/// Pictures beside each other, from the left, all of the height of the first. The first one moves to the left and the
-/// others to the right. So the first `shift` / 2 columns of the first one, and as many of the last columns of the
-/// others, the odd one included, leave their pictures. What that uncovers is `fill`.
+/// Pictures beside each other, from the left, all of the height of the first. The first one moves to the left by half of
+/// `shift`, rounded down. The others move to the right by half of it, rounded up. Columns that leave their own part are
+/// lost. Columns that become free are `fill`.
 template <typename Pixel>
 Raster<Pixel> beside(std::span<const Raster<Pixel>* const> pictures, std::uint32_t shift = 0,
                      Pixel fill = {}) {
@@ -36,8 +36,9 @@ Raster<Pixel> beside(std::span<const Raster<Pixel>* const> pictures, std::uint32
     return joined;
 }
 
-/// One picture for glasses with a red left and a cyan right lens, of a picture with both eyes beside each other: red of
-/// the left half, green and blue of the right half.
+/// One picture for glasses with a red left and a cyan right lens. Red is from the left half, green and blue from the
+/// right half.
+/// @param besides both eyes' pictures beside each other.
 inline ImageRgba8 anaglyphOf(const ImageRgba8& besides) {
     const std::uint32_t width = besides.width / 2;
     ImageRgba8 anaglyph(width, besides.height);
