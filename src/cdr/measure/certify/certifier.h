@@ -50,7 +50,8 @@ struct Certificate {
 /// Coverage rule: the float64 ray through a pixel's centre decides, as TruthCaster has it.
 ///
 /// 1. Triangles are placed in float64 and give each pixel intervals of distance (OrderStrip). A pixel is certified where its
-///    drawn object covers it surely, is before every other by more than the device may be off, and was drawn at its place.
+///    drawn object surely covers it and was drawn at its place. It must also be nearer than every other object by more than
+///    the device may be off.
 /// 2. Where the bound leaves two answers open, the same is asked again of triangles that are off by roundings of float64 alone.
 ///    Nearly all pixels that were drawn right are proven so.
 /// 3. The others are cast, and repaired where they were drawn wrong: those drawn wrong, and those on an edge.

@@ -27,8 +27,8 @@ struct TriangleBound {
 
 /// How far off a device may draw, from its stated sub-pixel bits and from float32's arithmetic. With u = 2^-24:
 ///
-/// - A corner's x is at most 4 roundings of a sum of products, 2 of a projection, 2 of w, which is a sum too, a division
-///   and 2 of a viewport. Half a sub-pixel comes to that. See pixels().
+/// - A corner's x has at most 4 roundings of a sum of products, 2 of a projection and 2 of w, itself a sum. A division adds
+///   one, and a viewport 2. Half a sub-pixel is added to these.
 /// - A distance has 2 roundings of its own and at most 4 of its sum of products: 8 u of the largest number in it.
 /// - A depth has 3 roundings as depth::DepthRounding counts them. Drivers form it from a plane over the picture, a product
 ///   and a sum along each axis: 8 u of the largest depth of the triangle. What that plane's slope adds is a shift of pixels.
@@ -40,8 +40,8 @@ class DeviceBound {
   public:
     explicit DeviceBound(const DrawnFrame& frame);
 
-    /// The bound of a device that would compute in float64, snap no vertex and store depth as it is: how far off triangles
-    /// are that are placed in float64.
+    /// The bound of a device that would compute in float64, snap no vertex and store depth without rounding. It is the error
+    /// of triangles that are placed in float64.
     static DeviceBound ofFloat64(const DrawnFrame& frame);
 
     TriangleBound of(const TriangleReach& reach) const;

@@ -29,8 +29,8 @@ struct PixelFinding {
 /// Some rows of a drawn picture. All triangles that may be seen there go in, in any order; verdicts come out.
 ///
 /// Each triangle gives a pixel an interval of view distances: where its surface is, and by how much the device may be off.
-/// It covers the pixel surely where the centre is inside it and farther from its edges than corners may be off, and
-/// possibly where it is not farther outside. Where a surface goes on beyond an edge, inside is enough to cover surely.
+/// It surely covers the pixel if the centre is inside it, and farther from its edges than corners may be off. It may cover
+/// the pixel if the centre is outside by no more than that. Where a surface goes on beyond an edge, inside is enough.
 /// The drawn distance says which triangles cannot matter, so most of what is hidden is never looked at.
 class OrderStrip {
   public:

@@ -10,8 +10,8 @@
 
 namespace cdr::measure {
 
-/// Gives repairs, whose object and distance are known, their normals and colours: the surface at that distance, lit in
-/// float64 as the shading pass lights it.
+/// Gives repairs their normals and colours; their object and distance are known. They are those of the surface at that
+/// distance, lit in float64 as the shading pass lights it.
 /// @param shapes of the scene's meshes.
 void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, const DrawnFrame& frame,
                   host::WorkerPool& workers, std::vector<PixelRepair>& repairs);

@@ -15,11 +15,11 @@ struct Viewing {
     double pixelsPerDegree = 0.7 * 3840.0 / 0.7 * 3.14159265358979323846 / 180.0;
 };
 
-/// LDR-FLIP: how strongly a viewer who switches between two pictures sees them differ, per pixel from 0 (not
-/// at all) to 1 (Andersson et al., "FLIP: A Difference Evaluator for Alternating Images", HPG 2020). Not to
+/// LDR-FLIP: how strongly a viewer who switches between two pictures sees them differ, per pixel, from 0 (not
+/// at all) to 1. After Andersson et al., "FLIP - A Difference Evaluator for Alternating Images", HPG 2020. Not to
 /// be confused with the flips of flips.h.
 ///
-/// Colours are filtered by the eye's contrast sensitivity, compared in Hunt-adjusted L*a*b* by HyAB, and the
+/// Colours are filtered by the eye's contrast sensitivity, and compared in Hunt-adjusted L*a*b* by HyAB. The
 /// difference is raised where edges or points appear or vanish. Borders repeat the outermost pixels. Alpha is
 /// not looked at. Arithmetic is float32, within 10^-5 of the float64 reference of the tests.
 class FlipDifference {

@@ -32,9 +32,9 @@ image::Raster<std::uint8_t> steadyMask(const TruthImage& before,
                                        const TruthImage& after,
                                        const image::Raster<std::uint8_t>& innerAfter);
 
-/// A flip is a pixel off edges whose true object stays from one frame to the next while the drawn one changes: a
-/// steady pixel drawn as different objects. So at least one of the two is wrong. A wrong pixel that stays put does
-/// not flip. base::InputError when the sizes differ.
+/// A flip is a pixel off edges whose true object stays from one frame to the next while the drawn one changes. So at
+/// least one of the two drawn objects is wrong. A wrong pixel that shows the same object in both frames does not flip.
+/// base::InputError when the sizes differ.
 FlipCount countFlips(const image::ImageU32& idsBefore, const image::ImageU32& idsAfter,
                      const image::Raster<std::uint8_t>& steady);
 

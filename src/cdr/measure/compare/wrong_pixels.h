@@ -40,8 +40,8 @@ WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth);
 WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth,
                        const image::Raster<std::uint8_t>& inner);
 
-/// The heat map: red (255, 0, 0) where wrong off edges, orange (255, 165, 0) where wrong on edges, else the
-/// picture as grey at half its brightness. Opaque. base::InputError when the sizes differ.
+/// The heat map, opaque. Pixels that are wrong are red (255, 0, 0) off edges and orange (255, 165, 0) on edges.
+/// Others show the picture as grey at half its brightness. base::InputError when the sizes differ.
 image::ImageRgba8 heatMap(const image::ImageU32& ids, const TruthImage& truth,
                           const image::ImageRgba8& picture);
 

@@ -19,8 +19,8 @@ double chiSquared(const ChoiceCounts& counts);
 /// @param chiSquared at least 0.
 double chiSquaredTail(double chiSquared);
 
-/// Exact two-sided binomial p against an even split: how likely counts at least this uneven are when every
-/// choice is a toss of a fair coin. Right for few trials, where chi-squared's curve is not.
+/// Exact two-sided binomial p against an even split. It is the probability of counts at least this uneven when
+/// every choice is a toss of a fair coin. It holds for few trials, where chi-squared's curve does not.
 /// base::InputError when nobody chose, or over a million did.
 double binomialTail(const ChoiceCounts& counts);
 

@@ -30,8 +30,8 @@ struct ViewRange {
     bool holds(double distanceView) const { return distanceView >= nearView && distanceView <= farView; }
 };
 
-/// The rays of a picture: pixel (i, j), row 0 on top, looks along -back + right * x[i] + up * y[j], so that
-/// the ray parameter is the view distance. Slopes are taken at pixel centres.
+/// The rays of a picture. Pixel (i, j), with row 0 on top, looks along -back + right * x[i] + up * y[j]. So the
+/// ray parameter is the view distance. Slopes are taken at pixel centres.
 struct PixelSlopes {
     std::vector<double> x;
     std::vector<double> y;

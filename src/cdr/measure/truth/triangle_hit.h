@@ -13,11 +13,11 @@ namespace cdr::measure {
 /// A triangle's corners in object space, counter-clockwise seen from its front.
 using Triangle = std::array<glm::vec3, 3>;
 
-/// Meets a ray with triangles after Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (2013):
-/// space is sheared so that the ray is an axis, and three edge functions decide in 2D.
+/// Intersects a ray with triangles, after Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (2013).
+/// Space is sheared so that the ray is an axis, and three edge functions decide in 2D.
 ///
-/// Two triangles that share an edge compute the same edge function but for its sign, which is exact, and 0
-/// counts as a hit: so no ray passes between them.
+/// Two triangles that share an edge compute the same edge function with opposite signs, and the sign is exact.
+/// 0 counts as a hit. So no ray passes between them.
 class ShearedRay {
   public:
     explicit ShearedRay(const ObjectRay& ray) : m_origin(ray.origin) {

@@ -52,8 +52,8 @@ class TruthCaster {
     TruthCaster(const scene::Scene& scene, host::WorkerPool& workers);
 
     /// The picture of width x height pixels. Its bits do not depend on the number of workers.
-    /// base::InputError for a camera that is not usable, a picture without pixels, and an instance that
-    /// is not finite or refers to what is not there.
+    /// base::InputError for a camera that is not usable and for a picture without pixels. The same for an
+    /// instance that is not finite, or refers to what does not exist.
     TruthImage cast(const scene::Camera& camera, std::uint32_t width, std::uint32_t height,
                     host::WorkerPool& workers) const;
     /// The same of the pixels that are not 0 in `wanted` alone; the others stay as they begin.

@@ -12,8 +12,8 @@ namespace cdr::measure {
 /// shading pass lights it. 8-bit sRGB, within a step or two of a rendered picture wherever that shows the
 /// same object; it shares no code with the renderer.
 ///
-/// For scenes of boxes with one instance per object, the 2AFC scenes among them: a truth pixel holds no
-/// normal, and a box's follows from the position. base::InputError for others.
+/// For scenes of boxes with one instance per object, such as the 2AFC scenes. A truth pixel holds no normal, and
+/// a box's normal follows from the position. base::InputError for other scenes.
 /// @param truth cast from the same scene and camera.
 image::ImageRgba8 shadeTruth(const scene::Scene& scene, const scene::Camera& camera, const TruthImage& truth,
                              host::WorkerPool& workers);

@@ -15,8 +15,8 @@ struct ShinyPoint {
     glm::dvec3 toCamera;
 };
 
-/// Share of a point light's colour that reaches the camera, where a white matt surface that faces the light
-/// sends back all of it: pi times the reflectance, times the cosine.
+/// Share of a point light's colour that reaches the camera: pi times the reflectance, times the cosine. It is 1
+/// for a white matt surface that faces the light.
 glm::dvec3 pointShare(const ShinyPoint& point, const glm::dvec3& toLight);
 
 /// The part of pointShare() that is not mirrored.
