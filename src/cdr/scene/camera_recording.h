@@ -30,8 +30,8 @@ inline constexpr std::size_t kMaxRecordedCameras = 36'000; ///< 20 minutes at 30
 /// or exceeds kMaxRecordedCameras. base::InputError for one that is not usable.
 bool record(CameraRecording& recording, double seconds, const Camera& camera);
 
-/// The camera at a moment: the first before the recording begins, the last after its end, and at a recorded
-/// moment the recorded one to the bit. In between
+/// The camera at a moment. Before the recording begins it is the first, and after its end the last. At a recorded
+/// moment it is the recorded one to the bit. In between
 /// - positions are linear in float64 from the nearer end, so that steps of micrometres stay exact far out;
 /// - orientation follows the shortest turn;
 /// - field of view, near and far are interpolated by their logarithms.

@@ -38,19 +38,19 @@ struct MeshCluster {
 struct ClusterGroup {
     std::uint32_t firstCluster = 0; ///< those that the coarser form takes the place of
     std::uint32_t clusterCount = 0; ///< how many follow one another
-    /// Holds these clusters, and the spheres of the groups that they were made by: so error over distance only grows from
-    /// the mesh to its coarsest form.
+    /// Holds these clusters, and the spheres of the groups that they were made by. So error divided by distance only grows
+    /// from the mesh to its coarsest form.
     ClusterSphere bounds{};
-    /// Object space: the Hausdorff distance between the coarser form and what it stands for of the mesh, or that of a finer
-    /// group where that is larger. It grows likewise.
+    /// Object space: the Hausdorff distance between the coarser form and its part of the mesh. If a finer group that it
+    /// was made from has a larger error, it is that. So it grows as well.
     float error = 0.0f;
 };
 
-/// A mesh as clusters at many levels of detail, which can be mixed in one picture without cracks: the border of a group is
+/// A mesh as clusters at many levels of detail, which can be mixed in one picture without cracks. The border of a group is
 /// the same in full and in its coarser form. Empty unless scene::makeClusters() was called (lod/clusters.h).
 ///
-/// Which clusters stand for the mesh: those whose `madeBy` group is coarse enough to be drawn and whose `coarserBy` group
-/// is too coarse (visibility::chooseClusters()).
+/// These clusters stand for the mesh: those whose `madeBy` group has a small enough error, and whose `coarserBy` group has
+/// too large a one (visibility::chooseClusters()).
 struct ClusterTree {
     std::vector<std::uint32_t> indices; ///< each below the mesh's vertices.size()
     std::vector<MeshCluster> clusters;  ///< those of groups first, group by group

@@ -9,8 +9,8 @@ namespace cdr::scene {
 struct Frustum {
     double tanX = 1.0; ///< half the picture's width at view distance 1
     double tanY = 1.0; ///< half its height there
-    /// Sines and cosines of the half angles. A point lies between the planes left and right where
-    /// w * sinX >= |x| * cosX, with x in view space and w its view distance; above and below alike.
+    /// Sines and cosines of the half angles. Let x be in view space and w the view distance of a point. It lies between
+    /// the planes left and right where w * sinX >= |x| * cosX; above and below alike.
     double sinX = 0.0;
     double cosX = 1.0;           ///< of half the horizontal angle
     double sinY = 0.0;           ///< of half the vertical angle

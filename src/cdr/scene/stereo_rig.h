@@ -40,12 +40,12 @@ struct StereoRig {
 
 /// The left eye, then the right: half the eye distance beside the centre along its right axis. In toed-in rigs both turn
 /// to the point at `convergence`, about the centre's up axis.
-/// @throws base::InputError for a camera that is not usable, a distance that is not above 0 or not finite, or an eye
-///         distance that the rounding of the camera's position swallows.
+/// @throws base::InputError for a camera that is not usable, and for a distance that is not above 0 or not finite.
+/// @throws base::InputError for an eye distance that is lost in the rounding of the camera's position.
 CDR_EXPORT std::array<Camera, 2> eyesOf(const StereoRig& rig);
 
-/// By how many pixels in all a rig's pictures are moved towards each other, so that what lies at `convergence`
-/// coincides: the left picture to the left, the right one to the right. 0 for toed-in rigs, whose eyes turn instead.
+/// By how many pixels, both together, a rig's pictures are moved so that what lies at `convergence` coincides. The left
+/// picture moves to the left, the right one to the right. 0 for toed-in rigs, whose eyes turn instead.
 /// @param width of an eye's picture in pixels. @param height the same.
 /// @throws base::InputError as eyesOf(), and where the pictures would not overlap any more.
 CDR_EXPORT std::uint32_t stereoShift(const StereoRig& rig, std::uint32_t width, std::uint32_t height);

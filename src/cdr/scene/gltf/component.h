@@ -22,8 +22,8 @@ enum ComponentType {
 /// Bytes of one component of glTF's numbered types; refuses a type that does not exist.
 std::size_t componentBytes(int componentType);
 
-/// Components of an element of glTF's types, 1 of SCALAR to 4 of VEC4, 16 of MAT4, and 0 of a smaller matrix: nothing that
-/// we read is one. Refuses a type that does not exist.
+/// Components of an element of glTF's types: 1 of SCALAR to 4 of VEC4, and 16 of MAT4. 0 of a smaller matrix, which nothing
+/// that we read is. Refuses a type that does not exist.
 int componentsOf(std::string_view type, const std::string& where);
 
 /// A component as a number; normalized integers span [0, 1] or [-1, 1] as glTF defines it. The bytes may lie

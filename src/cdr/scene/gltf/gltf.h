@@ -29,9 +29,9 @@ struct GltfLimits {
     /// Not refused but shrunk, with a note: the bytes of all textures with their levels, by leaving out the largest levels
     /// of the largest textures. Without it, what takes 1366 MiB is refused.
     std::optional<std::uint64_t> textureMemory{};
-    /// Not refused but used: radius of points and lines, above 0, in scene units where the mesh's largest node has it; in
-    /// units of the mesh where a skin deforms it. Without it, each primitive gets one by how far apart its points are, or by
-    /// how large its lines are altogether.
+    /// Not refused but used: radius of points and lines, above 0. It is in scene units at the mesh's largest node, and in
+    /// units of the mesh where a skin deforms it. Without it, each primitive gets one. That follows from how far apart its
+    /// points are, or from the size of all its lines together.
     std::optional<double> pointRadius{};
     /// Not refused but used: threads that decode pictures, at most; 0: as many as there are processors. What is imported
     /// does not depend on it.

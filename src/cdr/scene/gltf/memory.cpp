@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::uint64_t kIndexBytes = sizeof(std::uint32_t);
 
-/// Tables of an index per vertex while a mesh is cut into pieces: order, points, keepers, new and used indices, and which of
-/// the file's it is.
+/// Tables of an index per vertex while a mesh is cut into pieces. They are order, points, keepers, new and used indices, and
+/// the file's vertex.
 constexpr std::uint64_t kTablesPerVertex = 6;
 
 /// What deriving tangents keeps of a vertex.

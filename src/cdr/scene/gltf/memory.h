@@ -32,8 +32,8 @@ class MemoryPrediction {
     void release(std::uint64_t bytes) { m_kept -= bytes; }
     /// Bytes up to the limit.
     std::uint64_t left() const { return m_limit - m_kept; }
-    /// Bytes up to the limit while a primitive that add() was told of is imported, beside what it takes: of use for what can
-    /// be done without.
+    /// Bytes that are free below the limit while a primitive that add() was told of is imported. What is optional may use
+    /// them.
     std::uint64_t leftBeside(const PrimitiveBytes& bytes) const;
     /// Instances: what places a primitive in the world.
     void addInstances(std::uint64_t count);

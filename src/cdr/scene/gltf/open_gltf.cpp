@@ -63,8 +63,8 @@ bool isSolid(const Sphere& sphere) {
     return sphere.radius > 0.0 && std::isfinite(sphere.radius);
 }
 
-/// A file's own lights, and the sphere that they are made for: that of the scene at rest, so that the moment at which a file
-/// is opened does not matter.
+/// A file's own lights, and the sphere that they are made for. It is that of the scene at rest, so that the moment at which a
+/// file is opened does not matter.
 struct OwnLights {
     std::span<const GltfLight> lights;
     Sphere atRest;

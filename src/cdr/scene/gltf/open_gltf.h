@@ -43,8 +43,8 @@ struct GltfChoice {
     std::optional<double> framesPerSecond{}; ///< above 0; else every frame shows the same moment
     /// Most MiB of all textures with their levels, at least 1: those that take most lose their largest levels, with a note.
     std::optional<std::uint64_t> textureMiB{};
-    /// Radius of points and lines, in scene units where the mesh's largest node shows it; else by the points' distances,
-    /// and the size of all lines together.
+    /// Radius of points and lines, in scene units at the mesh's largest node. Without it, it follows from how far apart a
+    /// primitive's points are, or from the size of all its lines together.
     std::optional<double> pointRadius{};
 
     bool operator==(const GltfChoice&) const = default;
@@ -65,9 +65,9 @@ CDR_EXPORT std::optional<double> secondsAt(const GltfChoice& choice, std::uint32
 CDR_EXPORT bool isGltfPath(const std::filesystem::path& path);
 
 /// A glTF file lit and framed so that it fills the picture, or seen by a camera of its own.
-/// @throws base::InputError in one line that names the file and the fault: it cannot be read, is not sound glTF, goes
+/// @throws base::InputError in one line that names the file and the fault. It cannot be read, is not sound glTF, goes
 ///         beyond a limit, or has nothing to look at. When it has no such camera or animation, the line names those it
-///         has. And for a choice that is out of range.
+///         has. The same for a choice that is out of range.
 CDR_EXPORT OpenedScene openGltf(const std::filesystem::path& path, const GltfChoice& choice = {});
 
 } // namespace cdr::scene

@@ -14,10 +14,9 @@ namespace cdr::scene {
 /// Meshes of fewer triangles get no clusters: one level for all of such a mesh is enough.
 inline constexpr std::size_t kLeastClusteredTriangles = 8192;
 
-/// Cuts a mesh into clusters (meshoptimizer), and again and again makes coarser ones of neighbouring clusters by edge
-/// collapses that leave the border of their group as it is. Errors are measured against the mesh, sampled,
-/// both ways. The same tree each time, for any number of workers. Takes about twice the indices of
-/// the mesh.
+/// Cuts a mesh into clusters (meshoptimizer). Then it makes coarser clusters of groups of neighbours by edge collapses, and
+/// repeats this. The border of a group stays as it is. Errors are measured against the mesh, sampled, both ways. The tree is
+/// the same each time, for any number of workers. It takes about twice the indices of the mesh.
 ///
 /// After Ponchio, Cignoni, Ganovelli, Gobbetti, Marton and Scopigno (Batched Multi Triangulation, 2005) and Karis, Stubbe
 /// and Wihlidal (A Deep Dive into Nanite, 2021).

@@ -46,22 +46,23 @@ inline constexpr std::size_t kMostPieces = 4096;
 /// How wide pieces may be, in scene units, where nobody says: float32 vertices in them are exact to 3e-5.
 inline constexpr double kPieceRadius = 512.0;
 
-/// Cuts a mesh into pieces of about `radius`, each with vertices relative to its own origin, so that float32
-/// rounds them to 2^-25 of the piece and not of the mesh. At most kMostPieces, and one per eight triangles;
-/// larger ones then. One piece where the mesh is no wider. Triangles are not cut: one larger than `radius`
-/// goes by its centre, its piece is as large as it is, and the renderer's wide draws take it.
+/// Cuts a mesh into pieces of about `radius`, each with vertices relative to its own origin. So float32 rounds
+/// them to 2^-25 of the piece and not of the mesh. There are at most kMostPieces, and at most one per eight
+/// triangles; if more would be needed, pieces are larger. One piece where the mesh is no wider. Triangles are
+/// not cut. One that is larger than `radius` goes to a piece by its centre. That piece is then as large as the
+/// triangle, and the renderer's wide draws take it.
 ///
 /// No cracks: at every vertex where pieces meet, the widest of them holds all triangles of that vertex. So
-/// any two triangles that share an edge or a corner are drawn by one piece with one transform. The pieces of
-/// one object thus overlap by a row of triangles at their seams, at most three copies of each, and are not
-/// for blending, which would show them twice.
+/// any two triangles that share an edge or a corner are drawn by one piece with one transform. Thus the pieces
+/// of one object overlap by a row of triangles at their seams, with at most three copies of each. They are not
+/// for blending, which would show the copies.
 /// @param source not empty, positions finite.
 /// @param radius in the source's space, > 0; infinity for one piece.
 CDR_EXPORT std::vector<MeshPiece> cutIntoPieces(const SourceMesh& source,
                                                 double radius = std::numeric_limits<double>::infinity());
 
-/// The same pieces of a mesh that is not needed any more. One no wider than `radius` is moved and not copied, if its vertices
-/// come in the order in which its triangles first use them, as importers make it.
+/// The same pieces of a mesh that is not needed any more. A mesh no wider than `radius` is moved and not copied. For that its
+/// vertices must be in the order in which its triangles first use them, as importers make it.
 /// @param source not empty, positions finite; without contents afterwards.
 /// @param radius in units of the source's space, > 0; infinity for one piece.
 CDR_EXPORT std::vector<MeshPiece> cutIntoPieces(SourceMesh&& source,

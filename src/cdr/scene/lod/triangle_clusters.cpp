@@ -11,8 +11,8 @@ namespace cdr::scene {
 
 namespace {
 
-/// A cut that leaves one side less than this share of the triangles goes through the middle triangle instead,
-/// which bounds the work whatever the mesh.
+/// A cut that leaves one side fewer than one in this many triangles goes through the middle triangle instead.
+/// That bounds the work for any mesh.
 constexpr std::size_t kLeastShare = 8;
 
 class Clusterer {

@@ -20,10 +20,10 @@ struct TriangleCluster {
     double radius() const { return 0.5 * glm::distance(low, high); }
 };
 
-/// Sorts triangles into clusters, the widest cut first, until each fits a sphere of `radius`, there are
-/// `most`, or cutting would not help: a triangle is never cut. So what is hardly wider than its largest
-/// triangle stays. Every triangle is in one cluster. The same clusters whatever the machine; O(triangles log
-/// triangles).
+/// Sorts triangles into clusters and cuts the widest first. It ends when each fits a sphere of `radius`, when
+/// there are `most`, or when a cut would not help. A triangle is never cut, so a cluster that is hardly wider
+/// than its largest triangle stays. Every triangle is in one cluster. The clusters are the same on every
+/// machine. O(triangles log triangles).
 /// @param source not empty.
 /// @param radius > 0; infinity for one cluster.
 std::vector<TriangleCluster> clusterTriangles(const SourceMesh& source, double radius, std::size_t most);

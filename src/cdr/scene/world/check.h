@@ -29,8 +29,8 @@ CDR_EXPORT void requireUsable(const Transform& transform, const std::string& wha
 /// Position, colour and half distance finite, half distance and range above 0, the cone's angles in the order that LightCone
 /// names.
 CDR_EXPORT void requireUsable(const PointLight& light, const std::string& what);
-/// Indices in range, vertices finite and within the bounding radius, which is at most 1e20, at most kMaxLevels levels, clusters
-/// and groups that refer to what is there.
+/// Indices are in range. Vertices are finite and within the bounding radius, which is at most 1e20. There are at most
+/// kMaxLevels levels. Clusters and groups refer to what is there.
 CDR_EXPORT void requireUsable(const Mesh& mesh, const std::string& what);
 /// The part of it that vertices decide.
 /// @param boundingRadius object space

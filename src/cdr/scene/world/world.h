@@ -29,8 +29,8 @@ struct InstanceOptions {
 /// Instances are drawn in the order of their places (Handle::index). A new one takes the place given back last. A place
 /// that is free keeps an instance without size, which no picture and no truth shows.
 /// @threads Edits and frames belong on one thread, or take turns.
-/// @errors Every function throws base::InputError and changes nothing when a handle or an index names what is not there
-///         (any more), a handle is of another world, or a value cannot be drawn.
+/// @errors Every function throws base::InputError and changes nothing in three cases. A handle or an index names what is
+///         not there (any more), a handle is of another world, or a value cannot be drawn.
 /// @lifetime References are valid as long as the world, which must stay where it is. What they refer to changes.
 class CDR_EXPORT World {
   public:

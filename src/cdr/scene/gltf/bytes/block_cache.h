@@ -10,8 +10,8 @@
 
 namespace cdr::scene::gltf {
 
-/// Blocks of open files, those used last: elements are read one by one, from several places of a file in turn, and no part of
-/// it need be in memory whole. The files must outlive it. Not for two threads at a time.
+/// The blocks of open files that were used last. Elements are read one by one, from several places of a file in turn, and
+/// none of these parts need be in memory whole. The files must outlive it. Not for two threads at a time.
 class BlockCache {
   public:
     static constexpr std::size_t kBlockBytes = std::size_t{16} << 10;

@@ -7,9 +7,9 @@
 
 namespace cdr::scene::gltf {
 
-/// In which order to read elements, so that none of the blocks that they are in is read twice (block_cache.h): places in
-/// `elements`, by the element. Empty where they can be read as they are, since their blocks are kept.
-/// @param bytesApart from one element to the next, all that is read of an element together; 0 if all of it is in memory.
+/// In which order to read elements, so that none of their blocks is read twice (block_cache.h). The result is indices into
+/// `elements`, sorted by the element. Empty if any order will do, since their blocks are all kept.
+/// @param bytesApart from one element to the next, of all that is read of an element; 0 if all of it is in memory.
 std::vector<std::uint32_t> readingOrder(std::span<const std::uint32_t> elements, std::size_t bytesApart);
 
 /// Calls back with each place in that order.

@@ -22,8 +22,8 @@ struct DracoPrimitive {
     std::map<std::string, int> ids; ///< by attribute: its unique id in the stream
 };
 
-/// The compressed form of a primitive, if it has to be decoded: the file requires it, or has not all of the primitive
-/// uncompressed as well. Refuses one that is unsound.
+/// The compressed form of a primitive, if it has to be decoded. That is so if the file requires the extension, or if a part
+/// of the primitive is in no uncompressed form. Refuses one that is unsound.
 /// @param root of the document.
 std::optional<DracoPrimitive> dracoOf(const nlohmann::json& root, const nlohmann::json& primitive,
                                       const std::string& where);

@@ -38,8 +38,8 @@ DracoStream openDraco(std::span<const std::uint8_t> compressed, const DracoBound
 
 /// What hasBoundedTable() finds.
 inline constexpr const char* kTooLargeTable = "a table of more symbols than an encoder writes";
-/// Whether the symbols that a buffer stands before have a table as an encoder writes it: its size is no more than said, and
-/// the decoder takes memory for it before it reads on.
+/// Whether the symbols that come next in a buffer have a table of no more entries than an encoder writes. The buffer only
+/// states that number, and the decoder takes memory for it before it reads on.
 bool hasBoundedTable(const draco::DecoderBuffer& buffer);
 
 } // namespace cdr::scene::gltf

@@ -9,8 +9,8 @@
 namespace cdr::scene::gltf {
 
 /// Gives a mesh whose file has no tangents those of MikkTSpace, as glTF asks. A vertex whose corners get different ones
-/// becomes several, of which the first stays where it was and the others follow behind all; there are at most twice as many
-/// then. Triangles without extent take part in nothing.
+/// becomes several. The first of them stays where it was, and the others come after all vertices. There are at most twice
+/// as many vertices then. Triangles without extent are left out.
 /// @param mesh with details. @param second whether tangents follow VertexDetail::uv; else Vertex::uv.
 /// @param bytes that it may take while it runs.
 /// @return why it has none, and is unchanged; nothing where it has them.

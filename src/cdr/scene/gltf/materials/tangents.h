@@ -5,8 +5,8 @@
 namespace cdr::scene::gltf {
 
 /// Works out the tangents of a mesh whose file has none, where MikkTSpace cannot (mikktspace_tangents.h). Each corner has
-/// the direction in which u grows on its triangle, weighted by the corner's angle and turned into the plane of the vertex'
-/// normal. A vertex between triangles that run through their texture in opposite senses becomes two.
+/// the direction in which u grows on its triangle. It is turned into the plane of the vertex' normal, and weighted by the
+/// corner's angle. A vertex between triangles that run through their texture in opposite senses becomes two.
 /// @param mesh with details. @param second whether tangents follow VertexDetail::uv; else Vertex::uv.
 void deriveTangents(SourceMesh& mesh, bool second);
 

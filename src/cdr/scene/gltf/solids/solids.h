@@ -21,7 +21,8 @@ inline constexpr std::uint32_t kSolidTriangles = 8;
 inline constexpr std::array<std::uint32_t, std::size_t{3} * kSolidTriangles> kSolidIndices{
     0, 2, 1, 3, 4, 5, 0, 1, 3, 3, 1, 4, 1, 2, 4, 4, 2, 5, 2, 0, 5, 5, 0, 3};
 
-/// From the end of a solid that a corner is about to the corner, of length one: three of the first end, three of the other.
+/// The directions from an end of a solid to the corners about that end, of length 1. The first three are of the first end,
+/// the others of the second.
 using SolidShape = std::array<glm::dvec3, kSolidCorners>;
 
 /// The octahedron of a point.
@@ -46,9 +47,10 @@ std::uint64_t solidCount(const Primitive& primitive, Accessors& accessors);
 /// Triangles that a primitive is drawn as at most, from its counts alone.
 std::uint64_t drawnTriangleCount(const Primitive& primitive, Accessors& accessors);
 
-/// Radius of points that nobody gave one: a third of the distance of neighbours. That is taken as if they were spread
-/// evenly over a surface as large as three sides of their box, as those of a scan are; or over the length of a row.
-/// @param sides of their box. 0 where they are all at one place.
+/// The radius of points without a radius of their own: a third of the distance of neighbours. Points are assumed to be
+/// spread evenly over a surface as large as three sides of their box, as in a scan. Points in a row are assumed to be spread
+/// over its length. 0 where they are all at one place.
+/// @param sides of their box.
 double defaultPointRadius(const glm::dvec3& sides, std::uint64_t count);
 
 /// Radius of lines that nobody gave one: a share of the diagonal of their box, about two pixels of a picture that they fill.
