@@ -15,8 +15,9 @@ struct CellSeed {
     std::uint32_t instance;
 };
 
-/// The opaque instances of a scene, so ordered that every `slots` in a row are neighbours, and that groups of them by
-/// powers of two are too: halves across the widest axis, over and over. The same order for any number of workers.
+/// The opaque instances of a scene, in an order in which every `slots` in a row are neighbours. Groups of 2, 4, 8 and so on
+/// of these are neighbours too. For this the instances are halved across the widest axis, again and again. The order is the
+/// same for any number of workers.
 std::vector<CellSeed> sortIntoCells(const scene::Scene& scene, std::size_t slots, host::WorkerPool& workers);
 
 } // namespace cdr::visibility

@@ -33,7 +33,7 @@ void cullCells(const InstanceCells& cells, const scene::Camera& camera, const sc
 /// Most cameras that cull together.
 inline constexpr std::size_t kMostTogether = 32;
 
-/// cullCells() of several cameras in one walk over the cells: a cell that none of them sees is not looked into, and each
+/// cullCells() of several cameras in one walk over the cells. A cell that none of them sees is not looked into. Each
 /// camera gets the list that it would get alone.
 /// @param tests at most kMostTogether, a camera each. @param visible as many, overwritten.
 void cullCells(const InstanceCells& cells, std::span<const SphereTest> tests, host::WorkerPool& workers,

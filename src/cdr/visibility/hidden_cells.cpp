@@ -11,8 +11,8 @@ namespace {
 constexpr std::size_t kPartsPerJob = 128;
 /// Pixels by which a rectangle is larger than its object: what a device snaps vertices by is less.
 constexpr double kRim = 1.0;
-/// By so many radii an object counts as nearer than its bounding sphere: on a face seen from its edge, depth between
-/// pixels' centres can leave the range of depths at the corners.
+/// By so many radii an object counts as nearer than its bounding sphere. On a face that is seen from its edge, the depth at
+/// a pixel's centre may be outside the range of depths at its corners.
 constexpr double kRadiiNearer = 1.0;
 
 /// Bounds in view space: x to the right, y up, z the view distance.

@@ -11,8 +11,8 @@
 
 namespace cdr::visibility {
 
-/// The opaque instances of a scene in cells of neighbours, and a tree of boxes over the cells: what culling and
-/// binning need not look at one by one. It holds the bounding spheres a second time, cell by cell.
+/// The opaque instances of a scene in cells of neighbours, and a tree of boxes over the cells. So culling and binning
+/// need not look at instances one by one. It holds a copy of the bounding spheres, cell by cell.
 ///
 /// A cell has kCellSlots places, some of which may hold nothing. Node n of a level of the tree has the nodes
 /// [n * kFan, (n + 1) * kFan) of the level below. The lowest level is that of the cells.

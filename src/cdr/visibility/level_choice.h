@@ -64,11 +64,11 @@ struct LevelRule {
 /// @param height of the picture in pixels.
 CDR_EXPORT LevelRule levelRule(const Detail& detail, const scene::Frustum& frustum, std::uint32_t height);
 
-/// Fills DrawLists::level: of each draw the coarsest level whose error, in world space, is at most
-/// `rule.slope` times a view distance; the mesh itself where no level's is. That distance is the nearest of
-/// the instance's bounding sphere, w - r, but no nearer than the near plane (perObject, perCluster), or the near end of
-/// the draw's cascade (perCascade). Errors grow with an instance as its bounding sphere does. The same levels
-/// for any number of workers.
+/// Fills DrawLists::level. Of each draw it is the coarsest level whose error, in world space, is at most
+/// `rule.slope` times a view distance. If no level's is, it is the mesh itself. With perObject and perCluster that
+/// distance is the nearest of the instance's bounding sphere, w - r, but no nearer than the near plane. With perCascade
+/// it is the near end of the draw's cascade. Errors grow with an instance as its bounding sphere does. The levels are
+/// the same for any number of workers.
 /// @param lists of binByDistance() over the same camera and ranges.
 CDR_EXPORT void chooseLevels(const scene::Scene& scene, const scene::Camera& camera,
                              const depth::Cascades& clipRanges, const LevelRule& rule,

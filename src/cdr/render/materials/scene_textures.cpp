@@ -35,8 +35,8 @@ vk::Filter filterOf(bool showsTexels) {
     return showsTexels ? vk::Filter::eNearest : vk::Filter::eLinear;
 }
 
-/// Without levels, what is smaller must still count as such, for its own filter: so no level beyond a quarter, as the
-/// Vulkan specification advises for VkSamplerCreateInfo.
+/// The largest level of detail of a texture without levels, so that a minified one still takes its own filter. A quarter
+/// is what the Vulkan specification advises for VkSamplerCreateInfo.
 constexpr float kFirstLevelAlone = 0.25f;
 
 vk::UniqueSampler makeSampler(const gpu::Device& device, const scene::Texture& texture) {

@@ -4,8 +4,8 @@
 
 namespace cdr::render {
 
-/// A frame as occluders are drawn for it: the same cascades, cut and placed in the picture as ever, so that they cover
-/// the pixels that they will cover. But all in one depth buffer, of near / view distance, the near plane of the camera.
+/// A frame as occluders are drawn for it. Cascades are cut and placed in the picture as in the frame itself, so occluders
+/// cover the same pixels. But all are in one depth buffer of near / view distance, with the near plane of the camera.
 FrameView occluderView(const FrameView& view);
 
 } // namespace cdr::render

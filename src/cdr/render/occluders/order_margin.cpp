@@ -23,13 +23,13 @@ double interpolationOf(depth::Mapping mapping) {
     return mapping == depth::Mapping::log ? kInterpolatedLog : 0.0;
 }
 
-/// What a forecast says of small steps, for large ones. Where a step of depth is worth `step` at a distance, it is worth
-/// more farther away, at most as where depth goes with 1 / distance.
+/// A forecast holds for small steps; this extends it to large ones. A step of depth is worth `step` at a distance, and
+/// more farther away. It grows at most as it does where depth goes with 1 / distance.
 double farthestBeyond(double distanceView, double step) {
     return step < distanceView ? step / (1.0 - step / distanceView) : kNever;
 }
 
-/// The technique as it is in a cascade that has a slice of the depth range to itself: there a float has no more bits than
+/// The technique as it is in a cascade that has a slice of the depth range to itself. There a float has no more bits than
 /// D24, less one or two.
 depth::Technique slicedTechnique(depth::Technique technique, const FrameView& view) {
     const bool isSliced = view.cascades.front().slice != DepthSlice{};

@@ -6,8 +6,8 @@
 
 namespace cdr::render {
 
-/// Brings a picture into a host's image of the same size, whose format says how it is encoded there, and leaves that in
-/// the layout that it names.
+/// Copies a picture into a host's image of the same size. The format of that image says how colours are encoded there. The
+/// image is left in the layout that `into` names.
 /// @param picture in transfer source layout
 void recordColorOutput(vk::CommandBuffer primary, const gpu::Image& picture, const SurfaceImage& into);
 

@@ -9,8 +9,8 @@ namespace cdr::render {
 
 namespace {
 
-/// As shares of the distance from a light: of a distant one what is nearer is left out, since no surface is, and of one near
-/// by, of the farthest receiver's.
+/// What is nearer to a light than this is left out. For a distant light it is a share of the light's distance: no surface is
+/// so near. For a light near by it is a share of the farthest receiver's distance.
 constexpr double kLeastDistant = 0x1p-10;
 constexpr double kLeastNear = 0x1p-20;
 

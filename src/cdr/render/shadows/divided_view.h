@@ -10,8 +10,8 @@ namespace cdr::render {
 /// How many pixels wide a texel is, at the near end of the view's slice.
 double pixelsPerTexel(const LightView& view, double footprintSlope);
 
-/// Four views in place of one, of as many texels each and half as wide, without those that meet nothing of the slice: where
-/// texels are wider than kWidestTexel pixels, and halves are not. Else the view itself.
+/// Divides a view if its texels are wider than kWidestTexel pixels and half a texel is not. The result is four views, each
+/// with as many texels and half as wide, without those that meet nothing of the slice. Else it is the view itself.
 /// @param camera position that the slice is relative to.
 std::vector<LightView> dividedView(const LightView& view, const ReceiverSlice& slice,
                                    const glm::dvec3& camera, double footprintSlope);

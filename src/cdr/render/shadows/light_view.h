@@ -12,8 +12,8 @@
 
 namespace cdr::render {
 
-/// What a light sees of the surfaces of a slice, and of all that lies between. Positions are taken relative to `origin`,
-/// subtracted in float64, so that what is near it keeps its place however far from the light and the world's origin it is.
+/// What a light sees of the surfaces of a slice, and of all that lies between. Positions are relative to `origin`, which is
+/// subtracted in float64. So what is near it keeps its place, however far away the light and the world's origin are.
 struct LightView {
     double nearView = 0.0; ///< ReceiverSlice
     double farView = 0.0;

@@ -40,8 +40,8 @@ std::array<glm::dvec3, 8> cornersOf(const scene::Camera& camera, const scene::Fr
     return corners;
 }
 
-/// Where the surfaces of a slice are: what its part of the frustum and the box around spheres have in common, each taken as
-/// a box along the camera's axes.
+/// Where the surfaces of a slice are: both in its part of the frustum and in the box around its spheres. Each of the two is
+/// taken as a box along the camera's axes.
 void placeReceivers(const scene::Camera& camera, ReceiverSlice& slice) {
     Box view;
     Box boxes;

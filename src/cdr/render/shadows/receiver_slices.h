@@ -39,8 +39,8 @@ std::vector<SeenSphere> seenSpheres(const scene::Camera& camera, const visibilit
 std::vector<ReceiverSlice> receiverSlices(const scene::Camera& camera, const scene::Frustum& frustum,
                                           std::span<const SeenSphere> seen);
 
-/// Four slices from the nearest to the farthest that is seen, halfway between even and even in ratio (Zhang and others 2006),
-/// of the whole frustum: today's practice, for comparison.
+/// Four slices of the whole frustum, from the nearest surface that is seen to the farthest. Ends are halfway between those of
+/// an even split and of one even in ratio (Zhang and others 2006). This is today's practice, for comparison.
 std::vector<ReceiverSlice> practicalSlices(const scene::Camera& camera, const scene::Frustum& frustum,
                                            std::span<const SeenSphere> seen);
 inline constexpr int kPracticalSlices = 4;

@@ -19,8 +19,8 @@ enum class ShadowMethod : std::uint8_t {
     /// A map for each slice of distances, laid around what is seen. Places are subtracted in float64, and a surface is
     /// compared with the planes of what the map holds.
     anchored,
-    /// Today's practice, for comparison: four maps by the practical split (Zhang and others 2006), reversed depth, places
-    /// relative to the camera in float32, and a bias by slope.
+    /// Today's practice, for comparison. Four maps by the practical split (Zhang and others 2006), with reversed depth and
+    /// a bias by slope. Positions are relative to the camera in float32.
     plain,
 };
 

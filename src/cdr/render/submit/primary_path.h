@@ -9,10 +9,10 @@
 
 namespace cdr::render {
 
-/// The control without secondaries: each rendering scope is a primary of its own, recorded by whichever worker takes it, with
-/// primaries between them for what belongs there. One submit takes them all in order. A scope that clears depth between
+/// The control without secondaries. Each rendering scope is a primary of its own, which any worker records. What belongs
+/// between scopes is in primaries of its own too. One submit takes them all in order. A scope that clears depth between
 /// cascades becomes one for each. So no more threads have work than there are cascades, and one-pass targets keep one busy. A
-/// suspended scope could go on in the next primary, but the validation layer of Debian 12 (1.3.239) takes that for a mistake
+/// suspended scope could go on in the next primary. But the validation layer of Debian 12 (1.3.239) reports that as an error
 /// from the third primary on.
 class PrimaryPath final : public DrawPath {
   public:

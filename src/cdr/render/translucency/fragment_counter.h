@@ -7,8 +7,8 @@
 
 namespace cdr::render {
 
-/// Counts the translucent fragments of each pixel that lie at or in front of its opaque surface: an
-/// attachment into which every such fragment adds one. Exact up to 2048.
+/// Counts the translucent fragments of each pixel that lie at or in front of its opaque surface. Each adds one
+/// to an attachment. Exact up to 2048.
 class FragmentCounter {
   public:
     FragmentCounter(const gpu::Device& device, vk::Extent2D extent);

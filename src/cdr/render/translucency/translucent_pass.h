@@ -12,9 +12,9 @@
 
 namespace cdr::render {
 
-/// Draws a scene's translucent surfaces over its lit opaque ones. Knows neither targets nor depth mapping nor
-/// depth buffer: a fragment is occluded by comparing metric view distances with the final G-buffer, and
-/// belongs to the one cascade whose range holds its distance.
+/// Draws a scene's translucent surfaces over its lit opaque ones. It does not depend on targets, depth mapping or
+/// depth buffer. A fragment is occluded if the final G-buffer holds a smaller metric view distance. It belongs to
+/// the one cascade whose range holds its distance.
 class TranslucentPass {
   public:
     /// What one frame slot owns.

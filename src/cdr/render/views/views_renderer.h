@@ -54,8 +54,8 @@ class CDR_EXPORT ViewsRenderer {
     /// a command buffer or have one each, which the host submits in the order of the views. What all frames occupy is
     /// covered by the cascades, which the views share.
     /// @param frames one for each view, each with images of its own
-    /// @throws base::InputError for another number of cameras or frames, for lenses that differ, for a frame that
-    /// Renderer::record() refuses, or where two frames share an image. Then nothing was recorded.
+    /// @throws base::InputError for another number of cameras or frames, and for lenses that differ. The same for a frame
+    /// that Renderer::record() refuses, and for two frames that share an image. Then nothing was recorded.
     /// @throws base::RunError, std::system_error as Renderer::record(): the commands of all views are then to be reset.
     void record(std::span<const scene::Camera> cameras, std::span<const HostFrame> frames);
     /// Waits for all that was submitted or recorded.
