@@ -9,8 +9,8 @@
 
 namespace cdr::ranks {
 
-/// A lock in memory that processes share. Who waits for it learns whether its holder let it go or ended with it, before the
-/// system closes that process' files or tells its parent.
+/// A lock in memory that processes share. A process that waits for it learns whether the holder let it go or ended with it.
+/// It learns this before the system closes the holder's files or tells its parent.
 class LifeLock {
   public:
     LifeLock();
@@ -49,8 +49,8 @@ class NotedCrashes {
 /// "segmentation fault" and the like, of those that NotedCrashes notes.
 const char* nameOfCrash(int signal);
 
-/// Keeps signals that ask a process to end (SIGHUP, SIGINT, SIGTERM) from the calling thread, and from all that it starts from
-/// then on, until the object goes. One that the process ignores stays ignored.
+/// Blocks signals that ask a process to end (SIGHUP, SIGINT, SIGTERM) until the object is destroyed. It does so in the calling
+/// thread, and in all threads that it starts from then on. A signal that the process ignores stays ignored.
 class HeldSignals {
   public:
     HeldSignals();

@@ -20,9 +20,9 @@ struct SharedLife {
     static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 };
 
-/// Says when a rank of this machine is killed or crashes, or when a signal ends this one, since launchers do not agree on what they say.
-/// Each rank watches the next one, and the last one the first. Of the ranks of a machine only one says how the run ends. A
-/// rank that goes on for seconds after that ends too.
+/// Prints a message when a rank of this machine is killed or crashes, or when a signal ends this one. Launchers do not agree
+/// on what they print then. Each rank watches the next one, and the last one the first. Only one rank of a machine prints how
+/// the run ends. A rank that goes on for seconds after that ends too.
 class RankWatch {
   public:
     /// @param names of the machine's ranks, in order. @param own the place of this one, which holds its lock.

@@ -44,8 +44,8 @@ struct Place {
 /// The processes that one command was started as, its ranks; a process that was started alone is the first and only one.
 ///
 /// All ranks run the same program on the same arguments, and call the functions below in the same order. Each
-/// function that waits for other ranks throws where one of them has failed: on the first rank an error that names the
-/// rank and the cause, on the others EndedElsewhere.
+/// function that waits for other ranks throws if one of them has failed. On the first rank the error names the rank and
+/// the cause; on the others it is EndedElsewhere.
 class Ranks {
   public:
     /// The result of a unit.
@@ -87,8 +87,8 @@ class Ranks {
     /// The bytes of the first rank, on every rank.
     virtual host::Bytes share(host::Bytes ofFirst) = 0;
 
-    /// Brings what all ranks hold to the first one, in a tree: a rank takes what the ranks after it hold, in their order,
-    /// and hands on what it then holds.
+    /// Brings what all ranks hold to the first one, in a tree. A rank takes what ranks after it hold, in their order. Then it
+    /// hands on all that it holds.
     /// @param pack what this rank holds. @param take adds what later ranks packed.
     virtual void merge(const std::function<host::Bytes()>& pack,
                        const std::function<void(const host::Bytes& later)>& take) = 0;

@@ -20,8 +20,8 @@ struct DrawPipelines {
         wide; ///< of instances that span much of their distance, render::wideSpan(); may be null where none do
 };
 
-/// What every contender draws in a frame: culled, cut and binned as by render::Renderer, one instanced draw for each run of
-/// instances that share mesh and sides. So contenders differ in the test of depth alone.
+/// What every contender draws in a frame. It is culled, cut and binned as by render::Renderer. Each run of instances that
+/// share mesh and sides is one instanced draw. So contenders differ in the depth test alone.
 class FrameDraws {
   public:
     static constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;

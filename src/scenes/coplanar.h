@@ -11,8 +11,8 @@ inline constexpr double kCoplanarWall = 0.05;
 /// Offset of a layer of makeCoplanar(), in scene units.
 inline constexpr float kCoplanarLayer = 0.002f;
 
-/// Faces at the same place, as drawings, models of buildings and maps have them: markings on roads on land, signs and
-/// windows on walls, posters over posters. They are turned, and cut into other triangles than what they lie on. Two
+/// Faces at the same place, as drawings, models of buildings and maps have them. There are markings on roads on land, signs
+/// and windows on walls, and posters over posters. They are turned, and cut into other triangles than what they lie on. Two
 /// machines have plates that overlap, and one model is imported twice. Each has a layer, so each place has one right
 /// answer. Behind a thin wall lies a red sign that must never shine through it. Units are metres.
 /// @param hasLayers false: all layers are 0, and what is seen is what the order of drawing and rounding make of it.

@@ -14,8 +14,8 @@ struct LadderOptions {
     double farView = 2e6;
     /// Shrinks cubes, grid and separations alike: the field is 32 units wide, too wide to be close to.
     double scale = 1.0;
-    /// How deep the front of a pair is, as a share of a cube: below 1 the two are unlike, and float32 rounds each of them in
-    /// its own way. Their faces to the camera stay where they are.
+    /// How deep the front of a pair is, as a share of a cube. Below 1 the two differ, and float32 rounds each of them in its
+    /// own way. Their faces to the camera stay where they are.
     double frontDepth = 1.0;
 };
 

@@ -5,8 +5,8 @@
 
 namespace cdr::scenes {
 
-// All heights of the airport are metres over the levelled soil, y = 0. x is east and z south of the middle of
-// the runway numbers.
+// All heights of the airport are metres over the levelled soil, y = 0. The origin is the middle of the runway
+// numbers; x is east and z is south.
 inline constexpr double kSlabHeight = 0.02;        ///< of runway, taxiway and apron over the soil
 inline constexpr double kMarkingHeight = 0.005;    ///< of paint over the slab
 inline constexpr double kCladdingThickness = 0.01; ///< of the sheets over a hangar's walls and roof

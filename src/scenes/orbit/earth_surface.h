@@ -14,9 +14,9 @@ struct Geodetic {
 
 /// The ground in float64: the WGS84 ellipsoid plus a topography, levelled around one place.
 ///
-/// World space has its origin at that place and the Earth's own metre: x east, y up, z south. Positions near
-/// the origin are therefore as fine as float64 gets (2^-34 m at 420 km), where coordinates about the Earth's
-/// centre would step by 10^-9 m everywhere.
+/// World space has its origin at that place; x is east, y up, z south, in metres. So positions near the origin are
+/// as fine as float64 allows (2^-34 m at 420 km). Coordinates about the Earth's centre would have steps of 10^-9 m
+/// everywhere.
 class EarthSurface {
   public:
     /// A disc of ground at y = 0 exactly, so that what is built on it lies as far above as it says. Beyond

@@ -14,8 +14,8 @@ namespace cdr::scenes {
 /// Squares along an edge of a tile.
 inline constexpr std::uint32_t kTileCells = 16;
 
-/// Where the ground is cut finely. Above a least width, tiles are no wider than a share of their distance
-/// to the eye, nor than another share of their distance to a place on the ground.
+/// Where the ground is cut finely. Tiles above a least width are no wider than a share of their distance to the
+/// eye. Nor are they wider than another share of their distance to a place on the ground.
 struct TileDetail {
     glm::dvec3 eye{0.0};   ///< world space
     double eyeShare = 0.3; ///< so that a square of a tile is a fiftieth of its distance

@@ -106,8 +106,8 @@ scene::SceneSetup makeOrbitOn(const EarthSurface& surface, const GroundCover& co
     scene::SceneSetup setup;
     setup.scene.name = "orbit";
     SceneBuilder builder(setup.scene);
-    // Nearest first, as an engine that sorts for early depth tests submits them: a depth buffer that cannot
-    // tell paint, slab and soil apart shows soil.
+    // Nearest first, as an engine that sorts for early depth tests submits them. So a depth buffer that does not
+    // resolve paint, slab and soil shows soil.
     addStation(builder, station);
     if (parked != nullptr) {
         addParkedModel(builder, *parked);

@@ -36,10 +36,11 @@ struct TileCoat {
 /// Adds the materials of the ground, and returns what says which of them a tile wears.
 using GroundCover = std::function<std::function<TileCoat(const EarthTile&)>(SceneBuilder&)>;
 
-/// The real-life scene (the thesis' future work): a station's window 420 km up, the real Earth below it, the
-/// Moon behind, and an airport on the ground. Its slab lies 2 cm over the soil, and paint 5 mm over the
-/// slab. One unit is a metre, one world space holds all of it in float64. The path zooms from the window, 60
-/// degrees, to the numbers of the runway, 0.002 degrees, in 240 frames; near 0.1, far beyond the Moon.
+/// The real-life scene (the thesis' future work). It has a station's window 420 km up, the real Earth below it, the
+/// Moon behind, and an airport on the ground. The airport's slab lies 2 cm over the soil, and paint 5 mm over the
+/// slab. One unit is a metre, and one world space holds all of it in float64. The path zooms from the window, at
+/// 60 degrees, to the numbers of the runway, at 0.002 degrees, in 240 frames. Near is 0.1, and far is beyond the
+/// Moon.
 /// @param maps moved into the scene's texture.
 /// @param parked a model to stand on the apron instead of the generated aircraft; may be null.
 scene::SceneSetup makeOrbit(EarthMaps maps, const scene::Scene* parked = nullptr);

@@ -18,9 +18,9 @@ struct ZoomPath {
     std::uint32_t frames = 240;
 };
 
-/// The camera of each frame. The lens narrows by the same factor every frame, and the aim nears the target
-/// faster than the lens narrows, so that what is zoomed in on comes into the picture and stays. Frames beyond
-/// the path begin it again.
+/// The camera of each frame. The lens narrows by the same factor every frame. The aim nears the target faster
+/// than the lens narrows, so the target comes into the picture and stays there. Frames beyond the path begin it
+/// again.
 scene::CameraPath zoomPath(const ZoomPath& zoom);
 
 } // namespace cdr::scenes

@@ -10,8 +10,8 @@
 
 namespace cdr::scenes {
 
-/// Paint as flat meshes that face up (+y) at y = 0. Its own plane has `right` and `ahead`, as who rolls along
-/// the runway sees it: right is world z and ahead world x for a runway to the east.
+/// Paint as flat meshes that face up (+y) at y = 0. Points in its plane are (right, ahead), as seen by a pilot who
+/// rolls along the runway. For a runway to the east, right is world z and ahead is world x.
 class MarkingPaint {
   public:
     explicit MarkingPaint(std::string name) { m_mesh.name = std::move(name); }
