@@ -7,8 +7,8 @@
 
 namespace cdr::cli {
 
-/// Adds what the commands share that draw a scene in several ways, frame by frame (detail, effects and focus): the
-/// positional scene, --frames, --size, --threads, --seed and --out.
+/// Adds the options of the commands that draw a scene in several ways, frame by frame (detail, effects and focus). They are
+/// the positional scene, --frames, --size, --threads, --seed and --out.
 template <typename Options>
 void addComparison(CLI::App& command, Options& options, std::filesystem::path& folder) {
     command.add_option("scene", options.scene, options.scene + ", or any scene that render takes")

@@ -7,8 +7,8 @@
 
 namespace cdr::cli {
 
-/// What --device each stands for on this rank: the ranks of a machine take its devices in turn, by number, those that are
-/// processors only where there are no others. Empty, for the best, where the machine has none.
+/// What --device each stands for on this rank. The ranks of a machine take its devices in turn, by number. Devices that are
+/// processors are taken only if there are no others. Empty, which means the best, if the machine has none.
 std::string dealtDevice(const ranks::Place& place);
 
 /// Where the threads of a rank may run.

@@ -51,8 +51,8 @@ class SectionRunner {
     std::vector<SectionOutcome> m_outcomes;
 };
 
-/// Forgets kept sections that failed, or whose files are not those that they wrote, and removes all files from the report's
-/// folder that are no kept section's. On the first rank, before the sections.
+/// Forgets kept sections that failed, and those whose files changed since. Then removes all files from the report's folder
+/// that belong to no kept section. On the first rank, before the sections.
 void takeUpSections(experiments::KeptRanks& kept, const std::filesystem::path& root);
 
 } // namespace cdr::cli

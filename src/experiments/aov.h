@@ -35,8 +35,8 @@ image::Rgba8 cascadeTint(std::size_t cascade, std::uint8_t light);
 image::ImageRgba8 pictureOf(const render::Frame& frame, Aov aov, const measure::TruthImage* truth);
 
 /// The float channels of an output, for EXR: R G B of the picture for color and wrong, else the values
-/// themselves. Of distance they are three: `distance` as float32, `distanceRest` which that leaves out of the
-/// float64, so that the sum of both is exact to the anchored step, and `ahead` as the G-buffer holds it.
+/// themselves. Distance has three. `distance` is float32, and `distanceRest` is the rest of the float64, so the
+/// sum of both is exact to the anchored step. `ahead` is as the G-buffer holds it.
 std::vector<image::ExrChannel> channelsOf(const render::Frame& frame, Aov aov,
                                           const measure::TruthImage* truth);
 

@@ -24,7 +24,7 @@ struct UnitState {
     std::uintmax_t bytes = 0;           ///< of the text; behind them lies what was cut off as it was written
 };
 
-// A state is lines of text: one that says of which run it is, and one for each result, which its SHA-256 stands in front of.
+// A state is lines of text. One says of which run it is. There is one for each result, which begins with its SHA-256.
 std::string stateHeadOf(const UnitRun& run);
 std::string stateLineOf(std::size_t unit, const Json& made);
 /// A line of that text.

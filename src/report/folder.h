@@ -20,10 +20,10 @@ std::vector<std::filesystem::path> filesUnder(const std::filesystem::path& folde
 /// folder, is filled instead: the temporary folder lies in it.
 class PendingFolder {
   public:
-    /// base::InputError where no report may stand: at a file, at a folder in which the current folder lies, where
-    /// no folder can be made, and at a folder that is neither empty nor a report with nothing but its own files.
-    /// @param state what an earlier report of this state left is taken up: its temporary folder, else the report's own files, of
-    /// which the caller has to remove what is not wanted. Empty for a report that starts anew.
+    /// base::InputError if no report may be written to `path`. It is a file, a folder in which the current folder lies, or
+    /// where no folder can be made. Or it is a folder that is not empty and holds more than a report's own files.
+    /// @param state if not empty, the report goes on with what an earlier report of this state left. That is its temporary
+    /// folder, else the report's own files, of which the caller has to remove those that it does not want.
     explicit PendingFolder(const std::filesystem::path& path, const std::string& state = "");
     ~PendingFolder();
     PendingFolder(const PendingFolder&) = delete;

@@ -22,8 +22,8 @@ struct WantedOfFrames {
     bool certificate = false;
 };
 
-/// Draws frame after frame of a scene, from one view or several at a time, and casts its truth or certifies it where that is
-/// wanted.
+/// Draws frame after frame of a scene, from one view or several at a time. Casts the truth of a frame or certifies it, if the
+/// options ask for that.
 class FrameMaker {
   public:
     /// @param moving the scene, where it moves; else null. What is given by reference must outlive the maker.

@@ -10,8 +10,8 @@
 
 namespace cdr::cli {
 
-/// The frames that earlier runs of a `render --state` have made, counted from the first of the run: what
-/// RenderResults::describe() gave, but for the picture, which is in its file.
+/// The frames that earlier runs of a `render --state` have made, counted from the first of the run. Of each it has what
+/// RenderResults::describe() gave. The picture is in its own file.
 class KeptFrames {
   public:
     /// What frames of the run are like.

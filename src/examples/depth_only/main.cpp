@@ -1,5 +1,5 @@
-// An engine that draws by anchored depth. draw_anchored.cpp is all that it has of it on the CPU, and anchored.vert or .hlsl in
-// its vertex shader. What an engine has anyway stands in here, and prints instead of drawing.
+// An engine that draws by anchored depth. All that anchored depth needs is draw_anchored.cpp on the CPU and anchored.vert or
+// .hlsl on the device. This file stands in for the rest of the engine, and prints instead of drawing.
 #include "draw_anchored.h"
 
 #include <cdr/version.h>

@@ -10,12 +10,12 @@
 
 namespace cdr::experiments {
 
-/// How depth::advise() is measured on a device: what each technique resolves by the probe's ladder at the
-/// distance asked for, between the question's near and far planes. What it costs is measured by the
-/// timing scene, 64,000 cubes, in frames that interleave all techniques.
+/// How depth::advise() is measured on a device. The probe's ladder measures what each technique resolves at the
+/// distance of the question, between its near and far planes. The timing scene, 64,000 cubes, measures the cost
+/// of each, in frames that interleave all techniques.
 ///
-/// The ladder brings its own lens and its own depth, 18 units and less below 1000 units; the question's are
-/// in the prediction only.
+/// The ladder has its own lens and its own depth, 18 units, and less below 1000 units. Lens and depth of the
+/// question are in the prediction only.
 struct MeasuredAdviceOptions {
     std::uint32_t width = 1280;
     std::uint32_t height = 720;

@@ -17,8 +17,8 @@
 
 namespace cdr::experiments {
 
-/// Which of two faces at the same place is seen, over random views of the scene `coplanar`: as it comes; with Vulkan's
-/// depth bias (polygon offset) at the best of many settings; and by layers in scene units.
+/// Which of two faces at the same place is seen, over random views of the scene `coplanar`. Three ways are compared:
+/// nothing is done; Vulkan's depth bias (polygon offset) at the best of many settings; layers in scene units.
 struct CoplanarOptions {
     std::uint64_t seed = 2013;
     std::uint32_t width = 320;

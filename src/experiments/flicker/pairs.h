@@ -12,8 +12,8 @@
 
 namespace cdr::experiments {
 
-/// One of the thesis' six videos: two techniques side by side (Table 6.1) and what twelve people chose as the
-/// one that flickers less (Tables 6.3 to 6.8).
+/// One of the thesis' six videos: two techniques side by side (Table 6.1). Twelve people chose the one that
+/// flickers less (Tables 6.3 to 6.8).
 struct ThesisPair {
     std::string_view left;
     std::string_view right;

@@ -15,8 +15,8 @@
 
 namespace cdr::experiments {
 
-/// What depth of field by per-cascade resolution saves and what it looks like (thesis chapter 3, where it is
-/// untested), against a lens of many cameras.
+/// What depth of field by per-cascade resolution saves, and how it compares with a lens of many cameras. The
+/// thesis proposes it in chapter 3 and does not test it.
 struct FocusOptions {
     std::string scene = "alley"; ///< as scenes::openScene() takes it
     std::uint64_t seed = scenes::kDefaultSeed;

@@ -11,8 +11,8 @@
 namespace cdr::experiments {
 
 /// One of `count` cameras spread evenly over a lens (Vogel's spiral), turned to the point in focus on the
-/// view axis. The turn stands in for a shifted lens: it bends the plane in focus by a share of about
-/// (aperture / distance)^2 and moves nothing else at its middle.
+/// view axis. The turn stands in for a shifted lens. It bends the plane in focus by a share of about
+/// (aperture / distance)^2, and leaves the middle of that plane in place.
 /// @param index below count.
 scene::Camera cameraOnLens(const scene::Camera& camera, const render::Focus& lens, std::uint32_t index,
                            std::uint32_t count);

@@ -15,8 +15,8 @@ std::string nameOfObject(const scene::Scene& scene, std::uint32_t object);
 /// "anchored with d32f".
 std::string nameOf(const InspectedTechnique& technique);
 
-/// What was found, one sentence per line: the simplest technique that suffices, what lies nearest to each other, and what
-/// no technique can separate, with the remedy.
+/// What was found, one sentence per line. It names the simplest technique that suffices and the surfaces that are nearest to
+/// each other. It names what no technique can separate, with the remedy.
 /// @param camera of a view: its range says what techniques resolve.
 std::vector<std::string> explain(const Inspection& inspection, const scene::Scene& scene,
                                  const scene::Camera& camera,

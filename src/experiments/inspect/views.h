@@ -8,8 +8,8 @@
 
 namespace cdr::experiments {
 
-/// `count` views of a still scene: the camera's own first, then from evenly spread directions, as far from the middle of
-/// all instances as the camera is.
+/// `count` views of a still scene. The first is the camera's own. The others look from evenly spread directions, as far from
+/// the middle of all instances as the camera is.
 std::vector<scene::Camera> viewsAround(const scene::Scene& scene, const scene::Camera& own,
                                        std::uint32_t count);
 

@@ -17,8 +17,8 @@ std::uint32_t pairOf(std::uint32_t id) {
     return (id - 1) / 2;
 }
 
-/// Which pixels tell whether a pair is resolved: off silhouettes, the pair's second surface behind the first,
-/// and not so close behind that the two are sides in one plane.
+/// Whether a pixel shows if a pair is resolved. It must be off silhouettes and show both objects of the pair, one
+/// behind the other. They must not be so close together that they are sides in one plane.
 bool tells(const measure::TruthPixel& pixel, bool inner, const scenes::LadderOptions& ladder) {
     if (!inner || pixel.secondId == 0 || pairOf(pixel.id) != pairOf(pixel.secondId)) {
         return false;

@@ -38,8 +38,8 @@ struct Projection {
 /// @param nodes 1 or more. @param frames of the run, 1 or more.
 Projection project(const FrameCosts& costs, std::size_t nodes, std::size_t frames, std::uint64_t seed);
 
-/// The least number of nodes whose first rank takes results as fast as it can, or that have no second frame to make: from
-/// there on more nodes do not help.
+/// The least number of nodes from which on more nodes do not help. The first rank takes results as fast as it can then, or
+/// no node has a second frame to make.
 std::size_t lastUsefulNodes(const FrameCosts& costs, std::size_t frames);
 
 Columns<Projection> projectionColumns();

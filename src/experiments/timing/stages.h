@@ -18,12 +18,12 @@ struct StageCost {
     double framePercent = 0.0; ///< of the whole frame's median
 };
 
-/// The stages of a frame of the timing scene, in their order, and last the whole frame. Stages of the CPU are
-/// measured. Execute is attributed by drawing the same frames without lights, without pixels (16x9 of them), without
-/// cubes, and without both, and taking differences frame by frame.
+/// The stages of a frame of the timing scene, in their order, and last the whole frame. Stages of the CPU are measured.
+/// Execute is divided by drawing the same frames again: without lights, with 16x9 pixels, without cubes, and with both of
+/// the last two. Differences are taken frame by frame.
 ///
-/// A driver that passes over triangles which cover no pixel spares part of their set-up where there are few pixels. That
-/// part counts as pixels here.
+/// A driver may skip part of the set-up of triangles that cover no pixel, which are many where pixels are few. That part
+/// counts as pixels here.
 /// @param options mode 0 is drawn; one frame in flight. base::InputError for no frames.
 /// @param ranks that share the frames; the first one alone has results.
 std::vector<StageCost> runStages(const gpu::Device& device, const TimingOptions& options,

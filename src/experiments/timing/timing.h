@@ -40,8 +40,8 @@ struct TimingMode {
     TimingMeshes meshes = TimingMeshes::indexed;
     bool occlusionCulling = false;
     std::optional<double> thesisPercent; ///< overhead over standard that Figure 6.4 gives
-    /// Where there is one, ids and distances alone are drawn by it, as rivals draw: nothing is shaded, and of the above the
-    /// names alone count.
+    /// If set, it draws ids and distances alone, as rivals do, and nothing is shaded. Then only the names of the members
+    /// above are used.
     std::optional<rivals::Competing> idsAlone{};
 
     bool isRival() const { return idsAlone && std::holds_alternative<rivals::Rival>(*idsAlone); }
@@ -131,8 +131,8 @@ struct TimingResult {
 using TimingProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Results in the order of the modes. base::InputError for no frames or fewer than two modes, for an unknown scene, and
-/// for a rival that the device cannot draw. Also where frames in flight, unshared meshes, a visibility buffer or ids alone
-/// meet a scene that moves, and where ids alone meet frames in flight.
+/// for a rival that the device cannot draw. A scene that moves is refused with frames in flight, unshared meshes, a
+/// visibility buffer or ids alone. Ids alone are refused with frames in flight.
 /// @param ranks that share the frames, or the runs of frames in flight; the first one alone has results, and traces.
 std::vector<TimingResult> runTiming(const gpu::Device& device, const TimingOptions& options,
                                     const TimingProgress& progress, TimedRanks& ranks);

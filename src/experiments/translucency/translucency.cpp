@@ -62,8 +62,8 @@ TranslucencyResult compare(const gpu::Device& device, const scene::SceneSetup& s
     return result;
 }
 
-/// base::RunError unless the device has room for the renderers that are timed in turns, of which each has at least
-/// a G-buffer, a depth buffer and a picture.
+/// base::RunError unless the device has room for the renderers that are timed in turns. Each has at least a
+/// G-buffer, a depth buffer and a picture.
 void requireRoom(const gpu::Device& device, const TranslucencyExperiment& experiment) {
     constexpr std::uint64_t kBytesPerPixel = 16 + 4 + 4;
     const std::size_t timed =
