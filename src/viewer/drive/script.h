@@ -61,7 +61,7 @@ using ScriptStep = std::variant<InputEvent, ClickItem, WindowSize, WaitFrame, Wa
 ///     type TEXT                    its letters, into what has the keyboard
 ///     drop FILE, resize W H, minimise, restore
 ///     wait-frame [N], wait-ui N, window FILE, picture FILE, where NAME, state, quit
-///                                  wait-frame ends, too, where nothing changes any more
+///                                  wait-frame also ends if nothing changes any more
 ///     wait-state TEXT              until the line that `state` prints holds it
 ///     command                      prints the command line that renders the picture without a window
 ///

@@ -19,8 +19,8 @@ namespace cdr::viewer {
 namespace {
 
 constexpr std::uint64_t kMinimisedSteps = 5;
-/// Pictures rendered in the view where memory is measured, and frames of the interface after that, before it
-/// is: drivers let go of what they kept for frames as they draw others.
+/// Pictures that are rendered in the view where memory is measured, and then frames of the interface. Drivers
+/// free what they kept for earlier frames while they draw these, and memory is measured after that.
 constexpr std::uint64_t kRestPictures = 30;
 constexpr std::uint64_t kRestFrames = 30;
 

@@ -12,11 +12,11 @@
 
 namespace cdr::viewer {
 
-/// Plays seeded random input, a step per frame of the interface and as fast as frames come, and watches the
-/// memory. That is read always in one and the same view, first after a warm-up, then at each tenth of what
-/// is left. What the driver keeps for later differs by tens of megabytes with what it drew last. (llvmpipe
-/// keeps up to 36 MiB of bins for each pass that it ever worked on at once.) So the renderer's device is
-/// made anew for it.
+/// Plays seeded random input, one step per frame of the interface, as fast as frames come, and watches the
+/// memory. Memory is always read in the same view, first after a warm-up, then at each tenth of the rest. What
+/// the driver keeps for later depends on what it drew last, and differs by tens of megabytes. For instance llvmpipe
+/// keeps up to 36 MiB of bins for each of the passes that it once worked on together. So the renderer's device is
+/// made anew for each measurement.
 class Soak : public Driver {
   public:
     static constexpr double kStepsPerSecond = 60.0;

@@ -16,8 +16,8 @@
 
 namespace cdr::viewer {
 
-/// The open scene on its device, and the renderers that answer requests: left, right, and the anchored answer
-/// where a view needs it or wrong pixels are counted. One thread's.
+/// The open scene on its device, and the renderers that answer requests. They are left, right, and the anchored
+/// answer, if a view needs it or wrong pixels are counted. For one thread.
 class SceneRenderer {
   public:
     /// The device must outlive it.

@@ -21,12 +21,12 @@ struct ReproducedView {
 };
 
 /// The `cdr render` line that draws the same picture without a window, quoted for a POSIX shell, writing to
-/// `output`. The camera comes back to the bit where its pose and its field of view are each the scene's own
-/// or scene::canonical(), which controllers and recordings keep them; else but for roundings.
+/// `output`. The camera is the same to the bit if its pose and its field of view are each the scene's own or
+/// scene::canonical(). Controllers and recordings keep them so. Otherwise the camera differs by roundings.
 ///
-/// A technique with a fitted split depends on the frames before; there the picture is that of a renderer
-/// which begins with this camera. The wrong view is compared with a float64 ray cast instead of the anchored
-/// answer; flips, which need time, become the shaded picture.
+/// A technique with a fitted split depends on the frames before. There the picture is that of a renderer which
+/// begins with this camera. The wrong view is compared with a float64 ray cast instead of the anchored answer.
+/// Flips need time, so that view becomes the shaded picture.
 std::string renderCommand(const ReproducedView& view, std::string_view output = "view.png");
 
 /// The view that renderCommand() calls so. base::InputError with a suggestion for another name.

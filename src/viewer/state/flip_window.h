@@ -8,8 +8,8 @@
 
 namespace cdr::viewer {
 
-/// Where a technique flickers: pixels whose shown object changed from one frame to the next while the
-/// anchored answer's did not and is off edges in both, over the last second.
+/// Where a technique flickered in the last second. A pixel flickers if its shown object changed from one frame to
+/// the next while that of the anchored answer did not. It must be off edges of that answer in both frames.
 class FlipWindow {
   public:
     static constexpr double kSeconds = 1.0;

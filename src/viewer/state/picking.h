@@ -27,8 +27,8 @@ struct PickedPoint {
 std::optional<PickedPoint> pickAt(const render::Frame& frame, const scene::Scene& scene,
                                   const depth::Technique& technique, std::uint32_t x, std::uint32_t y);
 
-/// View distance under a pixel; of the nearest surface in the picture, looked for at some hundred pixels,
-/// where that is background or outside; infinity where all is background. What a flight's speed follows from.
+/// View distance under a pixel. If that is background or outside, it is that of the nearest surface among some
+/// hundred pixels of the picture. Infinity if all of them are background. A flight's speed follows from it.
 double surfaceView(const render::Frame& frame, const glm::dvec2& pixel);
 
 /// Object index's name in the scene, or "object INDEX".

@@ -11,8 +11,8 @@ namespace cdr::viewer {
 /// "anchored, d32f": a technique's name, and its format.
 std::string techniqueName(const depth::Technique& technique);
 
-/// The smallest separation that a frame's own cascades are predicted to resolve at a view distance
-/// (depth::Forecast::resolvedView(): a step of the buffer and two deviations of float32's roundings).
+/// The smallest separation that a frame's own cascades are predicted to resolve at a view distance. It is
+/// depth::Forecast::resolvedView(): a step of the buffer and two deviations of float32's roundings.
 /// Infinity where no cascade holds the distance.
 double techniqueStepView(const depth::Technique& technique, const depth::Cascades& cascades,
                          double distanceView);

@@ -29,9 +29,9 @@ scene::Camera fly(const scene::Camera& camera, const CameraInput& input, double 
 /// that flies on would pass what they show. 0 where it was passed.
 double surfaceAhead(const scene::Camera& now, const scene::Camera& then, double surfaceView);
 
-/// The distance that a flight's speed follows from: a little short of `surfaceView`, so that approaching
-/// stops before near cuts the surface open; where that is infinite, or 0, the last such distance; between
-/// near and far.
+/// The distance that a flight's speed follows from. It is a little less than `surfaceView`, so that an approach
+/// stops before the near plane cuts the surface. If `surfaceView` is infinite or 0, it is the last such distance.
+/// Without a last one, it is the geometric mean of near and far. It is always between near and far.
 /// @param lastView what this gave last, 0 at first.
 double flightDistance(const scene::Camera& camera, double surfaceView, double lastView);
 

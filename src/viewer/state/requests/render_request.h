@@ -27,8 +27,8 @@ struct RenderRequest {
     /// Frames that picking can read. Copying them costs several times what the picture costs.
     bool wantsSurfaces = true;
     bool countsWrong = false; ///< in views that do not, too; takes wantsSurfaces and a frame more
-    /// The camera stays where it was: fitted splits are fitted to it alone, so that what rests on the screen
-    /// is what the copied command line renders, whatever frames came before.
+    /// The camera stays where it was. Fitted splits are then fitted to it alone. So the picture that rests on the
+    /// screen is the one that the copied command line renders, whatever frames came before.
     bool isAtRest = false;
 };
 
