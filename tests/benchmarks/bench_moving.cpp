@@ -1,7 +1,7 @@
 // Moving cubes of a world, against frames of the same world that stands still: whole frames, edit included.
 // Targets: all of 64,000 moved cost 1.25 times a still frame at most, 1 % of them 1.03 times.
-// Still and moved frames take turns, and what is reported is the median of the ratios of neighbours: of time, and of CPU
-// time, which other programs disturb less where the device is a software one.
+// Still and moved frames take turns. The results are medians of the ratios of neighbours, of time and of CPU time. On a
+// software device other programs disturb CPU time less.
 
 #include "paired_cost.h"
 

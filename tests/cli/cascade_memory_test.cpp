@@ -86,8 +86,8 @@ TEST(CascadeMemory, ARankHoldsWhatItsCascadesTouch) {
         return "LP_NUM_THREADS=1 sh -c 'ulimit -v " + std::to_string(megabytes * 1024) + "; exec \"$@\"' sh";
     };
     ASSERT_EQ(runProgram(render + "free.png", folder.path()).status, 0);
-    // What a process takes besides textures depends on the machine: the least that suffices is searched for, from what a
-    // first machine needed, in the direction that it lies in.
+    // What a process takes besides textures depends on the machine. So the least limit that suffices is searched for, up or
+    // down from what one machine needed.
     constexpr long kStep = 100;
     const auto suffices = [&](long limit) {
         const bool isDrawn = runProgram(render + "one.png", folder.path(), limited(limit)).status == 0;

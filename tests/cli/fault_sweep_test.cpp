@@ -75,8 +75,8 @@ std::vector<long> chosenOf(long calls, std::size_t salt) {
     return chosen;
 }
 
-/// One call fails once, whichever: one line and exit status 1, or all as if nothing had been; files are whole; no
-/// validation message, no hang, no crash.
+/// Any one call fails once. Then the program prints one line and ends with status 1, or all is as without the failure. Files
+/// are whole. There is no validation message, no hang and no crash.
 TEST_P(FaultSweep, EveryCallMayFail) {
     if (std::string(GetParam().command).find("gpu-driven") != std::string::npos && !canDrawGpuDriven()) {
         GTEST_SKIP() << "the device cannot draw gpu-driven";

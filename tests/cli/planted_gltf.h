@@ -19,8 +19,8 @@ struct PlantedSquare {
     double side = 1.0;
 };
 
-/// Writes squares as a glTF file with its bytes beside it, all turned by the same 0.3 radians about y, and a camera at the
-/// origin that looks along -z, likewise turned.
+/// Writes a glTF file, with its bytes in a file beside it. It has squares, and a camera at the origin that looks along -z. All
+/// are turned by 0.3 radians about y.
 inline void writeSquares(const std::filesystem::path& file, const std::vector<PlantedSquare>& squares) {
     const std::vector<float> corners{-0.5f, -0.5f, 0.0f, 0.5f,  -0.5f, 0.0f,
                                      0.5f,  0.5f,  0.0f, -0.5f, 0.5f,  0.0f};

@@ -45,7 +45,7 @@ std::vector<std::uint32_t> readSpirv(const char* path) {
     return words;
 }
 
-/// Byte offsets of the members of the one structure that lies in a block of a module, by OpDecorate and
+/// Byte offsets of the members of the only structure that is in a block of a module. They are from OpDecorate and
 /// OpMemberDecorate (SPIR-V 1.6, sections 3.20 and 3.52.3).
 std::vector<std::uint32_t> cascadeOffsets(const std::vector<std::uint32_t>& words) {
     std::set<std::uint32_t> blocks;

@@ -75,8 +75,8 @@ TEST(Rounding, DepthSlopeIsTheDerivative) {
                 1e-12);
 }
 
-/// Depth of a surface at view distance w as the vertex shader forms it: every operation in float32, the
-/// object rounded first and a vertex's own offset added, then interpolated between two vertices.
+/// Depth of a surface at view distance w as the vertex shader forms it, with every operation in float32. The
+/// object is rounded first, and a vertex's own offset is added. Then it is interpolated between two vertices.
 float floatDepth(const DepthRange& range, double w, double offset, float weight) {
     const ClipTerms terms = clipTerms(range);
     const auto zOf = [&](double local) {

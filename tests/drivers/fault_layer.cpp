@@ -2,7 +2,7 @@
 //
 // The environment variable CDR_FAULT chooses it: "CALL DEVICE AFTER TIMES RESULT", for instance
 // "vkQueueSubmit2 render 5 1 -4".
-// - CALL is one of the functions below, or "each": then the calls of all of them are counted together, but for those that
+// - CALL is one of the functions below, or "each". Then the calls of all of them are counted together, except those that
 //   cannot return RESULT by the specification.
 // - DEVICE is "window" (devices with a swapchain), "render" (devices without) or "any".
 // - Calls are counted over all such devices. The first AFTER succeed, the next TIMES return RESULT, a VkResult.
@@ -11,8 +11,8 @@
 //
 // A lost device stays lost, and so does the surface of the last swapchain.
 //
-// The environment variable CDR_FAULT_LOG names a file that gets, when the process ends, how many calls were counted and the
-// name of the first that failed.
+// The environment variable CDR_FAULT_LOG names a file. When the process ends, the number of calls that were counted and the
+// name of the first that failed are written to it.
 
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>

@@ -1,8 +1,8 @@
 // A library that makes one call on files fail, to be put before the system's with LD_PRELOAD.
 //
-// The environment variable CDR_FILE_FAULT chooses it: "AFTER ERROR", for instance "5 28". Counted are calls that open a file
-// to write, write into one, rename one or make a folder, in the folder that the process starts in. The call after the first
-// AFTER fails with ERROR, an errno.
+// The environment variable CDR_FILE_FAULT chooses it: "AFTER ERROR", for instance "5 28". Calls are counted that open a file
+// to write, write into one, rename one or make a folder. Only those in the folder that the process starts in count. The call
+// after the first AFTER fails with ERROR, an errno.
 //
 // Where CDR_AFFINITY_FAULT is set, no process is bound to CPUs any more.
 

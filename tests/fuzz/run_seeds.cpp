@@ -1,5 +1,6 @@
-// Runs a fuzzer without libFuzzer: over each file of the folders it is given, and over files made of them by random cuts,
-// splices and changes. The same seed makes the same files. CDR_FUZZ_CASES is how many, 100,000 where it is not set.
+// Runs a fuzzer without libFuzzer, over each file of the folders it is given. Then it runs it over files that are made from
+// these by random cuts, splices and changes. The same seed makes the same files. CDR_FUZZ_CASES is their number, 100,000 if it
+// is not set.
 
 #include <algorithm>
 #include <cstddef>

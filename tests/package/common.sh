@@ -12,8 +12,8 @@ hidden=()
 for package in Vulkan fmt glm nlohmann_json OpenSSL OpenEXR CLI11 meshoptimizer draco PkgConfig Threads GTest; do
     hidden+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=TRUE")
 done
-# Nor can a header of one that this machine has be included without a word: in these folders, which come first in the path of
-# includes, each header of another package that cdr includes anywhere is an error; those of C and POSIX are none.
+# Nor can a header of a package that this machine has be included unnoticed. These folders come first in the path of includes.
+# In them each header of another package that cdr includes anywhere is an error, except those of C and POSIX.
 poison=$work/poison
 mapfile -t poisoned < <(grep -rhoE '^#include <[^>]+[.]hp*>' "$source_dir/src" | sed -E 's/^#include <(.*)>$/\1/' | sort -u |
     grep -vE '^(cdr|cli|experiments|ranks|report|scenes|viewer|sys)/|^(fcntl|malloc|pthread|sched|spawn|stdbool|stddef|stdint|string|unistd)[.]h$')

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tools/build.sh with a compiler cache, where a comment in a precompiled header changes: the precompiled header of before must
-# not come back, since GCC would not know the file in it.
+# tools/build.sh with a compiler cache, where a comment in a precompiled header changes. The cache must not return the old
+# precompiled header, since GCC would then include the changed file a second time.
 # Usage: compiler_cache_test.sh SOURCE_DIR   status 3, with the reason, where there is no ccache
 set -euo pipefail
 source_dir=$1

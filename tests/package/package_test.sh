@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds cdr::depth as an engine author does, without any other package, installs it, and builds and runs an example of it
-# outside the source tree: with and without exceptions, by CMake and by pkg-config. Then installs cdr::render from a build of
-# all, compiles each installed header alone, and builds and runs the examples as debug programs: from static libraries and from
+# Builds cdr::depth as an engine author does, without any other package, and installs it. Builds and runs an example of it
+# outside the source tree, with and without exceptions, by CMake and by pkg-config. Then installs cdr::render from a build of
+# all, and compiles each installed header alone. Builds and runs the examples as debug programs, from static libraries and from
 # shared ones. The examples print what their page says, and headers.txt names what is installed for an engine to include.
 # Usage: package_test.sh SOURCE_DIR [BUILD_DIR]
 set -euo pipefail

@@ -228,8 +228,8 @@ std::vector<glm::dvec3> seamPoints(const scene::SourceMesh& mesh, double pieceRa
     return points;
 }
 
-/// From so near, by lens, that what float32 makes of the pieces is a share of a pixel: any seam that does not
-/// hold shows the sky.
+/// The lens is so narrow that a pixel is 2 cm to 1.3 m wide on the ground. A seam that is open there shows the
+/// sky.
 TEST_F(AdversarialTest, NoSkyShowsThroughTheSeamsOfAPlanet) {
     const scenes::GlobeOptions options;
     const scene::Scene scene = scenes::makeGlobe(options);

@@ -71,8 +71,8 @@ TEST_F(AnchoredTest, AFittedReversedRangeEndsAtItsFarPlane) {
     EXPECT_LT(wrongIn(frame, setup.scene, camera).fraction(), 0.005);
 }
 
-/// Boxes from 0.01 to 10^8 units away, each a fifth of its distance wide, with a twin inside it, every face
-/// `share` of the distance below.
+/// Boxes from 0.01 to 10^8 units away, each a fifth of its distance wide. Inside each is a smaller box, whose
+/// faces lie `share` of the distance below those of the outer one.
 scene::Scene scatteredScene(double share) {
     scene::Scene scene = boxScene();
     int place = -2;

@@ -268,8 +268,8 @@ TEST_F(FrameTest, ResizedPicturesAreThoseOfARendererOfTheirSize) {
     EXPECT_EQ(hashOf(renderer.render(camera)), hashOf(draw(setup.scene, camera, options)));
 }
 
-/// A host that waits for the frame's semaphore reads on the device what render() reads back, and its own submit function
-/// is what brings frames to the queue.
+/// A host that waits for the frame's semaphore reads on the device what render() reads back. The host's own submit function
+/// brings frames to the queue.
 TEST_F(FrameTest, ASubmittedFrameIsReachableOnTheDevice) {
     const scene::SceneSetup setup = scenes::makeAfc(1);
     const auto options = smallOptions(depth::parseTechnique("anchored"));

@@ -36,8 +36,8 @@ class SurfacePathTest : public RenderTest {
     }
 };
 
-/// Whether the pixel and its neighbours show one face of one object, so that no edge, which each device rounds to
-/// a grid of its own, decides what the pixel shows.
+/// Whether the pixel and its neighbours show one face of one object. Then no edge decides what the pixel shows,
+/// which each device rounds to a grid of its own.
 bool isInsideFace(const render::Frame& frame, std::uint32_t x, std::uint32_t y) {
     if (x == 0 || y == 0 || x + 1 == frame.width() || y + 1 == frame.height()) {
         return false;

@@ -81,8 +81,8 @@ TEST_F(TechniqueTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
     }
 }
 
-/// A floor from behind the camera to the horizon with boxes on it: a logarithm set at its far corners alone
-/// would be wrong all over.
+/// A floor from behind the camera to the horizon, with boxes on it. If the logarithm were set at the floor's
+/// corners alone, it would be wrong everywhere.
 TEST_F(TechniqueTest, LogDepthIsRightOnTrianglesThatCrossTheNearPlane) {
     if (!drawsToTheHorizon(device())) {
         return leaveOut("floors to the horizon");

@@ -65,8 +65,8 @@ scene::Scene spreadScene() {
     return scene;
 }
 
-/// Whatever the camera, a frame with numbers that can be, or base::InputError; no validation message, which the fixture
-/// sees, and no more work than a frame is: each case has ten seconds of the CPU, a thousand times what it takes.
+/// Any camera gives a frame with possible numbers, or base::InputError. There is no validation message; the fixture fails on
+/// one. It is no more work than a frame: each case has ten seconds of the CPU, a thousand times what it takes.
 TEST_F(RenderTest, WholeRangeOfCamerasEndsInAFrameOrIsRefused) {
     const char* asked = std::getenv("CDR_CASES");
     const int cases = asked != nullptr ? std::atoi(asked) : 200;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes models_sheet.jpg and prints the FLIP table of tests/results/README.md: each model with base colour alone, with all of
-# its materials, as the float64 reference has it, and FLIP between the last two. Takes a few minutes. Needs ffmpeg.
+# Makes models_sheet.jpg and prints the FLIP table of tests/results/README.md. It draws each model with base colour alone, with
+# all of its materials, and as the float64 reference. FLIP is between the last two. Takes a few minutes. Needs ffmpeg.
 # Models in ../shared/assets, which are not in the repository, come first where they are there.
 # Usage: tests/results/models_sheet.sh [PROGRAM]
 set -euo pipefail

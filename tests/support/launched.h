@@ -12,7 +12,7 @@ inline std::string launched(const std::string& launcher, int ranks) {
         return "";
     }
     // MPI and its launcher keep memory until they end, in ways that no list of suppressions names. Its hwloc looks for graphics
-    // cards at X servers, and Xlib ends the launcher if one goes meanwhile, such as that of a test of the viewer.
+    // cards at X servers. If an X server ends meanwhile, such as that of a test of the viewer, Xlib ends the launcher.
     return "HWLOC_COMPONENTS=-gl ASAN_OPTIONS=\"$ASAN_OPTIONS:detect_leaks=0\" OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
            "OMPI_MCA_rmaps_base_oversubscribe=1 "
            "OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_orte_execute_quiet=1 "

@@ -23,8 +23,8 @@ ShadowImage castShadows(const scene::Scene& scene, const scene::Camera& camera, 
     return measure::ShadowTruthCaster(scene, shapes.shapes()).cast(camera, width, height, 0, workers);
 }
 
-/// A floor 2 below the camera, and a light straight above a cube over it, so that the cube's shadow is its own outline,
-/// larger by what the light's height makes it.
+/// A floor 2 below the camera, a cube over it, and a light straight above the cube. So the cube's shadow is its own outline,
+/// enlarged by a factor that follows from the light's height.
 scene::Scene floorAndCube(double lightUp) {
     scene::Scene scene = makeEmptyScene();
     addObject(scene, kTriangleCube, {0.0, -2.5, -20.0}, glm::mat3(100, 0, 0, 0, 1, 0, 0, 0, 100));

@@ -15,9 +15,9 @@ struct ReferenceHit {
     long double distanceView;
 };
 
-/// The truth by a second way, to check the first: every pixel against every triangle, in world space, with
-/// the 64-bit mantissa of x86's long double, by the plane and the three edge volumes. No boxes, no tree, no
-/// object space.
+/// A second way to compute the truth, to check the first. It tests every pixel against every triangle in world
+/// space, by the plane and the three edge volumes. It uses the 64-bit mantissa of x86's long double. It has no
+/// boxes, no tree and no object space.
 class ReferenceCaster {
   public:
     ReferenceCaster(const scene::Scene& scene, const scene::Camera& camera, std::uint32_t width,

@@ -58,8 +58,8 @@ TEST(TruthShine, DiffuseIsWhatMicrofacetsLeave) {
     EXPECT_EQ(diffuseShare(pointOf(0.0, 0.5, base, 0.0), direction(1.8)), glm::dvec3(0.0));
 }
 
-/// Under a sky that is white all around, a rough dielectric whose interpolated normal faces away from the camera sends what
-/// is not mirrored from all directions, and a little that is.
+/// A rough dielectric under a sky that is white all around, with an interpolated normal that faces away from the camera. It
+/// sends the light of all directions that is not mirrored, and a little that is.
 TEST(TruthShine, NormalsThatFaceAwayKeepDiffuseSkyLight) {
     scene::Scene scene;
     const glm::vec3 white(1.0f);
@@ -101,8 +101,8 @@ TEST(TruthShine, LightFromBehindIsNone) {
     EXPECT_EQ(pointShare(pointOf(0.0, 0.5, glm::dvec3(1.0), 0.5), direction(1.6)), glm::dvec3(0.0));
 }
 
-/// The published fit stands for the integral of the microfacets over all directions, and is coarse: a white
-/// metal of roughness 0.3 to 0.5 gives back up to 0.19 too little.
+/// The published fit is an approximation of the integral of the microfacets over all directions, and is coarse. A
+/// white metal of roughness 0.3 to 0.5 reflects up to 0.19 too little.
 TEST(TruthShine, AmbientIsAboutTheIntegralOverAllDirections) {
     constexpr int kPolar = 800;
     constexpr int kTurns = 400;

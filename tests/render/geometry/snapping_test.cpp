@@ -72,8 +72,8 @@ TEST_F(SnappingTest, OnlySurfacesCloserThanItsReachSwap) {
 
 constexpr double kPairsView = 1e4;
 
-/// Pairs of boxes seen edge on, so that their faces have slope 1, each the smaller before a larger of other outline whose
-/// faces lie `gapView` behind. The larger are drawn last.
+/// Pairs of boxes that are seen edge on, so that their faces have slope 1. Each pair is a smaller box before a larger one of
+/// another outline, whose faces lie `gapView` behind. The larger are drawn last.
 scene::Scene pairsOfSlopeOne(double gapView) {
     scene::Scene scene = boxScene();
     const double turn = std::numbers::pi / 4.0;

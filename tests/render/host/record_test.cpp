@@ -168,8 +168,8 @@ TEST_F(RecordTest, HlslDrawsWhatGlslDraws) {
               500);
 }
 
-/// Two triangles from 10 units behind the camera to 100 km ahead: each pixel below the horizon shows the ground, once, at
-/// its distance and from the cascade that holds it. GLSL and HLSL agree to the bit.
+/// Two triangles from 10 units behind the camera to 100 km ahead. Each pixel below the horizon shows the ground, once. It is
+/// at its distance and from the cascade that holds it. GLSL and HLSL agree to the bit.
 TEST_F(RecordTest, GroundOfAHostsIsCutWhereCascadesMeet) {
     constexpr double kHeight = 2.0;
     constexpr double kFarEndView = 1e5;

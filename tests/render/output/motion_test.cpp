@@ -30,8 +30,8 @@ class MotionTest : public RenderTest {
         return options;
     }
 
-    /// How far a frame's motion is off the truth: for the points that the truth's own rays meet, and for those that the
-    /// frame holds, since devices that snap vertices move these.
+    /// How far a frame's motion is off the truth. It is measured for the points that the truth's own rays meet. It is also
+    /// measured for the points that the frame holds, since devices that snap vertices move these.
     struct Difference {
         double most =
             0.0; ///< pixels; of motion longer than 10^4, less what one part in a million has more than 0.01

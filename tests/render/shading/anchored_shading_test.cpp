@@ -39,9 +39,8 @@ class AnchoredShadingTest : public RenderTest {
                 .farView = 2e6};
     }
 
-    /// Largest difference between the picture and float64 shading of the exact surface, of 255, and with
-    /// `banding` how often brightness steps back along a row or column that leads straight away from the
-    /// light.
+    /// Largest difference between the picture and float64 shading of the exact surface, of 255. With `banding` also
+    /// how often brightness steps back along a row or column that leads straight away from the light.
     struct Error {
         double worst = 0.0;
         std::size_t pixels = 0;

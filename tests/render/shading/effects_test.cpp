@@ -19,9 +19,9 @@ using render::RenderOptions;
 constexpr std::uint32_t kFloor = 0;
 constexpr double kRadius = 1.0;
 
-/// A floor at y = -1, a wall across it 8 units behind the camera's target, and a box that stands on the
-/// floor: corners at many distances. Lit by ambient light alone, so that a pixel's brightness is its
-/// openness.
+/// A floor at y = -1, a wall across it 8 units behind the camera's target, and a box that stands on the floor.
+/// So it has corners at many distances. It is lit by ambient light alone. So a pixel's brightness shows how open
+/// its surface is.
 scene::Scene cornerScene() {
     scene::Scene scene = boxScene();
     scene.lights.clear();

@@ -202,9 +202,9 @@ TEST_F(ShineTest, SheetsShineAsInTheTruth) {
     EXPECT_NE(hashOf(frame), hashOf(draw(setup.scene, camera, options)));
 }
 
-/// What a surface sends is cut at 16, which half floats hold, and their sums where surfaces blend: a film
-/// that lets all but a hundredth through adds no more than 0.16, 111 in sRGB, however bright the light it
-/// mirrors.
+/// What a surface sends is clamped at 16, so that half floats hold it, and sums of blended surfaces. A film that
+/// lets all but a hundredth through adds at most 0.16, which is 111 in sRGB. The light that it mirrors may be of
+/// any brightness.
 TEST_F(ShineTest, WhatASurfaceSendsIsBounded) {
     scene::Scene scene = slabScene(Shine{.metallic = 1.0f, .roughness = 0.0f});
     scene.materials[0].baseColorFactor = glm::vec4(1.0f, 1.0f, 1.0f, 0.01f);

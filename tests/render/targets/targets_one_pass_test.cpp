@@ -78,9 +78,8 @@ TEST_F(OnePassTest, HasNoMoreWrongPixelsThanSingle) {
     }
 }
 
-/// log2 N bits less than 24 are more than 16 for the handful of cascades here. (More bits are not always
-/// fewer wrong pixels: where neither tells anything apart the draw order decides, so the bound is the worse
-/// of the two.)
+/// For the few cascades here, 24 less log2 N bits are more than 16. More bits do not always give fewer wrong
+/// pixels: where neither resolves anything, the draw order decides. So the bound is the worse of the two.
 TEST_F(OnePassTest, SlicesOf24BitsLieBetween24And16BitsOfOnesOwn) {
     if (available({depth::DepthFormat::d24}).empty()) {
         return;
@@ -125,9 +124,9 @@ TEST_F(OnePassTest, EveryMappingSplitAndFormatDrawsAnEasySceneRight) {
     }
 }
 
-/// Pairs of boxes, each a smaller one a gap behind the front of a larger one, at three view distances in each
-/// cascade and drawn in both orders. @param gapSteps gaps in steps of a cascade with a depth range of its
-/// own.
+/// Pairs of boxes at three view distances in each cascade, drawn in both orders. In each a smaller box is a gap
+/// behind the front of a larger one.
+/// @param gapSteps gaps in steps of a cascade with a depth range of its own.
 scene::Scene pairsScene(const depth::Technique& technique, const depth::Cascades& cascades, double gapSteps) {
     scene::Scene scene = boxScene();
     for (const depth::Cascade& cascade : cascades) {
@@ -177,8 +176,8 @@ TEST_F(OnePassTest, IntegerSlicesCostTheBitsTheySay) {
     }
 }
 
-/// The same for float32: slices of 20 octaves tell apart what a depth range of one's own does, slices of 6 at
-/// least what it does with a bit less.
+/// The same for float32. Slices of 20 octaves resolve what a depth range of their own does. Slices of 6 octaves
+/// resolve at least what it does with a bit less.
 TEST_F(OnePassTest, FloatSlicesCostTheBitsTheySay) {
     const scene::Camera camera{.fovY = 0.3, .nearView = 1.0, .farView = 1e4};
     for (const auto& [text, cost] : {std::pair{"count:5", 1.0}, {"count:16", 2.0}}) {

@@ -12,8 +12,8 @@ namespace cdr::render_test {
 inline constexpr std::uint32_t kViewsWidth = 128;
 inline constexpr std::uint32_t kViewsHeight = 72;
 
-/// Boxes near and far, some at the edges of one eye's picture only, above a floor that reaches beyond near and far: so any
-/// camera fits the same cascades to it.
+/// Boxes near and far, some of them at the edges of one eye's picture only. The floor below reaches beyond near and far. So
+/// any camera fits the same cascades to it.
 inline scene::Scene floorAndBoxes() {
     scene::Scene scene = boxScene();
     addBox(scene, glm::dvec3(0.0, -5'001.0, 0.0), glm::mat3(10'000.0f));

@@ -38,8 +38,8 @@ class AnimationTest : public RenderTest {
     }
 };
 
-/// Skins, morph targets, nodes: what a world was brought to is what is there when the file is opened at that moment, for
-/// any number of threads that deform and record.
+/// Skins, morph targets and nodes. A world that was brought to a moment is as the file opened at that moment, for any number
+/// of threads that deform and record.
 TEST_F(AnimationTest, FramesAreThoseOfAFileOpenedAtTheirMoment) {
     const scene::OpenedScene opened = open(0.0, kFramesPerSecond);
     for (const std::size_t threads : {std::size_t{1}, std::size_t{3}, std::size_t{16}}) {
@@ -86,8 +86,8 @@ TEST_F(AnimationTest, TruthSeesTheSameTriangles) {
     }
 }
 
-/// Lights go with their nodes: a world that was brought to a frame is lit as the file opened at that moment, and as the
-/// float64 truth has it.
+/// Lights go with their nodes. A world that was brought to a frame is lit as the file opened at that moment, and as the
+/// float64 truth.
 TEST_F(AnimationTest, LightsFollowNodes) {
     const auto openStage = [](double seconds, std::optional<double> framesPerSecond) {
         scene::GltfChoice choice;

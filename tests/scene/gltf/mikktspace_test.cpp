@@ -147,9 +147,9 @@ glm::dvec3 inPlane(const glm::dvec3& v, const glm::dvec3& normal) {
     return length > 0.0 ? flat / length : glm::dvec3(0.0);
 }
 
-/// What MikkTSpace defines, in float64, for vertices whose triangles of one sense all hang together: at equal corners the sum
-/// of the triangles' directions of u, each first turned into the plane of the normal, weighted by the angle in that plane.
-/// Zero in triangles without extent.
+/// What MikkTSpace defines, in float64, for vertices whose triangles of one sense are all connected. At equal corners it is a
+/// weighted sum of the triangles' directions of u. Each is first turned into the plane of the normal; the weight is the angle
+/// in that plane. Zero in triangles without extent.
 std::vector<glm::dvec4> referenceOf(const std::vector<TangentCorner>& corners) {
     using Key = std::tuple<float, float, float, float, float, float, float, float, bool>;
     std::map<Key, glm::dvec3> sums;

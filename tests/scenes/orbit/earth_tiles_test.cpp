@@ -36,8 +36,8 @@ TEST_F(EarthTiles, CoverTheEarthOnce) {
     EXPECT_LT(m_tree.leaves().size(), 2000u);
 }
 
-/// Every edge of the ground, by the exact float64 places of its ends, belongs to two triangles: no crack, no
-/// T-junction, no hole at a pole or at 180 degrees.
+/// Every edge of the ground, by the exact float64 positions of its ends, belongs to two triangles. So there is no
+/// crack, no T-junction, and no hole at a pole or at 180 degrees.
 TEST_F(EarthTiles, ShareEveryEdgeExactly) {
     using Edge = std::array<double, 6>;
     std::vector<Edge> edges;
