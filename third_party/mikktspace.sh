@@ -1,10 +1,9 @@
 #!/usr/bin/env bash
-# Provides MikkTSpace, the tangents that glTF asks for: the npm package mikktspace (MIT licence), a WebAssembly module made
-# from the crate of that name, as C source. wasm2c of the npm package wabt (Apache 2.0) translates it.
+# Provides MikkTSpace, the tangents that glTF asks for, as C source. The npm package mikktspace (MIT licence) is a WebAssembly
+# module made from the crate of that name. The program wasm2c of the npm package wabt (Apache 2.0) translates it.
 #
-# Fetches the two packages by name and version through npm, without install scripts, and keeps the C source in
-# .cache/mikktspace, where the build looks for it. Run again it does nothing. `--present` only tells, by its exit status,
-# whether it is there.
+# Fetches the two packages by name and version through npm, without install scripts. Keeps the C source in .cache/mikktspace,
+# where the build looks for it. Run again it does nothing. `--present` only tells, by its exit status, whether it is there.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Provides the Earth of the scene `orbit`: NASA's Blue Marble (4096x2048) and its topography (2048x1024, 8 bits of 25 m),
-# as the npm package three-globe ships them (MIT licence; the pictures themselves are NASA's, free of copyright).
+# Provides the Earth of the scene `orbit`: NASA's Blue Marble (4096x2048) and its topography (2048x1024, 8 bits of 25 m).
+# They are in the npm package three-globe (MIT licence; the pictures themselves are NASA's, free of copyright).
 #
-# Fetches that one package by name and version through npm, without the packages that it depends on, and keeps two of its
-# files in .cache/orbit-data, where the build looks for them. Run again it does nothing. `--present` only tells, by its
-# exit status, whether they are there.
+# Fetches that one package by name and version through npm, without the packages that it depends on. Keeps two of its files
+# in .cache/orbit-data, where the build looks for them. Run again it does nothing. `--present` only tells, by its exit
+# status, whether they are there.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -1,8 +1,8 @@
 # shellcheck shell=bash
 # Sourced by scripts that take packages of another release than the system's, for example Debian 12's backports.
 #
-# apt gets a sources list, state and cache of its own, from the mirror that the system already uses: a newer release among
-# the system's sources could upgrade anything. Packages are downloaded and verified by Debian's key, never installed.
+# apt gets a sources list, state and cache of its own, from the mirror that the system already uses. If the system's sources
+# had a newer release, it could upgrade any package. Packages are downloaded and verified by Debian's key, never installed.
 # Expects a function fail MESSAGE.
 
 # private_apt_open RELEASE: makes the folder $scratch, removed at exit, and fetches the package index of RELEASE into it.

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Configures and builds one preset of CMakePresets.json; programs land in build/PRESET/bin.
 # Usage: tools/build.sh [--in-batches] [PRESET] [CMAKE_CONFIGURE_ARGUMENT...] [-- CMAKE_BUILD_ARGUMENT...]
-# --in-batches compiles many sources at once where the build folder is new: that is the shortest way to a whole build, and
-# a long one after each edit. A build folder that is there keeps what it was configured with.
+# --in-batches compiles many sources at once in a new build folder. A whole build is then fastest, but a build after an edit
+# is slow. A build folder that is there keeps what it was configured with.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -1,13 +1,17 @@
 #!/usr/bin/env bash
-# The long checks, before a release or after a large change: every test under the sanitizers, those that need no driver
-# under valgrind, those of a driver on other drivers and under the newest validation layer, clang-tidy and
-# include-what-you-use over all sources, every header compiled alone, depth's tests for Windows where a cross compiler and
-# wine are installed, all faults and kills of which the suite takes a sample, a minute of fuzzing for each parser, ranks over
-# MPICH, and the jobs for Slurm. It takes hours on two cores.
+# The long checks, before a release or after a large change. They take hours on two cores:
+# - every test under the sanitizers, and those that need no driver under valgrind;
+# - tests of a driver on other drivers, and under the newest validation layer;
+# - clang-tidy and include-what-you-use over all sources, and every header compiled alone;
+# - depth's tests for Windows, if a cross compiler and wine are installed;
+# - all faults and kills, of which the suite takes a sample, and a minute of fuzzing for each parser;
+# - ranks over MPICH, and the jobs for Slurm.
 # Usage: tools/check.sh [--changed | --memory]
-# --changed does what fits into a few minutes: clang-tidy over the sources that differ from origin/main, or from the
-# parent commit where they do not differ, the tests of the rooms that do under AddressSanitizer, those of threads without a
-# driver under ThreadSanitizer, and a minute of fuzzing for each parser of those rooms.
+# --changed does what fits into a few minutes. It takes the sources that differ from origin/main, or from the parent commit if
+# none do:
+# - clang-tidy over these sources;
+# - the tests of their rooms under AddressSanitizer, and those of threads without a driver under ThreadSanitizer;
+# - a minute of fuzzing for each parser of these rooms.
 # --memory does what runs under valgrind.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

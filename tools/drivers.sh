@@ -4,6 +4,7 @@
 #   system       the driver that the loader finds first
 #   mesa         lavapipe of the distribution's backports (packages mesa-vulkan-drivers and libdrm2)
 #   swiftshader  what Chromium draws with (package chromium; the installed one, where it is)
+#
 # What is missing is downloaded through apt and unpacked into .cache/drivers. Nothing is installed.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Runs a program under the newest validation layer that Debian has, with the checks that older layers lack: load operations
+# Runs a program under the newest validation layer that Debian has. It has checks that older layers lack: load operations
 # after store operations, and buffers that shaders read and write.
 # Usage: tools/layers.sh [--shaders] PROGRAM [ARGUMENT...]
 #   --shaders  follow buffers into shaders too; the layer guesses there, and takes atomics for hazards
-# The layer needs a newer C library than Debian 12 has, so it comes with one, and PROGRAM, a binary, runs on that. What is
-# missing is downloaded through apt and unpacked into .cache/layers. Nothing is installed.
+#
+# The layer needs a newer C library than Debian 12 has, so it comes with one. PROGRAM, a binary, runs on that. What is missing
+# is downloaded through apt and unpacked into .cache/layers. Nothing is installed.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 unpacked=$root/.cache/layers

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Checks the shape of the repository: at most 45 files in a folder, at most 500 lines in a file, and shell
-# scripts that bash can parse. CTest runs it as Rooms.
+# Checks the shape of the repository. A folder has at most 45 files, and a file at most 500 lines. bash can parse
+# each shell script. CTest runs it as Rooms.
 # That each folder has its line in ARCHITECTURE.md is checked by the test Documents.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

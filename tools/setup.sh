@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs whatever is missing to build, test and run cdr, on Debian 12, Debian 13, Ubuntu 24.04 or later: distribution
-# packages, into src/page/node_modules the npm packages of the report's page, and into .cache the pictures of the Earth for
-# the scene orbit and the source of MikkTSpace. Where all is there it touches neither the system nor the network.
+# Installs whatever is missing to build, test and run cdr, on Debian 12, Debian 13, Ubuntu 24.04 or later. These are packages
+# of the distribution, and the npm packages of the report's page in src/page/node_modules. In .cache it puts the pictures of
+# the Earth for the scene orbit and the source of MikkTSpace. If nothing is missing, it touches neither the system nor the
+# network.
 # Usage: tools/setup.sh [--dry-run | --list]
 # --dry-run says what is missing, where it would come from and what checks it, and changes nothing. --list names the
 # distribution's packages.

@@ -53,9 +53,9 @@ function(cdr_shared_batches target count)
 endfunction()
 
 # cdr_room(NAME [EXCLUDE REGEX] [HEADERS file...] [PUBLIC target...] [PRIVATE target...])
-# The folder and its subfolders become the library cdr::NAME. Its headers are included by their path below src, by the
-# targets that link cdr::NAME and by nobody else: each room has an include folder of its own in the build tree, so an
-# include that points up the room list does not compile. EXCLUDE leaves out sources whose path matches.
+# The folder and its subfolders become the library cdr::NAME. Its headers are included by their path below src. Only targets
+# that link cdr::NAME can include them: each room has an include folder of its own in the build tree. So an include that
+# points up the room list does not compile. EXCLUDE leaves out sources whose path matches.
 # HEADERS are those that are installed, all where it is not given.
 function(cdr_room name)
     cmake_parse_arguments(ROOM "" "EXCLUDE" "HEADERS;PUBLIC;PRIVATE" ${ARGN})
@@ -88,8 +88,9 @@ function(cdr_room name)
 endfunction()
 
 # cdr_test(NAME [DRIVER] [SUITES] [EXCLUDE REGEX] [BATCHES COUNT] LIBRARIES target...): every .cpp of the folder and its subfolders as one
-# GoogleTest program. CTest runs each case in a process of its own; with SUITES each suite, for programs whose cases share
-# what is slow to make, such as a device. DRIVER labels them as needing a Vulkan driver. BATCHES divides a large folder.
+# GoogleTest program. CTest runs each case in a process of its own, or with SUITES each suite. SUITES is for programs whose
+# cases share what is slow to make, such as a device. DRIVER labels them as needing a Vulkan driver. BATCHES divides a large
+# folder.
 function(cdr_test name)
     cmake_parse_arguments(TEST "DRIVER;SUITES" "EXCLUDE;BATCHES" "LIBRARIES" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")

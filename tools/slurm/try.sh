@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Starts a Slurm of one node for the caller alone, runs both jobs of this folder on it, and compares what they leave with
-# what one process leaves, byte for byte. It needs no root and leaves no processes; its files lie in one temporary folder.
+# Starts a Slurm of one node for the caller alone, and runs both jobs of this folder on it. Compares what they write with what
+# one process writes, byte for byte. It needs no root and leaves no processes; its files lie in one temporary folder.
 # Usage: tools/slurm/try.sh
 # Needs slurm-wlm and munge; where they are missing or do not start it says so and ends with 77. CDR names the program.
 set -euo pipefail
