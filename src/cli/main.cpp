@@ -65,7 +65,7 @@ void requireSameProgram(cdr::ranks::Ranks& ranks, int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         text += fmt::format(" {}", argv[i]);
     }
-    ranks.requireSame(text, "was started otherwise than the first rank: " + text);
+    ranks.requireSame(text, "was started in another way than the first rank: " + text);
 }
 
 int run(int argc, char** argv, cdr::ranks::Ranks& ranks) {

@@ -103,7 +103,7 @@ void addTechniques(CLI::App& command, std::vector<depth::NamedTechnique>& techni
                     techniques.push_back(depth::namedTechnique(name));
                 }
             },
-            "Techniques, a comma between them; all presets")
+            "Techniques, separated by commas; all presets")
         ->expected(CLI::detail::expected_max_vector_size)
         ->delimiter(',');
 }
@@ -119,7 +119,7 @@ void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, co
             [&chosen](const std::vector<std::string>& names) {
                 std::transform(names.begin(), names.end(), std::back_inserter(chosen), rivals::parseRival);
             },
-            fmt::format("Rivals, a comma between them: {}, each also with /prepass; {}",
+            fmt::format("Rivals, separated by commas: {}, each also with /prepass; {}",
                         fmt::join(known, ", "), otherwise))
         ->expected(CLI::detail::expected_max_vector_size)
         ->delimiter(',');

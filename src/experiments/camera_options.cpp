@@ -63,11 +63,11 @@ void addCameraOptions(CLI::App& command, CameraOptions& options) {
     CLI::Option* eye =
         command.add_option("--eye", options.eye, "Camera position x,y,z instead of the scene's");
     CLI::Option* target = command.add_option("--target", options.target, "Point x,y,z to look at");
-    CLI::Option* direction =
-        command.add_option("--direction", options.direction,
-                           "View direction x,y,z, instead of a target: exact however far out the camera is");
+    CLI::Option* direction = command.add_option(
+        "--direction", options.direction,
+        "View direction x,y,z, instead of a target: exact at any distance from the origin");
     CLI::Option* up =
-        command.add_option("--up", options.up, "What is up in the picture: x,y,z; else world y");
+        command.add_option("--up", options.up, "Direction x,y,z that is up in the picture; else world y");
     target->excludes(direction);
     for (CLI::Option* place : {eye, target, direction, up}) {
         place->excludes(path);
@@ -89,8 +89,8 @@ void addLayers(CLI::App& command, std::vector<std::string>& layers) {
     command
         .add_option(
             "--layer", layers,
-            "MATERIAL=LAYER: of faces at one place, how far towards the camera those of a material are "
-            "taken to be, in scene units; by name, or #N from 0. May be given again")
+            "MATERIAL=LAYER: decides between faces at one place. Those of the material count as nearer by "
+            "LAYER scene units; MATERIAL is a name, or #N from 0. May be repeated")
         ->allow_extra_args(false);
 }
 
@@ -111,8 +111,9 @@ void addPointRadius(CLI::App& command, std::optional<double>& radius) {
 
 void addSceneChoice(CLI::App& command, scene::GltfChoice& choice) {
     command.add_option("--gltf-scene", choice.scene, "Scene of a glTF file, from 0; its default one");
-    command.add_option("--camera", choice.camera,
-                       "Look through a glTF scene's perspective camera, from 0; else all of it is framed");
+    command.add_option(
+        "--camera", choice.camera,
+        "Look through a glTF scene's perspective camera, from 0; else the view shows all of the scene");
 }
 
 void addAnimationChoice(CLI::App& command, scene::GltfChoice& choice) {

@@ -54,7 +54,7 @@ class Session {
         MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &level);
         if (level < MPI_THREAD_SERIALIZED) {
             MPI_Finalize();
-            throw base::RunError("this MPI allows no threads (MPI_THREAD_SERIALIZED)");
+            throw base::RunError("this MPI does not support threads (MPI_THREAD_SERIALIZED)");
         }
     }
     ~Session() { MPI_Finalize(); }
@@ -199,7 +199,7 @@ class MpiRanks final : public Ranks {
         Word first = firstFailure(words);
         if (first.status == 0 &&
             std::any_of(words.begin(), words.end(), [](const Word& word) { return word.isLast != 0; })) {
-            first = wordOf({.status = 1, .line = "ranks went different ways; was a file changed meanwhile?"},
+            first = wordOf({.status = 1, .line = "ranks did different work; was a file changed meanwhile?"},
                            false);
         }
         requireWell(first);

@@ -65,13 +65,13 @@ void checkFiles(const RenderArguments& arguments, const RenderPlan& plan, Comman
     }
 }
 
-/// Of what is of one view alone.
+/// base::InputError for several views with options that take one view.
 void requireOneView(const RenderArguments& arguments, const RenderPlan& plan) {
     if (plan.views.kind() == experiments::ViewsKind::one) {
         return;
     }
     if (plan.views.kind() == experiments::ViewsKind::six && arguments.camera.fovDegrees) {
-        throw base::InputError("--views six sees 90 degrees to each side: leave out --fov");
+        throw base::InputError("--views six has views of 90 degrees: leave out --fov");
     }
     if (!arguments.certify.empty()) {
         throw base::InputError("--certify is of one view: leave out --stereo and --views");
@@ -108,7 +108,7 @@ RenderPlan planOf(Command& command, const RenderArguments& arguments) {
         plan.options.part = {.index = place.index, .count = place.count};
     }
     if (!arguments.trace.empty() && !command.ranks().isAlone()) {
-        throw base::InputError("--trace is of one process: start it without mpirun");
+        throw base::InputError("--trace works in one process only: start it without mpirun");
     }
     if (!arguments.trace.empty() && !arguments.state.empty()) {
         throw base::InputError(

@@ -155,14 +155,14 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
                        "Picture to write: .png, .tga or .exr; %04d stands for the frame");
     command.add_option(
         "--certify", arguments.certify,
-        "Show of each pixel that it is right, cast what is in doubt, put right what is wrong; the certificate to "
-        "write, .json. Status 3 where the device kept not to its limits");
+        "Prove that each pixel is right, cast rays for those in doubt and repair wrong ones; the certificate to "
+        "write, .json. Status 3 if the device was outside its limits");
     command.add_option(
         "--trace", arguments.trace,
         "Write workers, cascades and execute as a trace for ui.perfetto.dev or chrome://tracing");
     command.add_option(
         "--state", arguments.state,
-        "File that keeps what is made of each frame: started again, the run makes what is missing");
+        "File that keeps the result of each frame; started again, the run makes only what is missing");
     command.add_flag("--hash", arguments.hash, "Print a SHA-256 of each output's values");
 }
 

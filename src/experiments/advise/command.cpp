@@ -237,12 +237,12 @@ void addOptions(CLI::App& command, AdviseArguments& arguments) {
         ->capture_default_str();
     command
         .add_option("--sub-pixel-bits", arguments.subPixelBits,
-                    "Count what vertices snapped to so many bits move; without it, surfaces share an outline")
+                    "Bits that the device snaps vertices to; without it, both surfaces share an outline")
         ->check(CLI::Range(0u, 32u));
     command
         .add_option("--slope", arguments.slope, "Tangent of the angle between those surfaces and the picture")
         ->capture_default_str();
-    command.add_option("--format", arguments.formats, "Depth formats to consider, a comma between them; all")
+    command.add_option("--format", arguments.formats, "Depth formats to consider, separated by commas; all")
         ->delimiter(',');
     command.add_flag("--measured", arguments.measured,
                      "Measure separations and frame times on the device, beside the formulas");

@@ -39,7 +39,8 @@ PairVideos::PairVideos(const std::filesystem::path& folder, std::span<const std:
         }
     }
     if (m_pairs.empty()) {
-        throw base::InputError("videos show pairs of standard, cdr, log and logcdr; fewer than two are here");
+        throw base::InputError(
+            "videos show pairs of standard, cdr, log and logcdr; name at least two of them");
     }
     requireEncodable(2 * width, height);
     host::makeFolder(folder);

@@ -110,7 +110,7 @@ void run(Command& command, PicturesArguments& arguments) {
 void addOptions(CLI::App& command, PicturesArguments& arguments) {
     experiments::PicturesOptions& options = arguments.options;
     command.add_option("--out", arguments.folder, "Folder for the pictures")->capture_default_str();
-    command.add_option("--scenes", arguments.scenes, "Scenes, a comma between them")
+    command.add_option("--scenes", arguments.scenes, "Scenes, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
     addTechniques(command, options.techniques);

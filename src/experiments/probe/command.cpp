@@ -125,12 +125,12 @@ void run(Command& command, ProbeArguments& arguments) {
 
 void addOptions(CLI::App& command, ProbeArguments& arguments) {
     experiments::ProbeOptions& options = arguments.options;
-    command.add_option("--distances", options.distancesView, "View distances, a comma between them")
+    command.add_option("--distances", options.distancesView, "View distances, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
     addTechniques(command, options.techniques);
     addRivalList(command, options.rivalsBeside, "none");
-    command.add_option("--formats", arguments.formats, "Depth formats, a comma between them; all")
+    command.add_option("--formats", arguments.formats, "Depth formats, separated by commas; all")
         ->delimiter(',');
     addSize(command, options.width, options.height);
     addThreads(command, options.threads, "Threads that cull, bin and record");

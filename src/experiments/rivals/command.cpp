@@ -173,7 +173,7 @@ void addOptions(CLI::App& command, RivalsArguments& arguments) {
         ->capture_default_str();
     command
         .add_option("--distances", options.distancesView,
-                    "View distances of the ladder that shows what is resolved, a comma between them")
+                    "View distances of the ladder that shows what is resolved, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
     addTechniques(command, arguments.techniques);

@@ -101,7 +101,7 @@ class RivalsRun {
                          [&](const NamedContender& named) { return named.name == options.baseline; });
         if (found == options.contenders.end() || found->isRival()) {
             throw base::InputError(fmt::format(
-                "{} is what times are divided by, so it must be among the techniques", options.baseline));
+                "times are divided by that of {}, so it must be among the techniques", options.baseline));
         }
         return static_cast<std::size_t>(found - options.contenders.begin());
     }

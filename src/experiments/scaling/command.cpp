@@ -228,8 +228,9 @@ void addOptions(CLI::App& command, ScalingArguments& arguments) {
         ->delimiter(',')
         ->capture_default_str();
     command
-        .add_option("--threads", options.threads,
-                    "Numbers of threads, such as 1,2,4; 1 joins in any case (default: to twice the CPUs)")
+        .add_option(
+            "--threads", options.threads,
+            "Numbers of threads, such as 1,2,4; 1 is always measured too (default: to twice the CPUs)")
         ->delimiter(',');
     command.add_option("--targets", arguments.targets, "Kinds of targets (default: all)")->delimiter(',');
     command

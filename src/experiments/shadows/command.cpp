@@ -99,12 +99,12 @@ void addOptions(CLI::App& command, ShadowArguments& arguments) {
     experiments::ShadowExperiment& experiment = arguments.experiment;
     command.add_option("scene", arguments.scene, "Scene with lights, or a .gltf or .glb file")
         ->capture_default_str();
-    command.add_option("--techniques", experiment.techniques, "Presets, a comma between them")
+    command.add_option("--techniques", experiment.techniques, "Presets, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
     command
         .add_option("--methods", experiment.methods,
-                    "How shadows are cast: anchored or plain, a comma between them")
+                    "How shadows are cast: anchored or plain, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
     command

@@ -396,7 +396,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
         ->default_str(std::string(nameOf(options.scene)));
     command
         .add_option("--in-flight", options.framesInFlight,
-                    "Frames in flight: 1 times latency, as the thesis; more time throughput")
+                    "Frames in flight: 1 measures latency, as the thesis does; more measure throughput")
         ->check(CLI::Range(std::size_t{1}, render::kMaxFramesInFlight))
         ->capture_default_str();
     addSeed(command, options.seed, "Seed of the scene, the orders and the bootstrap");
@@ -419,7 +419,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
     stages->excludes(against);
     command
         .add_flag("--memory", arguments.memory,
-                  "Bytes of an instance, a draw and a pixel, foretold and measured")
+                  "Bytes of an instance, a draw and a pixel, predicted and measured")
         ->excludes(against)
         ->excludes(stages);
     command.add_option("--csv", arguments.csv, "Write the results as CSV to FILE");

@@ -37,7 +37,7 @@ FrameSample timedRun(render::Renderer& renderer, const std::vector<scene::Camera
 scene::SceneSetup openTimed(const TimingOptions& options) {
     const bool moves = options.scene == TimingScene::traffic;
     if (moves && options.framesInFlight > 1) {
-        throw base::InputError("frames in flight are timed of a scene that stands still, not of traffic");
+        throw base::InputError("frames in flight are timed with a scene that stands still, not with traffic");
     }
     for (const TimingMode& mode : options.modes) {
         if (mode.idsAlone && options.framesInFlight > 1) {

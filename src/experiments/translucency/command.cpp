@@ -126,7 +126,7 @@ void addOptions(CLI::App& command, TranslucencyArguments& arguments) {
     command.add_option("scene", experiment.scene, "Scene with translucent surfaces")->capture_default_str();
     addSize(command, experiment.width, experiment.height);
     command.add_option("--depth", arguments.mapping, "Depth mapping of the cascades")->capture_default_str();
-    command.add_option("--cascades", experiment.cascades, "How many cascades, a comma between them")
+    command.add_option("--cascades", experiment.cascades, "Numbers of cascades, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
     command.add_option("--repeats", experiment.repeats, "Timed frames of each; 0 times nothing")

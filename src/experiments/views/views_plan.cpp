@@ -40,7 +40,7 @@ std::optional<scene::StereoMode> parseStereo(std::string_view name) {
 void requireStereoAlone(const ViewsArguments& arguments) {
     const auto refuse = [](bool isGiven, const char* option) {
         if (isGiven) {
-            throw base::InputError(fmt::format("{} is of two eyes: give --stereo too", option));
+            throw base::InputError(fmt::format("{} is for two eyes: give --stereo too", option));
         }
     };
     refuse(arguments.eyeDistance.has_value(), "--eye-distance");
@@ -103,11 +103,12 @@ ViewsPlan::ViewsPlan(const ViewsArguments& arguments, std::uint32_t width, std::
         throw base::InputError("--stereo needs an --eye-distance");
     }
     if (!arguments.converge && m_rig.mode == scene::StereoMode::toedIn) {
-        throw base::InputError("--stereo toed-in needs a distance to --converge at");
+        throw base::InputError(
+            "--stereo toed-in needs a distance at which both pictures coincide: give --converge");
     }
     m_rig.eyeDistance = *arguments.eyeDistance;
     if (arguments.converge && !std::isfinite(*arguments.converge)) {
-        throw base::InputError("--converge takes a finite distance; parallel eyes go without it too");
+        throw base::InputError("--converge takes a finite distance; parallel eyes do not need it");
     }
     m_rig.convergence = arguments.converge.value_or(m_rig.convergence);
     eyesOf(m_rig); // distances that no camera can have end here

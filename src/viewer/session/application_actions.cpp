@@ -22,7 +22,7 @@ void Application::dropFiles(const DropInput& drop) {
     const auto found = std::find_if(drop.paths.begin(), drop.paths.end(), scene::isGltfPath);
     if (found == drop.paths.end()) {
         m_model.interface.sayProblem(drop.paths.empty()
-                                         ? "nothing that is a file was dropped"
+                                         ? "what was dropped is not a file"
                                          : fmt::format("{} is no scene: drop a .gltf or .glb file",
                                                        drop.paths.front().filename().string()));
         return;

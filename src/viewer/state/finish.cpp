@@ -20,42 +20,43 @@ void apply(const Finish& finish, render::RenderOptions& options) {
 
 std::string_view explain(visibility::DetailMode detail) {
     constexpr std::array<std::string_view, 4> kTexts{
-        "Every mesh in full: slow where they are dense and small.",
-        "Each object at the coarsest level whose error stays under half a pixel, the same level in all its "
-        "cascades: nothing cracks.",
-        "Each cascade chooses, as the thesis has it: an object that straddles a boundary is drawn at two "
-        "levels, and may crack there.",
-        "Each piece of a large mesh at a level of its own, by its distance: near parts are fine, far ones coarse, "
-        "and nothing cracks. Small meshes are drawn by object."};
+        "Every mesh in full. It is slow where they are dense and small.",
+        "Each object at the coarsest level whose error stays under half a pixel. The level is the same in "
+        "all its cascades, so there are no cracks.",
+        "Each cascade chooses, as in the thesis. An object that crosses a boundary is drawn at two levels, "
+        "which may leave cracks.",
+        "Each piece of a large mesh at a level of its own, by its distance. Near parts are fine and far ones "
+        "coarse, without cracks. Small meshes are drawn by object."};
     return kTexts[static_cast<std::size_t>(detail)];
 }
 
 std::string_view explain(render::Translucency translucency) {
     return translucency == render::Translucency::weighted
-               ? "Blended surfaces of a cascade are averaged by weight, cascades laid over each other: fast, "
-                 "and approximate where surfaces overlap."
-               : "Every blended fragment is kept, sorted by its distance and laid over the next: exact, at "
-                 "the price of memory.";
+               ? "Blended surfaces of a cascade are averaged by weight, and cascades are composited. It is "
+                 "fast, and approximate where surfaces overlap."
+               : "Every blended fragment is kept, sorted by its distance and composited. It is exact, but "
+                 "takes memory.";
 }
 
 std::string_view explain(render::ShadowMethod shadows) {
     constexpr std::array<std::string_view, 3> kTexts{
-        "Light goes through everything.",
-        "The first four lights cast shadows, each by a map for every range of distances that is seen. Not with "
-        "a focus or levels of detail.",
-        "Today's practice: four maps for each light, whatever the distances."};
+        "There are no shadows.",
+        "The first four lights cast shadows, each by a map for every range of distances that is seen. They "
+        "cannot be used with a focus or levels of detail.",
+        "Today's practice: four maps for each light, for any distances."};
     return kTexts[static_cast<std::size_t>(shadows)];
 }
 
 std::string_view explain(render::Antialias antialias) {
     return antialias == render::Antialias::none
-               ? "Pixels as they were sampled: what measurements look at."
-               : "Stairs along edges of brightness are smoothed after shading.";
+               ? "Pixels as they were sampled, as measurements use them."
+               : "Steps along edges of brightness are smoothed after shading.";
 }
 
 std::string_view explain(render::ToneMap toneMap) {
     constexpr std::array<std::string_view, 3> kTexts{
-        "Highlights are compressed under a sky, which models have, or through air, and else cut off.",
+        "Highlights are compressed under a sky, which models have, or through air. Otherwise they are cut "
+        "off.",
         "What is brighter than the picture's white is cut off.",
         "Highlights are compressed, and base colours stay as they are (Khronos PBR Neutral)."};
     return kTexts[static_cast<std::size_t>(toneMap)];
@@ -66,9 +67,10 @@ std::string_view explain(const render::Occlusion& occlusion) {
         return "Corners get as much ambient light as open ground.";
     }
     return occlusion.perLayer
-               ? "Corners lose ambient light, on each cascade's layer alone (thesis method 2): what lies in "
-                 "another cascade takes none. Needs targets with layers."
-               : "Corners lose ambient light, by the one distance of all cascades: no boundary shows.";
+               ? "Corners lose ambient light, on each cascade's layer alone (thesis method 2). Surfaces in "
+                 "another cascade do not darken them. It needs targets with layers."
+               : "Corners lose ambient light, by distances that all cascades share. So no boundary is "
+                 "visible.";
 }
 
 std::string_view explain(const render::Fog& fog) {
@@ -77,12 +79,12 @@ std::string_view explain(const render::Fog& fog) {
 
 std::string_view explain(const render::Focus& focus) {
     if (!focus.isOn()) {
-        return "Everything is sharp. With targets in layers a lens can be focused on a distance.";
+        return "Everything is sharp. With the targets layers a lens can be focused on a distance.";
     }
-    return focus.blend ? "What is out of focus is drawn in fewer pixels, cascade by cascade; where cascades "
-                         "meet they fade into each other."
+    return focus.blend ? "What is out of focus is drawn in fewer pixels, cascade by cascade. Cascades that "
+                         "meet fade into each other."
                        : "What is out of focus is drawn in fewer pixels, cascade by cascade, as the thesis "
-                         "proposes; where cascades meet it shows.";
+                         "proposes. A seam is visible where cascades meet.";
 }
 
 } // namespace cdr::viewer

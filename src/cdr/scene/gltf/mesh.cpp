@@ -258,7 +258,7 @@ Vertex MeshImporter::readVertex(const Attributes& attributes, std::uint32_t inde
     if (attributes.normal != nullptr) {
         const std::optional<glm::vec3> normal = normalized(glm::dvec3(attributes.normal->vector(index)));
         if (!normal) {
-            m_notes.add("a normal has no direction, +z taken", where);
+            m_notes.add("a normal has no direction, so +z is used", where);
         }
         vertex.normal = normal.value_or(kAnyNormal);
     }
@@ -282,7 +282,7 @@ VertexDetail MeshImporter::readDetail(const Attributes& attributes, std::uint32_
         const glm::vec4 read = attributes.tangent->vector(index);
         const std::optional<glm::vec3> tangent = normalized(glm::dvec3(read));
         if (!tangent) {
-            m_notes.add("a tangent has no direction, any taken", where);
+            m_notes.add("a tangent has no direction, so any is used", where);
         }
         detail.tangent = glm::vec4(tangent.value_or(anyTangent(normal)), read.w < 0.0f ? -1.0f : 1.0f);
     }

@@ -66,7 +66,7 @@ std::vector<Influence> influencesOf(const std::vector<JointSet>& sets, std::uint
         }
     }
     if (influences.empty()) {
-        notes.add("a vertex follows no joint, its skin's first one taken", where);
+        notes.add("a vertex follows no joint, so the first joint of its skin is used", where);
         return {{0, 1.0f}};
     }
     for (Influence& influence : influences) {
@@ -94,7 +94,7 @@ std::vector<MorphDelta> deltasOf(const std::map<std::string, int>& target, const
         const MorphDelta delta{i, of(position), of(normal)};
         const float sum = glm::dot(delta.position, delta.position) + glm::dot(delta.normal, delta.normal);
         if (!std::isfinite(sum)) {
-            refuse("{}: a morph target moves vertex {} by what is no float32", where, i);
+            refuse("{}: a morph target moves vertex {} by more than a float32 holds", where, i);
         }
         if (delta.position != glm::vec3(0.0f) || delta.normal != glm::vec3(0.0f)) {
             deltas.push_back(delta);
