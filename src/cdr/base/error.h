@@ -10,7 +10,7 @@
 #include <cstdlib>
 #endif
 
-/// Errors, results, names and numbers as text: what all else stands on.
+/// Errors, results, names and numbers as text. All other rooms use it.
 /// @threads Functions keep nothing: any thread may call them, many at once.
 namespace cdr::base {
 

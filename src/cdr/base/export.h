@@ -1,7 +1,7 @@
 #pragma once
 
-/// CDR_EXPORT marks what the shared libraries of cdr give out; all else stays inside them. On Windows their users need
-/// CDR_SHARED, which the package's targets define; it means nothing elsewhere.
+/// CDR_EXPORT marks what the shared libraries of cdr export; all else is hidden. On Windows their users need CDR_SHARED, which
+/// the package's targets define. It has no effect elsewhere.
 #if !defined(_WIN32)
 #define CDR_EXPORT __attribute__((visibility("default")))
 #elif defined(CDR_BUILDS_SHARED)

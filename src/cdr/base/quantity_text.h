@@ -9,8 +9,8 @@
 
 namespace cdr::base {
 
-/// What a length is written in. `automatic` is the largest of µm, mm, m, km and million km that it fills, `none` the scene
-/// unit without a word.
+/// What a length is written in. `automatic` is the largest of µm, mm, m, km and million km of which the length is at least 1.
+/// `none` is the scene unit, and no unit is written.
 enum class LengthUnit { none, automatic, micrometre, millimetre, metre, kilometre };
 /// All of them.
 inline constexpr std::array kLengthUnits{LengthUnit::none,       LengthUnit::automatic,
@@ -27,7 +27,7 @@ LengthUnit parseLengthUnit(std::string_view name);
 /// `plain` is for terminals: what it writes without a unit can be typed in again.
 enum class NumberStyle { typeset, plain };
 
-/// Significant digits where nobody says otherwise.
+/// Significant digits by default.
 inline constexpr int kReadableDigits = 4;
 
 /// A number as people read it, in every program of cdr. It has `digits` significant digits, but all digits of a whole number

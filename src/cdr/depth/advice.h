@@ -47,7 +47,7 @@ struct CDR_EXPORT AdviceRow {
     double resolvedView() const;
 };
 
-/// What AdviceQuestion comes to.
+/// The answer to an AdviceQuestion.
 struct Advice {
     std::vector<AdviceRow> rows;         ///< simplest first
     std::optional<std::size_t> simplest; ///< the first technique that suffices, with the fewest cascades

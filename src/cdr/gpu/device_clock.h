@@ -10,7 +10,7 @@
 
 namespace cdr::gpu {
 
-/// How often a clock ticked between two readings of its lowest `bits` bits, 1 to 64; it may have begun anew in between.
+/// How often a clock ticked between two readings of its lowest `bits` bits, 1 to 64; it may have begun again in between.
 std::uint64_t timestampSteps(std::uint64_t begin, std::uint64_t end, std::uint32_t bits);
 
 /// Times submissions by the device's own clock, by command buffers that are recorded once.

@@ -80,7 +80,7 @@ void loadFunctions(PFN_vkGetInstanceProcAddr loader, VkInstance instance) {
 #undef CDR_FILL_IN
     if (const char* missing = firstMissing(f)) {
         if (isFirst) {
-            f = {}; // nobody calls it yet, and a better loader may come
+            f = {}; // nothing was called yet, so another loader may be used
         }
         throw base::InputError(
             fmt::format("the Vulkan loader gives no {}; the instance must be made for Vulkan 1.3", missing));

@@ -20,7 +20,7 @@ void check(VkResult result, const char* call, const std::string& name, std::uint
 }
 
 /// Buffers of this size or more have memory of their own, as have all images except textures. They are made
-/// anew when the picture's size changes, and their memory is then freed, which a shared block would not be.
+/// again when the picture's size changes, and their memory is then freed, which a shared block would not be.
 constexpr std::size_t kOwnMemoryBytes = std::size_t{256} << 10;
 constexpr vk::ImageUsageFlags kTexture =
     vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst;

@@ -19,7 +19,7 @@ class ChildProcess {
   public:
     /// Where its standard output goes.
     struct Output {
-        std::optional<std::filesystem::path> file; ///< made anew; /dev/null when empty
+        std::optional<std::filesystem::path> file; ///< created or emptied; /dev/null when empty
     };
 
     /// @param arguments the program, looked up in PATH, then its arguments.

@@ -11,7 +11,7 @@ void printOutput(const std::string& text);
 /// before.
 void flushStandardOutput();
 
-/// Prints a line on standard error. Does nothing where that fails, since nobody could be told.
+/// Prints a line on standard error. Does nothing if that fails, since there is no other place for an error.
 void printError(const std::string& line) noexcept;
 
 } // namespace cdr::host

@@ -15,7 +15,7 @@ namespace {
 
 enum class SlotState { free, changing, taken };
 
-/// A signal handler may neither lock nor allocate, so names lie in fixed memory and change hands by one atomic word.
+/// A signal handler may neither lock nor allocate. So names are in fixed memory, and one atomic word says who owns a slot.
 struct Slot {
     std::atomic<SlotState> state{SlotState::free};
     std::array<char, PATH_MAX> path{};

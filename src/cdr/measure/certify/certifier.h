@@ -17,7 +17,7 @@
 
 namespace cdr::measure {
 
-/// What a pixel shows that was drawn otherwise, all of it from float64.
+/// What a pixel that was drawn wrong has to show, all of it from float64.
 struct PixelRepair {
     std::uint32_t x = 0;
     std::uint32_t y = 0;
@@ -45,21 +45,21 @@ struct Certificate {
     }
 };
 
-/// Shows of a drawn picture, pixel by pixel, that it is right, and puts right what is not.
+/// Proves, pixel by pixel, that a drawn picture is right, and repairs wrong pixels.
 ///
 /// Coverage rule: the float64 ray through a pixel's centre decides, as TruthCaster has it.
 ///
 /// 1. Triangles are placed in float64 and give each pixel intervals of distance (OrderStrip). A pixel is certified where its
 ///    drawn object surely covers it and was drawn at its place. It must also be nearer than every other object by more than
 ///    the device may be off.
-/// 2. Where the bound leaves two answers open, the same is asked again of triangles that are off by roundings of float64 alone.
+/// 2. Where the bound allows two answers, the same is tested again with triangles that are off by roundings of float64 alone.
 ///    Nearly all pixels that were drawn right are proven so.
-/// 3. The others are cast, and repaired where they were drawn wrong: those drawn wrong, and those on an edge.
+/// 3. Rays are cast for the others, which were drawn wrong or lie on an edge. Wrong ones are repaired.
 /// 4. A pixel that shows what the bound rules out is refused: driver, renderer or scene are not what they are said to be.
 ///
-/// Why a certified pixel is right: float64 places triangles to 10^-9 pixels, and every margin is larger than that. So what
-/// covers surely within the device's margins covers, and what is before by more than them is before. The device's limits
-/// decide only which pixels are refused, and which of the others could have been drawn in no other way.
+/// Why a certified pixel is right: float64 places triangles to 10^-9 pixels, and every margin is larger than that. So an
+/// object that covers a pixel by more than the margins covers it, and one that is nearer by more than them is nearer. The
+/// device's limits decide only which pixels are refused, and which of the others no such device can draw in another way.
 class Certifier {
   public:
     /// @param scene must outlive the certifier. Instances may change, and meshes that follow() is told of, materials not.

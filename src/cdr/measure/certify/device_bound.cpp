@@ -71,7 +71,7 @@ DeviceBound::Cell DeviceBound::makeCell(double leastView, double mostView, depth
             continue;
         }
         for (const double w : {least, 0.5 * (least + most), most}) {
-            // At the far end no farther value exists; what is nearer is told apart still.
+            // At the far end no farther value exists, but nearer surfaces are still resolved.
             const double inside =
                 std::min(w, range.clip.farView - 1e-3 * (range.clip.farView - range.clip.nearView));
             cell.stepView =

@@ -47,7 +47,7 @@ class DeviceBound {
     TriangleBound of(const TriangleReach& reach) const;
 
     /// How far the depth of a surface may be off, as a view distance, its step in the buffer included. Infinity where the
-    /// buffer tells nothing apart.
+    /// buffer resolves nothing.
     /// @param slopeView by how much the distance changes along x and along y, added up, per pixel.
     double orderView(const TriangleBound& bound, double distanceView, double slopeView) const {
         const Cell& cell = cellAt(distanceView);

@@ -19,7 +19,7 @@ struct SeenPixel {
 };
 using SeenImage = image::Raster<SeenPixel>;
 
-/// A place where a picture shows what the whole one shows nowhere near.
+/// A pixel that shows an object which the whole picture does not show nearby.
 struct Crack {
     std::uint32_t x = 0; ///< pixels from the top left
     std::uint32_t y = 0;
@@ -28,11 +28,11 @@ struct Crack {
     bool operator==(const Crack&) const = default;
 };
 
-/// Hunts for holes: every pixel of `shown` around which `whole` shows a single object, another and nearer
-/// one, within `reach` pixels along rows and columns. There, what is behind shows through in the middle of a
-/// surface. Silhouettes that move by `reach` pixels or less are none, nor is what opens between two that both
-/// retreat. Neither, thus, are holes that close to one. An object that shows through itself is not found. Row
-/// by row.
+/// Finds holes, row by row: pixels where a surface behind shows through the middle of another. Within `reach`
+/// pixels along rows and columns of such a pixel, `whole` shows a single object. It is nearer than what `shown`
+/// has there, and another object. A silhouette that moves by `reach` pixels or less is not found, nor is a gap
+/// between two silhouettes that both retreat. So a hole within `reach` pixels of a silhouette is not found
+/// either. Nor is one through which an object shows itself.
 /// @param whole the same view without holes; base::InputError when the sizes differ.
 std::vector<Crack> findCracks(const SeenImage& shown, const SeenImage& whole,
                               std::uint32_t reach = kCrackReach);

@@ -36,7 +36,7 @@ void innerMask(const image::ImageU32& ids, image::Raster<std::uint8_t>& mask);
 
 /// Compares ids (object index + 1) of one size; base::InputError when the sizes differ.
 WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth);
-/// The same with the truth's innerMask() at hand, for those who compare several ids with one truth.
+/// The same with the truth's innerMask(), for callers that compare several ids with one truth.
 WrongPixels countWrong(const image::ImageU32& ids, const TruthImage& truth,
                        const image::Raster<std::uint8_t>& inner);
 

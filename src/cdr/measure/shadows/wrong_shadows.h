@@ -14,7 +14,7 @@ namespace cdr::measure {
 struct WrongShadows {
     std::uint64_t pixels = 0;    ///< inner pixels
     std::uint64_t shadowed = 0;  ///< inner pixels that are shadowed in truth
-    std::uint64_t wrong = 0;     ///< inner pixels where the light does what it does not in truth
+    std::uint64_t wrong = 0;     ///< inner pixels that are lit in the picture or in truth, not in both
     std::uint64_t edgeWrong = 0; ///< all others
 
     double fraction() const {

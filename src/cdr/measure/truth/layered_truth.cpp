@@ -73,7 +73,7 @@ glm::dvec4 reachedAt(const View& view, const SurfaceHit& hit, const glm::dvec3& 
     const std::size_t lights = std::min<std::size_t>(view.scene.lights.size(), 4);
     for (std::size_t light = 0; light < lights; ++light) {
         const glm::dvec3 way = (view.scene.lights[light].position - view.camera.position) - fromCamera;
-        // To what faces away the light does nothing, whatever lies between.
+        // A surface that faces away from the light gets none of it in any case.
         if (glm::dot(hit.normal, way) > 0.0 &&
             !view.shadows->reaches(view.camera.position, fromCamera, light)) {
             reached[static_cast<int>(light)] = 0.0;

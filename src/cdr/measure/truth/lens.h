@@ -6,8 +6,8 @@
 
 namespace cdr::measure {
 
-/// Half the picture's height at view distance 1. Formed apart from scene::frustumOf(), since the truth shares no projection
-/// with what it judges.
+/// Half the picture's height at view distance 1. It does not use scene::frustumOf(), since the truth shares no projection code
+/// with the renderer.
 inline double halfHeightSlope(const scene::Camera& camera) {
     return std::tan(0.5 * camera.fovY);
 }

@@ -60,7 +60,7 @@ class TruthCaster {
     TruthImage cast(const scene::Camera& camera, const image::Raster<std::uint8_t>& wanted,
                     host::WorkerPool& workers) const;
 
-    /// Reads meshes anew whose vertices changed. base::InputError when one is unsound.
+    /// Reads again the meshes whose vertices changed. base::InputError when one is unsound.
     void follow(std::span<const std::uint32_t> meshes, host::WorkerPool& workers);
 
     /// Of each mesh.
