@@ -6,7 +6,7 @@ namespace cdr::scene {
 
 namespace {
 
-/// Axes are handed on as they are: turning by a right angle rounds nothing.
+/// Axes are copied, since a turn by a right angle needs no rounding.
 Camera sideOf(const Camera& camera, const glm::dvec3& right, const glm::dvec3& up, const glm::dvec3& back) {
     Camera side = camera;
     side.right = right;

@@ -5,7 +5,7 @@
 
 namespace cdr::scene {
 
-/// What a camera's lens and a picture's size amount to. Formed once per frame and handed on.
+/// What follows from a camera's lens and a picture's size. It is computed once per frame and passed on.
 struct Frustum {
     double tanX = 1.0; ///< half the picture's width at view distance 1
     double tanY = 1.0; ///< half its height there

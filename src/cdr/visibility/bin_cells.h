@@ -14,7 +14,7 @@ namespace cdr::visibility {
 class CellBinner {
   public:
     /// The lists that binByDistance() makes of what cullSpheres() keeps, for any number of workers. Cells whose
-    /// instances all land alike are not looked into.
+    /// instances are all in the same cascades are not examined.
     void bin(const VisibleCells& visible, const depth::Cascades& clipRanges, double wideSpan,
              host::WorkerPool& workers, DrawLists& lists);
 

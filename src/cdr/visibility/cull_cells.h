@@ -24,8 +24,8 @@ struct VisibleCells {
     std::size_t count() const; ///< of instances
 };
 
-/// Keeps every instance that cullSpheres() keeps. Cells wholly inside or outside the frustum are not looked into.
-/// The same for any number of workers.
+/// Keeps every instance that cullSpheres() keeps. Cells wholly inside or outside the frustum are not examined.
+/// The result is the same for any number of workers.
 /// @param visible overwritten, and kept from frame to frame so that a warm one allocates nothing.
 void cullCells(const InstanceCells& cells, const scene::Camera& camera, const scene::Frustum& frustum,
                host::WorkerPool& workers, VisibleCells& visible);
@@ -33,7 +33,7 @@ void cullCells(const InstanceCells& cells, const scene::Camera& camera, const sc
 /// Most cameras that cull together.
 inline constexpr std::size_t kMostTogether = 32;
 
-/// cullCells() of several cameras in one walk over the cells. A cell that none of them sees is not looked into. Each
+/// cullCells() of several cameras in one walk over the cells. A cell that none of them sees is not examined. Each
 /// camera gets the list that it would get alone.
 /// @param tests at most kMostTogether, a camera each. @param visible as many, overwritten.
 void cullCells(const InstanceCells& cells, std::span<const SphereTest> tests, host::WorkerPool& workers,

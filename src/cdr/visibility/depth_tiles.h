@@ -17,8 +17,8 @@ struct PixelRect {
     double bottom = 0.0;
 };
 
-/// From where on whatever is behind a picture's opaque surfaces is hidden: a view distance for each tile of pixels.
-/// Squares of tiles have the largest of theirs, so that large things are tested by few looks.
+/// For each tile of pixels a view distance. All that is farther there is hidden by the picture's opaque surfaces. Squares
+/// of tiles have the largest distance of their tiles, so that large objects need few tests.
 class DepthTiles {
   public:
     static constexpr std::uint32_t kSide = 8; ///< of a tile, in pixels
@@ -34,7 +34,7 @@ class DepthTiles {
     std::span<double> hiddenBeyond() { return m_levels.front().values; }
     void makeLevels();
 
-    /// Whether whatever is within `rect`, and nowhere nearer than `nearestView`, is hidden. What is beside the picture is.
+    /// Whether everything within `rect` that is no nearer than `nearestView` is hidden. What is outside the picture is.
     bool hides(const PixelRect& rect, double nearestView) const;
 
   private:

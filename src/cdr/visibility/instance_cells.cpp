@@ -19,7 +19,7 @@ constexpr std::size_t kJobCells = 256;
 constexpr std::size_t kPrefetched = 16;
 
 /// Loose slots are tested one by one, which takes about a sixty-fourth of the time that building takes for an
-/// instance. So building anew once they were tested so often costs at most what was lost.
+/// instance. So building again once they were tested so often costs at most what was lost.
 constexpr std::uint64_t kDebtPerInstance = 64;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

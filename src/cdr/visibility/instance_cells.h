@@ -30,8 +30,8 @@ class InstanceCells {
 
     /// Forgets what it held. Blended instances, and places without one, are left out.
     void build(const scene::Scene& scene, host::WorkerPool& workers);
-    /// Follows instances that changed, appeared or went; any may be named twice. Takes time by their number, but is
-    /// built anew once so many have left their cells for so long that this pays.
+    /// Updates instances that changed, were added or were removed; any may be named twice. The time is proportional to
+    /// their number. But all is built again once so many have left their cells for so long that this takes less time.
     void update(const scene::Scene& scene, std::span<const std::uint32_t> changed, host::WorkerPool& workers);
 
     std::size_t cells() const { return m_held.size(); }
@@ -92,7 +92,7 @@ class InstanceCells {
     std::vector<std::uint64_t> m_held;     ///< by cell
     std::vector<Home> m_homes;
     std::vector<std::vector<Box>> m_levels;
-    std::vector<std::uint32_t> m_stale; ///< cells whose box is to be made anew
+    std::vector<std::uint32_t> m_stale; ///< cells whose box is to be made again
     std::vector<Mark> m_marks;          ///< by cell
     std::size_t m_loose = 0; ///< slots taken so far by what left its cell; they are in the last cells
     std::size_t m_builtCells = 0;

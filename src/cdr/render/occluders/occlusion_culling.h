@@ -12,7 +12,7 @@
 namespace cdr::render {
 
 /// Takes out of a frame what its opaque surfaces hide. What the last frame showed is drawn first, depth alone; what lies
-/// behind that in all its pixels is hidden. The picture is the same to the bit, since what is left is drawn as ever.
+/// behind that in all its pixels is hidden. The picture is the same to the bit, since the rest is drawn as without it.
 /// Waits for the device, so frames in flight follow one another.
 class OcclusionCulling {
   public:

@@ -15,11 +15,12 @@
 namespace cdr::render {
 
 /// Finds which surfaces lights reach. The distances at which something is seen are cut into slices. Each light sees each
-/// slice through a map of its own, one map at a time. So what lies beyond 10^6 units is shaded as what lies at arm's length,
-/// and memory does not grow.
+/// slice through a map of its own, one map at a time. So surfaces beyond 10^6 units get the same shadows as near ones, and
+/// memory does not grow.
 class ShadowPass {
   public:
-    /// @param gbuffer or the visibility buffer.    /// @param facets whether it is that.
+    /// @param gbuffer or the visibility buffer.
+    /// @param facets whether it is the visibility buffer.
     ShadowPass(const gpu::Device& device, const DrawnScene& scene, const gpu::Image& gbuffer, bool facets,
                const Shadows& options);
     /// One frame slot's.

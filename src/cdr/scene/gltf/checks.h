@@ -28,7 +28,7 @@ const Item& itemAt(const std::vector<Item>& items, int index, std::string_view k
     return items[static_cast<std::size_t>(index)];
 }
 
-/// Most bytes of a name in a message, so that a long one does not push out what is said of it.
+/// Most bytes of a name in a message, so that the rest of the message stays in view.
 inline constexpr std::size_t kMaxNameLength = 100;
 
 /// Text from a hostile file or a library as one printable line of at most `maxLength` bytes and three dots.

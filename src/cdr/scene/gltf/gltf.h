@@ -16,11 +16,11 @@
 
 namespace cdr::scene {
 
-/// What the importer refuses to go beyond; a file is hostile until proven otherwise.
+/// What the importer refuses to go beyond. Any file may be hostile.
 struct GltfLimits {
     std::uintmax_t maxFileBytes = 1ull << 30; ///< each file read
     std::uint64_t maxTriangles = 50'000'000;  ///< after instancing
-    std::uint64_t maxBytes = 4ull << 30; ///< of memory for meshes and instances, foretold from their counts
+    std::uint64_t maxBytes = 4ull << 30; ///< of memory for meshes and instances, predicted from their counts
     std::uint32_t maxNodes = 1'000'000;
     std::uint32_t maxNodeDepth = 1'000;
     /// Not refused but cut: meshes wider than this become pieces (cutIntoPieces()). Scene units, where the
@@ -88,8 +88,8 @@ struct GltfReference {
     std::filesystem::path path;
 };
 
-/// The files beside a glTF file that its buffers and images name, in that order and each URI once, be they there or not. Of
-/// a file that loadGltf() refuses, those that it refers to soundly. base::InputError where the file cannot be read.
+/// The files beside a glTF file that its buffers and images name, in that order and each URI once. They need not exist. Of a
+/// file that loadGltf() refuses, those whose references are sound. base::InputError if the file cannot be read.
 std::vector<GltfReference> gltfReferences(const std::filesystem::path& path, const GltfLimits& limits = {});
 
 } // namespace cdr::scene

@@ -8,13 +8,13 @@
 
 namespace cdr::scene::gltf {
 
-/// Bytes that a primitive takes, foretold from the counts of its accessors.
+/// Bytes that a primitive takes, predicted from the counts of its accessors.
 struct PrimitiveBytes {
     std::uint64_t kept = 0;    ///< in the scene
     std::uint64_t passing = 0; ///< besides, while it is imported
 };
 
-/// What importing a primitive takes at most, but for the rows of triangles that pieces share at their seams.
+/// What importing a primitive takes at most, except for the rows of triangles that pieces share at their seams.
 /// A small file can name large counts: elements without bytes are zeros, and repeated indices take bytes for
 /// each vertex that they name.
 /// @param hasDetail whether its vertices may need scene::VertexDetail.

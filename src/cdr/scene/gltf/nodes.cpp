@@ -29,7 +29,7 @@ struct Placement {
     std::optional<float> layer{}; ///< of the node, else of its nearest ancestor that has one
 };
 
-/// What a document says of a node, but for its transform, which is read when it is placed.
+/// What a document says of a node, except for its transform, which is read when it is placed.
 struct NodeSource {
     std::vector<int> children;
     int mesh = -1;   ///< or none

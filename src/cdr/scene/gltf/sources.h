@@ -6,7 +6,7 @@
 
 namespace cdr::scene::gltf {
 
-/// What the importer modules share; all is read, but files and notes note that they were.
+/// What the importer modules share. Files count what is read of them, and notes are added; the rest does not change.
 struct Sources {
     const Document& document;
     const Buffers& buffers;

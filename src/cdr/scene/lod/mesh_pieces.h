@@ -17,10 +17,10 @@
 
 namespace cdr::scene {
 
-/// A mesh as it comes: its vertices may lie anywhere, in float64.
+/// A mesh before it is cut. Its vertices may lie anywhere, in float64.
 ///
-/// Importers fill it with what their files hold (glTF: float32, so a vertex 10^6 from the mesh's origin has a
-/// step of 1/16 before anybody sees it). Generators may use all of float64.
+/// Importers fill it with what their files hold. glTF has float32, so a vertex 10^6 from the mesh's origin has a
+/// step of 1/16 in the file. Generators may use all of float64.
 struct SourceMesh {
     std::string name;                    ///< that pieces get
     std::vector<glm::dvec3> positions;   ///< one per vertex, or empty, which takes the vertices' own
@@ -43,7 +43,7 @@ struct MeshPiece {
 /// Most pieces of one mesh: each is a draw.
 inline constexpr std::size_t kMostPieces = 4096;
 
-/// How wide pieces may be, in scene units, where nobody says: float32 vertices in them are exact to 3e-5.
+/// How wide pieces may be by default, in scene units. float32 vertices in them are exact to 3e-5.
 inline constexpr double kPieceRadius = 512.0;
 
 /// Cuts a mesh into pieces of about `radius`, each with vertices relative to its own origin. So float32 rounds

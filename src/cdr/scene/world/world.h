@@ -23,8 +23,8 @@ struct InstanceOptions {
 /// A scene that changes while it is drawn. It is the one owner of what it holds; a render::GpuScene made from it follows
 /// at the start of each frame. So all that draws sees an edit in the same frame.
 ///
-/// A copy takes the handles of the world that it is copied from. Handles that either gives after that are not told apart by
-/// the other, and may name another thing there.
+/// A copy accepts the handles of the world that it is copied from. Handles that one of the two returns after that must not
+/// be used with the other: there they may name another object.
 ///
 /// Instances are drawn in the order of their places (Handle::index). A new one takes the place given back last. A place
 /// that is free keeps an instance without size, which no picture and no truth shows.
@@ -89,7 +89,7 @@ class CDR_EXPORT World {
     /// No material may use it.
     void removeTexture(TextureHandle handle);
 
-    /// What changed, for those that follow. Lights are few and read anew every frame.
+    /// What changed, for those that follow. Lights are few and read again every frame.
     struct Changes {
         const ChangeLog& instances; ///< by place
         const ChangeLog& meshes;    ///< by place

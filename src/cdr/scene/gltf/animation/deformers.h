@@ -15,7 +15,7 @@ namespace cdr::scene::gltf {
 /// Whether a primitive says which joints its vertices follow.
 bool hasJoints(const Primitive& primitive);
 
-/// What a deformer takes, foretold from the counts of accessors.
+/// What a deformer takes, predicted from the counts of accessors.
 PrimitiveBytes predictDeformer(const Primitive& primitive, Accessors& accessors);
 
 /// What deforms a primitive. Refuses joints beyond the skin's, weights that are negative or not finite, and morph targets

@@ -46,7 +46,7 @@ struct BufferView {
     std::size_t stride = 0; ///< between elements, 0 where they follow each other
 };
 
-/// A document's buffers. What files hold stays there until it is read, but for small files and for files beyond the first
+/// A document's buffers. What files hold stays there until it is read, except for small files and for files beyond the first
 /// kMostOpenFiles ones.
 class Buffers {
   public:

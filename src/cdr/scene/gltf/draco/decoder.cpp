@@ -20,7 +20,7 @@ namespace cdr::scene::gltf {
 
 namespace {
 
-/// Predicts texture coordinates as another scheme does, but for a number of flags beyond the mesh's corners.
+/// Predicts texture coordinates as another scheme does, except for a number of flags beyond the mesh's corners.
 class GuardedScheme final : public draco::PredictionSchemeTypedDecoderInterface<std::int32_t> {
   public:
     using Scheme = draco::PredictionSchemeTypedDecoderInterface<std::int32_t>;
@@ -60,7 +60,7 @@ class GuardedScheme final : public draco::PredictionSchemeTypedDecoderInterface<
     DracoGuard& m_guard;
 };
 
-/// Decodes numbers as `Base` does, but for tables beyond those of an encoder.
+/// Decodes numbers as `Base` does, except for tables beyond those of an encoder.
 template <typename Base>
 class GuardedNumbers final : public Base {
   public:

@@ -28,7 +28,7 @@ struct DracoStream {
     host::Bytes withoutMetadata;         ///< what `bytes` are in, if there was some
     bool isEdgebreaker = false;          ///< else sequential
     std::uint32_t triangles = 0;
-    std::uint64_t connectivityBytes = 0; ///< that decoding takes at most, but for attributes
+    std::uint64_t connectivityBytes = 0; ///< that decoding takes at most, except for attributes
 };
 
 /// Reads the header, the counts and the tables of the connectivity. Refuses what is no mesh of bitstream 2.2, and what goes

@@ -53,7 +53,8 @@ std::uint64_t drawnTriangleCount(const Primitive& primitive, Accessors& accessor
 /// @param sides of their box.
 double defaultPointRadius(const glm::dvec3& sides, std::uint64_t count);
 
-/// Radius of lines that nobody gave one: a share of the diagonal of their box, about two pixels of a picture that they fill.
+/// The radius of lines without a radius of their own: a share of the diagonal of their box. It is about two pixels of a
+/// picture that they fill.
 double defaultLineRadius(const glm::dvec3& sides);
 
 /// What a primitive shows its material on. glTF lights points and lines by the normals that they have, without normal
