@@ -51,7 +51,7 @@ class Command {
     /// @param more that they depend on.
     std::string digestOfRun(const std::string& more = "");
 
-    /// Notes where the work of a run stays that does not come to its end.
+    /// Notes the file in which results stay if the run is interrupted, for the message that says so.
     void sayKept(const std::filesystem::path& state) const;
 
     /// Where a file is named, ranks() keep there what they make from now on, and take from there what an earlier run made. For

@@ -7,7 +7,7 @@ namespace cdr::cli {
 /// Thrown by a command that did its work, and wrote all of it, to end the program with another status than 0.
 class ExitStatus : public std::exception {
   public:
-    /// What a check that was asked for did not allow was found.
+    /// A check that was asked for found what it does not allow.
     static constexpr int kFound = 3;
 
     explicit ExitStatus(int status) : m_status(status) {}

@@ -25,7 +25,7 @@
 
 namespace {
 
-/// A mistyped command leaves CLI11 saying only that it wants one.
+/// For a mistyped command CLI11 says only that a command is required.
 std::string explainMissing(const CLI::App& program, const CLI::RequiredError& error) {
     const std::vector<std::string> rest = program.remaining();
     if (!program.get_subcommands().empty() || rest.empty()) {
@@ -58,7 +58,7 @@ void printOnce(const cdr::ranks::Ranks& ranks, const std::string& text) {
     }
 }
 
-/// Ranks of another version, or on other arguments, would wait for each other for ever.
+/// Ranks of another version, or on other arguments, would wait for each other forever.
 void requireSameProgram(cdr::ranks::Ranks& ranks, int argc, char** argv) {
     const cdr::host::BuildInfo build = cdr::host::buildInfo();
     std::string text = fmt::format("cdr {} ({})", build.version, build.commit);

@@ -52,7 +52,7 @@ void addJson(CLI::App& command, OutputOptions& output);
 /// `--state FILE`, for Command::keepUnits().
 void addState(CLI::App& command, std::filesystem::path& state);
 
-/// All that was asked for but where JSON and the state go, in words: the state of one run is none of another's.
+/// All options that were given, in words, except where JSON and the state go. It identifies the run that a state belongs to.
 std::string textOf(const CLI::App& command);
 
 /// `--size WIDTHxHEIGHT`. base::InputError for anything that is not two whole numbers above 0.

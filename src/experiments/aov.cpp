@@ -20,7 +20,7 @@ namespace {
 constexpr base::EnumNames<Aov, 7> kAovNames{
     "output", {"color", "id", "distance", "normal", "cascade", "wrong", "coverage"}};
 
-/// Tints told apart by most eyes (Okabe and Ito 2008), repeated beyond eight cascades.
+/// Tints that most people can distinguish (Okabe and Ito 2008), repeated beyond eight cascades.
 constexpr std::array<std::array<float, 3>, 8> kTints{{{0.90f, 0.62f, 0.00f},
                                                       {0.34f, 0.71f, 0.91f},
                                                       {0.00f, 0.62f, 0.45f},
@@ -116,7 +116,7 @@ image::ImageRgba8 wrongPicture(const render::Frame& frame, const measure::TruthI
     return measure::heatMap(frame.ids(), *truth, frame.color);
 }
 
-/// Translucent surfaces at a pixel; none where the scene has none, or nobody counted.
+/// Translucent surfaces at a pixel; none if the scene has none, or they were not counted.
 std::uint32_t coverageAt(const render::Frame& frame, std::uint32_t x, std::uint32_t y) {
     return frame.fragmentCounts.pixels.empty() ? 0 : frame.fragmentCounts.at(x, y);
 }

@@ -39,7 +39,7 @@ void writePlot(const std::filesystem::path& path, const std::string& script) {
                                          "background 'white'\n";
     const std::string input = terminal + script;
     host::writeBesideThenRename(path, [&](const std::filesystem::path& temporary) {
-        // -d: nobody's own start-up file has a say.
+        // -d: start-up files of the user are not read.
         host::ChildProcess gnuplot({"gnuplot", "-d", "-"}, {.file = temporary});
         gnuplot.write({reinterpret_cast<const std::uint8_t*>(input.data()), input.size()});
         gnuplot.finish();

@@ -25,7 +25,7 @@ struct FrameSample {
 /// Times one frame.
 FrameSample timed(const std::function<render::FrameStats()>& draw);
 
-/// Modes that draw the same frames in turns, and what each frame took. The order of the modes is shuffled anew for
+/// Modes that draw the same frames in turns, and what each frame took. The order of the modes is shuffled again for
 /// each frame, so that what slows the machine for a while slows all modes alike.
 class InterleavedFrames {
   public:

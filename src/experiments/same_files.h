@@ -7,8 +7,8 @@
 
 namespace cdr::experiments {
 
-// Each: base::InputError on the first rank, naming rank and file, unless all ranks read the same bytes. A rank that would draw
-// another scene leaves wrong pictures, or waits for a frame that nobody draws. A process that is alone reads nothing.
+// Each: base::InputError on the first rank, naming rank and file, unless all ranks read the same bytes. A rank with another
+// scene would make wrong pictures, or wait for a frame that no rank draws. A process that is alone reads nothing.
 
 /// Of the file, and where it is glTF, of the files that it refers to; those may be missing, if on all ranks.
 void requireSameFiles(ranks::Ranks& ranks, const std::filesystem::path& path);

@@ -6,8 +6,8 @@
 
 namespace cdr::ranks {
 
-/// Numbers on the first rank that all ranks read and change, without the first rank's doing. All ranks make it at once, and it
-/// goes before MPI does.
+/// Numbers on the first rank that all ranks read and change; the first rank need not take part. All ranks make it at once. It
+/// must be destroyed before MPI ends.
 class MpiCounters {
   public:
     enum Which : MPI_Aint {

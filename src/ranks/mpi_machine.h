@@ -9,11 +9,11 @@
 
 namespace cdr::ranks {
 
-/// The place of this process among all of the MPI run, as far as learnMachine() has not to fill it in.
+/// The place of this process among all of the MPI run, except for what learnMachine() fills in.
 Place placeAmongAll();
 
-/// What the ranks of one machine tell each other, and the memory that they share. All ranks of a run make it at once, and it
-/// goes before MPI does.
+/// What the ranks of one machine tell each other, and the memory that they share. All ranks of a run make it at once. It must
+/// be destroyed before MPI ends.
 class MpiMachine {
   public:
     MpiMachine();

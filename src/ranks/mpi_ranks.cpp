@@ -253,7 +253,7 @@ class MpiRanks final : public Ranks {
         }
     }
 
-    /// Like MPI itself it does not go on without memory: the rank that sends would wait for ever.
+    /// Like MPI itself it does not go on without memory: the rank that sends would wait forever.
     static host::Bytes receiveMerged(int from) noexcept {
         MPI_Message message = MPI_MESSAGE_NULL;
         MPI_Status status;

@@ -36,8 +36,8 @@ class LifeLock {
     static_assert(std::atomic<int>::is_always_lock_free);
 };
 
-/// Until the object goes, notes in a lock by which signal this process crashes; what the process did about the signal before
-/// comes next. One object at a time, made by the main thread, whose stack may have overflowed.
+/// Until the object is destroyed, notes in a lock by which signal this process crashes. Then the earlier handling of that
+/// signal follows. One object at a time, made by the main thread, whose stack may have overflowed.
 class NotedCrashes {
   public:
     explicit NotedCrashes(LifeLock& lock);

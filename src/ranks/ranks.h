@@ -93,7 +93,7 @@ class Ranks {
     virtual void merge(const std::function<host::Bytes()>& pack,
                        const std::function<void(const host::Bytes& later)>& take) = 0;
 
-    /// The last call of a run: waits for all ranks, of which one that failed makes all end as it does.
+    /// The last call of a run: waits for all ranks. If one of them failed, all end as it does.
     /// @param mine how this rank ends, or would end alone.
     virtual Ending end(const Ending& mine) = 0;
 

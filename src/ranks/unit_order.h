@@ -6,15 +6,15 @@
 
 namespace cdr::ranks {
 
-/// Results that arrive in any order, handed on in the order of their units.
+/// Takes results in any order, and passes them on in the order of their units.
 class UnitOrder {
   public:
     void put(std::size_t unit, host::Bytes made);
 
-    /// Hands on what has arrived, as far as no earlier unit is missing. Each result goes before the next is handed on.
+    /// Passes on results up to the first unit that is missing. The memory of each is freed before the next is passed on.
     void handOn(const Ranks::Take& take);
 
-    /// How many were handed on.
+    /// How many were passed on.
     std::size_t done() const { return m_next; }
 
   private:

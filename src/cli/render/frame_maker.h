@@ -16,7 +16,7 @@
 
 namespace cdr::cli {
 
-/// What a command wants to know of its frames beside what is drawn.
+/// What a command needs of its frames beside what is drawn.
 struct WantedOfFrames {
     bool truth = false;
     bool certificate = false;

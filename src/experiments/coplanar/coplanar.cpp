@@ -39,7 +39,7 @@ std::array<scene::Camera, 2> viewPair(std::uint64_t seed, std::uint32_t view) {
 /// One technique and method in a pair of views.
 struct PairCount {
     std::array<std::uint64_t, 2> pixels{};
-    std::array<std::uint64_t, 2> wrong{}; ///< but for `coverage`
+    std::array<std::uint64_t, 2> wrong{}; ///< except for `coverage`
     std::array<std::uint64_t, 2> coverage{};
     std::array<std::uint64_t, 2> through{};
     std::uint64_t flips = 0;

@@ -47,7 +47,7 @@ struct CoplanarResult {
     CoplanarMethod method = CoplanarMethod::none;
     render::LayerOptions layers{}; ///< how it was drawn
     std::uint64_t pixels = 0;
-    std::uint64_t wrong = 0; ///< that show another object than the truth, but for `coverage`
+    std::uint64_t wrong = 0; ///< that show another object than the truth, except for `coverage`
     std::uint64_t coverage =
         0; ///< whose object touches the pixel's centre by what the device rounds vertices alone
     std::uint64_t wrongViews = 0; ///< with any

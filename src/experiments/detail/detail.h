@@ -59,7 +59,7 @@ struct DetailReport {
 /// Called before each frame with how many of all are done.
 using DetailProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Every mode draws a camera, in an order shuffled anew, before the next camera. Then each renders it once
+/// Every mode draws a camera, in a newly shuffled order, before the next camera. Then each renders it once
 /// more to be compared. base::InputError for no frames or an unusable detail.
 /// @param setup what options.scene names.
 /// @param ranks that share the comparisons. The first one times, while the others wait; it alone has results.

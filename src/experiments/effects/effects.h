@@ -64,7 +64,7 @@ struct EffectsReport {
 /// Called before each step with how many of all are done.
 using EffectsProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Every mode draws a frame, in an order shuffled anew, before the next; then each is drawn by every preset.
+/// Every mode draws a frame, in a newly shuffled order, before the next; then each is drawn by every preset.
 /// base::InputError for no frames.
 /// @param setup what options.scene names.
 /// @param ranks that share the timed frames; the first one does the rest, and alone has results.

@@ -160,7 +160,7 @@ class Flicker {
         }
     }
 
-    /// Has at hand what the flips of a frame are counted against.
+    /// Makes sure that ids and truth of the frame before are there, which flips of a frame are counted against.
     void bringBefore(std::uint32_t frame) {
         if (frame == 0 || m_truthFrame == frame - 1) {
             return;

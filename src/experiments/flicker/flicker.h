@@ -74,8 +74,8 @@ std::vector<FlickerResult> runFlicker(const gpu::Device& device, const FlickerOp
 /// field, `cdr-behind` farther.
 std::vector<depth::NamedTechnique> movedBoundaries();
 
-/// standard with near and far fitted to what is visible, one cascade: what engines do first,
-/// `standard-fitted`. Something near takes it all back.
+/// `standard-fitted`: standard with near and far fitted to what is visible, in one cascade. Engines try this
+/// first. An object near the camera undoes the gain.
 depth::NamedTechnique fittedRange();
 
 } // namespace cdr::experiments

@@ -27,7 +27,7 @@ struct FlickerRun {
 /// The state that a text holds, as FlickerStateFile wrote it.
 /// @param fresh the run's state before its first frame.
 /// @param name of the file, which a message begins with.
-/// base::InputError, in one line, for a damaged text, one of another run, or counts that the run cannot have come to.
+/// base::InputError, in one line, for a damaged text, one of another run, or counts that are not possible in the run.
 FlickerState readState(std::string_view text, const FlickerRun& run, const FlickerState& fresh,
                        const std::string& name);
 

@@ -61,7 +61,7 @@ struct FocusReport {
 /// Called before each step with how many of all are done.
 using FocusProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Every mode draws a frame, in an order shuffled anew, before the next. Then each is compared once with the
+/// Every mode draws a frame, in a newly shuffled order, before the next. Then each is compared once with the
 /// mean, in linear light, of cameras spread over the lens. Each of them is turned to the point in focus.
 /// base::InputError for no frames or cameras, or an unusable or no focus.
 /// @param setup what options.scene names.

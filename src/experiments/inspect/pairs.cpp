@@ -34,7 +34,7 @@ bool isAmongAlike(std::uint32_t x, std::uint32_t y, IsAlike isAlike) {
 
 using Ids = std::pair<std::uint32_t, std::uint32_t>;
 
-/// In the order of their indices, as whatever is in one plane is known.
+/// Both ids of a pixel in ascending order, as pairs of coplanar objects are stored.
 Ids sorted(const measure::TruthPixel& pixel) {
     return std::minmax(pixel.id, pixel.secondId);
 }

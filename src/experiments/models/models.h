@@ -12,7 +12,7 @@
 
 namespace cdr::experiments {
 
-/// Models as the renderer shows them, held against a float64 reference that shares no code with it.
+/// Models as the renderer shows them, compared with a float64 reference that shares no code with it.
 struct ModelsOptions {
     std::uint32_t width = 640;
     std::uint32_t height = 360;

@@ -29,7 +29,7 @@ bool tells(const measure::TruthPixel& pixel, bool inner, const scenes::LadderOpt
 
 /// By pair.
 struct Rungs {
-    std::array<bool, scenes::kLadderPairs> lucky; ///< it comes out right by luck, or no pixel tells of it
+    std::array<bool, scenes::kLadderPairs> lucky; ///< it is right by luck, or no pixel shows it
     std::array<bool, scenes::kLadderPairs> wrong; ///< it shows a wrong pixel
 };
 
@@ -37,7 +37,7 @@ Rungs judged(const image::ImageU32& ids, const measure::TruthImage& truth,
              const scenes::LadderOptions& ladder) {
     const auto inner = measure::innerMask(truth);
     Rungs rungs{};
-    rungs.lucky.fill(true); // nor does a pair that no pixel tells of pass
+    rungs.lucky.fill(true); // a pair that no pixel shows does not pass either
     for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
         const measure::TruthPixel& pixel = truth.pixels[i];
         if (tells(pixel, inner.pixels[i] != 0, ladder)) {

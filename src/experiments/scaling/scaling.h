@@ -25,14 +25,13 @@ struct ScalingOptions {
     std::uint32_t width = 640;
     std::uint32_t height = 360;
     std::vector<std::uint32_t> draws{1'000, 10'000, 100'000, 1'000'000};
-    std::vector<std::size_t> threads; ///< threadSteps() of this machine when empty; 1 joins in any case
+    std::vector<std::size_t> threads; ///< threadSteps() of this machine when empty; 1 is always added
     std::vector<render::TargetsChoice> targets = allTargets();
     std::vector<unsigned> cascades{1, 2, 4, 8};
     /// Secondaries, and the control: one primary per cascade, no secondaries.
     std::vector<render::Submission> submissions{render::Submission::secondaries,
                                                 render::Submission::primaries};
-    /// Pinned, the caller too, what is measured is how recording scales; free, how the kernel places threads
-    /// as well.
+    /// Pinned, the caller too, measures how recording scales. Free also measures how the kernel places threads.
     host::Placement placement = host::Placement::pinned;
     std::uint32_t repeats = 7; ///< timed frames of each point, after one that warms up
     std::uint64_t seed = 2013;

@@ -37,7 +37,7 @@ struct Comparison {
     double againstUs = 0.0;
     double ratio = 1.0;        ///< median of the rounds' ratios
     measure::Interval ratio95; ///< bootstrapped
-    double noisePercent = 0.0; ///< this build over itself: how far from none the same interval reaches
+    double noisePercent = 0.0; ///< this build over itself: how far from 1 the same interval reaches
     bool isSeen = false; ///< the interval leaves out 1, and the ratio differs from it by more than the noise
 };
 

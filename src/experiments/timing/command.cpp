@@ -38,7 +38,7 @@ struct TimingArguments {
     std::optional<std::uint32_t> frames; ///< none: what suits what is timed
 };
 
-/// Frames of each run of a build, and of each mode whose stages are told apart.
+/// Frames of each run of a build, and of each mode whose stages are measured.
 constexpr std::uint32_t kRunFrames = 40;
 constexpr std::uint32_t kStageFrames = 100;
 

@@ -84,7 +84,7 @@ TimingScene parseTimingScene(std::string_view name);
 
 /// Figure 6.4: what each technique costs over standard. 64,000 unit cubes in a 400^3 field, the camera in the
 /// middle turning once about y over all frames. Every mode renders a camera before the next camera, in an
-/// order shuffled anew for each.
+/// order shuffled again for each.
 struct TimingOptions {
     TimingScene scene = TimingScene::rotation;
     std::uint32_t width = 1280;

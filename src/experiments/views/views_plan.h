@@ -73,7 +73,7 @@ class ViewsPlan {
 
     ViewsKind m_kind = ViewsKind::one;
     StereoPicture m_picture = StereoPicture::sideBySide;
-    scene::StereoRig m_rig; ///< but for its camera
+    scene::StereoRig m_rig; ///< except for its camera
     std::uint32_t m_width;
     std::uint32_t m_height;
 };

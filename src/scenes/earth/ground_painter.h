@@ -13,7 +13,7 @@
 namespace cdr::scenes {
 
 /// Paints the Earth from above: the blue marble, with coasts, country and clouds where it is too coarse. Each place has one colour,
-/// whichever picture it is on, but for what the picture's texels are too large to show.
+/// whichever picture it is on, except for what the picture's texels are too large to show.
 class GroundPainter {
   public:
     /// @param marble plate carree; must outlive the painter.

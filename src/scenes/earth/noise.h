@@ -13,7 +13,7 @@ inline double smoothStep(double low, double high, double x) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// What lies between two numbers. As std::lerp(), but for its care at the ends, which takes longer than all else here.
+/// What lies between two numbers. As std::lerp(), except for its care at the ends, which takes longer than all else here.
 inline double blend(double a, double b, double share) {
     return a + share * (b - a);
 }

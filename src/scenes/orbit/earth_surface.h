@@ -37,7 +37,7 @@ class EarthSurface {
 
     /// The topography there in metres above the ellipsoid, without the pad.
     double topographyAt(const Geodetic& place) const;
-    /// World space, whatever the ground does.
+    /// World space, of a height above the ellipsoid. The ground's own height does not matter.
     glm::dvec3 toWorld(const Geodetic& place, double height) const;
     glm::dvec3 earthCentre() const;
 
