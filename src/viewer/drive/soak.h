@@ -16,7 +16,7 @@ namespace cdr::viewer {
 /// memory. Memory is always read in the same view, first after a warm-up, then at each tenth of the rest. What
 /// the driver keeps for later depends on what it drew last, and differs by tens of megabytes. For instance llvmpipe
 /// keeps up to 36 MiB of bins for each of the passes that it once worked on together. So the renderer's device is
-/// made anew for each measurement.
+/// made again for each measurement.
 class Soak : public Driver {
   public:
     static constexpr double kStepsPerSecond = 60.0;
@@ -24,7 +24,7 @@ class Soak : public Driver {
     static constexpr double kWarmUp = 0.25;
     /// Times the memory is measured after that, evenly apart, the last at the end.
     static constexpr std::uint64_t kMeasurements = 10;
-    /// The least of so many stands for the beginning, and for the end: what scatters, scatters upwards.
+    /// The least of so many measurements counts at the beginning and at the end, since noise only adds.
     static constexpr std::ptrdiff_t kCompared = 4;
 
     /// @param seconds' worth of input.
@@ -39,7 +39,7 @@ class Soak : public Driver {
     /// Playing, then at rest on the device as it was played on, then on a new one.
     enum class Phase { playing, resting, renewed };
     struct Memory {
-        std::uint64_t before = 0; ///< bytes resident before the device was made anew
+        std::uint64_t before = 0; ///< bytes resident before the device was made again
         std::uint64_t resident = 0;
         std::uint64_t allocated = 0;
     };

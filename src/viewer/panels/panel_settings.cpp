@@ -16,7 +16,7 @@ namespace cdr::viewer {
 
 namespace {
 
-/// Splits worth a click; the one at hand is listed besides.
+/// Splits that the panel offers. The current one is listed too.
 constexpr std::array<std::string_view, 8> kSplits{"none",    "ratio:1000", "ratio:30",  "count:2",
                                                   "count:4", "count:8",    "minimax:4", "fitted"};
 

@@ -71,7 +71,7 @@ bool Widgets::copied(std::string_view name, const std::string& words, const std:
 
 void Widgets::label(std::string_view name) const {
     ImGui::AlignTextToFramePadding();
-    // What stands before a slash tells apart, and need not be read.
+    // The part before a slash makes the name unique, and is not shown.
     quietText(name.substr(name.find('/') + 1));
     ImGui::SameLine(ImGui::GetContentRegionMax().x * kLabelShare);
     ImGui::SetNextItemWidth(-1.0f);

@@ -245,7 +245,7 @@ void Application::finish() {
             drawFrame();
         }
     }
-    m_window.hide(); // a picture that is being rendered is waited for, but nobody has to watch
+    m_window.hide(); // the end waits for the picture being rendered; hidden meanwhile
 }
 
 } // namespace cdr::viewer

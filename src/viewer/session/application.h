@@ -30,7 +30,7 @@ class Application {
     /// base::InputError for what cannot be asked for, base::RunError where there is no window system.
     /// @param driver plays input if not null; must outlive the application.
     explicit Application(const Arguments& arguments, Driver* driver = nullptr);
-    /// Until the window closes. base::RunError when something failed that no other request can mend.
+    /// Until the window closes. base::RunError after a failure that no other request can correct.
     void run();
     /// What validation says of both devices, as long as they live and when they go.
     std::array<std::shared_ptr<const gpu::ValidationLog>, 2> validationLogs() const {
@@ -44,7 +44,7 @@ class Application {
     void stepDriver();
     double secondsOfUpdate();
     void handleInput();
-    /// What cannot be done, such as writing into a folder, is said and no more.
+    /// An action that fails, such as writing into a folder, shows a message and has no other effect.
     void perform(Action action);
     void tryPerform(Action action);
     void dropFiles(const DropInput& drop);
@@ -57,7 +57,7 @@ class Application {
     void toggleTour();
     PictureArea pictureArea() const;
     float sidebarWidth() const;
-    /// Whether the window changes though nobody touches it, or has to count its frames.
+    /// Whether the window changes without input, or has to count its frames.
     bool isMoving() const;
     bool isRedrawDue() const;
     void drawFrame();

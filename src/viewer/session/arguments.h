@@ -26,7 +26,7 @@ struct Arguments {
     experiments::CameraOptions camera;
     std::uint64_t seed = scenes::kDefaultSeed;
     std::vector<std::string> layers;           ///< for scenes::parseLayer()
-    std::string colours;                       ///< empty: bright, but for a line that renders a picture
+    std::string colours;                       ///< empty: bright, except for a line that renders a picture
     std::string technique;                     ///< of one picture
     std::string compare = "standard,anchored"; ///< "LEFT,RIGHT", unless there is one technique
     std::string depth;                         ///< with `split`, instead of a technique

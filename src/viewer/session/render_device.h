@@ -8,7 +8,7 @@
 
 namespace cdr::viewer {
 
-/// The device that renders, which can be made anew, so that nothing is left of what its driver keeps.
+/// The device that renders. It can be made again, so that the driver frees all that it kept.
 class RenderDevice {
   public:
     /// @param choice for gpu::Device. The instance must outlive the device.

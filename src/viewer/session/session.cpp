@@ -105,7 +105,7 @@ void Session::followTour() {
 RenderRequest Session::wantedRequest(const PictureArea& area) const {
     RenderRequest request{
         .serial = m_serial + 1, .settings = m_model.settings, .extent = area.extent, .camera = {}};
-    request.settings.divider = 0.5; // both sides are whole pictures, so it need not be rendered anew
+    request.settings.divider = 0.5; // both sides are whole pictures, so it need not be rendered again
     const bool isOpen =
         m_model.picture.shown != nullptr && m_model.picture.shown->sceneName == m_model.settings.scene;
     if (isOpen && m_model.camera.isThere) {

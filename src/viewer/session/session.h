@@ -22,13 +22,13 @@ struct SessionInput {
     bool isSteered = false; ///< somebody moves the camera by hand
 };
 
-/// Keeps the render thread asked for what the model wants to see, and the model told of what came of it.
+/// Requests from the render thread the pictures that the model needs, and gives the results to the model.
 class Session {
   public:
     /// The device and the model must outlive the session.
     Session(RenderDevice& device, ViewerModel& model);
 
-    /// Renders all that is wanted again, on a device made anew.
+    /// Renders all that is wanted again, on a new device.
     void renewDevice();
 
     /// Moves the camera along its path, if it follows one, and asks for what is wanted and not yet asked for.

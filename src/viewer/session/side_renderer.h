@@ -26,7 +26,7 @@ enum class FramesBefore : std::uint8_t {
     forgotten, ///< render::Renderer::forgetFrames()
 };
 
-/// One renderer, of one eye or two, and its trace, made anew when what it is made from changes.
+/// One renderer, of one eye or two, and its trace, made again when what it is made from changes.
 class SideRenderer {
   public:
     /// Of two eyes, their frames beside each other.

@@ -9,14 +9,13 @@
 
 namespace cdr::viewer {
 
-/// What somebody who starts the viewer for the first time is asked to try: three steps, each of which goes when it is
-/// done.
+/// Three steps for a person who starts the viewer for the first time. Each disappears when it is done.
 class FirstSteps {
   public:
     void begin() { m_step = 0; }
     void end() { m_step = kSteps; }
 
-    /// Looks whether the step at hand was done since the last call.
+    /// Checks whether the current step was done since the last call.
     void see(const ViewSettings& settings, const scene::Camera& camera);
 
     /// "1 of 3: ..."; nothing when all are done, or none was begun.

@@ -15,7 +15,7 @@ class FlipWindow {
     static constexpr double kSeconds = 1.0;
 
     /// @param frame what was shown; @param reference the same camera's frame by referenceTechnique();
-    /// @param seconds a clock that does not run back. Frames of another size, and clear(), begin anew.
+    /// @param seconds a clock that does not run back. Frames of another size, and clear(), begin again.
     /// base::InputError when frame and reference differ in size.
     void add(const render::Frame& frame, const render::Frame& reference, double seconds);
     void clear(); ///< gives its memory back, too

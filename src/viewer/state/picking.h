@@ -46,7 +46,7 @@ struct Span {
 };
 Span spanBetween(const PickedPoint& first, const PickedPoint& second);
 
-/// Measuring by clicks: the first sets one end, the second the other, the third begins anew.
+/// Measuring by clicks: the first sets one end, the second the other, the third begins again.
 class Measuring {
   public:
     void click(const PickedPoint& point);

@@ -63,7 +63,7 @@ bool Presenter::isStale() const {
     if (m_swapchain == nullptr || m_wanted != m_window.extent()) {
         return true;
     }
-    // Some surfaces are suboptimal for ever; making the same swapchain each frame would help nobody.
+    // Some surfaces are suboptimal forever; making the same swapchain each frame would not help.
     return m_swapchain->state() > SurfaceState::suboptimal ||
            (m_swapchain->state() == SurfaceState::suboptimal &&
             m_swapchain->isOutgrown(m_device, m_ui.surface(), m_wanted));

@@ -26,7 +26,7 @@ class UiDevice {
     const gpu::Instance& instance() const { return m_instance; }
     const gpu::Device& device() const { return *m_device; }
     vk::SurfaceKHR surface() const { return *m_surface; }
-    /// Makes the window's surface anew, when nothing made from the old one is left. base::RunError when the
+    /// Makes the window's surface again, when nothing made from the old one is left. base::RunError when the
     /// device cannot present to it.
     void renewSurface(const Window& window);
 

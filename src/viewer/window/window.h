@@ -62,7 +62,7 @@ class Window {
     vk::Extent2D extent() const { return m_extent; }
     /// Pixels per screen coordinate, 2 on a typical high density display that has its own coordinates.
     double pixelsPerUnit() const;
-    /// How much larger than at 96 dots per inch text wants to be, in screen coordinates.
+    /// How much larger text has to be than at 96 dots per inch, in screen coordinates.
     double textScale() const;
     const Pointer& pointer() const { return m_pointer; }
 
@@ -71,7 +71,7 @@ class Window {
     /// The picture area as the window system has it now.
     ResizeInput currentSize() const;
     void minimise() const;
-    /// Takes it off the screen for good.
+    /// Removes it from the screen. It is not shown again.
     void hide() const;
     void restore() const;
     void setTitle(const std::string& title) const;

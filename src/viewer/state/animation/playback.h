@@ -6,7 +6,7 @@
 
 namespace cdr::viewer {
 
-/// How finely a moment can be chosen where nobody says: frames of a second.
+/// How finely a moment can be chosen by default: frames of a second.
 inline constexpr double kPlaybackRate = 1000.0;
 
 /// How an animation of a file is played.
