@@ -80,7 +80,7 @@ TEST(TimingCommand, ReportsEveryModeOverStandard) {
     EXPECT_EQ(tracks.at("device"), 4 * 5);
 }
 
-/// 100,000 objects that are placed anew for each frame, in one process.
+/// 100,000 objects that are placed again for each frame, in one process.
 TEST(TimingCommand, TimesTrafficThatMoves) {
     const TemporaryFolder folder;
     const ProgramResult result =
@@ -100,7 +100,7 @@ TEST(TimingCommand, TimesTrafficThatMoves) {
     EXPECT_EQ(modes, (std::vector<std::string>{"standard", "standard", "anchored", "cdr"}));
 }
 
-/// The program over itself: whatever the machine does meanwhile, the fields say so.
+/// The program compared with itself. The ratios depend on the machine, so only the fields are tested.
 TEST(TimingCommand, RunsTwoBuildsInTurns) {
     const TemporaryFolder folder;
     const ProgramResult result = runProgram(
@@ -177,7 +177,7 @@ TEST(TimingCommand, PlotsTheStagesOfEachMode) {
     }
 }
 
-/// What is foretold is what is taken, but for alignment and for what allocators round.
+/// Predicted memory is measured memory, except for alignment and for what allocators round.
 TEST(TimingCommand, ForetellsMemory) {
     const TemporaryFolder folder;
     const ProgramResult result = runProgram("timing --memory --size 512x256 --json t.json", folder.path());

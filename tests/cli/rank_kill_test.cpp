@@ -155,7 +155,7 @@ class KilledAgainAndAgain : public RankKills {
     void expectSameEnd(const std::string& arguments, const TemporaryFolder& whole) {
         ASSERT_EQ(runProgram(arguments, whole.path()).status, 0);
         killOften(arguments, kills(), [&](const ProgramResult& result) {
-            if (result.status == 0) { // before the kill: the next run starts anew
+            if (result.status == 0) { // before the kill: the next run starts again
                 EXPECT_EQ(readText(at("all.json")), readText(whole.path() / "all.json"));
                 fs::remove(at("state"));
             }
@@ -236,7 +236,7 @@ class KilledRender : public KilledAgainAndAgain {
         };
         killOften(arguments, times, [&](const ProgramResult& result) {
             expectOnlyMissing(result);
-            if (result.status == 0) { // before the kill: the next run starts anew
+            if (result.status == 0) { // before the kill: the next run starts again
                 fs::remove(at("state"));
                 keptBefore = 0;
             }

@@ -57,14 +57,14 @@ class RankState : public testing::TestWithParam<Kept> {
                           test::launched(CDR_MPIEXEC, ranks));
     }
 
-    /// All that was written but for the state.
+    /// All that was written except for the state.
     std::map<std::string, std::string> results() const {
         auto files = filesIn(m_folder.path());
         files.erase("s");
         return files;
     }
 
-    /// JSON with its times, but for what is measured at each start.
+    /// JSON with its times, except for what is measured at each start.
     std::string wholeJson() const {
         return std::regex_replace(readText(m_folder.path() / "all.json"),
                                   std::regex("\"make_levels_ms\": [^,\n]+"), "");

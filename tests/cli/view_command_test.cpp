@@ -103,7 +103,7 @@ TEST_F(ViewCommand, DrawsTheFrameOfASceneThatMoves) {
                                 .sceneCamera = setup.path.at(0),
                                 .extent = kExtent,
                                 .frame = 5};
-    const render::Frame frame = show(moving.world().scene(), view); // of a scene built anew
+    const render::Frame frame = show(moving.world().scene(), view); // of a scene built from scratch
     const std::string hash = experiments::hashOf(frame, experiments::Aov::color, nullptr);
     const TemporaryFolder folder;
     EXPECT_EQ(run(view, folder)["hash"], hash);

@@ -6,7 +6,7 @@
 namespace cdr::test {
 
 /// All of this program calls Vulkan by a loader of its own, as a host may bring one. It hands on what the system's loader
-/// says, but for the features that a test withholds here, by their names in Vulkan.
+/// says, except for the features that a test withholds here, by their names in Vulkan.
 std::vector<std::string>& withheldFeatures();
 
 } // namespace cdr::test

@@ -104,7 +104,7 @@ TEST_F(FileTest, TellsWhetherAPathCanBeWritten) {
     EXPECT_THROW(cdr::host::writeFile(path("no/such/folder.png"), Bytes{1}), InputError);
 }
 
-/// A null device of the test's own: were it replaced, nobody else would miss it.
+/// The test makes a null device of its own, so that a failure cannot replace the system's.
 TEST_F(FileTest, WritesIntoADeviceAndLeavesIt) {
     if (::mknod(path("null").c_str(), S_IFCHR | 0600, makedev(1, 3)) != 0 || !std::ofstream(path("null"))) {
         GTEST_SKIP() << "making a device needs rights that this process lacks";

@@ -51,7 +51,7 @@ TEST(CpuDivision, KnowsNothingWhereOneRankCannotTell) {
     EXPECT_EQ(nameOf(CpuChoice::overlapping), "overlapping");
 }
 
-/// No rank without a CPU or with one that it may not use, whatever masks there are; CPUs are shared only where too few.
+/// For all masks, each rank has a CPU and none that it may not use. CPUs are shared only if there are too few.
 TEST(CpuDivision, HoldsForAllMasksOfThreeCpus) {
     const auto cpusOf = [](unsigned mask) {
         Cpus cpus;

@@ -117,7 +117,7 @@ TEST_F(SharedPipelinesTest, AddingToAWorldWhatItHasTheKindOfMakesNone) {
     }
 }
 
-/// What a renderer is prepared for comes without passes or pipelines of its own, but for those of its kind of draws.
+/// What a renderer is prepared for comes without passes or pipelines of its own, except for those of its kind of draws.
 TEST_F(SharedPipelinesTest, APreparedRendererKeepsItsPasses) {
     for (const render::Submission submission : submissions()) {
         scene::World world(boxScene());

@@ -85,7 +85,7 @@ TEST_F(Contenders, DepthTestsShowTheIdsAndDistancesOfTheRenderer) {
     }
 }
 
-/// But for one-pass targets, whose slices of the depth range round in their own way.
+/// Except for one-pass targets, whose slices of the depth range round in their own way.
 TEST_F(Contenders, StandForEveryKindOfTargetsAndEverySubmission) {
     Arena arena(device(), "afc");
     const scene::Camera camera = arena.setup.path.at(40);

@@ -20,8 +20,8 @@ inline std::string launched(const std::string& launcher, int ranks) {
            launcher + "' -n " + std::to_string(ranks);
 }
 
-/// Standard error of what was launched, without the lines that libevent adds to it within Open MPI when a pipe goes that it
-/// looks at. They come beside whatever the program says, on a busy machine.
+/// Standard error of what was launched, without lines of libevent. On a busy machine it adds them within Open MPI, when a
+/// pipe that it watches is closed.
 inline std::string withoutWarningsOfEvents(const std::string& text) {
     std::string kept;
     std::istringstream stream(text);

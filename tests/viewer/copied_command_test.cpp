@@ -71,7 +71,7 @@ TEST_F(ViewerTest, OpensWhatItCopied) {
     EXPECT_EQ(picture("cdr-picture-0002.png"), picture("cdr-picture-0001.png"));
 }
 
-/// As it is printed, but for where the program was built.
+/// As it is printed, except for where the program was built.
 TEST_F(ViewerTest, RunsWhatTheReadmePrints) {
     std::ifstream readme(CDR_SOURCE_DIR "/README.md");
     const std::string program = "build/release/bin/cdr-viewer ";

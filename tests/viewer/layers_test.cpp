@@ -59,7 +59,7 @@ TEST_F(LayersOfTheViewer, SayWhatIsPickedFromThenOn) {
     EXPECT_EQ(valueOf(states[0], "under").substr(0, 4), "sign") << states[0];
 }
 
-/// Of both sides, and of a scene that is opened anew with them.
+/// Of both sides, and of a scene that is opened again with them.
 TEST_F(LayersOfTheViewer, HoldInAComparisonAndWhenTheSceneIsOpenedAnew) {
     const RunResult run = play(kPosters + "--compare reversed,anchored --layer poster=-1",
                                kOpened + "state\npicture both.png\ncommand\nclick Draw\nwait-ui 2\n" +

@@ -29,7 +29,7 @@ std::uint64_t distance(const image::ImageRgba8& picture, const image::ImageRgba8
     return sum;
 }
 
-/// In the order of the list, and none is left over: each scene, drawn anew, is most like its own.
+/// Thumbnails are in the order of the list, one for each scene. Each scene, drawn again, is most like its own.
 TEST(Thumbnails, ShowTheScenesBesideWhichTheyStand) {
     const test::TemporaryFolder folder;
     const image::ImageRgba8 sheet = readPicture(CDR_SOURCE_DIR "/src/viewer/panels/scenes.jpg");

@@ -376,7 +376,7 @@ TEST(Cells, AreTheSameForEveryNumberOfWorkers) {
     }
 }
 
-/// What the tree is for: of a field a part in view is looked into, not all of it.
+/// The tree is for this: if a part of a field is in view, only cells at the frustum's sides are examined.
 TEST(Cells, AreLookedIntoWhereTheFrustumsSidesPass) {
     const scene::SceneSetup setup = scenes::makeRotation(1, 100'000);
     scene::Camera camera = setup.path.at(0);
@@ -390,7 +390,7 @@ TEST(Cells, AreLookedIntoWhereTheFrustumsSidesPass) {
     EXPECT_LT(visible.parts.size(), cells.cells() / 8);
 }
 
-/// Moves within a cell keep it; a scene that is thrown about is sorted anew, so it stays worth its tree.
+/// Moves within a cell keep it. A scene whose instances have moved far is sorted again, so the tree stays useful.
 TEST(Cells, AreBuiltAnewWhereMuchHasLeftThem) {
     scene::SceneSetup setup = scenes::makeRotation(1, 20'000);
     host::WorkerPool workers(1);

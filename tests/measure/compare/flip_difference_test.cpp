@@ -101,7 +101,7 @@ TEST(FlipDifference, EqualPicturesDoNotDiffer) {
     EXPECT_EQ(flip.mean({}, {}, workers), 0.0);
 }
 
-/// Tiles neither show nor hide a difference, wherever it lies.
+/// The division into tiles changes no difference, wherever it lies.
 TEST(FlipDifference, ADifferenceLooksTheSameWhereverItLies) {
     host::WorkerPool workers(2);
     const FlipDifference flip;

@@ -183,7 +183,7 @@ TEST_F(ModelTest, WhatCannotKeepEmissionSaysSo) {
     EXPECT_LE(difference(draw(setup.scene, setup.path.at(0), options()).color, frame.color), 0.05);
 }
 
-/// A material that gets detail while the world is drawn makes passes and vertices anew.
+/// A material that gets detail while the world is drawn makes passes and vertices again.
 TEST_F(ModelTest, AWorldMayGetDetailLater) {
     const scene::SceneSetup setup = model(scene::ModelLight::sky);
     const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), options()));

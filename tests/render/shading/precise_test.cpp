@@ -46,7 +46,7 @@ Sums sumsIn(const gpu::Spirv& spirv, const std::string& function) {
     for (std::size_t at = kHeaderWords; at < words.size(); at += words[at] >> 16u) {
         switch (words[at] & 0xFFFFu) {
         case kOpName: {
-            // glslang names a function "name(types;", but for the first, which is "main".
+            // glslang names a function "name(types;", except for the first, which is "main".
             const std::string name(reinterpret_cast<const char*>(&words[at + 2]));
             if (name == function || name.starts_with(function + "(")) {
                 named.insert(words[at + 1]);

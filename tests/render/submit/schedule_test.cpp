@@ -51,7 +51,7 @@ TEST_F(ScheduleTest, NoOrderOfFewJobsChangesTheFrame) {
     }
 }
 
-/// Of many jobs, those that cull and bin among them, orders by lot.
+/// Random orders of many jobs, including those that cull and bin.
 TEST_F(ScheduleTest, NoOrderOfManyJobsChangesTheFrame) {
     const scene::SceneSetup setup = scenes::makeRotation(1, 64'000);
     const scene::Camera camera = setup.path.at(0);

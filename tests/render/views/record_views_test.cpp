@@ -187,7 +187,7 @@ TEST_F(RecordViewsTest, RefuseWhatCannotBeRecorded) {
         } catch (const base::InputError& error) {
             return std::string(error.what());
         }
-        host.submit(); // else the renderer would wait for it for ever
+        host.submit(); // else the renderer would wait for it forever
         return std::string();
     };
     std::vector<HostFrame> bad = good;

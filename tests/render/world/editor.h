@@ -14,7 +14,7 @@ namespace cdr::render_test {
 
 using scene::World;
 
-/// What a world should hold, kept apart from it, and the scene that this makes when it is built anew.
+/// What a world should hold, kept apart from it, and the scene that this makes when built from scratch.
 struct Expected {
     struct Object {
         scene::InstanceHandle handle;
@@ -92,8 +92,8 @@ class Editor {
         }
     }
 
-    /// What may be edited. A change of tables has everything read anew, and one of kinds has the device's
-    /// runs made anew. So what follows single changes is tried without.
+    /// What may be edited. A change of tables has everything read again, and one of kinds has the device's
+    /// runs made again. So what follows single changes is tried without.
     enum class Scope : std::size_t { moves = 600, instances = 985, all = 1000 };
 
     void edit(Scope scope = Scope::all) { edit(below(static_cast<std::size_t>(scope)), scope); }

@@ -38,7 +38,7 @@ render::RenderOptions optionsFor(const char* technique, Submission submission, T
 
 using WorldTest = OwnPipelinesTest;
 
-/// The rule of live worlds: whatever was done to it, and however it is drawn, the picture is that of a scene built anew.
+/// The rule of live worlds: after any edits, drawn in any way, the picture is that of a scene that is built from scratch.
 /// Blended fragments are counted, so each is drawn once. Groups of renderers take turns and so lag behind by a batch.
 TEST_F(WorldTest, AnyEditsGiveThePictureOfASceneBuiltAnew) {
     constexpr int kBatches = 20;
@@ -133,7 +133,7 @@ void addEffects(std::mt19937_64& random, render::RenderOptions& options) {
     }
 }
 
-/// Options by lot, of those that may go together.
+/// Random options, of those that can be combined.
 render::RenderOptions randomOptions(std::mt19937_64& random, const std::vector<Submission>& submissions) {
     constexpr std::array kTechniques{"standard", "cdr", "logcdr", "reversed", "anchored"};
     constexpr std::array<std::size_t, 5> kThreads{1, 2, 3, 8, 16};
@@ -168,7 +168,7 @@ std::string describe(const render::RenderOptions& options) {
            " threads, " + std::to_string(options.framesInFlight) + " in flight";
 }
 
-/// The same rule for renderers of options by lot, seen from changing places. CDR_ALL_CASES takes more seeds.
+/// The same rule for renderers of random options, seen from changing places. CDR_ALL_CASES takes more seeds.
 TEST_F(WorldTest, RenderersOfAnyOptionsShowAnyEdits) {
     const std::uint64_t seeds = std::getenv("CDR_ALL_CASES") != nullptr ? 40 : 3;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -187,7 +187,7 @@ TEST_F(WorldTest, RenderersOfAnyOptionsShowAnyEdits) {
             scene::Camera camera = ahead();
             camera.position.x = std::uniform_real_distribution<double>(-30.0, 30.0)(random);
             for (int half = 0; half < 2; ++half) {
-                // What tables have read anew hides instances that were forgotten, so now and then none changes after these.
+                // What tables have read again hides instances that were forgotten, so now and then none changes after these.
                 const bool sparesTables = half == 0 || batch % 2 == 0;
                 for (int i = 0; i < 125; ++i) {
                     editor.edit(sparesTables ? Editor::Scope::instances : Editor::Scope::all);

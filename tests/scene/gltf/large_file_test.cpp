@@ -143,7 +143,7 @@ TEST_F(GltfLargeFile, IsNotInMemoryBesideItsScene) {
 #endif
     const std::filesystem::path path = writeMeshes(std::getenv("CDR_ALL_CASES") != nullptr ? 53 : 5, 600);
     const double peak = memoryOf(path).peak;
-    // What is foretold is about the peak. It leaves out the blocks.
+    // The prediction is about the peak. It leaves out the blocks.
     constexpr double kBlocks = 40.0 * kMiB;
     GltfLimits limits;
     limits.maxBytes = static_cast<std::uint64_t>(peak - kBlocks);

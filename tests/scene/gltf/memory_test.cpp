@@ -5,7 +5,7 @@ namespace {
 
 using GltfMemory = GltfFolder;
 
-/// Positions without bytes, but for one, and no indices.
+/// Positions without bytes, except for one, and no indices.
 Document hollow(std::uint32_t count) {
     Document document = triangle();
     json& positions = document.root["accessors"][0];

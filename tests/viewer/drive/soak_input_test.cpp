@@ -117,7 +117,7 @@ TEST(SoakInput, IsBoundedAndReachesEverything) {
     }();
 }
 
-/// What the soak is for: no input whatever leads a camera that goes home now and then into nonsense.
+/// A camera that returns home now and then stays usable under any input. The soak is for this.
 TEST(SoakInput, LeavesEveryCameraUsable) {
     const scene::Camera home =
         scene::lookAt({.fovY = 1.0, .nearView = 0.1, .farView = 1e5}, {0.0, 2.0, 50.0}, glm::dvec3(0.0));

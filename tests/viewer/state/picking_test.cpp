@@ -11,7 +11,7 @@ namespace {
 
 using namespace viewer_test;
 
-/// Object 4, 12 view units beyond the far cascade's anchor, but for background in the top row.
+/// Object 4, 12 view units beyond the far cascade's anchor, except for background in the top row.
 render::Frame frameWithObject() {
     render::Frame frame = makeFrame(64, 36, [](auto, auto y) {
         return y == 0 ? MadePixel{} : MadePixel{.id = 5, .cascade = 1, .ahead = 12.0f};
