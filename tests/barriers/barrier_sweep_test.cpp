@@ -28,7 +28,7 @@ struct Swept {
     const char* name;
     const char* scene;
     std::function<void(RenderOptions&)> set;
-    std::optional<std::size_t> unseen{}; ///< a barrier that no layer at hand sees the need of
+    std::optional<std::size_t> unseen{}; ///< a barrier whose absence no known layer reports
 
     friend std::ostream& operator<<(std::ostream& out, const Swept& swept) { return out << swept.name; }
 };

@@ -56,7 +56,8 @@ TEST(Commands, DevicesListsAUsableOne) {
     }
 }
 
-/// A driver that lacks a part of Vulkan is hidden by the loader unless it is asked for: here lavapipe says it does.
+/// The loader hides a driver that lacks a part of Vulkan unless the program asks for such drivers. Here lavapipe's manifest
+/// says that it lacks one.
 TEST(Commands, DevicesFindsPortabilityDrivers) {
     const TemporaryFolder folder;
     const fs::path manifests = "/usr/share/vulkan/icd.d";

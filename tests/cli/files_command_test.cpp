@@ -110,7 +110,7 @@ TEST(Files, DevicesTakeSeveralOutputs) {
 
 class NotesTest : public testing::TestWithParam<const char*> {};
 
-/// What a file holds that is not drawn is said in the terminal, however quiet, and in JSON.
+/// A command prints what of a file is not drawn, also with --quiet, and JSON has it.
 TEST_P(NotesTest, AreSaidEverywhere) {
     const TemporaryFolder folder;
     writeNotedModel(folder.path() / "m.gltf");

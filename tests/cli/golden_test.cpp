@@ -105,7 +105,7 @@ TEST_P(GoldenPicture, IsRenderedStill) {
     const fs::path golden = kFolder / (GetParam().name + ".png");
     if (snapReach() > 0.0) {
         const std::size_t apart = countApart(readPicture(golden), readPicture(folder.path() / "render.png"));
-        // What is narrower than a pixel comes and goes; 4 bits emulated on lavapipe show as many.
+        // Surfaces narrower than a pixel appear or vanish. 4 bits emulated on lavapipe give as many.
         EXPECT_LE(static_cast<double>(apart),
                   (image::Tolerance{}.pixelShare + 0.1 * snapReach()) * 320 * 180);
         return;

@@ -224,7 +224,7 @@ std::string quoted(const std::string& option) {
 
 class NumericOptions : public testing::TestWithParam<Numbers> {};
 
-/// An answer, or one line and exit status 2 and nothing written, within a time that no sound run needs.
+/// Each run gives an answer, or prints one line, ends with status 2 and writes nothing. It has more time than it needs.
 TEST_P(NumericOptions, EveryNumberIsTakenOrRefused) {
     // All take half an hour; every suite runs others of them only when the list changes.
     const std::size_t stride = std::getenv("CDR_ALL_CASES") != nullptr ? 1 : 37;

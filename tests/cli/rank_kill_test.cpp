@@ -39,7 +39,7 @@ class RankKills : public testing::Test {
             runProgram(arguments, m_folder.path(),
                        signalling + test::launched(CDR_MPIEXEC, static_cast<int>(ranks)) +
                            " sh -c 'echo $$ >pid.$OMPI_COMM_WORLD_RANK$PMI_RANK; exec \"$@\"' sh");
-        if (!signalling.empty()) { // what signals must not live on into the next run
+        if (!signalling.empty()) { // the process that signals must end before the next run
             host::writeText(at("over"), "");
             while (!fs::exists(at("signalled"))) {
                 std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -52,7 +52,8 @@ class RankKills : public testing::Test {
         return result;
     }
 
-    /// For a shell: sends a signal once a condition of the shell's holds and a time more has passed, unless the run is over.
+    /// For a shell: waits until a condition of the shell's holds, and then some time. Then it sends a signal, unless the run is
+    /// over.
     static std::string signalling(const std::string& signal, const std::string& victim,
                                   const std::string& condition, double seconds) {
         return "{ { i=0; until " + condition +
@@ -124,7 +125,8 @@ TEST_F(RankKills, ASignalThatARankIsSentIsNamedInOneLine) {
     }
 }
 
-/// Starts a run again and again, of which some rank is killed at some moment after the state grew. Each start has other ranks.
+/// Starts a run again and again. In each start some rank is killed at some moment after the state grew. Each start has other
+/// ranks.
 class KilledAgainAndAgain : public RankKills {
   protected:
     /// @param afterEach is told how each start ended.

@@ -138,7 +138,7 @@ TEST_F(RankMachine, WhatMpiBoundIsFollowed) {
     }
 }
 
-/// The first rank alone times it, and JSON has nobody else.
+/// The first rank alone measures times, and JSON names no other rank.
 TEST_F(RankMachine, JsonOfTimesCountsTheProcessorsOfTheRankThatTimed) {
     if (hasOneCpu()) {
         GTEST_SKIP() << "needs two CPUs";

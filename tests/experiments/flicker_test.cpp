@@ -96,12 +96,12 @@ TEST_F(FlickerTest, ARunThatIsInterruptedEndsAsOneThatIsNot) {
     Watcher rest;
     expectSame(runFlicker(device(), options, rest.hooks()), expected);
     EXPECT_EQ(rest.pictures, whole.pictures);
-    // And once done it says the same again, without pictures too.
+    // A finished run gives the same results again, also without pictures.
     expectSame(runFlicker(device(), options), expected);
 }
 
-/// A fitted split remembers frames, and a coarse buffer shows where it cut. The
-/// frame before the cut is not enough: the bounds it keeps are those of frames before it.
+/// A fitted split remembers frames, and a coarse buffer shows where it cut. The frame before is not enough: its
+/// bounds are kept from still earlier frames.
 TEST_F(FlickerTest, AResumedRunRemembersWhatFittedSplitsDo) {
     FlickerOptions options = smallRun();
     options.width = 640;

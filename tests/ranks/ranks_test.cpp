@@ -131,7 +131,7 @@ TEST_P(LaunchedRanks, RefuseOneThatWasStartedOtherwise) {
     EXPECT_TRUE(last == 0 || outcome.err.find(": is not alike\n") != std::string::npos) << outcome.err;
 }
 
-/// The others wait for what it was to be alike with.
+/// The others wait for the text that theirs is compared with.
 TEST_P(LaunchedRanks, EndWhereTheFirstCannotStart) {
     const Outcome outcome = runAs(GetParam(), "3 start 0 0");
     EXPECT_EQ(outcome.status, 2);
@@ -192,8 +192,8 @@ TEST_P(LaunchedRanks, EndWhereOneCrashes) {
     }
 }
 
-/// A launcher asks all to end as soon as one is killed. Who is asked waits until that one is named: on a machine that is too busy
-/// for it not always.
+/// A launcher asks all ranks to end as soon as one is killed. A rank that is asked waits until the killed one is named. On a
+/// busy machine it may not wait long enough.
 TEST_P(LaunchedRanks, NameTheOneThatWasKilledAndNotTheOneThatWasAskedThen) {
     if (GetParam() == 1) {
         GTEST_SKIP() << "needs another rank";

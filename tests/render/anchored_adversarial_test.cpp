@@ -144,12 +144,12 @@ TEST_F(AdversarialTest, EverythingAtOneDistance) {
         EXPECT_LT(result.worstDistance, 1e-6);
         EXPECT_EQ(result.cascades, 1u);
     }
-    // Near and far planes a hair around it.
+    // Near and far planes just around it.
     const scene::Camera hair{.fovY = 1.4e-5, .nearView = 1e6 - 1e-9, .farView = 1e6 + 1e-9};
     EXPECT_EQ(outcome(scene, hair).wrong.wrong, 0u);
 }
 
-/// The wall that is left is float64 itself, whose positions are 1.2e-4 apart there.
+/// The limit that is left is float64 itself, whose positions are 1.2e-4 apart there.
 TEST_F(AdversarialTest, ACameraBillionsOfKilometresFromTheOrigin) {
     std::array<Outcome, 2> sums;
     for (const bool far : {false, true}) {
@@ -173,11 +173,11 @@ TEST_F(AdversarialTest, ACameraBillionsOfKilometresFromTheOrigin) {
     EXPECT_GT(far.wrong.pixels, 80'000u);
     EXPECT_EQ(near.wrong.wrong, 0u);
     EXPECT_EQ(far.wrong.wrong, 0u);
-    // Faces seen aslant move by what a rasteriser snaps: here and there alike.
+    // Slanted faces move by what a rasteriser snaps, near and far alike.
     EXPECT_NEAR(far.worstDistance, near.worstDistance, 2.5e-4);
 }
 
-/// The globe of pieces, hunted for pixels that show the sky through its seams.
+/// A globe of pieces is searched for pixels that show the sky through its seams.
 TEST_F(AdversarialTest, APlanetOfPiecesHasNoCracks) {
     scene::Scene scene = scenes::makeGlobe();
     ASSERT_GT(scene.meshes.size(), 1000u);

@@ -192,7 +192,7 @@ TEST_F(DetailRenderTest, OneLevelPerObjectOpensNoCrack) {
     }
 }
 
-/// The thesis' variant does crack where an object straddles: proof that the hunter finds cracks.
+/// The thesis' variant does crack where an object crosses a boundary. So the search does find cracks.
 TEST_F(DetailRenderTest, OneLevelPerCascadeCracks) {
     EXPECT_GT(hunt(largeBoulder(), camerasAround(16), {.mode = DetailMode::perCascade, .pixels = 2.0}), 0u);
 }

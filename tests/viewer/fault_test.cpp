@@ -29,7 +29,7 @@ class ViewerFault : public ViewerTest {
         std::ofstream(folder() / "script") << script;
         return runShell(kViewer, folder(), environment() + " " + fault.environment());
     }
-    /// What a folder of unfinished business would hold besides.
+    /// The files in the folder, without those of the test itself. An unfinished file would be one of them.
     std::vector<std::string> files() const {
         std::vector<std::string> names;
         for (const auto& entry : fs::directory_iterator(folder())) {
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Fatal{{.call = "vkQueueSubmit2", .device = "render"}, kLost}, // while a scene is uploaded
                     Fatal{{.call = "vkQueueSubmit2", .device = "render", .after = 5}, kLost},
                     Fatal{{.call = "vkWaitForFences", .device = "render", .after = 5}, kLost},
-                    Fatal{{.call = "vkQueueSubmit2", .device = "window"}, kLost}, // while letters are
+                    Fatal{{.call = "vkQueueSubmit2", .device = "window"}, kLost}, // while glyphs are uploaded
                     Fatal{{.call = "vkQueueSubmit2", .device = "window", .after = 5}, kLost},
                     Fatal{{.call = "vkWaitForFences", .device = "window", .after = 5}, kLost},
                     Fatal{{.call = "vkDeviceWaitIdle", .device = "window", .after = 1}, kLost},

@@ -17,7 +17,7 @@ struct Disagreement {
     std::uint64_t pixels = 0;
     std::uint64_t covered = 0;  ///< of them, by the reference
     std::uint64_t ids = 0;      ///< nearest or second differs, but ties within rounding
-    std::uint64_t mistakes = 0; ///< nearest or second differs, with no such excuse
+    std::uint64_t mistakes = 0; ///< nearest or second differs by more than that
     double distance = 0.0;      ///< the largest, relative, of nearest and second where ids agree
 
     void add(const Disagreement& other) {

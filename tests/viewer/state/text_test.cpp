@@ -52,7 +52,7 @@ TEST(TechniqueStep, AnchoredTellsMicrometresApartWhereOthersTellNothing) {
     EXPECT_TRUE(std::isinf(techniqueStepView(anchored, thin, 5.0)));
     EXPECT_TRUE(std::isinf(techniqueStepView(anchored, thin, 2e6)));
     EXPECT_TRUE(std::isinf(techniqueStepView(anchored, {}, 1.0)));
-    // A hair beyond its cascade, as overlaps draw.
+    // Just beyond its cascade, as overlaps draw.
     EXPECT_LT(techniqueStepView(anchored, thin, 1'000'016.001), 1e-4);
 }
 

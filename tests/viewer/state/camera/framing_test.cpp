@@ -34,7 +34,7 @@ TEST(Framed, ShowsTheBallWholeAndInTheMiddle) {
         const double halfAngle = std::atan(std::tan(0.5 * camera.fovY) * std::min(aspect, 1.0));
         EXPECT_NEAR(-centre.z, ball.radius / std::sin(halfAngle), 1e-9) << aspect;
     }
-    // A point is not stood in.
+    // The camera keeps away from a point.
     EXPECT_GT(-framed(camera, {.centre = ball.centre}, 1.0).toView(ball.centre).z, camera.nearView);
 }
 
