@@ -174,7 +174,7 @@ nlohmann::ordered_json makeReport(Command& command, const ReportArguments& argum
 
 void runReport(Command& command, ReportArguments& arguments) {
     report::requirePage();
-    report::makePlan(arguments.plan); // refuses a section that there is not, before all else
+    report::makePlan(arguments.plan); // refuses an unknown section before all else
     const host::Bytes hasVideos =
         command.ranks().share({host::isInstalled("ffmpeg") ? std::uint8_t{1} : std::uint8_t{0}});
     arguments.plan.videos = hasVideos.front() != 0;

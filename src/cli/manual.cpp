@@ -8,7 +8,7 @@ namespace cdr::cli {
 
 namespace {
 
-/// Text that roff takes for nothing else.
+/// Text escaped so that roff prints it as it is.
 std::string plain(const std::string& text) {
     std::string escaped = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
     for (const char c : text) {

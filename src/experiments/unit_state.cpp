@@ -130,7 +130,7 @@ void UnitStateFile::keep(std::size_t unit, const Json& result) {
 void UnitStateFile::begin() {
     if (m_state.bytes == 0) {
         m_file.close();
-        host::writeText(m_path, stateHeadOf(m_run)); // whole, so that there is no half a head
+        host::writeText(m_path, stateHeadOf(m_run)); // whole, so that a head is never cut off
         m_file.open(m_path, std::ios::binary | std::ios::app);
         return;
     }

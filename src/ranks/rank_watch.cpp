@@ -11,7 +11,7 @@ namespace {
 constexpr auto kLook = std::chrono::milliseconds(250);
 /// That a launcher has to end the ranks that another one leaves behind. Not all launchers do.
 constexpr auto kPatience = std::chrono::seconds(5);
-/// Before a rank that is asked to end says so. A launcher asks when another one was killed, which is what is to be said.
+/// Before a rank that is asked to end says so. A launcher also asks if another rank was killed, and then that is reported.
 constexpr auto kBefore = std::chrono::milliseconds(200);
 
 } // namespace
@@ -70,7 +70,7 @@ void RankWatch::watchSignals() {
 }
 
 void RankWatch::sayOnce(const std::string& line) {
-    const std::lock_guard lock(m_mutex); // of this rank, lest it ends while its other thread says it
+    const std::lock_guard lock(m_mutex); // of this rank: its other thread may print
     if (m_shared.isSaid.exchange(1) == 0) {
         m_say(line + m_appended);
     }

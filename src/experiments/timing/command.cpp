@@ -251,7 +251,7 @@ void runAgainst(const Command& command, const TimingArguments& arguments) {
 void runStages(Command& command, const TimingArguments& arguments) {
     experiments::TimingOptions options = arguments.options;
     options.frames = arguments.frames.value_or(kStageFrames);
-    // Standard is not again beside itself.
+    // Standard is there once: its second mode, the noise floor, is left out.
     std::vector<experiments::TimingMode> modes{options.modes.front()};
     if (!arguments.modes.empty()) {
         modes.insert(modes.end(), options.modes.begin() + 2, options.modes.end());

@@ -15,7 +15,7 @@ constexpr double kSlabLength = 60.0;
 constexpr double kSlabHalfDepth = 0.125;
 constexpr double kPaintHeight = kSlabHeight + kMarkingHeight;
 
-/// Neighbouring slabs overlap by this, else float32 would leave hairs of soil between them.
+/// Neighbouring slabs overlap by this, else float32 would leave thin lines of soil between them.
 constexpr double kSlabOverlap = 0.002;
 
 /// A slab of concrete, most of it below the soil.

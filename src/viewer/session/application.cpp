@@ -108,7 +108,7 @@ void Application::handleInput() {
             m_control.handle(event, area, !isTyped && !m_model.interface.panelKeys, m_model);
         } else {
             if (free && std::holds_alternative<ButtonInput>(event) && area.contains(m_control.cursor())) {
-                m_model.interface.panelKeys.reset(); // whoever takes the picture takes the keys along
+                m_model.interface.panelKeys.reset(); // a click on the picture gives it the keys too
             }
             m_control.handle(event, area, free, m_model);
         }

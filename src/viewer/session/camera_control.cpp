@@ -185,7 +185,7 @@ void CameraControl::steer(const CameraInput& input, const RenderResult* shown, C
     }
     const Orbit orbited = orbit({.camera = camera.now, .pivot = camera.pivot}, turning);
     camera.pivot = orbited.pivot;
-    camera.now = scene::canonical(orbited.camera); // what the copied command line says, to the bit
+    camera.now = scene::canonical(orbited.camera); // as the copied command line has it, to the bit
     // The next picture may come late.
     camera.surfaceView = std::max(surfaceAhead(camera.now, before, camera.surfaceView), camera.now.nearView);
 }
