@@ -22,12 +22,11 @@ layout(location = 0) in vec4 inNormalAhead;
 layout(location = 1) in vec4 inColor;
 #ifdef DETAILED
 layout(location = 2) in vec4 inUv; // both places
-layout(location = 5) in vec4 inTangent;
+layout(location = 4) in vec4 inTangent;
 #else
 layout(location = 2) in vec2 inUv;
 #endif
-layout(location = 3) flat in uint inId;
-layout(location = 4) flat in uint inCutoffAndShine;
+layout(location = 3) flat in uvec2 inIdAndCutoff; // id, and DrawRecord::cutoffAndShine
 #endif
 
 layout(location = 0) out uvec4 outTexel;
@@ -66,12 +65,12 @@ void main() {
     }
 #ifdef DETAILED
     vec3 front = detailNormal(inNormalAhead.xyz, inTangent, inUv);
-    uint shine = has(kDetailShine) ? shineCode(detailShine(inUv)) : inCutoffAndShine;
+    uint shine = has(kDetailShine) ? shineCode(detailShine(inUv)) : inIdAndCutoff.y;
     bool emits = has(kDetailOcclusion | kDetailEmits);
     outEmission = emits ? encodeEmission(detailEmission(inUv), detailOpenness(inUv)) : 0u;
 #else
     vec3 front = inNormalAhead.xyz;
-    uint shine = inCutoffAndShine;
+    uint shine = inIdAndCutoff.y;
 #endif
 #endif
     // Clipping would round to the size of the triangle. The interpolated distance rounds to itself, and is the same in
@@ -82,11 +81,11 @@ void main() {
 #ifdef FACETED
     outTexel = uvec4(inFacet.xy, floatBitsToUint(ahead), inFacet.z);
 #else
-    if (kMasked != 0u && baseColor.a < uintBitsToFloat(inCutoffAndShine & ~kShineMask)) {
+    if (kMasked != 0u && baseColor.a < uintBitsToFloat(inIdAndCutoff.y & ~kShineMask)) {
         discard;
     }
     // Of a double-sided surface the side that faces the camera is lit.
-    outTexel = encodeTexel(baseColor.rgb, gl_FrontFacing ? front : -front, ahead, inId);
+    outTexel = encodeTexel(baseColor.rgb, gl_FrontFacing ? front : -front, ahead, inIdAndCutoff.x);
     if (kShiny != 0u) {
         outTexel.x = withShine(outTexel.x, shine);
     }

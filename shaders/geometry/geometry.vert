@@ -43,12 +43,11 @@ layout(location = 0) out vec4 outNormalAhead;
 layout(location = 1) out vec4 outColor;
 #ifdef DETAILED
 layout(location = 2) out vec4 outUv; // both places
-layout(location = 5) out vec4 outTangent;
+layout(location = 4) out vec4 outTangent;
 #else
 layout(location = 2) out vec2 outUv;
 #endif
-layout(location = 3) flat out uint outId;
-layout(location = 4) flat out uint outCutoffAndShine;
+layout(location = 3) flat out uvec2 outIdAndCutoff; // id, and DrawRecord::cutoffAndShine
 #endif
 
 #ifdef DETAILED
@@ -90,8 +89,7 @@ void main() {
 #else
     outUv = inUv;
 #endif
-    outId = id;
-    outCutoffAndShine = record.cutoffAndShine;
+    outIdAndCutoff = uvec2(id, record.cutoffAndShine);
 #endif
 #endif
 }
