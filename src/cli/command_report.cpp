@@ -8,6 +8,7 @@
 #include <cdr/host/child_process.h>
 #include <cdr/host/document.h>
 #include <report/folder.h>
+#include <report/manifest.h>
 #include <report/page.h>
 #include <report/plan.h>
 #include <scenes/orbit/data.h>

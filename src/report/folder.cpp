@@ -1,5 +1,6 @@
 #include "folder.h"
 
+#include "manifest.h"
 #include "mount_point.h"
 
 #include <cdr/base/error.h>
@@ -8,12 +9,12 @@
 #include <cdr/host/sha256.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace cdr::report {
 
@@ -28,16 +29,8 @@ std::set<std::string> ownFiles(const fs::path& folder) {
     const fs::path manifest = folder / kManifest;
     if (fs::is_regular_file(manifest)) {
         const host::Bytes bytes = host::readFile(manifest, kMaxManifestBytes);
-        const auto json = nlohmann::json::parse(bytes, nullptr, false);
-        if (json.is_object() && json.value("command", nlohmann::json()) == "report" &&
-            json.contains("files") && json.at("files").is_array()) {
-            std::set<std::string> files{kManifest};
-            for (const auto& file : json.at("files")) {
-                if (file.is_string()) {
-                    files.insert(file.get<std::string>());
-                }
-            }
-            return files;
+        if (auto files = filesOfManifest({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) {
+            return *std::move(files);
         }
     }
     throw base::InputError(

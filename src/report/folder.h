@@ -7,9 +7,6 @@
 
 namespace cdr::report {
 
-/// The file in a report's folder that says it is one, and lists the files that belong to it.
-inline constexpr const char* kManifest = "report.json";
-
 /// Every file under a folder, relative to it, in order.
 std::vector<std::filesystem::path> filesUnder(const std::filesystem::path& folder);
 

@@ -2,6 +2,7 @@
 
 #include <cdr/base/error.h>
 #include <report/folder.h>
+#include <report/manifest.h>
 #include <report/mount_point.h>
 
 #include <gtest/gtest.h>
