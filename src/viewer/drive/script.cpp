@@ -78,6 +78,11 @@ class Words {
         }
         return words;
     }
+    void requireEnd() {
+        if (const std::string word = nextOr(""); !word.empty()) {
+            throw base::InputError(fmt::format("'{}' is too much", word.substr(0, 20)));
+        }
+    }
 
   private:
     std::istringstream m_words;
@@ -87,11 +92,14 @@ using Steps = std::vector<ScriptStep>;
 using Reader = std::function<void(Words&, Steps&)>;
 
 void readKey(Words& words, Steps& steps) {
+    static constexpr std::array<std::string_view, 2> kModifiers{"shift", "control"};
     const int key = keyOf(words.next("key"));
     int modifiers = 0;
     for (std::string word = words.nextOr(""); !word.empty(); word = words.nextOr("")) {
-        modifiers |= word == "shift" ? GLFW_MOD_SHIFT : 0;
-        modifiers |= word == "control" ? GLFW_MOD_CONTROL : 0;
+        if (word != kModifiers[0] && word != kModifiers[1]) {
+            throw base::InputError(base::unknownName("modifier", word, kModifiers));
+        }
+        modifiers |= word == kModifiers[0] ? GLFW_MOD_SHIFT : GLFW_MOD_CONTROL;
     }
     steps.emplace_back(InputEvent(KeyInput{.key = key, .pressed = true, .modifiers = modifiers}));
     steps.emplace_back(InputEvent(KeyInput{.key = key, .pressed = false, .modifiers = modifiers}));
@@ -181,6 +189,7 @@ void readLine(const std::string& line, Steps& steps) {
         throw base::InputError(base::unknownName("step", verb, known));
     }
     reader->second(words, steps);
+    words.requireEnd();
 }
 
 } // namespace
