@@ -128,7 +128,9 @@ check_changed() {
             image) parsers+=(image) ;;
             experiments) parsers+=(state unit_state) ;;
             scenes | visibility) parsers+=(words) ;;
-            fuzz) parsers=(gltf camera_path words image state unit_state) && break ;;
+            report) parsers+=(manifest) ;;
+            viewer) parsers+=(script) ;;
+            fuzz) parsers=(gltf camera_path words image state unit_state manifest script) && break ;;
         esac
     done
     if ((${#parsers[@]})); then
