@@ -6,15 +6,21 @@
 # - depth's tests for Windows, if a cross compiler and wine are installed;
 # - all faults and kills, of which the suite takes a sample, and a minute of fuzzing for each parser;
 # - ranks over MPICH, and the jobs for Slurm.
-# Usage: tools/check.sh [--changed | --memory]
-# --changed does what fits into a few minutes. It takes the sources that differ from origin/main, or from the parent commit if
-# none do:
-# - clang-tidy over these sources;
+# Usage: tools/check.sh [--changed [MINUTES] | --memory]
+# --changed does what fits into 20 minutes, or MINUTES. It takes what tools/changed.sh lists, newest first, and says what there
+# was no time for:
+# - tests of base, depth and image under valgrind;
+# - clang-tidy over sources;
 # - the tests of their rooms under AddressSanitizer, and those of threads without a driver under ThreadSanitizer;
 # - a minute of fuzzing for each parser of these rooms.
 # --memory does what runs under valgrind.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+usage() {
+    echo "usage: tools/check.sh [--changed [MINUTES] | --memory]" >&2
+    exit 2
+}
 
 check_all() {
     local driver
@@ -63,8 +69,21 @@ check_memory() {
     tools/build.sh --in-batches release -- --target "${programs[@]}"
     for program in "${programs[@]}"; do
         # Without the test that measures a process' memory: valgrind's own counts there.
-        valgrind --quiet --error-exitcode=9 --leak-check=full "build/release/bin/$program" --gtest_brief=1 \
-            --gtest_filter='-GltfLargeFile.IsNotInMemoryBesideItsScene'
+        under_valgrind "$program" --gtest_filter='-GltfLargeFile.IsNotInMemoryBesideItsScene'
+    done
+}
+
+under_valgrind() { # PROGRAM ARGUMENT...
+    valgrind --quiet --error-exitcode=9 --leak-check=full "build/release/bin/$1" --gtest_brief=1 "${@:2}"
+}
+
+# The same of rooms that take 1.5 minutes together, without depth's tests of the whole range, which take minutes more.
+check_memory_of() { # PROGRAM...
+    local program
+    tools/build.sh --in-batches release -- --target "$@"
+    for program; do
+        under_valgrind "$program" --gtest_filter='-WholeRange.*'
+        echo "valgrind: $program passed"
     done
 }
 
@@ -79,50 +98,67 @@ check_mpich() {
     build/mpich/bin/test_cli --gtest_brief=1 --gtest_filter='Rank*:*/Rank*:CascadeMemory*:Devices.SayWhetherMpiIsIn'
 }
 
-# The commit that the changes are counted from.
-base_commit() {
-    local base
-    base=$(git merge-base HEAD origin/main 2>/dev/null) || base=
-    if [[ -z $base || $base == "$(git rev-parse HEAD)" ]]; then base=$(git rev-parse --verify --quiet HEAD^) || true; fi
-    echo "$base"
+# Runs a command for at most what is left of PERCENT of the time for changes. Status 124 where that is too little.
+within() { # PERCENT COMMAND...
+    local left=$((limit_seconds * $1 / 100 - SECONDS))
+    shift
+    ((left > 0)) || return 124
+    timeout --kill-after=10 "$left" "$@"
 }
 
-# Lines of stdin, at most COUNT of them, spread evenly.
-at_most() { # COUNT
-    awk -v count="$1" '{ line[NR] = $0 }
-        END { step = NR > count ? NR / count : 1; for (i = 1; i < NR + 1; i += step) print line[int(i)] }'
+left_out() { # WHAT NAME...
+    echo "tools/check.sh: no time was left for $1: ${*:2}"
 }
 
 check_changed() {
-    local base sources rooms targets=() room
-    base=$(base_commit)
-    if [[ -z $base ]]; then
-        echo "tools/check.sh: there is no commit to compare with, so nothing is checked"
-        return
-    fi
-    # A header is checked by the source beside it. 30 sources take about five minutes on two cores.
-    mapfile -t sources < <(git diff --name-only --diff-filter=d "$base" -- 'src/*.cpp' 'src/*.h' |
-        sed 's/[.]h$/.cpp/' | sort --unique | while read -r file; do [[ ! -e $file ]] || echo "$file"; done | at_most 30)
-    if ((${#sources[@]})); then tools/tidy.sh "${sources[@]}"; fi
-
+    local changed sources rooms targets=() room
+    mapfile -t changed < <(tools/changed.sh)
     # A room is named by its folder. Tests that start programs or a window, or make a page, take too long for this.
-    mapfile -t rooms < <(git diff --name-only "$base" -- src tests |
-        sed -nE 's,^(src/cdr|src|tests)/([a-z]+)/.*,\2,p' | sort --unique)
+    mapfile -t rooms < <(printf '%s\n' "${changed[@]}" | sed -nE 's,^(src/cdr|src|tests)/([a-z]+)/.*,\2,p' | awk '!seen[$0]++')
+    for room in "${rooms[@]}"; do
+        if [[ $room =~ ^(base|depth|image)$ ]]; then targets+=("test_$room"); fi
+    done
+    if ((${#targets[@]})) && has_valgrind; then check_memory_of "${targets[@]}"; fi
+    # A header is checked by the source beside it.
+    mapfile -t sources < <(printf '%s\n' "${changed[@]}" | sed -nE 's,^(src/.*)[.](cpp|h)$,\1.cpp,p' | awk '!seen[$0]++' |
+        while read -r file; do [[ ! -e $file ]] || echo "$file"; done)
+    tidy_some "${sources[@]}"
+    targets=()
     for room in "${rooms[@]}"; do
         if [[ -e tests/$room/CMakeLists.txt && ! $room =~ ^(cli|ranks|viewer|report)$ ]] &&
             grep --quiet "cdr_test(test_$room " "tests/$room/CMakeLists.txt"; then
             targets+=("test_$room")
         fi
     done
-    test_under asan "AddressSanitizer" "${targets[@]}"
+    test_under 70 asan "AddressSanitizer" "${targets[@]}"
     # What works on several threads and needs no driver.
     targets=()
-    for room in base host visibility; do
-        if printf '%s\n' "${rooms[@]}" | grep --quiet --line-regexp "$room"; then targets=(test_host test_visibility); fi
+    if printf '%s\n' "${rooms[@]}" | grep --quiet --line-regexp --extended-regexp 'base|host|visibility'; then
+        targets=(test_host test_visibility)
+    fi
+    test_under 80 tsan "ThreadSanitizer" "${targets[@]}"
+    fuzz_rooms "${rooms[@]}"
+}
+
+# clang-tidy over sources, ten at a time while there is time.
+tidy_some() { # FILE...
+    local status
+    while (($#)); do
+        status=0
+        within 40 tools/tidy.sh "${@:1:10}" || status=$?
+        if ((status == 124)); then
+            left_out clang-tidy "$@"
+            return
+        fi
+        ((status == 0)) || return 1
+        shift $(($# < 10 ? $# : 10))
     done
-    test_under tsan "ThreadSanitizer" "${targets[@]}"
-    local parsers=()
-    for room in "${rooms[@]}"; do
+}
+
+# A minute of fuzzing for each parser of some rooms.
+fuzz_rooms() { # ROOM...
+    local parsers=() room status=0
+    for room; do
         case $room in
             scene) parsers+=(gltf camera_path words) ;;
             image) parsers+=(image) ;;
@@ -135,26 +171,44 @@ check_changed() {
     done
     if ((${#parsers[@]})); then
         mapfile -t parsers < <(printf '%s\n' "${parsers[@]}" | sort --unique)
-        tools/fuzz.sh 60 "${parsers[@]}"
+        within 100 tools/fuzz.sh 60 "${parsers[@]}" || status=$?
+        if ((status == 124)); then left_out "all of the fuzzing of" "${parsers[@]}"; fi
+        ((status == 0 || status == 124)) || return 1
     fi
 }
 
-# Builds tests and runs them under a sanitizer.
-test_under() { # PRESET NAME TARGET...
-    local preset=$1 name=$2 log=build/$1/changed.log
-    shift 2
-    if (($# == 0)); then return; fi
-    local targets=("$@")
-    [[ $preset != asan ]] || targets+=(cdr_keep_loaded)
-    tools/build.sh --in-batches "$preset" -- --target "${targets[@]}"
-    ctest --preset "$preset" --parallel "$(nproc)" --quiet --output-log "$log" \
-        --label-regex "^($(IFS='|' && echo "$*"))\$" || { cat "$log" && return 1; }
-    echo "$name: $*: $(grep 'tests passed' "$log")"
+# Builds tests and runs them under a sanitizer, those of one room after those of another.
+test_under() { # PERCENT PRESET NAME TARGET...
+    local percent=$1 preset=$2 name=$3 log=build/$2/changed.log status target keep=()
+    shift 3
+    [[ $preset != asan ]] || keep=(cdr_keep_loaded)
+    for target; do
+        status=0
+        within "$percent" tools/build.sh --in-batches "$preset" -- --target "$target" "${keep[@]}" || status=$?
+        if ((status == 0)); then
+            within "$percent" ctest --preset "$preset" --parallel "$(nproc)" --quiet --output-log "$log" \
+                --label-regex "^$target\$" || status=$?
+        fi
+        if ((status == 124)); then
+            left_out "$name" "$@"
+            return
+        fi
+        if ((status != 0)); then
+            [[ ! -e $log ]] || cat "$log"
+            return 1
+        fi
+        echo "$name: $target: $(grep 'tests passed' "$log")"
+        shift
+    done
 }
 
 case ${1-} in
     '') check_all ;;
-    --changed) check_changed ;;
+    --changed)
+        [[ ${2-20} =~ ^[0-9]{1,4}$ ]] || usage
+        limit_seconds=$((10#${2-20} * 60))
+        check_changed
+        ;;
     --memory) has_valgrind && check_memory ;;
-    *) echo "usage: tools/check.sh [--changed | --memory]" >&2 && exit 2 ;;
+    *) usage ;;
 esac
