@@ -26,9 +26,9 @@ struct CascadePart {
 };
 
 /// Refuses what several renderers cannot draw together.
-/// @throws base::InputError for what looks beyond a pixel's own surface, or needs other cascades: edges smoothed,
-///         ambient occlusion over the whole picture, a lens with a focus, motion, occlusion culling, blended surfaces,
-///         gpu-driven draws. And for a part that there is not.
+/// @throws base::InputError for what reads more than a pixel's own surface, or needs other cascades.
+///         Antialiasing, ambient occlusion over the whole picture, a lens with a focus, and motion do. So do
+///         occlusion culling, blended surfaces and gpu-driven draws. Also for a part that does not exist.
 /// @param hasBlended whether the scene has blended materials.
 CDR_EXPORT void requireDivisible(const RenderOptions& options, bool hasBlended);
 

@@ -57,8 +57,8 @@ struct Finish {
 /// Ambient light that corners do not get (McGuire, Mara and Luebke 2012).
 struct Occlusion {
     double radius = 0.0; ///< within which surfaces take each other's light, scene units; 0 for none
-    /// Works it out on each cascade's layer before layers are merged, as the thesis' method 2 has it, instead
-    /// of over the whole picture: what lies in another cascade then takes no light. For targets with layers.
+    /// Computes it on each cascade's layer before layers are merged, as in the thesis' method 2, instead of
+    /// over the whole picture. Then surfaces in another cascade take no light. For targets with layers.
     bool perLayer = false;
 
     bool operator==(const Occlusion&) const = default;
@@ -86,8 +86,8 @@ struct Effects {
 };
 
 /// Refuses effects that cannot be drawn.
-/// @throws base::InputError that names the value, unless every length is finite and not negative, exposure at most
-///         kMostExposure either way, and colours lie in [0, 1].
+/// @throws base::InputError that names the value. Every length must be finite and not negative, exposure at
+///         most kMostExposure either way, and colours in [0, 1].
 CDR_EXPORT void requireUsable(const Effects& effects);
 
 } // namespace cdr::render

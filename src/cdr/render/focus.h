@@ -39,8 +39,9 @@ class CDR_EXPORT FocusLens {
     /// @param tanY of half the vertical field of view; the picture is `height` pixels high.
     FocusLens(const Focus& focus, double tanY, std::uint32_t height);
 
-    /// Diameter of the disc that a point at a view distance becomes: aperture |w - F| / w times the pixels
-    /// that a scene unit covers at F (thin lens, as in Potmesil and Chakravarty 1981).
+    /// Diameter, in pixels, of the disc that a point at view distance w becomes. It is aperture |w - F| / w
+    /// times the pixels that a scene unit covers at F. F is the distance in focus (thin lens, as in Potmesil
+    /// and Chakravarty 1981).
     double circleAt(double distanceView) const;
 
     /// Pixels of the picture along the side of one pixel of a cascade's layer. It is the largest power of two
@@ -49,8 +50,8 @@ class CDR_EXPORT FocusLens {
     std::uint32_t scaleOf(const depth::Cascade& range) const;
 
     /// The ranges to draw where cascades that touch are to fade into each other. Each but the first begins a
-    /// fifth earlier, but no earlier than the cascade before it does, and than where the lens blurs half as
-    /// much as the cascade's scale. Near planes still ascend.
+    /// fifth earlier, but no earlier than the cascade before it. Nor does it begin before the distance where
+    /// the lens blurs half as much as the cascade's scale. Near planes still ascend.
     depth::Cascades overlapping(const depth::Cascades& cascades) const;
 
     /// Where to cut so that cascades waste no resolution: the distances whose circles are 2, 4, 8 and 16

@@ -56,8 +56,8 @@ struct HostFrame {
     /// floats. What blends is seen through.
     std::optional<SurfaceImage> motion{};
     /// Called for each cascade, the nearest or the farthest first, on the caller's thread. Empty: the host draws nothing
-    /// inside cascades. A surface writes a texel by cdr_gbuffer.glsl, is lit as cdr's own are, and hides them or is
-    /// hidden by them to the step of the technique's depth. Only with SurfacePath::gbuffer, and without a focus.
+    /// inside cascades. A surface writes a texel by cdr_gbuffer.glsl and is lit as cdr's own are. They hide
+    /// each other to the step of the technique's depth. Only with SurfacePath::gbuffer, and without a focus.
     std::function<void(const HostCascade&)> draw{};
     /// View distances of what `draw` draws: fitted cascades cover them too.
     std::vector<depth::Interval> occupied{};

@@ -10,9 +10,9 @@
 
 namespace cdr::render {
 
-/// Drops the triangles of meshes and the pixels of textures that the cascades of options.part do not draw, as long as
-/// these cameras look one after the other from the first frame on. All instances stay, with their bounding spheres, so
-/// every part cuts the view alike.
+/// Drops the triangles of meshes and the pixels of textures that the cascades of options.part do not draw. This
+/// holds as long as these cameras are used one after the other from the first frame on. All instances stay,
+/// with their bounding spheres, so every part cuts the view alike.
 /// @throws base::InputError for an unusable camera or split; then the scene is as it was.
 CDR_EXPORT void dropOtherParts(scene::Scene& scene, const RenderOptions& options,
                                std::span<const scene::Camera> cameras, host::WorkerPool& workers);

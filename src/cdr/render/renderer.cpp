@@ -259,8 +259,8 @@ void Renderer::settle(Slot& slot) {
             gpu::waitAndReset(m_device, *slot.done);
         }
         slot.isPending = false;
-        // A frame that was submitted and left cannot be drawn again once the scene changed, and must not be over the
-        // images of a later one. One that a host recorded has gone into the host's images.
+        // A frame that was submitted without a wait cannot be drawn again once the scene changed. It must not
+        // be drawn over the images of a later one. One that a host recorded has gone into the host's images.
         const bool isCurrent = m_drawn.uploaded.isCurrent() && slot.revision == m_drawn.uploaded.revision();
         const bool isLast = &slot == &slotOf(m_frames - 1);
         if (!hasRoomSufficed(slot) && isCurrent && isLast && !slot.recorded) {

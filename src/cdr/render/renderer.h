@@ -40,7 +40,7 @@ class CDR_EXPORT Renderer {
     /// Of a scene that stays as it is.
     /// @param gpuScene of `scene`
     /// @throws base::InputError for options that are out of range, do not go together or need more than the
-    /// device has: no or too many pixels, a depth format that it lacks, and the like.
+    /// device has. Examples are no or too many pixels, and a depth format that the device lacks.
     /// @throws base::InputError for the GpuScene of a world, which changes.
     /// @throws base::RunError with both figures when the device's memory or its limits do not suffice.
     /// @throws std::system_error for Vulkan's other errors, and when the system starts no more threads.
@@ -75,14 +75,14 @@ class CDR_EXPORT Renderer {
     /// @errors base::InputError, base::RunError and std::system_error as render().
     FrameStats draw(const scene::Camera& camera);
 
-    /// Renders one frame without waiting for it: the CPU is at most `framesInFlight` ahead of the device. A frame whose
-    /// lists had too little room (gpu-driven, or translucent surfaces sorted) signals nonetheless, and unless a later
-    /// frame was submitted is drawn again, whole, once that is seen.
+    /// Renders one frame without waiting for it: the CPU is at most `framesInFlight` ahead of the device. A
+    /// frame whose lists had too little room (gpu-driven, or translucent surfaces sorted) signals nonetheless.
+    /// Once that is seen, the whole frame is drawn again, unless a later frame was submitted.
     /// @errors base::InputError, base::RunError and std::system_error as render(), of an earlier frame too.
     void submit(const scene::Camera& camera, const FrameSync& sync = {});
-    /// Records one frame into a host's command buffer and images, which the host submits: to the device's queue, and
-    /// before this or any other renderer of the device begins its next frame. Waits for the frame that was recorded
-    /// `framesInFlight` calls before.
+    /// Records one frame into a host's command buffer and images. The host submits it to the device's queue,
+    /// before this or any other renderer of the device begins its next frame. Waits for the frame that was
+    /// recorded `framesInFlight` calls before.
     ///
     /// A frame whose lists had too little room, as for submit(), lacks what found none; the next one has the room.
     /// @throws base::InputError as render(), for what cannot be recorded into, and with Submission::primaries, which

@@ -20,8 +20,8 @@ class FacetLight {
     /// @param scene must outlive it, and has at most shaders::kPushedLights lights, none with a cone or a range.
     explicit FacetLight(const scene::Scene& scene);
 
-    /// Colours per vertex: ambient light that the facet reflects, then for each of litBy() its colour times the albedo and
-    /// the light's height over the facet's plane in scene units.
+    /// Colours per vertex. First the ambient light that the facet reflects. Then for each of litBy() the product of its
+    /// colour, the albedo and the light's height over the facet's plane, in scene units.
     std::size_t stride() const { return 1 + litBy(m_scene); }
     /// How many lights shaders are told of: 1 or more, since without any there is a black one.
     static std::size_t litBy(const scene::Scene& scene) {

@@ -16,8 +16,9 @@ class FacetMeshes {
     /// Of the kinds of draws that the scene has.
     static FacetMeshes of(const scene::Scene& scene, const GpuScene& gpuScene);
 
-    /// Whether every instance can be drawn by facets: none is textured, masked, double-sided or blended, or of a mesh
-    /// that is no FacetSolid at one of its levels. Takes time by the number of instances where some kind cannot.
+    /// Whether every instance can be drawn by facets. None may be textured, masked, double-sided or blended,
+    /// and every mesh must be a FacetSolid at all of its levels. Takes time by the number of instances where
+    /// some kind cannot.
     bool suffice(const scene::Scene& scene, const GpuScene& gpuScene) const;
 
     /// @param kind into GpuScene::kinds(). @param level of detail, 0 for the mesh itself.

@@ -36,12 +36,12 @@ inline constexpr std::size_t kMaxSolidParts = 64;
 /// A solid of at most so many facets has a pattern for each set of them.
 inline constexpr std::size_t kMaxMaskedFacets = 8;
 
-/// A small mesh of plane facets, each of one normal and colour: what can be transformed draw by draw on the
-/// CPU and shaded from a record per facet.
+/// A small mesh of plane facets, each of one normal and colour. The CPU can transform it draw by draw, and it
+/// can be shaded from a record per facet.
 class FacetSolid {
   public:
-    /// Empty where a mesh, at one of its levels, has too many parts, triangles whose corners differ in normal or
-    /// colour, or normals that are not those of its triangles.
+    /// Empty where a mesh, at one of its levels, has too many parts. Also where the corners of a triangle
+    /// differ in normal or colour, or normals are not those of the triangles.
     /// @param indices the mesh's own or a level's.
     static std::optional<FacetSolid> of(const scene::Mesh& mesh, std::span<const std::uint32_t> indices);
 

@@ -36,8 +36,8 @@ namespace {
 constexpr base::EnumNames<Batching, kBatchings.size()> kNames{"batching",
                                                               {"per-object", "push-constants", "instanced"}};
 
-/// A logarithm set at the vertices of a triangle that spans the share e of its distance errs by up to e^2 / 8
-/// of that distance in between; 2 % keeps that below the overlap of cascades (1e-4), so no triangle opens a
+/// A triangle may span the share e of its distance. Then a logarithm set at its vertices errs by up to e^2 / 8
+/// of that distance in between. 2 % keeps that below the overlap of cascades (1e-4), so no triangle opens a
 /// crack.
 constexpr double kLogWideSpan = 0.02;
 

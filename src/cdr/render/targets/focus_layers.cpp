@@ -21,7 +21,7 @@ constexpr auto kImage = vk::DescriptorType::eCombinedImageSampler;
 constexpr auto kBuffer = vk::DescriptorType::eStorageBuffer;
 
 /// How the surfaces of a cascade fade where the next one has begun. They are whole through the first half of
-/// what both draw, so that the soft rim of the farther layer stays hidden, and gone at its end.
+/// what both draw, and gone at its end. So the soft rim of the farther layer stays hidden.
 shaders::LayerFade fadeInto(const CascadeView& cascade, const CascadeView& next) {
     const double farView = cascade.clipRange.farView;
     const double shared = farView - next.clipRange.nearView;

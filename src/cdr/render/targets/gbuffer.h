@@ -36,8 +36,9 @@ gpu::ImageOptions gbufferOptions(vk::Extent2D extent, vk::Format format = kGBuff
 gpu::Image makeGBuffer(const gpu::Device& device, vk::Extent2D extent, const std::string& name,
                        vk::Format format = kGBufferFormat);
 
-/// Of the depth attachment beside a geometry buffer; beside a visibility buffer with a stencil plane, where the device has
-/// one, which marks what is drawn. base::InputError where the device lacks the format.
+/// Of the depth attachment beside a geometry buffer or a visibility buffer. Beside the latter it has a stencil
+/// plane, where the device has one, which marks what is drawn. base::InputError where the device lacks the
+/// format.
 vk::Format depthAttachmentFormat(const gpu::Device& device, depth::DepthFormat format, vk::Format surfaces);
 /// Whether a format has a stencil plane, used or not.
 bool hasStencil(vk::Format depthAttachment);

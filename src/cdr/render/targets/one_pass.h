@@ -6,22 +6,22 @@
 namespace cdr::render {
 
 /// One G-buffer, one depth buffer, one rendering scope, no clear in between. Each cascade owns a slice of the
-/// depth range through the viewport, and nearer cascades the nearer slices: the lower ones, or the upper ones
-/// for reversed depth. Drawn front to back, so early depth tests work across cascades. Slices share no value:
-/// a surface clamped to the far end of one never ties with one clamped to the near end of the next.
+/// depth range, set by the viewport. Nearer cascades own nearer slices: the lower ones, or the upper ones for
+/// reversed depth. Drawn front to back, so early depth tests work across cascades. Slices share no value: a
+/// surface clamped to the far end of one never ties with one clamped to the near end of the next.
 ///
 /// What N slices cost, against a depth range of one's own:
 ///
 /// b-bit integers: every slice has 2^b / N of the 2^b values, log2 N bits less, and 4 values of guard.
 ///
-/// float32: even slices would cost log2 N bits at their far end, and at depth 0, where reversed and anchored
-/// depth live, all that the exponent gives. So slices are cut by exponent: each reaches k octaves down from
-/// the one above, k = min(24, 102 / N), and the lowest to 0. A depth d of the cascade's own lies at v = m + d
-/// (M - m) in the slice [m, M], m = M 2^-k, and its step is float32's at v over M - m. With up to 5 cascades
-/// (k >= 20) nothing is lost above d = 2^-20; with 16 (k = 6) 0.02 bits, and up to one where v enters the
-/// next octave; from 52 on (k = 1) a bit everywhere. Below d = 2^-k steps no longer shrink with d, but in the
-/// lowest slice. That is the far cascade's for reversed depth and the near one's for the rest. It keeps
-/// float's own steps down to d = 2^-24 at least.
+/// float32: even slices would cost log2 N bits at their far end. At depth 0, which reversed and anchored depth
+/// use, they would cost all that the exponent gives. So slices are cut by exponent: each reaches k octaves down
+/// from the one above, k = min(24, 102 / N), and the lowest to 0. A depth d of the cascade's own lies at v = m
+/// + d (M - m) in the slice [m, M], where m = M 2^-k. The step of d is float32's step at v, divided by M - m.
+/// With up to 5 cascades (k >= 20) nothing is lost above d = 2^-20. With 16 (k = 6) 0.02 bits are lost, and up
+/// to one bit where v enters the next octave. From 52 on (k = 1) a bit is lost everywhere. Below d = 2^-k steps
+/// no longer shrink with d, but in the lowest slice. That is the far cascade's for reversed depth and the near
+/// one's for the rest. It keeps float's own steps down to d = 2^-24 at least.
 class OnePassTargets final : public Targets {
   public:
     OnePassTargets(const gpu::Device& device, const TargetsOptions& options);

@@ -9,8 +9,8 @@ namespace cdr::render {
 
 struct TargetsOptions;
 
-/// A secondary command buffer that is recorded once and executed in any rendering scope over the images of targets, by
-/// frames in flight and by the layers of one frame alike.
+/// A secondary command buffer that is recorded once. Any rendering scope over the images of targets can execute
+/// it. Frames in flight and the layers of one frame share it.
 class ScopeSecondary {
   public:
     ScopeSecondary(const gpu::Device& device, const TargetsOptions& options,

@@ -6,8 +6,8 @@
 
 namespace cdr::render {
 
-/// Method 1 of the thesis: one G-buffer and one rendering scope, cascades back to front, depth cleared between, so that
-/// nearer ones draw over farther ones.
+/// Method 1 of the thesis: one G-buffer and one rendering scope. Cascades are drawn back to front, with depth
+/// cleared between them, so that nearer ones draw over farther ones.
 class SingleTargets final : public Targets {
   public:
     SingleTargets(const gpu::Device& device, const TargetsOptions& options);

@@ -37,10 +37,9 @@ class Targets {
     /// Slice of the depth range in which cascade `cascade` of `cascades` draws: all of it, unless they share.
     virtual DepthSlice depthSlice(std::size_t cascade, std::size_t cascades) const;
 
-    /// Has the cascades drawn, so that afterwards gbuffer() holds for each pixel the nearest cascade's
-    /// surface, in the colour attachment layout, written by colour attachment output. The number of cascades
-    /// may change from frame to frame; base::RunError, with both figures, when it asks for more memory than
-    /// there is.
+    /// Has the cascades drawn. Afterwards gbuffer() holds for each pixel the nearest cascade's surface. It is
+    /// in the colour attachment layout, written by colour attachment output. The number of cascades may change
+    /// from frame to frame; base::RunError, with both figures, when it asks for more memory than there is.
     virtual void record(CascadeCommands& commands, const FrameView& view) = 0;
 
     virtual const gpu::Image& gbuffer() const = 0;

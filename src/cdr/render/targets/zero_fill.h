@@ -8,8 +8,8 @@
 
 namespace cdr::render {
 
-/// Fills a G-buffer with background by a draw, in place of a clear: a software device clears pixels of 16 bytes one by one,
-/// which takes three times as long.
+/// Fills a G-buffer with background by a draw, in place of a clear. A software device clears pixels of 16 bytes
+/// one by one, which takes three times as long.
 class ZeroFill {
   public:
     ZeroFill(const gpu::Device& device, const TargetsOptions& options);
