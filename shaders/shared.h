@@ -106,8 +106,8 @@ struct FacetVertex {
 // Most lights by which facets are lit while they are drawn. Each of them takes two varyings, and a software rasteriser pays for
 // every varying of every triangle.
 CDR_CONST kPushedLights = 2u;
-// Where these lights lie in push constants, after the cascade's: view-space x and y, the view distance beyond the cascade's
-// anchor plane, and 1 / half distance^2.
+// Where these lights lie in push constants, after the cascade's. Each has view-space x and y, the view distance beyond the
+// cascade's anchor plane, and 1 / half distance^2.
 CDR_CONST kPushedLightsOffset = 48u;
 
 // A facet that a visibility buffer refers to: what shading needs of its surface. Two texels of four uints.
@@ -130,11 +130,11 @@ struct LightRecord {
         beam; // of a cone: the way it shines, x, y and z of view space, times a scale; an offset. Else 0, 0, 0, 1
 };
 
-// Up to this many lights reach the fragments of the shading pass as flat varyings: with what the header hands over, they
+// Up to this many lights reach the fragments of the shading pass as flat varyings. With what the header hands over, they
 // fill the 64 components that every device has. More are read from the buffer.
 CDR_CONST kFlatLights = 4u;
-// What the shading pass is told in the place of a number of lights: more than these, or any number of which some have a cone
-// or a range, which flat varyings have no room for.
+// What the shading pass is told in the place of a number of lights. The first is for more than these. The second is for any
+// number of which some have a cone or a range. Flat varyings have no room for either.
 CDR_CONST kManyLights = 5u;
 CDR_CONST kShapedLights = 6u;
 

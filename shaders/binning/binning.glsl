@@ -1,5 +1,5 @@
 // What the four passes of GPU-driven binning share: count, scan, fill, commands. Float64 throughout, in the order of the
-// CPU's operations and never contracted, so that both paths decide alike and write the same records to the bit.
+// CPU's operations and never contracted. So both paths decide alike and write the same records to the bit.
 #ifndef CDR_SHADERS_BINNING_GLSL
 #define CDR_SHADERS_BINNING_GLSL
 

@@ -19,8 +19,8 @@ layout(location = kWayLocation) in vec3 inWay[LIGHTS];
 
 layout(location = 0) out vec4 outColor;
 
-// As lightOn() of shading/lighting.glsl for matt surfaces: the cosine there is a height over the facet's plane divided by a
-// distance, and the CPU has multiplied by the height.
+// As lightOn() of shading/lighting.glsl for matt surfaces. The cosine there is a height over the facet's plane divided by a
+// distance. The CPU has multiplied by the height.
 vec3 litColor() {
     vec3 color = inAmbient;
     for (int i = 0; i < LIGHTS; ++i) {

@@ -11,7 +11,8 @@ namespace cdr::shaders {
 
 // What the camera did since the last frame.
 struct MotionHeader {
-    // What its turn adds to right, to up and to the view distance: per unit of right, of up, and as a pair of view distance.
+    // What its turn adds to right, to up and to the view distance. Component x is per unit of right, and y
+    // per unit of up. The pair zw is per unit of view distance.
     vec4 turnRight;
     vec4 turnUp;
     vec4 turnAhead;

@@ -6,7 +6,7 @@
 // - On the CPU, in float64, per object and cascade: ahead0 = dot(forward, centre - eye) - anchorView, then round. That
 //   subtraction is all there is to anchored depth; done in float32 on the GPU it would come too late.
 // - In the vertex shader: ahead = ahead0 + the view distance of the rotated and scaled local vertex; then the functions
-//   below. anchorView is 0 for mappings that are not anchored, so that ahead is the view distance itself.
+//   below. For mappings that are not anchored, anchorView is 0, so ahead is the view distance itself.
 // - Depth range [0, 1] (Vulkan, Direct3D, Metal; glClipControl in OpenGL). Compare LESS_OR_EQUAL, clear to 1; reversed
 //   mappings GREATER_OR_EQUAL, clear to 0. Not LESS: an exhausted buffer rounds to the clear value and draws nothing.
 // - Depth clamp on, and cut by cdrInside() through gl_ClipDistance: clip z cannot cut a thin cascade exactly.
@@ -47,18 +47,18 @@ float cdrLogDepth(float distanceView, CdrDepth depth) {
     return log(max(distanceView * depth.scale, 1e-30)) * depth.offset;
 }
 
-// Clip position under log, set per vertex: right at vertices, and between them off by e^2 / 8 of the distance on a
-// triangle that spans the share e of it.
+// Clip position under log, set per vertex. It is exact at vertices. Between them it is off by e^2 / 8 of the distance on a
+// triangle that spans the share e of the distance.
 // @range ahead: in front of the camera, as cdrLogDepth() says.
 vec4 cdrClipPositionLog(vec2 projected, float ahead, CdrDepth depth) {
     float distanceView = depth.anchorView + ahead;
     return vec4(projected, cdrLogDepth(distanceView, depth) * distanceView, distanceView);
 }
 
-// Clip position under log where the fragment shader sets the depth by cdrLogDepth(): the tangent of log depth at
-// touchView (> 0, best the draw's own distance). It is linear in 1 / w, so on screen, and never above log depth, which
-// is convex in 1 / w. Declare layout(depth_greater) out float gl_FragDepth, and devices that know it keep rejecting
-// fragments before they are shaded.
+// Clip position under log where the fragment shader sets the depth by cdrLogDepth(). It is the tangent of log depth at
+// touchView (> 0, best the draw's own distance). It is linear in 1 / w, so on screen, and never above log depth, which is
+// convex in 1 / w. Declare layout(depth_greater) out float gl_FragDepth, and devices that know it keep rejecting fragments
+// before they are shaded.
 // @range touchView: above 0.
 vec4 cdrClipPositionLogTangent(vec2 projected, float ahead, float touchView, CdrDepth depth) {
     const float kMargin = 2e-6; // covers the roundings of both sides
@@ -80,8 +80,8 @@ vec2 cdrInFront(float distanceView, float nearView) { return vec2(distanceView -
 // Whether a fragment of a wide draw is to be discarded. inside: cdrInside() of its own distance.
 bool cdrIsOutside(vec2 inside) { return inside.x < 0.0 || inside.y < 0.0; }
 
-// One cascade: cdr::depth::CascadeConstants. Two vec4, so that its 32 bytes are the same as push constants, in a uniform
-// buffer, in a storage buffer, and in a constant buffer of HLSL.
+// One cascade: cdr::depth::CascadeConstants. Two vec4. So its 32 bytes are the same as push constants, in a uniform buffer,
+// in a storage buffer, and in a constant buffer of HLSL.
 struct CdrCascade {
     vec4 terms; // CdrDepth's anchorView, scale, offset; what the first leaves out of the float64 anchor
     vec4 range; // nearAhead, farAhead, and what view-space x and y are multiplied by
@@ -96,7 +96,7 @@ CdrDepth cdrDepthOf(CdrCascade cascade) {
     return depth;
 }
 
-// Clip position of a point by its view-space x and y and what lies beyond the anchor, for mappings without a logarithm.
+// Clip position of a point by its view-space x and y and its distance beyond the anchor. For mappings without a logarithm.
 // across: view space, not yet projected.
 vec4 cdrCascadePosition(vec2 across, float ahead, CdrCascade cascade) {
     return cdrClipPosition(across * vec2(cascade.range.z, cascade.range.w), ahead, cdrDepthOf(cascade));

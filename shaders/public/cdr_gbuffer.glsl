@@ -19,8 +19,8 @@ uint cdrCascadeOf(uvec4 texel) { return (texel.w >> 24u) & 0x3fu; }
 // View distance beyond the cascade's anchor plane: metric, whatever the depth mapping.
 float cdrAheadOf(uvec4 texel) { return uintBitsToFloat(texel.z); }
 
-// View distance, metric, as a float and the rest that it leaves out: their difference from another such pair is exact
-// where a float's would be lost.
+// View distance, metric, as a float and the rest that it leaves out. Their difference from another such pair is exact where
+// a float's would be lost.
 // anchorView: Surfaces::anchorsView of the cascade, as a float and the rest of the double that it leaves out.
 vec2 cdrDistanceViewOf(uvec4 texel, vec2 anchorView) { return cdrPairSum(anchorView, cdrAheadOf(texel)); }
 

@@ -1,7 +1,7 @@
-// Places and distances that one float is too coarse for, on devices without float64: the view distance of what the recipe
-// drew, and where objects lie that the device itself moves or culls. The CPU makes one CdrView a frame and one CdrCascade a
-// cascade; places of objects are pairs of floats, as cdr::depth::floatPair() makes them. This file needs GLSL 4.00 or newer,
-// or HLSL by cdr_view.hlsl, and what it includes.
+// Places and distances that one float is too coarse for, on devices without float64. One is the view distance of what the
+// recipe drew. Others are the places of objects that the device itself moves or culls. The CPU makes one CdrView a frame
+// and one CdrCascade a cascade; places of objects are pairs of floats, as cdr::depth::floatPair() makes them. This file
+// needs GLSL 4.00 or newer, or HLSL by cdr_view.hlsl, and what it includes.
 //
 // @units Places and distances are in scene units: world space for what an object and the eye are at, view distances else.
 // @range Places and distances up to 10^19 units, so that products of them stay below a float's greatest number.
@@ -11,8 +11,8 @@
 #include "cdr_depth.glsl"
 #include "cdr_float_pair.glsl"
 
-// View distance, metric, as a float and the rest that it leaves out: what lies `ahead` of the cascade's anchor. Off by at most
-// 2^-47 of it or of the anchor, so that the difference of two such pairs keeps what a float's would lose.
+// View distance, metric, as a float and the rest that it leaves out: what lies `ahead` of the cascade's anchor. Off by at
+// most 2^-47 of it or of the anchor. So the difference of two such pairs keeps what a float's would lose.
 // ahead: as the vertex shader hands it on, or as the G-buffer kept it.
 vec2 cdrDistanceViewPair(float ahead, CdrCascade cascade) {
     return cdrPairSum(vec2(cascade.terms.x, cascade.terms.w), ahead);
@@ -40,7 +40,7 @@ vec2 cdrAlong(vec2 x, vec2 y, vec2 z, vec4 axis, vec4 axisRest) {
                       cdrPairProduct(z, vec2(axis.z, axisRest.z)));
 }
 
-// View-space x and y of a place, and its view distance beyond the cascade's anchor, to which a vertex shader adds what lies
+// View-space x and y of a place, and its view distance beyond the cascade's anchor. A vertex shader adds to it what lies
 // about that place. Off by at most 2^-43 of the numbers that go in: a ten-thousandth of a unit at 10^9 units.
 // place + placeRest: world space.
 vec3 cdrPlace(vec3 place, vec3 placeRest, CdrView view, CdrCascade cascade) {

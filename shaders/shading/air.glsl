@@ -70,7 +70,8 @@ vec2 airPhases(float cosine, float ahead) {
     return vec2(0.1875 * (1.0 + cosine * cosine), 0.25 * (1.0 - squared) / (away * sqrt(away)));
 }
 
-// What is seen with one more piece of the way behind it. heights: of its ends; toSunUp: the cosine between up and the way to the Sun.
+// What is seen with one more piece of the way behind it. heights: of its ends. toSunUp: the cosine between up and the way
+// to the Sun.
 AirSeen airPiece(AirRecord air, AirSeen seen, vec2 heights, float width, float toSunUp, vec2 phases) {
     float middle = 0.5 * (heights.x + heights.y);
     vec2 molecules = airDensities(heights.x, heights.y, air.molecules.w);

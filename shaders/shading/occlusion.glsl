@@ -1,8 +1,8 @@
-// Ambient occlusion from a G-buffer, after McGuire, Mara and Luebke 2012, "Scalable Ambient Obscurance": how much of the
-// half-space above a pixel's surface lies behind surfaces within `radius` (scene units) that the picture shows. Works on
-// metric view distances. The includer defines, for two surfaces of its buffer,
-//   float aheadBetween(uvec4 from, uvec4 to)   the difference of their view distances, and
-//   float distanceOf(uvec4 texel)            the view distance itself, which only scales.
+// Ambient occlusion from a G-buffer, after McGuire, Mara and Luebke 2012, "Scalable Ambient Obscurance". It is the share of
+// the half-space above a pixel's surface that lies behind surfaces which the picture shows within `radius` (scene units).
+// Works on metric view distances. The includer defines two functions for surfaces of its buffer:
+//   float aheadBetween(uvec4 from, uvec4 to)   the difference of their view distances
+//   float distanceOf(uvec4 texel)              the view distance itself, which only scales
 #ifndef CDR_SHADERS_OCCLUSION_GLSL
 #define CDR_SHADERS_OCCLUSION_GLSL
 

@@ -1,8 +1,9 @@
-// How shiny surfaces reflect light: the metallic-roughness material of glTF 2.0 (specification, appendix B), a mix of a
-// dielectric and a metal as B.2 has it. (B.3.5 lets the metal's Fresnel term dim the dielectric's diffuse light too, which
-// takes the colour out of half metals.) Its microfacets are those of Walter et al. 2007, "Microfacet Models for Refraction
-// through Rough Surfaces" (GGX), Smith's shadowing between them in the height-correlated form of Heitz 2014, and Schlick 1994's
-// Fresnel term. All reflectances are times pi, as a light's colour is what a white matt surface that faces it sends back.
+// How shiny surfaces reflect light: the metallic-roughness material of glTF 2.0 (specification, appendix B). It is a mix of
+// a dielectric and a metal as in B.2. B.3.5 lets the metal's Fresnel term dim the dielectric's diffuse light too, which
+// takes the colour out of half metals. The microfacets are those of Walter et al. 2007, "Microfacet Models for Refraction
+// through Rough Surfaces" (GGX). The shadowing between them is Smith's, in the height-correlated form of Heitz 2014. The
+// Fresnel term is that of Schlick 1994. All reflectances are times pi, as a light's colour is what a white matt surface
+// that faces it sends back.
 #ifndef CDR_SHADERS_SHINE_GLSL
 #define CDR_SHADERS_SHINE_GLSL
 
@@ -67,8 +68,9 @@ AmbientShares ambientShares(Shine shine, float facing) {
     return AmbientShares((1.0 - (kDielectric * scaleAndBias.x + scaleAndBias.y)) * shine.diffuse, mirrored);
 }
 
-// The same, fitted to the integral itself (Karis 2013's split sum, with the terms of pointReflectance()): least squares over
-// roughness 0.08 to 1 and all angles. Off by 0.009 on average, by 0.065 at most, where Karis' fit is by 0.12 and 0.42.
+// The same, fitted to the integral itself (Karis 2013's split sum, with the terms of pointReflectance()). The fit is least
+// squares over roughness 0.08 to 1 and all angles. Off by 0.009 on average, by 0.065 at most, where Karis' fit is by 0.12
+// and 0.42.
 const mat4 kMirroredScale = mat4(1.4878, -1.3415, 0.7893, -1.8011,
                               -6.4337, 18.2337, -11.2007, 9.8790,
                               12.4680, -38.2377, 24.2537, -15.5164,

@@ -16,7 +16,7 @@ vec3 skyDiffuse(vec3 normal) {
     return skyOf(0.5 + 0.5 * elevation, zenithInCosineLobe(elevation));
 }
 
-// What a mirror of a roughness sees along a direction: fits to the integral over the lobe of GGX, looked at along its
+// What a mirror of a roughness sees along a direction. This is a fit to the integral over the lobe of GGX, seen along its
 // normal as is usual (Karis 2013). The horizon's step is off by up to 0.07, the slope above it by up to 0.03.
 vec3 skyMirrored(vec3 direction, float roughness) {
     float elevation = dot(direction, header.skyUp.xyz);

@@ -36,8 +36,8 @@ struct CasterPush {
 
 // A map, and how surfaces are compared with it.
 struct ReceiverPush {
-    // The light's axes along the camera's right, up and ahead in xyz; in w where on them the point lies that is straight ahead
-    // of the camera at referenceView.
+    // In xyz, the light's axes along the camera's right, up and ahead. In w, the coordinates on these axes of the point
+    // straight ahead of the camera at referenceView.
     vec4 right;
     vec4 up;
     vec4 ahead;

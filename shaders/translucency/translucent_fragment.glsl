@@ -52,7 +52,7 @@ struct TranslucentFragment {
 };
 
 // Whether the opaque surface of the pixel lies in front. Both distances are metric and as exact as what drew them, so
-// neither cascade nor mapping matters; at the same distance a translucent surface lies on the opaque one.
+// neither cascade nor mapping matters. At the same distance a translucent surface lies on the opaque one.
 bool isOccluded(vec2 distanceView) {
     uvec4 texel = texelFetch(gbuffer, ivec2(gl_FragCoord.xy), 0);
     vec2 anchor = header.anchors[(texel.w >> kIdBits) & kCascadeMask];

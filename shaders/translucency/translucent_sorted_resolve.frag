@@ -12,8 +12,9 @@ layout(push_constant) uniform Push {
 
 layout(location = 0) out vec4 outColor;
 
-// Whether fragment a is laid over fragment b. A total order over all that a fragment shows. So lists of the same
-// fragments come out alike, whoever was first in: by distance, at the same distance by object, in one object by colour.
+// Whether fragment a is laid over fragment b. A total order over all that a fragment shows. So lists of the same fragments
+// come out alike, whichever was first in. The order is by distance, at the same distance by object, and in one object by
+// colour.
 bool isNearer(uint a, uint b) {
     vec2 distanceA = vec2(nodes[a].distance, nodes[a].rest);
     vec2 distanceB = vec2(nodes[b].distance, nodes[b].rest);
