@@ -61,14 +61,11 @@ expect_lines() {
 # The allocator's header that cdr was built with, for hosts that have the allocator too.
 vma_folder=$(sed -n 's/^VMA_INCLUDE_DIR:PATH=//p' "$build_dir/CMakeCache.txt")
 
-# build_example NAME FOLDER [PREFIX [COMPILER_FLAG...]]: a debug program, whatever the library is; nobody debugs it.
+# build_example NAME FOLDER: a debug program, whatever the library is; nobody debugs it.
 build_example() {
-    local name=$1 at=$2 prefix=${3-$work/render}
-    shift 2
-    (($#)) && shift
-    quiet cmake -G Ninja -S "$source_dir/src/examples/$name" -B "$at" -DCMAKE_BUILD_TYPE=Debug \
-        -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror -g0 $*" -DCMAKE_PREFIX_PATH="$prefix" -DVMA_INCLUDE_DIR="$vma_folder"
-    quiet cmake --build "$at"
+    quiet cmake -G Ninja -S "$source_dir/src/examples/$1" -B "$2" -DCMAKE_BUILD_TYPE=Debug \
+        -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror -g0" -DCMAKE_PREFIX_PATH="$work/render" -DVMA_INCLUDE_DIR="$vma_folder"
+    quiet cmake --build "$2"
 }
 
 quiet cmake --install "$build_dir" --component cdr_static --prefix "$work/render"
@@ -82,21 +79,33 @@ expect_headers() {
 }
 expect_headers "$work/render"
 
-# Each installed header compiles alone, twice included, from what is installed.
-compile_alone() {
-    printf '#include <%s>\n#include <%s>\n' "$1" "$1" |
-        c++ -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Werror -DVK_NO_PROTOTYPES -I. -x c++ -
+# Each installed header compiles alone, from what is installed. One that another header includes first is compiled with that
+# one: nothing that could help it comes before, since export.h holds macros alone.
+compile_headers() {
+    printf '#include <%s>\n' "$@" | c++ -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Werror -DVK_NO_PROTOTYPES -I. -x c++ -
 }
-export -f compile_alone
+export -f compile_headers
 headers=$(dirname "$(find "$work/render" -path '*/cdr/base')")
-# shellcheck disable=SC2016 # expanded by the inner shell
-if ! (cd "$headers/.." && find cdr -name '*.h' -print0 |
-    xargs --null --max-args=1 --max-procs="$(nproc)" bash -c 'compile_alone "$1"' compile_alone) >"$work/log" 2>&1; then
-    cat "$work/log" >&2
-    echo "an installed header does not compile alone" >&2
+mapfile -t installed < <(cd "$headers/.." && find cdr -name '*.h' | LC_ALL=C sort)
+included_first() {
+    local header
+    for header in "${installed[@]}"; do
+        sed -n 's/^#include [<"]\(.*\)[>"]$/\1/p' "$headers/../$header" | grep -vxF cdr/base/export.h | sed 1q
+    done | grep '^cdr/' | LC_ALL=C sort -u
+}
+if grep -q '^#include' "$headers/base/export.h"; then
+    echo "export.h includes a header, so that it is no longer like nothing" >&2
     exit 1
 fi
-echo "headers: $(find "$headers" -name '*.h' | wc --lines) are installed, and each compiles alone"
+# shellcheck disable=SC2016 # expanded by the inner shell
+if ! { printf '%s\n' "${installed[@]}" | LC_ALL=C comm -23 - <(included_first) | (cd "$headers/.." &&
+    xargs --max-args=1 --max-procs="$(nproc)" bash -c 'compile_headers "$1"' compile_headers) &&
+    (cd "$headers/.." && compile_headers "${installed[@]}" "${installed[@]}"); } >"$work/log" 2>&1; then
+    cat "$work/log" >&2
+    echo "an installed header does not compile alone, or not twice" >&2
+    exit 1
+fi
+echo "headers: ${#installed[@]} are installed, and each compiles alone"
 
 # The scene alone, and what is said where a package is missing.
 static=("-DCMAKE_PREFIX_PATH=$work/render")
@@ -126,7 +135,6 @@ if [[ $included != *cdr/render/renderer.h* ]] || grep -E '/vulkan[.]hpp|/vk_mem_
     echo "the renderer's interface includes what it should keep inside" >&2
     exit 1
 fi
-build_example moving_world "$work/without_prototypes" "$work/render" -DVK_NO_PROTOTYPES
 calls=$(nm --undefined-only "$(find "$work/render" -name libcdr_gpu.a)" "$(find "$work/render" -name libcdr_render.a)")
 if grep -E ' vk[A-Z]' <<<"$calls" || [[ $(ldd "$work/moving_world/moving_world") == *libvulkan* ]]; then
     echo "the static libraries call Vulkan's functions by name, or their users link the system's loader" >&2
@@ -158,12 +166,14 @@ build_example host_compositing "$work/host_compositing"
 expect_lines "$work/host_compositing/host_compositing"
 echo "render: installed, examples built and run"
 
-# The same from shared libraries, which give out what the installed headers declare and what they call of each other.
-quiet cmake --install "$build_dir" --component cdr_shared --prefix "$work/shared"
-libraries=$(dirname "$(find "$work/shared" -name libcdr_render.so)")
-headers=$(dirname "$(find "$work/shared" -path '*/cdr/base')")
-expect_headers "$work/shared"
-if [[ -n $(find "$work/shared" -name '*.a') ]]; then
+# The same from shared libraries, which give out what the installed headers declare and what they call of each other. They take
+# the static ones' place, so that the examples are linked anew, and compiled anew only where they would be otherwise.
+rm -r "$work/render"
+quiet cmake --install "$build_dir" --component cdr_shared --prefix "$work/render"
+libraries=$(dirname "$(find "$work/render" -name libcdr_render.so)")
+headers=$(dirname "$(find "$work/render" -path '*/cdr/base')")
+expect_headers "$work/render"
+if [[ -n $(find "$work/render" -name '*.a') ]]; then
     echo "the shared package holds static libraries" >&2
     exit 1
 fi
@@ -183,16 +193,16 @@ if [[ -n $unknown ]]; then
     echo "the shared libraries give out what no installed header declares: $unknown" >&2
     exit 1
 fi
-build_example depth_only "$work/shared_depth_only" "$work/shared"
-expect_output "$("$work/shared_depth_only/depth_only")"
+build_example depth_only "$work/depth_only"
+expect_output "$("$work/depth_only/depth_only")"
 for example in moving_world borrowed_device host_compositing; do
-    build_example "$example" "$work/shared_$example" "$work/shared"
-    expect_lines "$work/shared_$example/$example"
-    if [[ $(ldd "$work/shared_$example/$example") != *"$libraries/libcdr_render.so.1.0"* ]]; then
+    build_example "$example" "$work/$example"
+    expect_lines "$work/$example/$example"
+    if [[ $(ldd "$work/$example/$example") != *"$libraries/libcdr_render.so.1.0"* ]]; then
         echo "$example does not use the shared library" >&2
         exit 1
     fi
 done
-build_example ../../tests/package/allocator "$work/shared_allocator" "$work/shared"
-expect_lines "$work/shared_allocator/allocator_host" "$work/allocator.txt"
+build_example ../../tests/package/allocator "$work/allocator"
+expect_lines "$work/allocator/allocator_host" "$work/allocator.txt"
 echo "shared: installed, examples built and run"
