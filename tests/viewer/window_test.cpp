@@ -57,7 +57,7 @@ TEST_F(ViewerTest, FollowsItsSize) {
         "--size 800x480 cubes",
         "wait-frame\nstate\nresize 1 1\nwait-state size=1x1\nwait-frame\nwait-ui 3\nwindow one.png\nstate\n"
         "resize 500 400\nwait-state size=500x400\nwait-frame\nwait-ui 3\nwindow small.png\n"
-        "resize 3840 2160\nwait-state size=3492x2160\nwait-frame\nwait-ui 3\n"
+        "resize 2560 1440\nwait-state size=2212x1440\nwait-frame\nwait-ui 3\n"
         "window large.png\nstate\nresize 800 480\nwait-state size=452x480\nwait-frame\n"
         "wait-ui 3\nwindow back.png\nquit\n");
     const auto states = run.lines("scene=");
@@ -66,8 +66,8 @@ TEST_F(ViewerTest, FollowsItsSize) {
     EXPECT_EQ(picture("one.png").width, 1u);
     EXPECT_EQ(picture("small.png").width, 500u);
     const image::ImageRgba8 large = picture("large.png");
-    EXPECT_EQ(large.width, 3840u);
-    EXPECT_EQ(large.height, 2160u);
+    EXPECT_EQ(large.width, 2560u);
+    EXPECT_EQ(large.height, 1440u);
     EXPECT_GT(brightness(large), 15.0);
     EXPECT_GT(brightness(picture("back.png")), 15.0);
 }

@@ -6,6 +6,7 @@
 #include <scenes/open_scene.h>
 
 #include <memory>
+#include <vector>
 
 namespace cdr::render_test {
 
@@ -134,12 +135,16 @@ TEST_F(OcclusionCullingTest, HoldsGpuDriven) {
     if (!canDrawGpuDriven()) {
         GTEST_SKIP() << "the device cannot draw gpu-driven";
     }
+    std::vector<scene::SceneSetup> others;
+    for (const char* name : {"rotation", "orbit", "mixed"}) {
+        others.push_back(scenes::openScene(name, 2013).setup);
+    }
     for (const char* name : {"standard", "cdr", "log", "anchored"}) {
         RenderOptions options = smallOptions(depth::parseTechnique(name));
         options.submission = render::Submission::gpuDriven;
         EXPECT_GT(expectSamePictures(m_city, options, kStep), 5'000u) << name;
-        for (const char* other : {"rotation", "orbit", "mixed"}) {
-            expectSamePictures(scenes::openScene(other, 2013).setup, options, 90);
+        for (const scene::SceneSetup& other : others) {
+            expectSamePictures(other, options, 90);
         }
     }
     RenderOptions coarse = smallOptions(depth::parseTechnique("standard"));

@@ -80,6 +80,7 @@ TEST_F(ShadowsTest, OffEdgesNextToNonePixelIsWrongAndPlainMapsAreWorse) {
                              Case{"orbit", {0, 120}, true}, Case{"eclipse", {0, 60, 90}}}) {
         const scene::SceneSetup setup = scenes::openScene(each.scene, scenes::kDefaultSeed).setup;
         ShadowTruth truth(setup.scene);
+        const render::GpuScene gpuScene(device(), setup.scene);
         for (const std::uint32_t frame : each.frames) {
             const scene::Camera camera = setup.path.at(frame);
             RenderOptions options = shadowOptions("anchored");
@@ -91,15 +92,18 @@ TEST_F(ShadowsTest, OffEdgesNextToNonePixelIsWrongAndPlainMapsAreWorse) {
                 if (surface == render::SurfacePath::visibility && hasTextures) {
                     continue;
                 }
-                const measure::WrongShadows wrong = wrongShadowsIn(draw(setup.scene, camera, options), rays);
+                const auto wrongWith = [&](const RenderOptions& drawn) {
+                    render::Renderer renderer(device(), setup.scene, gpuScene, drawn);
+                    return wrongShadowsIn(renderer.render(camera), rays);
+                };
+                const measure::WrongShadows wrong = wrongWith(options);
                 EXPECT_GT(wrong.pixels, 4000u) << each.scene;
                 EXPECT_LE(wrong.wrong, 1 + wrong.pixels / 10'000)
                     << each.scene << " frame " << frame << " of " << wrong.pixels;
                 if (each.isDeep && frame == 0) {
                     RenderOptions plain = options;
                     plain.shadows.method = ShadowMethod::plain;
-                    EXPECT_GT(wrongShadowsIn(draw(setup.scene, camera, plain), rays).fraction(),
-                              20.0 * wrong.fraction() + 1e-3);
+                    EXPECT_GT(wrongWith(plain).fraction(), 20.0 * wrong.fraction() + 1e-3);
                 }
             }
         }
