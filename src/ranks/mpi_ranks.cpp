@@ -40,9 +40,15 @@ struct Word {
     std::array<char, 1000> line{};
 };
 
-Word wordOf(const Ending& ending, bool isLast) {
-    Word word{.status = ending.status, .isLast = isLast ? 1 : 0};
+Word wordOf(const Ending& ending) {
+    Word word{.status = ending.status};
     ending.line.copy(word.line.data(), word.line.size() - 1);
+    return word;
+}
+
+Word lastWordOf(const Ending& ending) {
+    Word word = wordOf(ending);
+    word.isLast = 1;
     return word;
 }
 
@@ -151,7 +157,7 @@ class MpiRanks final : public Ranks {
     Ending end(const Ending& mine) override {
         Ending ending{.status = m_status, .line = mine.line};
         if (!m_isOver) {
-            const Word first = firstFailure(exchange(wordOf(named(mine), true)));
+            const Word first = firstFailure(exchange(lastWordOf(named(mine))));
             ending = {.status = first.status, .line = first.line.data()};
         }
         m_watch.reset();
@@ -195,12 +201,11 @@ class MpiRanks final : public Ranks {
 
     /// Waits for all ranks and learns whether each is well.
     void meet(const Ending& mine) {
-        const std::vector<Word> words = exchange(wordOf(named(mine), false));
+        const std::vector<Word> words = exchange(wordOf(named(mine)));
         Word first = firstFailure(words);
         if (first.status == 0 &&
             std::any_of(words.begin(), words.end(), [](const Word& word) { return word.isLast != 0; })) {
-            first = wordOf({.status = 1, .line = "ranks did different work; was a file changed meanwhile?"},
-                           false);
+            first = wordOf({.status = 1, .line = "ranks did different work; was a file changed meanwhile?"});
         }
         requireWell(first);
     }
@@ -317,7 +322,7 @@ class MpiRanks final : public Ranks {
             }
         } catch (...) {
             stop();
-            word = wordOf(named(m_explain(std::current_exception())), false);
+            word = wordOf(named(m_explain(std::current_exception())));
         }
         MPI_Send(&word, sizeof word, MPI_BYTE, 0, kDoneTag, MPI_COMM_WORLD);
     }
@@ -353,7 +358,7 @@ class MpiRanks final : public Ranks {
             m_own = std::current_exception();
         }
         receiver.join();
-        return m_own ? wordOf(m_explain(m_own), false) : firstFailure(inbox.endings);
+        return m_own ? wordOf(m_explain(m_own)) : firstFailure(inbox.endings);
     }
 
     /// Whether all other ranks have sent their last.

@@ -58,12 +58,12 @@ Face groundAt(const glm::dvec3& origin) {
 /// Puts flat objects on faces, each in a layer.
 class Yard {
   public:
-    explicit Yard(scene::Scene& scene, bool hasLayers) : m_builder(scene), m_hasLayers(hasLayers) {}
+    explicit Yard(scene::Scene& scene) : m_builder(scene) {}
 
     SceneBuilder& builder() { return m_builder; }
 
     std::uint32_t material(const std::string& name, const glm::vec3& color, int layer = 0) {
-        const float offset = m_hasLayers ? static_cast<float>(layer) * kCoplanarLayer : 0.0f;
+        const float offset = static_cast<float>(layer) * kCoplanarLayer;
         return m_builder.addMaterial(
             {.name = name, .baseColorFactor = glm::vec4(color, 1.0f), .layer = offset});
     }
@@ -81,7 +81,6 @@ class Yard {
 
   private:
     SceneBuilder m_builder;
-    bool m_hasLayers;
 };
 
 /// A map: land, parcels on it, roads across them, markings on the roads.
@@ -163,14 +162,14 @@ void addThinWall(Yard& yard) {
 
 } // namespace
 
-scene::SceneSetup makeCoplanar(bool hasLayers) {
+scene::SceneSetup makeCoplanar() {
     scene::SceneSetup setup;
     scene::Scene& scene = setup.scene;
     scene.name = "coplanar";
     scene.ambient = glm::vec3(0.35f);
     scene.background = glm::vec3(0.35f, 0.5f, 0.7f);
     scene.lights.push_back(farLight({0.5, 0.8, 0.6}, 1e9));
-    Yard yard(scene, hasLayers);
+    Yard yard(scene);
     addMap(yard);
     addBuilding(yard);
     addMachines(yard);

@@ -15,8 +15,7 @@ inline constexpr float kCoplanarLayer = 0.002f;
 /// and windows on walls, and posters over posters. They are turned, and cut into other triangles than what they lie on. Two
 /// machines have plates that overlap, and one model is imported twice. Each has a layer, so each place has one right
 /// answer. Behind a thin wall lies a red sign that must never shine through it. Units are metres.
-/// @param hasLayers false: all layers are 0, and what is seen is what the order of drawing and rounding make of it.
-scene::SceneSetup makeCoplanar(bool hasLayers = true);
+scene::SceneSetup makeCoplanar();
 
 /// A random view of makeCoplanar(): from 2 to 2,000 around it, from above the ground, steep or grazing.
 scene::Camera coplanarView(std::uint64_t seed, std::uint32_t view);

@@ -22,7 +22,7 @@ constexpr double kBend = 0.14; ///< of a corner cut at 45 degrees
 
 struct Stroke {
     std::vector<glm::dvec2> points;
-    bool closed = false;
+    MarkingPaint::Ends ends = MarkingPaint::Ends::open;
 };
 
 /// A ring with its corners cut, between two heights.
@@ -35,7 +35,7 @@ Stroke ring(double bottom, double top) {
              {kRight - kBend, top},
              {kLeft + kBend, top},
              {kLeft, top - kBend}},
-            true};
+            MarkingPaint::Ends::joined};
 }
 
 std::vector<Stroke> strokesOf(char character) {
@@ -95,7 +95,8 @@ void MarkingPaint::quad(const glm::dvec2& a, const glm::dvec2& b, const glm::dve
     }
 }
 
-void MarkingPaint::stroke(std::span<const glm::dvec2> points, double width, bool closed) {
+void MarkingPaint::stroke(std::span<const glm::dvec2> points, double width, Ends joins) {
+    const bool closed = joins == Ends::joined;
     const std::size_t count = points.size();
     const auto direction = [&](std::size_t from) {
         return glm::normalize(points[(from + 1) % count] - points[from]);
@@ -126,7 +127,7 @@ void MarkingPaint::text(std::string_view characters, double height) {
             for (glm::dvec2& point : part.points) {
                 point = glm::dvec2(left, -0.5 * height) + height * point;
             }
-            stroke(part.points, kStroke * height, part.closed);
+            stroke(part.points, kStroke * height, part.ends);
         }
         left += height * (kWidth + kSpacing);
     }

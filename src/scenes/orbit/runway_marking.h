@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,11 +15,13 @@ namespace cdr::scenes {
 /// rolls along the runway. For a runway to the east, right is world z and ahead is world x.
 class MarkingPaint {
   public:
+    /// Whether a stroke's last point is joined to its first.
+    enum class Ends : std::uint8_t { open, joined };
+
     explicit MarkingPaint(std::string name) { m_mesh.name = std::move(name); }
 
     /// A stroke of even width along points, mitred where it bends.
-    /// @param closed joins the last point to the first.
-    void stroke(std::span<const glm::dvec2> points, double width, bool closed);
+    void stroke(std::span<const glm::dvec2> points, double width, Ends joins);
     void rectangle(const glm::dvec2& low, const glm::dvec2& high);
     /// Characters of `height` side by side, their middle at the origin. base::InputError for one that is not
     /// among 0 2 7 9 L R.

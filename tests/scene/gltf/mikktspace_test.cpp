@@ -18,6 +18,7 @@ namespace {
 using gltf::TangentCorner;
 
 constexpr std::uint64_t kPlenty = std::uint64_t{1} << 30u;
+constexpr auto kFirst = gltf::UvPlaces::Tangents::first;
 constexpr const char* kAbsent = "cdr was built without MikkTSpace: third_party/mikktspace.sh fetches it";
 
 class GltfMikkTSpace : public GltfFolder {
@@ -186,7 +187,7 @@ std::vector<glm::dvec4> referenceOf(const std::vector<TangentCorner>& corners) {
 void expectReference(const SourceMesh& source, const char* name) {
     const std::vector<glm::dvec4> expected = referenceOf(cornersOf(source));
     SourceMesh mesh = source;
-    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(mesh, false, kPlenty), std::nullopt) << name;
+    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(mesh, kFirst, kPlenty), std::nullopt) << name;
     ASSERT_EQ(mesh.indices.size(), source.indices.size());
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         const auto position = [&](std::size_t c) { return source.vertices[source.indices[c]].position; };
@@ -211,7 +212,7 @@ TEST_F(GltfMikkTSpace, AgreesWithTheDefinition) {
 
 TEST_F(GltfMikkTSpace, UGrowsAlongTheTangentAndTheSignIsThatOfGltf) {
     SourceMesh mesh = plane();
-    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(mesh, false, kPlenty), std::nullopt);
+    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(mesh, kFirst, kPlenty), std::nullopt);
     ASSERT_EQ(mesh.details.size(), 12u); // nothing was split
     for (const VertexDetail& detail : mesh.details) {
         EXPECT_NEAR(glm::distance(detail.tangent, glm::vec4(1, 0, 0, 1)), 0.0f, 1e-6f);
@@ -221,7 +222,7 @@ TEST_F(GltfMikkTSpace, UGrowsAlongTheTangentAndTheSignIsThatOfGltf) {
 TEST_F(GltfMikkTSpace, OnlyVerticesOfBothSensesBecomeTwo) {
     const SourceMesh before = mirrored();
     SourceMesh mesh = before;
-    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(mesh, false, kPlenty), std::nullopt);
+    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(mesh, kFirst, kPlenty), std::nullopt);
     ASSERT_EQ(mesh.vertices.size(), before.vertices.size() + 4);
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const float x = mesh.vertices[i].position.x;
@@ -237,7 +238,7 @@ TEST_F(GltfMikkTSpace, AFlatTextureGivesAnyDirectionInThePlane) {
     SourceMesh mesh = grid(2, 2, [](double x, double y) -> TangentCorner {
         return {{0, x, y}, {1, 0, 0}, {0.25, 0.5}};
     });
-    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(mesh, false, kPlenty), std::nullopt);
+    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(mesh, kFirst, kPlenty), std::nullopt);
     for (const VertexDetail& detail : mesh.details) {
         EXPECT_NEAR(glm::length(glm::vec3(detail.tangent)), 1.0f, 1e-6f);
         EXPECT_NEAR(detail.tangent.x, 0.0f, 1e-6f);
@@ -249,14 +250,14 @@ TEST_F(GltfMikkTSpace, TrianglesWithoutExtentChangeNothing) {
     SourceMesh with = bumps();
     with.indices.insert(with.indices.end(), {0, 0, 1, 5, 5, 5});
     SourceMesh without = bumps();
-    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(with, false, kPlenty), std::nullopt);
-    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(without, false, kPlenty), std::nullopt);
+    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(with, kFirst, kPlenty), std::nullopt);
+    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(without, kFirst, kPlenty), std::nullopt);
     ASSERT_EQ(with.details.size(), without.details.size());
     for (std::size_t i = 0; i < with.details.size(); ++i) {
         EXPECT_EQ(with.details[i].tangent, without.details[i].tangent);
     }
     with.indices = {3, 3, 3};
-    EXPECT_EQ(gltf::deriveMikkTSpaceTangents(with, false, kPlenty), std::nullopt);
+    EXPECT_EQ(gltf::deriveMikkTSpaceTangents(with, kFirst, kPlenty), std::nullopt);
     EXPECT_NEAR(glm::dot(glm::vec3(with.details[3].tangent), with.vertices[3].normal), 0.0f, 1e-6f);
 }
 
@@ -294,7 +295,7 @@ TEST_F(GltfMikkTSpace, GoesNoFurtherThanItsLimits) {
 TEST_F(GltfMikkTSpace, AMeshThatItIsNotForStaysAsItWas) {
     const auto expectUnchanged = [](const SourceMesh& source, std::uint64_t bytes, const char* reason) {
         SourceMesh mesh = source;
-        EXPECT_EQ(gltf::deriveMikkTSpaceTangents(mesh, false, bytes), reason);
+        EXPECT_EQ(gltf::deriveMikkTSpaceTangents(mesh, kFirst, bytes), reason);
         EXPECT_EQ(mesh.indices, source.indices);
         EXPECT_EQ(mesh.vertices.size(), source.vertices.size());
         EXPECT_EQ(mesh.details.front().tangent, VertexDetail{}.tangent);
@@ -303,7 +304,7 @@ TEST_F(GltfMikkTSpace, AMeshThatItIsNotForStaysAsItWas) {
     expectUnchanged(plane(), 1u << 22u, "MikkTSpace would take too much memory");
     expectUnchanged(fan(3'000), kPlenty, "too many triangles meet at a point for MikkTSpace");
     SourceMesh disc = fan(1'000);
-    EXPECT_EQ(gltf::deriveMikkTSpaceTangents(disc, false, kPlenty), std::nullopt);
+    EXPECT_EQ(gltf::deriveMikkTSpaceTangents(disc, kFirst, kPlenty), std::nullopt);
     SourceMesh apart = fan(3'000); // the same, where no two triangles share a vertex
     SourceMesh copies;
     for (const std::uint32_t index : apart.indices) {
@@ -349,7 +350,7 @@ Document fileOf(const SourceMesh& mesh) {
 
 TEST_F(GltfMikkTSpace, FilesWithoutTangentsGetThem) {
     SourceMesh expected = bumps();
-    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(expected, false, kPlenty), std::nullopt);
+    ASSERT_EQ(gltf::deriveMikkTSpaceTangents(expected, kFirst, kPlenty), std::nullopt);
     const GltfImport result = load(fileOf(bumps()));
     const Mesh& mesh = result.scene.meshes.at(0);
     EXPECT_TRUE(result.ignored.empty());
@@ -396,7 +397,7 @@ TEST_F(GltfMikkTSpace, VerticesThatBecomeTwoMoveAsTheOneOfTheFile) {
 
 TEST_F(GltfMikkTSpace, WhatItIsNotForIsDerivedOtherwiseWithANote) {
     SourceMesh expected = bumps();
-    gltf::deriveTangents(expected, false);
+    gltf::deriveTangents(expected, kFirst);
     GltfLimits limits;
     limits.maxBytes = 1u << 21u;
     const GltfImport result = load(fileOf(bumps()), limits);

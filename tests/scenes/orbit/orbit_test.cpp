@@ -76,7 +76,7 @@ TEST(RunwayMarking, StrokesAreAsWideAtTheirBendsAsBetweenThem) {
         length += glm::distance(ring[i], ring[(i + 1) % ring.size()]);
     }
     MarkingPaint paint("ring");
-    paint.stroke(ring, 0.25, true);
+    paint.stroke(ring, 0.25, MarkingPaint::Ends::joined);
     EXPECT_NEAR(areaOf(paint.mesh()), 0.25 * length, 1e-12);
 }
 

@@ -204,9 +204,10 @@ std::uint64_t Importer::readBounded(int mesh) {
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
         triangles += drawnTriangleCount(source.primitives[i], m_accessors);
         const Primitive& primitive = source.primitives[i];
-        m_memory.add(
-            predictBytes(primitive, m_accessors, mayHaveDetail(m_sources.document.root, primitive.material)),
-            placeOf(mesh, source.name, i));
+        const VertexKind kind = mayHaveDetail(m_sources.document.root, primitive.material)
+                                    ? VertexKind::detailed
+                                    : VertexKind::plain;
+        m_memory.add(predictBytes(primitive, m_accessors, kind), placeOf(mesh, source.name, i));
     }
     return triangles;
 }

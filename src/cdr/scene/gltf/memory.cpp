@@ -34,11 +34,12 @@ std::uint64_t positionCount(const Primitive& primitive, Accessors& accessors) {
 }
 
 /// Of points and lines.
-PrimitiveBytes predictSolids(std::uint64_t solids, bool hasDetail) {
+PrimitiveBytes predictSolids(std::uint64_t solids, VertexKind kind) {
     const std::uint64_t vertices = kSolidCorners * solids;
     const std::uint64_t indices = kSolidIndices.size() * solids;
     PrimitiveBytes bytes;
-    bytes.kept = vertices * (sizeof(Vertex) + (hasDetail ? sizeof(VertexDetail) : 0)) + indices * kIndexBytes;
+    bytes.kept = vertices * (sizeof(Vertex) + (kind == VertexKind::detailed ? sizeof(VertexDetail) : 0)) +
+                 indices * kIndexBytes;
     bytes.passing = bytes.kept + vertices * (sizeof(glm::dvec3) + kTablesPerVertex * kIndexBytes) +
                     indices * kIndexBytes + solids * sizeof(SolidEnds);
     return bytes;
@@ -46,9 +47,9 @@ PrimitiveBytes predictSolids(std::uint64_t solids, bool hasDetail) {
 
 } // namespace
 
-PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors, bool hasDetail) {
+PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors, VertexKind kind) {
     if (groundOf(primitive) != Ground::surface) {
-        return predictSolids(solidCount(primitive, accessors), hasDetail);
+        return predictSolids(solidCount(primitive, accessors), kind);
     }
     const std::uint64_t corners = 3 * triangleCount(primitive, accessors);
     const std::uint64_t positions = positionCount(primitive, accessors);
@@ -56,7 +57,7 @@ PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors, bo
     const bool isShared = primitive.attributes.contains("NORMAL");
     const std::uint64_t vertices = isShared ? std::min(corners, positions) : corners;
     PrimitiveBytes bytes;
-    if (hasDetail) {
+    if (kind == VertexKind::detailed) {
         // Deriving tangents may make twice as many vertices. MikkTSpace runs only in memory that is left beside (mesh.cpp).
         const std::uint64_t most = isShared ? std::min(corners, 2 * vertices) : corners;
         bytes.kept = most * (sizeof(Vertex) + sizeof(VertexDetail)) + corners * kIndexBytes;

@@ -14,11 +14,13 @@ struct PrimitiveBytes {
     std::uint64_t passing = 0; ///< besides, while it is imported
 };
 
+/// Whether vertices may need scene::VertexDetail beside themselves.
+enum class VertexKind : std::uint8_t { plain, detailed };
+
 /// What importing a primitive takes at most, except for the rows of triangles that pieces share at their seams.
 /// A small file can name large counts: elements without bytes are zeros, and repeated indices take bytes for
 /// each vertex that they name.
-/// @param hasDetail whether its vertices may need scene::VertexDetail.
-PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors, bool hasDetail);
+PrimitiveBytes predictBytes(const Primitive& primitive, Accessors& accessors, VertexKind kind);
 
 /// Adds up what an import is about to take, and refuses what would go over the limit.
 class MemoryPrediction {

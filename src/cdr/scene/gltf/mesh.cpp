@@ -107,7 +107,7 @@ std::optional<SourcePrimitive> MeshImporter::readTriangles(const Primitive& prim
     }
     if (uv.tangents != UvPlaces::Tangents::none && attributes.tangent == nullptr) {
         const std::vector<std::uint32_t> before = source.mesh.indices;
-        addTangents(source.mesh, primitive, uv.tangents == UvPlaces::Tangents::second, where);
+        addTangents(source.mesh, primitive, uv.tangents, where);
         source.fileVertices.resize(source.mesh.vertices.size());
         for (std::size_t i = 0; i < before.size(); ++i) { // a vertex may have become several
             source.fileVertices[source.mesh.indices[i]] = source.fileVertices[before[i]];
@@ -116,12 +116,13 @@ std::optional<SourcePrimitive> MeshImporter::readTriangles(const Primitive& prim
     return source;
 }
 
-void MeshImporter::addTangents(SourceMesh& mesh, const Primitive& primitive, bool second,
+void MeshImporter::addTangents(SourceMesh& mesh, const Primitive& primitive, UvPlaces::Tangents along,
                                const std::string& where) {
-    const std::uint64_t spare = m_memory.leftBeside(predictBytes(primitive, m_accessors, true));
-    if (const std::optional<std::string> reason = deriveMikkTSpaceTangents(mesh, second, spare)) {
+    const std::uint64_t spare =
+        m_memory.leftBeside(predictBytes(primitive, m_accessors, VertexKind::detailed));
+    if (const std::optional<std::string> reason = deriveMikkTSpaceTangents(mesh, along, spare)) {
         m_notes.add(fmt::format("its tangents are not MikkTSpace's: {}", *reason), where);
-        deriveTangents(mesh, second);
+        deriveTangents(mesh, along);
     }
 }
 

@@ -53,7 +53,8 @@ class MeshImporter {
     std::optional<SourcePrimitive> readTriangles(const Primitive& primitive, const UvPlaces& uv,
                                                  const std::string& where);
     /// Those that the file lacks.
-    void addTangents(SourceMesh& mesh, const Primitive& primitive, bool second, const std::string& where);
+    void addTangents(SourceMesh& mesh, const Primitive& primitive, UvPlaces::Tangents along,
+                     const std::string& where);
     /// Nothing when the primitive has no points or lines with an extent.
     std::optional<SourcePrimitive> readSolids(const Primitive& primitive, const UvPlaces& uv,
                                               std::optional<double> radius, const std::string& where);

@@ -165,7 +165,7 @@ bool hasJoints(const Primitive& primitive) {
 }
 
 PrimitiveBytes predictDeformer(const Primitive& primitive, Accessors& accessors) {
-    const PrimitiveBytes mesh = predictBytes(primitive, accessors, true);
+    const PrimitiveBytes mesh = predictBytes(primitive, accessors, VertexKind::detailed);
     // Its vertices at rest and at a moment; all that its file says of each.
     const std::uint64_t vertices = mesh.kept / sizeof(Vertex) + 1;
     return {.kept = 2 * mesh.kept + vertices * (sizeof(std::size_t) +

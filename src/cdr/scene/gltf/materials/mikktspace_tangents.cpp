@@ -25,9 +25,10 @@ constexpr std::uint64_t kMeetingsPerCorner = 64;
 /// For meshes that are small: about a disc of a thousand triangles.
 constexpr std::uint64_t kFewMeetings = 1u << 20u;
 
-TangentCorner cornerOf(const SourceMesh& mesh, std::uint32_t vertex, bool second) {
+TangentCorner cornerOf(const SourceMesh& mesh, std::uint32_t vertex, UvPlaces::Tangents along) {
     const Vertex& source = mesh.vertices[vertex];
-    return {source.position, source.normal, second ? mesh.details[vertex].uv : source.uv};
+    return {source.position, source.normal,
+            along == UvPlaces::Tangents::second ? mesh.details[vertex].uv : source.uv};
 }
 
 /// The places in the index list of those corners whose triangles have no two corners at one position.
@@ -47,7 +48,8 @@ std::vector<std::uint32_t> drawnCorners(const SourceMesh& mesh) {
 }
 
 /// Over all vertices, the square of how many corners are there. Vertices that are equal are one.
-std::uint64_t meetingsOf(const SourceMesh& mesh, const std::vector<std::uint32_t>& corners, bool second) {
+std::uint64_t meetingsOf(const SourceMesh& mesh, const std::vector<std::uint32_t>& corners,
+                         UvPlaces::Tangents along) {
     std::vector<std::uint32_t> uses(mesh.vertices.size(), 0);
     for (const std::uint32_t corner : corners) {
         ++uses[mesh.indices[corner]];
@@ -55,7 +57,7 @@ std::uint64_t meetingsOf(const SourceMesh& mesh, const std::vector<std::uint32_t
     std::vector<std::uint32_t> order(mesh.vertices.size());
     std::iota(order.begin(), order.end(), 0u);
     const auto key = [&](std::uint32_t vertex) {
-        const TangentCorner c = cornerOf(mesh, vertex, second);
+        const TangentCorner c = cornerOf(mesh, vertex, along);
         return std::tuple(c.position.x, c.position.y, c.position.z, c.normal.x, c.normal.y, c.normal.z,
                           c.uv.x, c.uv.y);
     };
@@ -139,7 +141,8 @@ glm::vec4 usable(const glm::vec4& tangent, const glm::vec3& normal) {
 
 } // namespace
 
-std::optional<std::string> deriveMikkTSpaceTangents(SourceMesh& mesh, bool second, std::uint64_t bytes) {
+std::optional<std::string> deriveMikkTSpaceTangents(SourceMesh& mesh, UvPlaces::Tangents along,
+                                                    std::uint64_t bytes) {
     const std::uint64_t tables = kTableBytes * mesh.indices.size();
     if (!hasMikkTSpace()) {
         return "cdr was built without MikkTSpace";
@@ -148,10 +151,10 @@ std::optional<std::string> deriveMikkTSpaceTangents(SourceMesh& mesh, bool secon
         return "MikkTSpace would take too much memory";
     }
     const std::vector<std::uint32_t> corners = drawnCorners(mesh);
-    if (meetingsOf(mesh, corners, second) > kFewMeetings + kMeetingsPerCorner * corners.size()) {
+    if (meetingsOf(mesh, corners, along) > kFewMeetings + kMeetingsPerCorner * corners.size()) {
         return "too many triangles meet at a point for MikkTSpace";
     }
-    const auto cornerAt = [&](std::size_t i) { return cornerOf(mesh, mesh.indices[corners[i]], second); };
+    const auto cornerAt = [&](std::size_t i) { return cornerOf(mesh, mesh.indices[corners[i]], along); };
     const base::Result<std::vector<glm::vec4>> tangents =
         mikkTSpace(corners.size(), cornerAt, {.bytes = bytes - tables});
     if (!tangents) {

@@ -95,7 +95,7 @@ glm::vec3 anyTangent(const glm::vec3& normal) {
     return glm::normalize(axis - normal * glm::dot(axis, normal));
 }
 
-void deriveTangents(SourceMesh& mesh, bool second) {
+void deriveTangents(SourceMesh& mesh, UvPlaces::Tangents along) {
     Senses senses(mesh);
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         std::array<glm::dvec3, 3> positions;
@@ -103,7 +103,8 @@ void deriveTangents(SourceMesh& mesh, bool second) {
         for (std::size_t c = 0; c < 3; ++c) {
             const std::uint32_t vertex = mesh.indices[i + c];
             positions[c] = glm::dvec3(mesh.vertices[vertex].position);
-            uv[c] = glm::dvec2(second ? mesh.details[vertex].uv : mesh.vertices[vertex].uv);
+            uv[c] = glm::dvec2(along == UvPlaces::Tangents::second ? mesh.details[vertex].uv
+                                                                   : mesh.vertices[vertex].uv);
         }
         const TextureFrame frame = frameOf(positions, uv);
         if (frame.tangent == glm::dvec3(0.0)) {

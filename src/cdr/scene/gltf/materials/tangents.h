@@ -1,5 +1,7 @@
 #pragma once
 
+#include "uv_places.h"
+
 #include <cdr/scene/lod/mesh_pieces.h>
 
 namespace cdr::scene::gltf {
@@ -7,8 +9,8 @@ namespace cdr::scene::gltf {
 /// Works out the tangents of a mesh whose file has none, where MikkTSpace cannot (mikktspace_tangents.h). Each corner has
 /// the direction in which u grows on its triangle. It is turned into the plane of the vertex' normal, and weighted by the
 /// corner's angle. A vertex between triangles that run through their texture in opposite senses becomes two.
-/// @param mesh with details. @param second whether tangents follow VertexDetail::uv; else Vertex::uv.
-void deriveTangents(SourceMesh& mesh, bool second);
+/// @param mesh with details. @param along the place of textures that tangents follow.
+void deriveTangents(SourceMesh& mesh, UvPlaces::Tangents along);
 
 /// Any unit vector at a right angle to a unit normal.
 glm::vec3 anyTangent(const glm::vec3& normal);
