@@ -242,7 +242,7 @@ TEST_F(FlickerTest, RivalsHaveFiguresAndNoPictures) {
     auto with = runFlicker(device(), options, watcher.hooks());
     ASSERT_EQ(with.size(), 3u);
     const FlickerResult rival = with.back();
-    EXPECT_TRUE(rival.isRival);
+    EXPECT_TRUE(rival.isRival());
     EXPECT_EQ(rival.flipFrames, 0u);
     EXPECT_EQ(rival.wrong.pixels, with.front().wrong.pixels);
     EXPECT_EQ(rival.wrong.wrong, with[1].wrong.wrong); // as anchored

@@ -24,7 +24,8 @@ TEST_F(Probe, PredictionsHoldOverTechniquesFormatsAndDistances) {
     ranks::OneProcess alone;
     for (const ProbeResult& row : runProbe(
              device(), options, [](auto, auto, const auto&) {}, alone)) {
-        const std::string name = row.technique + " " + row.format + " at " + std::to_string(row.distanceView);
+        const std::string name = row.technique + " " + std::string(nameOf(row.format.value())) + " at " +
+                                 std::to_string(row.distanceView);
         if (!row.resolvedView) {
             EXPECT_GT(row.predictedView, row.largestView / 4.0) << name;
             continue;

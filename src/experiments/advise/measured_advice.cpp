@@ -88,8 +88,7 @@ depth::Advice measureAdvice(const gpu::Device& device, const depth::AdviceQuesti
     std::vector<std::optional<depth::Measurement>> measurements;
     for (const depth::AdviceRow& row : predicted.rows) {
         const auto result = std::find_if(probed.begin(), probed.end(), [&](const ProbeResult& candidate) {
-            return candidate.technique == nameOf(row.technique) &&
-                   candidate.format == nameOf(row.technique.format);
+            return candidate.technique == nameOf(row.technique) && candidate.format == row.technique.format;
         });
         const auto cost = std::find_if(timed.begin(), timed.end(), [&](const TimingResult& candidate) {
             return candidate.mode.name == nameOf(row.technique);

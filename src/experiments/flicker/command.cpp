@@ -49,7 +49,8 @@ experiments::Columns<experiments::FlickerResult> flickerColumns() {
           {.key = "mean_flip",
            .value =
                [](const Result& result) {
-                   return result.isRival ? experiments::Json(nullptr) : experiments::Json(result.meanFlip());
+                   return result.isRival() ? experiments::Json(nullptr)
+                                           : experiments::Json(result.meanFlip());
                },
            .heading = "mean FLIP",
            .format = {.missing = "-"}},

@@ -74,11 +74,11 @@ class Flicker {
                                               .height = options.height,
                                               .technique = technique,
                                               .threads = options.threads};
-            addLane(name, nameOf(technique.format),
+            addLane(name, technique.format,
                     Drawer(std::make_unique<render::Renderer>(device, m_setup.scene, m_gpuScene, drawn)));
         }
         for (const auto& [name, rival] : options.rivalsBeside) {
-            addLane(name, "",
+            addLane(name, std::nullopt,
                     Drawer(device, {m_setup.scene, m_gpuScene}, rival, {options.width, options.height},
                            m_workers));
         }
@@ -110,12 +110,10 @@ class Flicker {
     }
 
   private:
-    /// @param format empty for a rival.
-    void addLane(const std::string& name, std::string_view format, Drawer drawer) {
+    void addLane(const std::string& name, std::optional<depth::DepthFormat> format, Drawer drawer) {
         FlickerResult& result = m_state.results.emplace_back();
         result.scene = m_setup.scene.name;
         result.technique = name;
-        result.isRival = format.empty();
         result.format = format;
         m_lanes.push_back({.drawer = std::move(drawer)});
     }

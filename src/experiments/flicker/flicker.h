@@ -39,8 +39,7 @@ struct FlickerOptions {
 struct FlickerResult {
     std::string scene;
     std::string technique;
-    bool isRival = false;
-    std::string format; ///< of the depth buffer; empty for a rival, which has keys of 64 bits
+    std::optional<depth::DepthFormat> format; ///< none for a rival, which has keys of 64 bits
     std::uint32_t frames = 0;
     measure::WrongPixels wrong;   ///< summed over the frames
     measure::FlipCount flips;     ///< summed over neighbouring frames
@@ -49,6 +48,7 @@ struct FlickerResult {
     double duplicationSum = 0.0;  ///< of each frame's draws per visible instance
     std::size_t cascades = 0;     ///< the most of any frame
 
+    bool isRival() const { return !format; }
     /// Mean FLIP against the truth-ordered render (measure::orderByTruth), over all pixels.
     double meanFlip() const { return flipFrames ? flipSum / flipFrames : 0.0; }
     double duplication() const { return frames ? duplicationSum / frames : 1.0; }

@@ -36,12 +36,12 @@ experiments::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit uni
         return base::quantityText(view, unit, base::NumberStyle::plain);
     };
     const auto resolvedText = [text](const Result& result) {
-        const char* orLess = result.isRival && result.resolvesAll ? " or less" : "";
+        const char* orLess = result.isRival() && result.resolvesAll ? " or less" : "";
         return result.resolvedView ? text(*result.resolvedView) + orLess
                                    : "none, > " + text(result.largestView);
     };
     const auto predictedText = [unit](const Result& result) {
-        return result.isRival ? std::string()
+        return result.isRival() ? std::string()
                : std::isfinite(result.predictedView)
                    ? fmt::format("{}", experiments::Readable{result.predictedView, unit})
                    : "none";
@@ -62,7 +62,7 @@ experiments::Columns<experiments::ProbeResult> probeColumns(base::LengthUnit uni
         {.key = "resolves_all",
          .value =
              [](const Result& result) {
-                 return result.isRival ? experiments::Json(result.resolvesAll) : experiments::absent();
+                 return result.isRival() ? experiments::Json(result.resolvesAll) : experiments::absent();
              }},
         {.key = "predicted",
          .value = [](const Result& result) { return experiments::finiteOrNull(result.predictedView); },

@@ -128,10 +128,9 @@ class Prober {
                  std::vector<ProbeResult>& results) const {
         const scenes::LadderOptions ladder = probeLadder(distanceView, m_options.nearView, m_options.farView);
         auto probed = all.begin();
-        const auto add = [&](const std::string& name, std::string_view format) {
+        const auto add = [&](const std::string& name, std::optional<depth::DepthFormat> format) {
             ProbeResult& row = results.emplace_back();
             row.technique = name;
-            row.isRival = format.empty();
             row.format = format;
             row.distanceView = distanceView;
             row.resolvedView = probed->resolvedView;
@@ -145,11 +144,11 @@ class Prober {
         };
         for (const auto& [name, technique] : m_options.techniques) {
             for (const depth::DepthFormat format : m_options.formats) {
-                add(name, nameOf(format));
+                add(name, format);
             }
         }
         for (const rivals::NamedRival& named : m_options.rivalsBeside) {
-            add(named.name, "");
+            add(named.name, std::nullopt);
         }
     }
 

@@ -37,8 +37,7 @@ struct ProbeOptions {
 /// One technique and format, or one rival, at one distance.
 struct ProbeResult {
     std::string technique;
-    bool isRival = false;
-    std::string format; ///< of the depth buffer; empty for a rival, which has keys of 64 bits
+    std::optional<depth::DepthFormat> format; ///< none for a rival, which has keys of 64 bits
     double distanceView = 0.0;
     /// The smallest separation that, with all larger ones, shows no wrong pixel; empty when the largest does.
     std::optional<double> resolvedView;
@@ -48,6 +47,8 @@ struct ProbeResult {
     double smallestView = 0.0;   ///< of the ladder: `resolved` can be no less
     double largestView = 0.0;    ///< of the ladder: null means more than this
     std::size_t cascades = 0;
+
+    bool isRival() const { return !format; }
 };
 
 /// Called before each picture with how many of all are done.
