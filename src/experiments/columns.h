@@ -66,6 +66,15 @@ inline Json jsonOf(const measure::Interval& interval) {
     return {interval.low, interval.high};
 }
 
+/// A bootstrap interval of 95 %, in JSON and in the table.
+template <typename Row>
+Column<Row> intervalColumn(measure::Interval Row::*interval, const std::string& pattern = "{} to {}") {
+    return {.key = "ci95",
+            .value = [interval](const Row& row) { return jsonOf(row.*interval); },
+            .heading = "95 % interval",
+            .format = {.pattern = pattern}};
+}
+
 /// One cell of a table.
 std::string cellOf(const Json& value, const CellFormat& format);
 

@@ -39,10 +39,7 @@ experiments::Columns<experiments::RivalScene> rivalSceneColumns() {
           {.key = "frame_ms", .value = &Result::frameMs, .heading = "frame ms"},
           {.key = "execute_ms", .value = &Result::executeMs},
           {.key = "frame_ratio", .value = &Result::ratio, .heading = "over anchored"},
-          {.key = "ci95",
-           .value = [](const Result& result) { return experiments::jsonOf(result.ratio95); },
-           .heading = "95 % interval",
-           .format = {"{} to {}"}}}});
+          experiments::intervalColumn(&Result::ratio95)}});
 }
 
 experiments::Columns<experiments::RivalResolved> rivalResolvedColumns(base::LengthUnit unit) {

@@ -13,10 +13,7 @@ Columns<Comparison> againstColumns() {
         {.key = "here_us", .value = &Comparison::hereUs, .heading = "here us"},
         {.key = "against_us", .value = &Comparison::againstUs, .heading = "against us"},
         {.key = "ratio", .value = &Comparison::ratio, .heading = "ratio"},
-        {.key = "ci95",
-         .value = [](const Comparison& row) { return jsonOf(row.ratio95); },
-         .heading = "95 % interval",
-         .format = {"{} to {}"}},
+        intervalColumn(&Comparison::ratio95),
         {.key = "noise_pct", .value = &Comparison::noisePercent, .heading = "noise", .format = {"±{} %"}},
         {.key = "seen", .value = &Comparison::isSeen, .heading = "over the other build", .text = verdictOf}};
 }
@@ -26,10 +23,7 @@ Columns<StageCost> stageColumns(const std::string& mode) {
             {.key = "stage", .value = &StageCost::name, .heading = "stage"},
             {.key = "how", .value = &StageCost::how, .heading = "left out"},
             {.key = "median_us", .value = &StageCost::medianUs, .heading = "us"},
-            {.key = "ci95",
-             .value = [](const StageCost& row) { return jsonOf(row.us95); },
-             .heading = "95 % interval",
-             .format = {"{} to {}"}},
+            intervalColumn(&StageCost::us95),
             {.key = "frame_pct",
              .value = &StageCost::framePercent,
              .heading = "of the frame",
