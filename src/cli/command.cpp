@@ -150,7 +150,7 @@ void Command::note(const std::vector<std::string>& ignored) {
 
 const OpenedDevice& Command::opened() {
     if (!m_opened) {
-        m_opened.emplace(m_device, m_global.validate);
+        m_opened.emplace(m_device, m_global.validate ? Validation::on : Validation::off);
     }
     return *m_opened;
 }

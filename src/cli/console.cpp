@@ -13,8 +13,10 @@ namespace cdr::cli {
 
 namespace {
 
-void print(const std::string& text, bool toError) {
-    if (toError) {
+enum class Stream : std::uint8_t { output, error };
+
+void print(const std::string& text, Stream stream) {
+    if (stream == Stream::error) {
         host::printError(text);
     } else {
         host::printOutput(text + "\n");
@@ -32,13 +34,13 @@ Console::Console(const GlobalOptions& global, const OutputOptions& output)
 
 void Console::line(const std::string& text) const {
     if (!m_quiet) {
-        print(text, m_toError);
+        print(text, m_toError ? Stream::error : Stream::output);
     }
 }
 
 void Console::warning(const std::string& text) const {
     if (!m_isSilent) {
-        print(text, m_quiet || m_toError);
+        print(text, m_quiet || m_toError ? Stream::error : Stream::output);
     }
 }
 

@@ -27,8 +27,8 @@ void requireKnownDevice(const std::string& choice) {
                                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, "; "))));
 }
 
-OpenedDevice::OpenedDevice(const std::string& choice, bool validate)
-    : m_instance({.validate = validate, .extensions = {}}),
+OpenedDevice::OpenedDevice(const std::string& choice, Validation validation)
+    : m_instance({.validate = validation == Validation::on, .extensions = {}}),
       m_device(m_instance, choice) {
     gpu::keepPipelines(m_device);
 }

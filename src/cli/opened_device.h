@@ -3,6 +3,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/host/document.h>
 
+#include <cstdint>
 #include <string>
 
 namespace cdr::cli {
@@ -10,11 +11,14 @@ namespace cdr::cli {
 /// base::InputError, with those there are, when --device names no device of this machine. An empty choice names all.
 void requireKnownDevice(const std::string& choice);
 
+/// Whether Vulkan's validation layers watch a command.
+enum class Validation : std::uint8_t { off, on };
+
 /// A Vulkan instance and device for one command.
 class OpenedDevice {
   public:
     /// @param choice as gpu::Device takes it.
-    OpenedDevice(const std::string& choice, bool validate);
+    OpenedDevice(const std::string& choice, Validation validation);
 
     const gpu::Device& device() const { return m_device; }
     host::DocumentDevice documentDevice() const;

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -55,12 +56,12 @@ SectionOutcome runSection(const GlobalOptions& global, const report::Section& se
     return outcome;
 }
 
-/// Empty where there is no such file.
-std::string digestIn(const fs::path& root, const fs::path& file) {
+/// Of a file that can be read.
+std::optional<std::string> digestIn(const fs::path& root, const fs::path& file) {
     try {
         return host::digestOfFile(root / file, std::numeric_limits<std::uintmax_t>::max()).sha256;
     } catch (const base::InputError&) {
-        return "";
+        return std::nullopt;
     }
 }
 
@@ -79,7 +80,8 @@ Json filesOf(const report::Section& section, const fs::path& root) {
     Json digests = Json::object();
     for (const fs::path& file : files) {
         if (fs::exists(root / file)) {
-            digests[file.generic_string()] = digestIn(root, file);
+            const std::optional<std::string> digest = digestIn(root, file);
+            digests[file.generic_string()] = digest ? Json(*digest) : Json(nullptr);
         }
     }
     return digests;
@@ -170,7 +172,8 @@ void takeUpSections(experiments::KeptRanks& kept, const fs::path& root) {
         const auto& files = outcome.at("files").get_ref<const Json::object_t&>();
         const bool stands =
             outcome.at("failure").is_null() && std::all_of(files.begin(), files.end(), [&](const auto& file) {
-                return file.second == digestIn(root, file.first);
+                const std::optional<std::string> digest = digestIn(root, file.first);
+                return digest && file.second == *digest;
             });
         for (const auto& [name, digest] : files) {
             if (stands) {
