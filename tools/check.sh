@@ -9,10 +9,10 @@
 # Usage: tools/check.sh [--changed [MINUTES] | --memory]
 # --changed does what fits into 20 minutes, or MINUTES. It takes what tools/changed.sh lists, newest first, and says what there
 # was no time for:
-# - tests of base, depth and image under valgrind;
 # - clang-tidy over sources;
 # - the tests of their rooms under AddressSanitizer, and those of threads without a driver under ThreadSanitizer;
-# - a minute of fuzzing for each parser of these rooms.
+# - a minute of fuzzing for each parser of these rooms;
+# - tests of base, depth and image under valgrind.
 # --memory does what runs under valgrind.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -58,6 +58,8 @@ check_barriers() {
     tools/layers.sh --shaders build/release/bin/test_barriers --gtest_brief=1
 }
 
+valgrind_options=(--quiet --error-exitcode=9 --leak-check=full)
+
 has_valgrind() {
     command -v valgrind >/dev/null ||
         { echo "tools/check.sh: no test ran under valgrind, which is missing (apt: valgrind)" >&2 && return 1; }
@@ -69,21 +71,25 @@ check_memory() {
     tools/build.sh --in-batches release -- --target "${programs[@]}"
     for program in "${programs[@]}"; do
         # Without the test that measures a process' memory: valgrind's own counts there.
-        under_valgrind "$program" --gtest_filter='-GltfLargeFile.IsNotInMemoryBesideItsScene'
+        valgrind "${valgrind_options[@]}" "build/release/bin/$program" --gtest_brief=1 \
+            --gtest_filter='-GltfLargeFile.IsNotInMemoryBesideItsScene'
     done
-}
-
-under_valgrind() { # PROGRAM ARGUMENT...
-    valgrind --quiet --error-exitcode=9 --leak-check=full "build/release/bin/$1" --gtest_brief=1 "${@:2}"
 }
 
 # The same of rooms that take 1.5 minutes together, without depth's tests of the whole range, which take minutes more.
 check_memory_of() { # PROGRAM...
-    local program
+    local status
     tools/build.sh --in-batches release -- --target "$@"
-    for program; do
-        under_valgrind "$program" --gtest_filter='-WholeRange.*'
-        echo "valgrind: $program passed"
+    while (($#)); do
+        status=0
+        within 100 valgrind "${valgrind_options[@]}" "build/release/bin/$1" --gtest_brief=1 --gtest_filter='-WholeRange.*' || status=$?
+        if ((status == 124)); then
+            left_out valgrind "$@"
+            return
+        fi
+        ((status == 0)) || return 1
+        echo "valgrind: $1 passed"
+        shift
     done
 }
 
@@ -115,15 +121,10 @@ check_changed() {
     mapfile -t changed < <(tools/changed.sh)
     # A room is named by its folder. Tests that start programs or a window, or make a page, take too long for this.
     mapfile -t rooms < <(printf '%s\n' "${changed[@]}" | sed -nE 's,^(src/cdr|src|tests)/([a-z]+)/.*,\2,p' | awk '!seen[$0]++')
-    for room in "${rooms[@]}"; do
-        if [[ $room =~ ^(base|depth|image)$ ]]; then targets+=("test_$room"); fi
-    done
-    if ((${#targets[@]})) && has_valgrind; then check_memory_of "${targets[@]}"; fi
     # A header is checked by the source beside it.
     mapfile -t sources < <(printf '%s\n' "${changed[@]}" | sed -nE 's,^(src/.*)[.](cpp|h)$,\1.cpp,p' | awk '!seen[$0]++' |
         while read -r file; do [[ ! -e $file ]] || echo "$file"; done)
     tidy_some "${sources[@]}"
-    targets=()
     for room in "${rooms[@]}"; do
         if [[ -e tests/$room/CMakeLists.txt && ! $room =~ ^(cli|ranks|viewer|report)$ ]] &&
             grep --quiet "cdr_test(test_$room " "tests/$room/CMakeLists.txt"; then
@@ -138,20 +139,26 @@ check_changed() {
     fi
     test_under 80 tsan "ThreadSanitizer" "${targets[@]}"
     fuzz_rooms "${rooms[@]}"
+    targets=()
+    for room in "${rooms[@]}"; do
+        if [[ $room =~ ^(base|depth|image)$ ]]; then targets+=("test_$room"); fi
+    done
+    if ((${#targets[@]})) && has_valgrind; then check_memory_of "${targets[@]}"; fi
 }
 
-# clang-tidy over sources, ten at a time while there is time.
+# clang-tidy over sources, a few at a time while there is time.
 tidy_some() { # FILE...
-    local status
+    local status few
+    few=$((2 * $(nproc)))
     while (($#)); do
         status=0
-        within 40 tools/tidy.sh "${@:1:10}" || status=$?
+        within 40 tools/tidy.sh "${@:1:few}" || status=$?
         if ((status == 124)); then
             left_out clang-tidy "$@"
             return
         fi
         ((status == 0)) || return 1
-        shift $(($# < 10 ? $# : 10))
+        shift $(($# < few ? $# : few))
     done
 }
 
