@@ -2,6 +2,7 @@
 
 #include "../support/shared_device.h"
 
+#include <cdr/base/error.h>
 #include <cdr/host/sha256.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/measure/truth/truth.h>
@@ -29,6 +30,17 @@ class RenderTest : public test::DeviceTest {
     bool readsFacetsOf(const scene::Scene& scene) {
         return scene.instances.size() * 6 * 2 <=
                vk::PhysicalDevice(device().physical()).getProperties().limits.maxTexelBufferElements;
+    }
+
+    /// Why there is no renderer of a scene with these options; "none" where there is one.
+    std::string refusalOf(const scene::Scene& scene, const render::RenderOptions& options) {
+        const render::GpuScene gpuScene(device(), scene);
+        try {
+            const render::Renderer renderer(device(), scene, gpuScene, options);
+        } catch (const base::InputError& error) {
+            return error.what();
+        }
+        return "none";
     }
 
     render::Frame draw(const scene::Scene& scene, const scene::Camera& camera,

@@ -47,16 +47,6 @@ class LitSurfacesTest : public RenderTest {
         EXPECT_TRUE(difference.passes) << technique << ": " << describe(difference);
         EXPECT_EQ(messageCount(), 0u);
     }
-
-    std::string refusalOf(const scene::Scene& scene, const render::RenderOptions& options) {
-        const render::GpuScene gpuScene(device(), scene);
-        try {
-            const render::Renderer renderer(device(), scene, gpuScene, options);
-        } catch (const base::InputError& error) {
-            return error.what();
-        }
-        return "none";
-    }
 };
 
 TEST_F(LitSurfacesTest, LookAsIfTheyWereShadedLater) {

@@ -1,6 +1,5 @@
 #include "fixture.h"
 
-#include <cdr/base/error.h>
 #include <cdr/image/compare.h>
 #include <scenes/cubes.h>
 #include <scenes/open_scene.h>
@@ -22,19 +21,7 @@ render::RenderOptions surfaceOptions(const depth::Technique& technique, SurfaceP
     return options;
 }
 
-class SurfacePathTest : public RenderTest {
-  protected:
-    std::string refusalOf(const scene::Scene& scene, render::RenderOptions options) {
-        options.surface = SurfacePath::visibility;
-        const render::GpuScene gpuScene(device(), scene);
-        try {
-            const render::Renderer renderer(device(), scene, gpuScene, options);
-        } catch (const base::InputError& error) {
-            return error.what();
-        }
-        return "none";
-    }
-};
+using SurfacePathTest = RenderTest;
 
 /// Whether the pixel and its neighbours show one face of one object. Then no edge decides what the pixel shows,
 /// which each device rounds to a grid of its own.
@@ -187,7 +174,8 @@ TEST_F(SurfacePathTest, MirroredShinyAndUnlitSurfacesLookTheSame) {
 
 TEST_F(SurfacePathTest, SaysWhyVisibilityCannotBe) {
     scene::SceneSetup setup = scenes::makeRotation(3, 100);
-    const render::RenderOptions plain = smallOptions(depth::parseTechnique("standard"));
+    const render::RenderOptions plain =
+        surfaceOptions(depth::parseTechnique("standard"), SurfacePath::visibility);
     EXPECT_EQ(refusalOf(setup.scene, plain), "none");
     render::RenderOptions options = plain;
     options.submission = render::Submission::gpuDriven;

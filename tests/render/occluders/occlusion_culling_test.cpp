@@ -1,6 +1,5 @@
 #include "../fixture.h"
 
-#include <cdr/base/error.h>
 #include <cdr/gpu/vulkan_hpp.h>
 #include <scenes/city.h>
 #include <scenes/open_scene.h>
@@ -59,17 +58,6 @@ class OcclusionCullingTest : public RenderTest {
             hidden += made.stats.occluders.hidden;
         }
         return hidden;
-    }
-
-    std::string refusalOf(const RenderOptions& options) {
-        const scene::Scene scene = boxScene();
-        const render::GpuScene gpuScene(device(), scene);
-        try {
-            const render::Renderer renderer(device(), scene, gpuScene, culling(options));
-        } catch (const base::InputError& error) {
-            return error.what();
-        }
-        return "none";
     }
 
     scene::SceneSetup m_city = scenes::makeCity(5, kBlocks);
@@ -236,7 +224,7 @@ TEST_F(OcclusionCullingTest, IsRefusedWhereItIsNotDone) {
     RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     options.focus = {.distance = 5.0, .aperture = 0.1};
     options.targets = render::TargetsKind::layers;
-    EXPECT_NE(refusalOf(options).find("focus"), std::string::npos);
+    EXPECT_NE(refusalOf(boxScene(), culling(options)).find("focus"), std::string::npos);
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 #include "../fixture.h"
 
-#include <cdr/base/error.h>
 #include <cdr/measure/shadows/wrong_shadows.h>
 #include <cdr/scene/world/world.h>
 #include <scenes/open_scene.h>
@@ -56,17 +55,6 @@ class ShadowsTest : public RenderTest {
             wrong += measure::countWrongShadows({drawn.reached, light}, truth[light]);
         }
         return wrong;
-    }
-
-    std::string refusalOf(const RenderOptions& options) {
-        const scene::Scene scene = boxScene();
-        const render::GpuScene gpuScene(device(), scene);
-        try {
-            const render::Renderer renderer(device(), scene, gpuScene, options);
-        } catch (const base::InputError& error) {
-            return error.what();
-        }
-        return "none";
     }
 };
 
@@ -207,14 +195,17 @@ TEST_F(ShadowsTest, WhatCannotBeIsRefused) {
     RenderOptions options = shadowOptions("anchored");
     options.targets = render::TargetsKind::layers;
     options.focus = {.distance = 10.0, .aperture = 0.1};
-    EXPECT_NE(refusalOf(options).find("focus"), std::string::npos) << refusalOf(options);
+    EXPECT_NE(refusalOf(boxScene(), options).find("focus"), std::string::npos)
+        << refusalOf(boxScene(), options);
     options = shadowOptions("anchored");
     options.detail.mode = visibility::DetailMode::perObject;
-    EXPECT_NE(refusalOf(options).find("detail"), std::string::npos) << refusalOf(options);
+    EXPECT_NE(refusalOf(boxScene(), options).find("detail"), std::string::npos)
+        << refusalOf(boxScene(), options);
     options = shadowOptions("anchored");
     options.shadows.mostTexels = 63;
-    EXPECT_NE(refusalOf(options).find("64 to 4096 texels, not 63"), std::string::npos) << refusalOf(options);
-    EXPECT_EQ(refusalOf(shadowOptions("anchored")), "none");
+    EXPECT_NE(refusalOf(boxScene(), options).find("64 to 4096 texels, not 63"), std::string::npos)
+        << refusalOf(boxScene(), options);
+    EXPECT_EQ(refusalOf(boxScene(), shadowOptions("anchored")), "none");
 }
 
 } // namespace
