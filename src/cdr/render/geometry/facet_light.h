@@ -22,7 +22,8 @@ class FacetLight {
 
     /// Colours per vertex. First the ambient light that the facet reflects. Then for each of litBy() the product of its
     /// colour, the albedo and the light's height over the facet's plane, in scene units.
-    std::size_t stride() const { return 1 + litBy(m_scene); }
+    static std::size_t strideOf(const scene::Scene& scene) { return 1 + litBy(scene); }
+    std::size_t stride() const { return strideOf(m_scene); }
     /// How many lights shaders are told of: 1 or more, since without any there is a black one.
     static std::size_t litBy(const scene::Scene& scene) {
         return std::max<std::size_t>(scene.lights.size(), 1);

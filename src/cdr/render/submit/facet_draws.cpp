@@ -46,7 +46,7 @@ void FacetDraws::makeRecords(std::size_t facets) {
 
 void FacetDraws::makeRoom(std::size_t draws) {
     const FacetCounts& most = m_pass.meshes().most();
-    const std::size_t litStride = m_pass.lights() ? FacetLight(scene()).stride() : 0;
+    const std::size_t litStride = m_pass.lights() ? FacetLight::strideOf(scene()) : 0;
     if (m_room > 0 && draws <= m_room && most == m_most && litStride == m_litStride) {
         return;
     }
