@@ -20,6 +20,11 @@ layout(location = 7) in uvec4 inLook;
 layout(push_constant) uniform Push { CascadePush cascade; };
 #endif
 #include "geometry/place.glsl"
+#ifdef FACETED
+#include "public/cdr_in_plane.glsl"
+layout(constant_id = 11) const float kSubPixelsX = 0.0; // from the picture's middle to its edge; 0: vertices stay
+layout(constant_id = 12) const float kSubPixelsY = 0.0;
+#endif
 
 layout(location = 0) in vec3 inPosition;
 #ifndef DEPTH_ALONE
@@ -61,8 +66,8 @@ void main() {
     precise float x = dot(record.right.xyz, inPosition) + record.right.w;
     precise float y = dot(record.up.xyz, inPosition) + record.up.w;
     precise float ahead = dot(record.ahead.xyz, inPosition) + record.ahead.w;
-    place(x, y, ahead, record.ahead.w);
 #ifdef DEPTH_ALONE
+    place(x, y, ahead, record.ahead.w);
     outAhead = ahead;
 #else
 
@@ -73,6 +78,18 @@ void main() {
                        dot(cross(record.right.xyz, record.up.xyz), normal));
     float mirrored = dot(cross(record.right.xyz, record.up.xyz), back);
     turned = mirrored < 0.0 ? -turned : turned;
+#ifdef FACETED
+    if (kSubPixelsX != 0.0) { // render::Snapping::inPlane
+        vec3 before = vec3(x, y, ahead);
+        vec2 perSlope = vec2(kSubPixelsX * cascade.projectionX, kSubPixelsY * cascade.projectionY);
+        float fromOrigin = distance(before, vec3(record.right.w, record.up.w, record.ahead.w));
+        vec3 moved = cdrInPlane(before, vec3(turned.xy, -turned.z), perSlope, fromOrigin, cascade.anchorView);
+        x = moved.x;
+        y = moved.y;
+        ahead = moved.z;
+    }
+#endif
+    place(x, y, ahead, record.ahead.w);
     vec4 baseColor = inColor * vec4(unpackHalf2x16(record.baseColorRg), unpackHalf2x16(record.baseColorBa));
     uint id = record.id | (cascade.cascade << kIdBits);
 #ifdef FACETED

@@ -133,4 +133,13 @@ void addSnapBits(CLI::App& command, std::uint32_t& snapBits) {
         ->capture_default_str();
 }
 
+void addSnapping(CLI::App& command, render::Snapping& snapping) {
+    command
+        .add_option_function<std::string>(
+            "--snapping", [&snapping](const std::string& name) { snapping = render::parseSnapping(name); },
+            "How vertices get to sub-pixels: by-device, which rounds them, or in-plane, which moves them in the "
+            "plane of their facet, so that depth stays exact")
+        ->default_str(std::string(nameOf(snapping)));
+}
+
 } // namespace cdr::cli

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cdr/base/quantity_text.h>
 #include <cdr/depth/technique.h>
+#include <cdr/render/geometry/snapping.h>
 #include <experiments/camera_options.h>
 #include <experiments/effect_options.h>
 
@@ -77,5 +78,7 @@ void addRivalList(CLI::App& command, std::vector<rivals::NamedRival>& chosen, co
 
 /// `--snap-bits`, as render::RenderOptions has it.
 void addSnapBits(CLI::App& command, std::uint32_t& snapBits);
+/// `--snapping`, as render::RenderOptions has it.
+void addSnapping(CLI::App& command, render::Snapping& snapping);
 
 } // namespace cdr::cli

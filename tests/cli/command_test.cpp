@@ -190,22 +190,27 @@ TEST(Commands, ProbeTakesTechniquesByTheirParts) {
 /// At this size 4 bits are too few for what `mixed` shows.
 TEST(Commands, PicturesSnapVertices) {
     const TemporaryFolder folder;
-    std::map<int, json> rows;
-    for (const int bits : {0, 4}) {
+    const auto rowOf = [&](int bits, const std::string& snapping) {
         const ProgramResult result =
             runProgram("--validate pictures --scenes mixed --frames 1 --size 480x270 --techniques anchored "
-                       "--out p --json p.json --snap-bits " +
-                           std::to_string(bits),
+                       "--out p --json p.json --snapping " +
+                           snapping + " --snap-bits " + std::to_string(bits),
                        folder.path());
-        ASSERT_EQ(result.status, 0) << result.err;
-        const json document = json::parse(readText(folder.path() / "p.json"));
+        EXPECT_EQ(result.status, 0) << result.err;
+        json document = json::parse(readText(folder.path() / "p.json"));
         EXPECT_EQ(document["options"]["snap_bits"], bits);
-        rows[bits] = document["results"][0];
-    }
-    EXPECT_GT(rows[4]["wrong"], 0);
-    EXPECT_LT(rows[4]["wrong_fraction"], 0.05);
-    EXPECT_LE(rows[0]["wrong"], rows[4]["wrong"]);
+        EXPECT_EQ(document["options"]["snapping"], snapping);
+        return document["results"][0];
+    };
+    const json snapped = rowOf(4, "by-device");
+    EXPECT_GT(snapped["wrong"], 0);
+    EXPECT_LT(snapped["wrong_fraction"], 0.05);
+    EXPECT_LE(rowOf(0, "by-device")["wrong"], snapped["wrong"]);
+    EXPECT_EQ(rowOf(4, "in-plane")["wrong"], 0);
     EXPECT_EQ(runProgram("render cubes --snap-bits 9", folder.path()).status, 2);
+    const ProgramResult unknown = runProgram("render cubes --snapping in-plan", folder.path());
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_NE(unknown.err.find("in-plane"), std::string::npos) << unknown.err;
 }
 
 TEST(Commands, AdviseCountsSnapping) {

@@ -57,11 +57,12 @@ double halfSubPixel(std::uint32_t bits) {
     return std::exp2(-1.0 - bits);
 }
 
-double measureReach(const gpu::Device& device, std::uint32_t snapBits) {
+double measureReach(const gpu::Device& device, std::uint32_t snapBits, render::Snapping snapping) {
     const scene::Scene scene = turnedBoxes();
     const scene::Camera camera{.fovY = 0.5, .nearView = 1.0, .farView = 100.0};
     auto options = smallOptions(depth::parseTechnique("anchored"));
     options.snapBits = snapBits;
+    options.snapping = snapping;
     const render::GpuScene gpuScene(device, scene);
     render::Renderer renderer(device, scene, gpuScene, options);
     const render::Frame frame = renderer.render(camera);

@@ -2,6 +2,7 @@
 
 #include <cdr/gpu/device.h>
 #include <cdr/measure/truth/truth.h>
+#include <cdr/render/geometry/snapping.h>
 
 #include <cstdint>
 
@@ -9,8 +10,9 @@ namespace cdr::render_test {
 
 /// How far, in pixels along x and along y, the farthest drawn surface lies from where float64 has it, measured on boxes
 /// turned every way. Rounding vertices to b sub-pixel bits moves a surface by up to 2^-(b + 1).
-/// @param snapBits as render::RenderOptions has it.
-double measureReach(const gpu::Device& device, std::uint32_t snapBits);
+/// @param snapBits, snapping as render::RenderOptions has them.
+double measureReach(const gpu::Device& device, std::uint32_t snapBits,
+                    render::Snapping snapping = render::Snapping::byDevice);
 
 /// How far the device may move a surface: 0 where measureReach() finds that it does not, else what its limits say.
 double snapReach(const gpu::Device& device);

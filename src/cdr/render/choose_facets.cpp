@@ -44,6 +44,9 @@ const char* refusalOf(const DrawnScene& drawn, const RenderOptions& options) {
     if (options.batching != Batching::instanced) {
         return "it draws many objects by one command, so the batching must be instanced";
     }
+    if (options.snapping == Snapping::inPlane) {
+        return "its facets share corners, so the device must round them: snapping by-device";
+    }
     if (options.effects.occlusion.radius > 0.0) {
         return "ambient occlusion reads the G-buffer";
     }

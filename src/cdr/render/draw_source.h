@@ -25,7 +25,7 @@ struct MeshRange {
     std::uint32_t levelCount = 0;
     std::uint32_t firstClusterIndex = 0; ///< where its scene::ClusterTree::indices begin
     float boundingRadius = 0.0f;         ///< object space
-    bool isFaceted = false;              ///< the vertices of every triangle share their normal and colour
+    bool isFaceted = false;              ///< the vertices of every triangle share their colour and its own normal
 
     bool operator==(const MeshRange&) const = default;
 };

@@ -7,6 +7,7 @@
 #include <cdr/render/effects.h>
 #include <cdr/render/focus.h>
 #include <cdr/render/geometry/batching.h>
+#include <cdr/render/geometry/snapping.h>
 #include <cdr/render/layer_options.h>
 #include <cdr/render/shadows/shadows.h>
 #include <cdr/render/submit/submission.h>
@@ -63,6 +64,7 @@ struct RenderOptions {
     /// Opaque vertices are rounded to this many sub-pixel bits before the device sees them, as a device with
     /// as few does by itself; 0: not. At most kMaxSnapBits.
     std::uint32_t snapBits = 0;
+    Snapping snapping = Snapping::byDevice; ///< how they get there
     /// Leaves out what opaque surfaces hide, after drawing the depth of what the last frame showed. The picture is the
     /// same. Unless gpu-driven, it waits for the device within each frame, and cannot be recorded into a host's commands.
     /// Not with a focus. Scenes with layers are drawn whole.

@@ -21,7 +21,8 @@ void Renderer::remake(const Needs& needs, const RenderOptions& options) {
     const Needs needsBefore = std::exchange(m_needs, needs);
     const RenderOptions optionsBefore = std::exchange(m_options, options);
     // Pipelines that snap vertices do so for one size.
-    const bool snapsAnew = options.snapBits > 0 && options != optionsBefore;
+    const bool snaps = options.snapBits > 0 || options.snapping == Snapping::inPlane;
+    const bool snapsAnew = snaps && options != optionsBefore;
     std::unique_ptr<DrawPathFactory> paths;
     try {
         if (needs.shiny != needsBefore.shiny || needs.emission != needsBefore.emission || snapsAnew) {

@@ -47,6 +47,7 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::A
                                   .focus = experiments::focusOf(arguments.effects),
                                   .translucency = experiments::translucencyOf(arguments.effects)};
     options.snapBits = arguments.snapBits;
+    options.snapping = arguments.snapping;
     options.occlusionCulling = arguments.occlusionCulling;
     options.shadows = experiments::shadowsOf(arguments.effects);
     options.translucency.countsFragments = aov == experiments::Aov::coverage;
@@ -54,11 +55,12 @@ render::RenderOptions optionsOf(const RenderArguments& arguments, experiments::A
 }
 
 nlohmann::ordered_json optionsJson(const RenderArguments& arguments, const depth::Technique& technique) {
-    nlohmann::ordered_json options{{"scene", arguments.scene},         {"mapping", nameOf(technique.mapping)},
-                                   {"split", nameOf(technique.split)}, {"format", nameOf(technique.format)},
-                                   {"width", arguments.width},         {"height", arguments.height},
-                                   {"seed", arguments.seed},           {"aov", arguments.aov},
-                                   {"snap_bits", arguments.snapBits}};
+    nlohmann::ordered_json options{
+        {"scene", arguments.scene},         {"mapping", nameOf(technique.mapping)},
+        {"split", nameOf(technique.split)}, {"format", nameOf(technique.format)},
+        {"width", arguments.width},         {"height", arguments.height},
+        {"seed", arguments.seed},           {"aov", arguments.aov},
+        {"snap_bits", arguments.snapBits},  {"snapping", nameOf(arguments.snapping)}};
     const auto add = [&](const char* key, const auto& value) {
         if (value) {
             options[key] = *value;
@@ -148,6 +150,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     command.option_defaults()->group("Output");
     addSize(command, arguments.width, arguments.height);
     addSnapBits(command, arguments.snapBits);
+    addSnapping(command, arguments.snapping);
     command
         .add_option("--aov", arguments.aov, "Output: color, id, distance, normal, cascade, wrong or coverage")
         ->capture_default_str();

@@ -35,6 +35,7 @@ struct RenderArguments {
     experiments::EffectArguments effects;
     std::string detail = "none";
     std::uint32_t snapBits = 0;
+    render::Snapping snapping = render::Snapping::byDevice;
     std::size_t threads = 1;
     std::uint32_t width = 1280;
     std::uint32_t height = 720;

@@ -170,6 +170,7 @@ void run(Command& command, InspectArguments& arguments) {
                                           {"height", options.height},
                                           {"seed", arguments.seed},
                                           {"snap_bits", options.snapBits},
+                                          {"snapping", nameOf(options.snapping)},
                                           {"technique", options.judged.name},
                                           {"format", nameOf(options.judged.technique.format)}});
     document["results"] = experiments::jsonOf(techniqueColumns(), inspection.techniques);
@@ -218,6 +219,7 @@ void addOptions(CLI::App& command, InspectArguments& arguments) {
     addThreads(command, options.threads, "Threads that cull, bin, record and cast the truth");
     addSeed(command, arguments.seed, "Seed of a generated scene");
     addSnapBits(command, options.snapBits);
+    addSnapping(command, options.snapping);
 }
 
 } // namespace

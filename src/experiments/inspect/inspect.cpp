@@ -110,7 +110,8 @@ class TechniqueRun {
                       .height = options.height,
                       .technique = result.technique,
                       .threads = options.threads,
-                      .snapBits = options.snapBits}),
+                      .snapBits = options.snapBits,
+                      .snapping = options.snapping}),
           m_result(result) {}
 
     void add(const InspectedView& view, std::uint64_t& worst, image::ImageRgba8& heatMap) {

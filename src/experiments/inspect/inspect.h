@@ -5,6 +5,7 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
+#include <cdr/render/geometry/snapping.h>
 #include <cdr/measure/compare/wrong_pixels.h>
 #include <cdr/scene/scene.h>
 #include <experiments/pictures/pictures.h>
@@ -22,7 +23,8 @@ struct InspectOptions {
     std::uint32_t width = 1280;
     std::uint32_t height = 720;
     std::size_t threads = 1;
-    std::uint32_t snapBits = 0; ///< as render::RenderOptions has it
+    std::uint32_t snapBits = 0;                             ///< as render::RenderOptions has it
+    render::Snapping snapping = render::Snapping::byDevice; ///< likewise
     std::vector<depth::NamedTechnique>
         techniques;               ///< all presets when empty, each in every format that the device has
     double allowedShare = 0.0;    ///< of wrong pixels, from which on a technique no longer suffices

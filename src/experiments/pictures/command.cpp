@@ -102,7 +102,8 @@ void run(Command& command, PicturesArguments& arguments) {
                                           {"height", options.height},
                                           {"frames", options.frames},
                                           {"seed", options.seed},
-                                          {"snap_bits", options.snapBits}});
+                                          {"snap_bits", options.snapBits},
+                                          {"snapping", nameOf(options.snapping)}});
     document["results"] = experiments::jsonOf(columns, results);
     command.writeDocument(document);
 }
@@ -119,6 +120,7 @@ void addOptions(CLI::App& command, PicturesArguments& arguments) {
     addThreads(command, options.threads, "Threads that cull, bin, record and cast the truth");
     addSeed(command, options.seed, "Seed of the random scenes");
     addSnapBits(command, options.snapBits);
+    addSnapping(command, options.snapping);
 }
 
 } // namespace

@@ -51,7 +51,8 @@ std::vector<PictureResult> runScene(const gpu::Device& device, const PicturesOpt
                                                                      .technique = technique,
                                                                      .targets = render::TargetsKind::single,
                                                                      .threads = options.threads,
-                                                                     .snapBits = options.snapBits}));
+                                                                     .snapBits = options.snapBits,
+                                                                     .snapping = options.snapping}));
         PictureResult result;
         result.scene = setup.scene.name;
         result.technique = name;

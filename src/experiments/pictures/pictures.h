@@ -4,6 +4,7 @@
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
 #include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/render/geometry/snapping.h>
 #include <cdr/scene/scene_setup.h>
 
 #include <cstdint>
@@ -19,9 +20,10 @@ struct PicturesOptions {
     std::uint32_t height = 720;
     std::uint32_t frames = 3; ///< spread evenly over each scene's camera path; a still scene has one
     std::size_t threads = 1;
-    std::uint64_t seed = 2013;                     ///< of the scenes
-    std::vector<depth::NamedTechnique> techniques; ///< all presets when empty
-    std::uint32_t snapBits = 0;                    ///< as render::RenderOptions has it
+    std::uint64_t seed = 2013;                              ///< of the scenes
+    std::vector<depth::NamedTechnique> techniques;          ///< all presets when empty
+    std::uint32_t snapBits = 0;                             ///< as render::RenderOptions has it
+    render::Snapping snapping = render::Snapping::byDevice; ///< likewise
 };
 
 /// One technique over one scene.

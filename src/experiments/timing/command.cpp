@@ -86,6 +86,7 @@ experiments::Columns<experiments::TimingResult> timingColumns() {
         {.key = "submission", .value = howOf(&Mode::submission)},
         {.key = "batching", .value = howOf(&Mode::batching)},
         {.key = "surface", .value = howOf(&Mode::surface)},
+        {.key = "snapping", .value = howOf(&Mode::snapping)},
         {.key = "cascades", .value = &Result::cascades, .heading = "cascades"},
         {.key = "median_us", .value = &Result::medianUs, .heading = "frame us", .format = micros},
         {.key = "p5_us", .value = &Result::lowUs, .heading = "5-95 %", .text = range},
@@ -400,7 +401,7 @@ void addOptions(CLI::App& command, TimingArguments& arguments) {
     command
         .add_option("--modes", arguments.modes,
                     "Only these beside standard, such as cdr-2,log,logcdr-5; also naive and standard/NAME "
-                    "with a batching, submission, surface or occlusion-culling")
+                    "with a batching, submission or surface, in-plane or occlusion-culling")
         ->delimiter(',');
     addRivalList(command, arguments.rivalsBeside, "none");
     CLI::Option* against = command.add_option(

@@ -55,6 +55,7 @@ render::RenderOptions renderOptionsOf(const TimingMode& mode) {
             .submission = mode.submission,
             .batching = mode.batching,
             .surface = mode.surface,
+            .snapping = mode.snapping,
             .occlusionCulling = mode.occlusionCulling};
 }
 
@@ -107,6 +108,8 @@ std::vector<TimingMode> extraTimingModes() {
             add(prefix + std::string(nameOf(surface)), technique,
                 [&](TimingMode& mode) { mode.surface = surface; });
         }
+        add(prefix + std::string(nameOf(render::Snapping::inPlane)), technique,
+            [](TimingMode& mode) { mode.snapping = render::Snapping::inPlane; });
         add(prefix + "occlusion-culling", technique, [](TimingMode& mode) { mode.occlusionCulling = true; });
         for (const render::Submission submission :
              {render::Submission::primaries, render::Submission::gpuDriven}) {

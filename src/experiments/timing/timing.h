@@ -37,6 +37,7 @@ struct TimingMode {
     render::Submission submission = render::Submission::secondaries;
     render::Batching batching = render::Batching::instanced;
     render::SurfacePath surface = render::SurfacePath::gbuffer;
+    render::Snapping snapping = render::Snapping::byDevice;
     TimingMeshes meshes = TimingMeshes::indexed;
     bool occlusionCulling = false;
     std::optional<double> thesisPercent; ///< overhead over standard that Figure 6.4 gives

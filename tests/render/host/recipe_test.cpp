@@ -23,7 +23,7 @@ struct Ahead {
     float ahead;
     float cascade;
     float touchView;
-    float unused;
+    float slopeX; ///< x / w of a vertex
 };
 struct Made {
     Vec4 pairAndLog;
@@ -31,6 +31,7 @@ struct Made {
     Vec4 logarithmic;
     Vec4 tangent;
     Vec4 inside;
+    Vec4 inPlane;
 };
 
 double zNdcOf(const Vec4& clip) {
@@ -45,6 +46,7 @@ struct Case {
     depth::ClipTerms terms;
     depth::CascadeConstants constants;
     std::vector<double> distancesView;
+    std::vector<float> slopesX;
     double touchView;
 
     Case(depth::Mapping mapping_, const depth::Cascade& ends, std::mt19937_64& random)
@@ -57,6 +59,7 @@ struct Case {
         std::uniform_real_distribution<double> exponent(-0.05, 1.05);
         for (int i = 0; i < 200; ++i) {
             distancesView.push_back(ends.nearView * std::pow(ends.farView / ends.nearView, exponent(random)));
+            slopesX.push_back(static_cast<float>(0.5 * exponent(random)));
         }
     }
 };
@@ -123,6 +126,26 @@ void expectCut(const Made& made, const Case& of, double ahead, double distanceVi
     ASSERT_EQ(made.inside[3], 1.0f);
 }
 
+/// A vertex of the plane that recipe.comp names.
+void expectInPlane(const Made& made, const Case& of, const Ahead& given) {
+    const float distanceView = made.pairAndLog[0];
+    const glm::dvec3 before(given.slopeX * distanceView, -0.5f * distanceView, given.ahead);
+    const glm::dvec3 after(made.inPlane[0], made.inPlane[1], made.inPlane[2]);
+    const double roundings =
+        std::ldexp(std::abs(static_cast<double>(given.ahead)) + static_cast<double>(distanceView), -22);
+    ASSERT_NEAR(glm::dot(glm::dvec3(0.75, 0.5, 1.0), after - before), 0.0, roundings);
+    const double perSlope[]{1e4 * of.constants.projectionX, 1e4 * of.constants.projectionY};
+    const double afterView = static_cast<double>(of.constants.anchorView) + after.z;
+    const double unlike = std::ldexp(std::abs(afterView) + of.terms.anchorView, -22) / afterView;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double subPixel = after[axis] / afterView * perSlope[axis];
+        ASSERT_NEAR(subPixel, std::round(subPixel), unlike * std::abs(subPixel));
+        ASSERT_NEAR(subPixel, before[axis] / static_cast<double>(distanceView) * perSlope[axis],
+                    0.5 + unlike * std::abs(subPixel));
+    }
+    ASSERT_EQ(made.inPlane[3], 1.0f);
+}
+
 using RecipeTest = RenderTest;
 
 /// Every function of the recipe, on the device, gives what float64 does, as finely as the page says, for each mapping. A
@@ -132,9 +155,10 @@ TEST_F(RecipeTest, EachFunctionGivesWhatFloat64DoesInGlslAndHlsl) {
     std::vector<depth::CascadeConstants> constants;
     std::vector<Ahead> aheads;
     for (const Case& of : cases) {
-        for (const double distanceView : of.distancesView) {
-            aheads.push_back({static_cast<float>(distanceView - of.terms.anchorView),
-                              static_cast<float>(constants.size()), static_cast<float>(of.touchView), 0.0f});
+        for (std::size_t i = 0; i < of.distancesView.size(); ++i) {
+            aheads.push_back({static_cast<float>(of.distancesView[i] - of.terms.anchorView),
+                              static_cast<float>(constants.size()), static_cast<float>(of.touchView),
+                              of.slopesX[i]});
         }
         constants.push_back(of.constants);
     }
@@ -151,6 +175,7 @@ TEST_F(RecipeTest, EachFunctionGivesWhatFloat64DoesInGlslAndHlsl) {
         expectPair(made[i], of, ahead);
         expectDepth(made[i], of, ahead, distanceView);
         expectCut(made[i], of, ahead, distanceView);
+        expectInPlane(made[i], of, aheads[i]);
         if (HasFatalFailure()) {
             return;
         }

@@ -33,6 +33,7 @@ struct GeometryOptions {
     bool emission = false; ///< whether surfaces keep what they emit, in an emission buffer
     /// Vertices in front of the camera are rounded to multiples of 1 / snapSteps of half a picture; 0: not.
     glm::vec2 snapSteps{0.0f};
+    glm::vec2 subPixels{0.0f};      ///< in half a picture, of Snapping::inPlane; 0: by the device
     std::uint32_t subPixelBits = 8; ///< to which vertices are rounded, by the device or by snapSteps
     LayerOptions layers{};
     Finish finish{};                       ///< of GeometryOutput::lit

@@ -14,8 +14,8 @@ namespace cdr::render {
 namespace {
 
 /// Sub-pixels in half the picture.
-glm::vec2 snapStepsOf(const RenderOptions& options) {
-    const float perPixel = options.snapBits == 0 ? 0.0f : std::exp2(static_cast<float>(options.snapBits));
+glm::vec2 subPixelsIn(const RenderOptions& options, std::uint32_t bits) {
+    const float perPixel = std::exp2(static_cast<float>(bits));
     return 0.5f * perPixel * glm::vec2(static_cast<float>(options.width), static_cast<float>(options.height));
 }
 
@@ -48,7 +48,11 @@ DrawPathFactory::DrawPathFactory(const gpu::Device& device, const DrawnScene& sc
                                    .batching = options.batching,
                                    .shiny = kept.shine,
                                    .emission = kept.emission,
-                                   .snapSteps = snapStepsOf(options),
+                                   .snapSteps = options.snapBits > 0 ? subPixelsIn(options, options.snapBits)
+                                                                     : glm::vec2(0.0f),
+                                   .subPixels = options.snapping == Snapping::inPlane
+                                                    ? subPixelsIn(options, subPixelBitsOf(device, options))
+                                                    : glm::vec2(0.0f),
                                    .subPixelBits = subPixelBitsOf(device, options),
                                    .layers = options.layers,
                                    .variants = variantsOf(options.prepareFor.materials)};

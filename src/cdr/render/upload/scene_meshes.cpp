@@ -3,6 +3,7 @@
 #include <cdr/render/upload/scene_meshes.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <set>
 #include <utility>
@@ -16,12 +17,23 @@ bool hasDetail(const scene::Scene& scene) {
                        [](const scene::Material& material) { return scene::hasDetail(material); });
 }
 
+/// Least cosine between a facet's normal and that of its triangles, which float32 positions round.
+constexpr double kLeastFacetCosine = 0.999;
+
+/// Whether a triangle has one colour and one normal, which is its own.
+bool isFacet(const scene::Vertex& a, const scene::Vertex& b, const scene::Vertex& c) {
+    if (a.normal != b.normal || a.normal != c.normal || a.color != b.color || a.color != c.color) {
+        return false;
+    }
+    const glm::dvec3 first(a.position);
+    const glm::dvec3 area = glm::cross(glm::dvec3(b.position) - first, glm::dvec3(c.position) - first);
+    const double least = kLeastFacetCosine * glm::length(area) * glm::length(glm::dvec3(a.normal));
+    return std::abs(glm::dot(area, glm::dvec3(a.normal))) >= least;
+}
+
 bool areFaceted(const std::vector<scene::Vertex>& vertices, const std::vector<std::uint32_t>& indices) {
-    const auto looksLike = [&](std::uint32_t a, std::uint32_t b) {
-        return vertices[a].normal == vertices[b].normal && vertices[a].color == vertices[b].color;
-    };
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        if (!looksLike(indices[i], indices[i + 1]) || !looksLike(indices[i], indices[i + 2])) {
+        if (!isFacet(vertices[indices[i]], vertices[indices[i + 1]], vertices[indices[i + 2]])) {
             return false;
         }
     }
