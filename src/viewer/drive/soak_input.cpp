@@ -81,7 +81,7 @@ void SoakInput::changeSettings() {
     const auto remake = [&](depth::Mapping mapping, const depth::Split& split, depth::DepthFormat format) {
         technique = depth::Technique{mapping, split, format};
     };
-    switch (pick(12)) {
+    switch (pick(13)) {
     case 0:
     case 1:
         technique = presetOfKey(1 + pick(kPresetKeys));
@@ -115,6 +115,9 @@ void SoakInput::changeSettings() {
         break;
     case 10:
         s.view = kViewKinds.at(pick(kViewKinds.size()));
+        break;
+    case 11:
+        s.snapping = render::kSnappings.at(pick(render::kSnappings.size()));
         break;
     default:
         s.batching = render::kBatchings.at(pick(render::kBatchings.size()));

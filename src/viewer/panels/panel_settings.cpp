@@ -160,6 +160,13 @@ void drawRenderingPanel(const Widgets& widgets, ViewSettings& settings) {
         settings.batching = render::kBatchings[batching];
     }
     widgets.sentence(explain(settings.batching));
+    const std::size_t snapping =
+        widgets.combo("snapping", nameOf(settings.snapping), render::kSnappings.size(),
+                      [](std::size_t i) { return nameOf(render::kSnappings[i]); });
+    if (snapping < render::kSnappings.size()) {
+        settings.snapping = render::kSnappings[snapping];
+    }
+    widgets.sentence(explain(settings.snapping));
 }
 
 } // namespace cdr::viewer

@@ -55,6 +55,9 @@ void addRenderLine(CLI::App& program, Arguments& arguments) {
         ->capture_default_str();
     program.add_option("--batching", arguments.batching, "per-object, push-constants or instanced")
         ->capture_default_str();
+    program
+        .add_option("--snapping", arguments.snapping, "How vertices get to sub-pixels: by-device or in-plane")
+        ->capture_default_str();
     program.add_option("--detail", arguments.detail, "none, object, cascade or cluster")
         ->capture_default_str();
     experiments::addEffectOptions(program, arguments.effects);

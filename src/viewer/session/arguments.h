@@ -33,6 +33,7 @@ struct Arguments {
     std::string split;
     std::string submission = "secondaries";
     std::string batching = "instanced";
+    std::string snapping = "by-device";
     std::string detail = "none";
     experiments::EffectArguments effects;
     experiments::ViewsArguments views; ///< one eye, or two

@@ -39,6 +39,7 @@ ViewSettings settingsOf(const Arguments& arguments) {
     settings.targets = render::parseTargets(arguments.targets);
     settings.submission = render::parseSubmission(arguments.submission);
     settings.batching = render::parseBatching(arguments.batching);
+    settings.snapping = render::parseSnapping(arguments.snapping);
     settings.threads = arguments.threads;
     settings.choice = arguments.choice;
     settings.choice.light = experiments::lightOf(arguments.effects);

@@ -109,6 +109,7 @@ void addTechnique(Words& words, const ViewSettings& settings, const depth::Techn
     words.addUnless(settings.submission == defaults.submission, "--submission",
                     render::nameOf(settings.submission));
     words.addUnless(settings.batching == defaults.batching, "--batching", render::nameOf(settings.batching));
+    words.addUnless(settings.snapping == defaults.snapping, "--snapping", render::nameOf(settings.snapping));
     addFinish(words, settings);
     words.addUnless(settings.threads == defaults.threads, "--threads", fmt::format("{}", settings.threads));
 }

@@ -115,6 +115,13 @@ std::string_view explain(render::Batching batching) {
     return at(kTexts, batching);
 }
 
+std::string_view explain(render::Snapping snapping) {
+    static constexpr std::array<std::string_view, render::kSnappings.size()> kTexts{
+        "The device rounds vertices to sub-pixels and keeps their depth, so slanted triangles tilt a little.",
+        "Vertices of flat facets move to their sub-pixel in the plane of the facet first, so depth stays exact."};
+    return at(kTexts, snapping);
+}
+
 std::string_view explain(ViewKind view) {
     static constexpr std::array<std::string_view, kViewKinds.size()> kTexts{
         "The lit picture, as a user of the scene would see it.",

@@ -14,6 +14,7 @@ std::string_view explain(depth::DepthFormat format);
 std::string_view explain(render::TargetsKind targets);
 std::string_view explain(render::Submission submission);
 std::string_view explain(render::Batching batching);
+std::string_view explain(render::Snapping snapping);
 std::string_view explain(ViewKind view);
 /// Of the worker threads.
 std::string_view explainThreads();

@@ -81,7 +81,8 @@ render::RenderOptions renderOptions(const ViewSettings& settings, std::size_t si
                                   .targets = settings.targets,
                                   .threads = settings.threads,
                                   .submission = settings.submission,
-                                  .batching = settings.batching};
+                                  .batching = settings.batching,
+                                  .snapping = settings.snapping};
     apply(settings.finish, options);
     return options;
 }

@@ -44,6 +44,7 @@ struct ViewSettings {
     render::TargetsChoice targets = render::TargetsKind::single;
     render::Submission submission = render::Submission::secondaries;
     render::Batching batching = render::Batching::instanced;
+    render::Snapping snapping = render::Snapping::byDevice;
     std::size_t threads = 1;
     ViewKind view = ViewKind::shaded;
     Finish finish{};

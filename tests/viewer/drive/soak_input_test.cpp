@@ -94,6 +94,7 @@ TEST(SoakInput, IsBoundedAndReachesEverything) {
             seen.insert("format " + std::string(depth::nameOf(s.technique.format)));
             seen.insert("submission " + std::string(render::nameOf(s.submission)));
             seen.insert("batching " + std::string(render::nameOf(s.batching)));
+            seen.insert("snapping " + std::string(render::nameOf(s.snapping)));
             const render::Effects& effects = s.finish.effects;
             seen.insert(effects.antialias == render::Antialias::edges ? "smooth edges" : "");
             seen.insert(effects.occlusion.radius > 0.0 ? "occlusion" : "");
@@ -107,8 +108,8 @@ TEST(SoakInput, IsBoundedAndReachesEverything) {
     }
     seen.erase("");
     // 9 events, keys, 2 screens, 5 ways to finish, and the scenes, views, targets, mappings, formats,
-    // submissions and batchings.
-    EXPECT_EQ(seen.size(), 9u + kCameraKeys + 2u + 5u + 4u + 6u + 5u + 6u + 3u + 3u + 3u) << [&] {
+    // submissions, batchings and snappings.
+    EXPECT_EQ(seen.size(), 9u + kCameraKeys + 2u + 5u + 4u + 6u + 5u + 6u + 3u + 3u + 3u + 2u) << [&] {
         std::string all;
         for (const std::string& what : seen) {
             all += what + "; ";

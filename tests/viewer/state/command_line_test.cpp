@@ -94,13 +94,15 @@ TEST(RenderCommand, SaysEverythingThatIsChosen) {
     view.settings.targets = render::TargetsChoice::pool(4);
     view.settings.submission = render::Submission::primaries;
     view.settings.batching = render::Batching::perObject;
+    view.settings.snapping = render::Snapping::inPlane;
     view.settings.threads = 2;
     view.settings.seed = 5;
     view.settings.view = ViewKind::ids;
-    EXPECT_EQ(renderCommand(view, "a b.png"),
-              "cdr render 'my scene.glb' --depth=anchored-reversed --split=fitted:0.5px,max=3 --format=d24 "
-              "--targets=pool:4 --submission=primaries --batching=per-object --threads=2 --seed=5 "
-              "--size=640x360 --aov=id '--output=a b.png'");
+    EXPECT_EQ(
+        renderCommand(view, "a b.png"),
+        "cdr render 'my scene.glb' --depth=anchored-reversed --split=fitted:0.5px,max=3 --format=d24 "
+        "--targets=pool:4 --submission=primaries --batching=per-object --snapping=in-plane --threads=2 --seed=5 "
+        "--size=640x360 --aov=id '--output=a b.png'");
     view.settings.second = depth::parseTechnique("logcdr");
     view.side = 1;
     EXPECT_EQ(valueOf(renderCommand(view), "--technique"), "logcdr");

@@ -69,6 +69,9 @@ TEST(Explanations, EachChoiceHasASentenceOfItsOwn) {
     for (const render::Batching batching : render::kBatchings) {
         expectSentence(explain(batching));
     }
+    for (const render::Snapping snapping : render::kSnappings) {
+        expectSentence(explain(snapping));
+    }
     for (const ViewKind view : kViewKinds) {
         expectSentence(explain(view));
     }
