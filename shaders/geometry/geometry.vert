@@ -20,7 +20,7 @@ layout(location = 7) in uvec4 inLook;
 layout(push_constant) uniform Push { CascadePush cascade; };
 #endif
 #include "geometry/place.glsl"
-#ifdef FACETED
+#ifndef DEPTH_ALONE
 #include "public/cdr_in_plane.glsl"
 layout(constant_id = 11) const float kSubPixelsX = 0.0; // from the picture's middle to its edge; 0: vertices stay
 layout(constant_id = 12) const float kSubPixelsY = 0.0;
@@ -78,7 +78,7 @@ void main() {
                        dot(cross(record.right.xyz, record.up.xyz), normal));
     float mirrored = dot(cross(record.right.xyz, record.up.xyz), back);
     turned = mirrored < 0.0 ? -turned : turned;
-#ifdef FACETED
+
     if (kSubPixelsX != 0.0) { // render::Snapping::inPlane
         vec3 before = vec3(x, y, ahead);
         vec2 perSlope = vec2(kSubPixelsX * cascade.projectionX, kSubPixelsY * cascade.projectionY);
@@ -88,7 +88,6 @@ void main() {
         y = moved.y;
         ahead = moved.z;
     }
-#endif
     place(x, y, ahead, record.ahead.w);
     vec4 baseColor = inColor * vec4(unpackHalf2x16(record.baseColorRg), unpackHalf2x16(record.baseColorBa));
     uint id = record.id | (cascade.cascade << kIdBits);

@@ -14,7 +14,7 @@ std::uint32_t variantOf(bool isFaceted, const scene::Material& material) {
         return kFacetedVariant;
     }
     return (isTextured ? kTexturedVariant : 0) + (isMasked ? kMaskedVariant : 0) +
-           (isLayered ? kLayeredVariant : 0) + detail * kDetailStep;
+           (isLayered ? kLayeredVariant : 0) + (isFaceted ? kPlanesVariant : 0) + detail * kDetailStep;
 }
 
 std::vector<std::uint32_t> variantsOf(std::span<const scene::Material> materials) {

@@ -25,7 +25,7 @@ struct MeshRange {
     std::uint32_t levelCount = 0;
     std::uint32_t firstClusterIndex = 0; ///< where its scene::ClusterTree::indices begin
     float boundingRadius = 0.0f;         ///< object space
-    bool isFaceted = false;              ///< the vertices of every triangle share their colour and its own normal
+    bool isFaceted = false; ///< the vertices of every triangle share their colour and its own normal
 
     bool operator==(const MeshRange&) const = default;
 };
@@ -45,8 +45,10 @@ inline constexpr std::uint32_t kMaskedVariant = 2;
 inline constexpr std::uint32_t kFacetedVariant = 4;
 /// It lies in a layer. Never faceted.
 inline constexpr std::uint32_t kLayeredVariant = 8;
-/// Above those, detailPartsOf() the material; never of a faceted mesh.
-inline constexpr std::uint32_t kDetailStep = 16;
+/// Every triangle is of one colour and normal, as of kFacetedVariant, but its material needs more. For Snapping::inPlane.
+inline constexpr std::uint32_t kPlanesVariant = 16;
+/// Above those, detailPartsOf() the material; never of kFacetedVariant.
+inline constexpr std::uint32_t kDetailStep = 32;
 inline constexpr std::size_t kPipelineVariants = std::size_t{kDetailStep} * shaders::kDetailMasks;
 
 /// Of a material on a mesh.

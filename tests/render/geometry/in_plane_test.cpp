@@ -42,6 +42,28 @@ TEST_F(InPlaneTest, FacetsStayInTheirPlanes) {
     }
 }
 
+/// What a material needs of its shaders changes nothing in that.
+TEST_F(InPlaneTest, SoDoThoseOfAnyMaterial) {
+    scene::Scene scene = boxScene();
+    scene::Material& material = scene.materials[0];
+    material.doubleSided = true;
+    material.alphaMode = scene::AlphaMode::mask;
+    material.alphaCutoff = 0.0f;
+    const scene::SceneSetup mixed = scenes::makeMixed();
+    scene.instances = mixed.scene.instances;
+    scene.materials.push_back(material);
+    const scene::Camera camera = mixed.path.at(0);
+    for (const std::uint32_t bits : roundings()) {
+        render::RenderOptions options = optionsFor(bits, Snapping::byDevice);
+        options.width = 1440;
+        options.height = 810;
+        const std::uint64_t byDevice = wrongIn(draw(scene, camera, options), scene, camera).wrong;
+        options.snapping = Snapping::inPlane;
+        EXPECT_LE(wrongIn(draw(scene, camera, options), scene, camera).wrong, 2u);
+        EXPECT_GT(byDevice, 1'000u);
+    }
+}
+
 /// Gaps that are narrower than what rounding tilts faces by.
 TEST_F(InPlaneTest, AnchoredDepthOrdersWhatRoundingSwaps) {
     const scene::SceneSetup setup = scenes::makeMixed();

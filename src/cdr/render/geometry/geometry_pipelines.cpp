@@ -165,7 +165,8 @@ void GeometryPipelines::follow(const gpu::Device& device, const GpuScene& scene)
     }
 }
 
-void GeometryPipelines::provide(const gpu::Device& device, std::uint32_t variant) {
+void GeometryPipelines::provide(const gpu::Device& device, std::uint32_t ofKind) {
+    const std::uint32_t variant = told(ofKind);
     for (const Span span : {Span::compact, Span::wide}) {
         gpu::Pipeline& pipeline = (span == Span::wide ? m_wide : m_compact)[variant];
         if (!pipeline) {
@@ -226,6 +227,8 @@ gpu::Pipeline GeometryPipelines::makeSurfaces(const gpu::Device& device, std::ui
     const bool movesDepth = isLayered && !isBiased;
     const bool cutsFragments = isWide || movesDepth;
     const ShaderKind shaderKind = shaderKindOf(variant);
+    const bool hasPlanes = (variant & (kFacetedVariant | kPlanesVariant)) != 0;
+    const glm::vec2 subPixels = hasPlanes ? m_options.subPixels : glm::vec2(0.0f);
     return gpu::makeGraphicsPipeline(
         device, {.name = isWide ? "geometry, wide" : "geometry",
                  .vertexSpirv = vertexShader(m_options.batching, shaderKind),
@@ -237,8 +240,8 @@ gpu::Pipeline GeometryPipelines::makeSurfaces(const gpu::Device& device, std::ui
                                std::bit_cast<std::uint32_t>(layerSlope(m_options.subPixelBits)),
                                std::bit_cast<std::uint32_t>(depthStepOf(m_options.technique.format)),
                                std::bit_cast<std::uint32_t>(depth::isReversed(mapping) ? 1.0f : -1.0f),
-                               variant / kDetailStep, std::bit_cast<std::uint32_t>(m_options.subPixels.x),
-                               std::bit_cast<std::uint32_t>(m_options.subPixels.y)},
+                               variant / kDetailStep, std::bit_cast<std::uint32_t>(subPixels.x),
+                               std::bit_cast<std::uint32_t>(subPixels.y)},
                  .layout = m_layout,
                  .bindings = bindingsFor(m_options.batching, shaderKind.isDetailed),
                  .attributes = attributesFor(m_options.batching, shaderKind.isDetailed),

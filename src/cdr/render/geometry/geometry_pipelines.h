@@ -68,7 +68,7 @@ class GeometryPipelines {
     const LayerOptions& layers() const { return m_options.layers; }
     /// Of a variant that some kind of the scene has.
     vk::Pipeline pipeline(std::uint32_t variant, Span span) const {
-        return *(span == Span::wide ? m_wide : m_compact)[variant];
+        return *(span == Span::wide ? m_wide : m_compact)[told(variant)];
     }
 
     /// Of the colour attachment; eUndefined where there is none.
@@ -82,6 +82,10 @@ class GeometryPipelines {
 
   private:
     using Pipelines = std::array<gpu::Pipeline, kPipelineVariants>; ///< empty where no kind needs one
+    /// Without kPlanesVariant where the device rounds vertices.
+    std::uint32_t told(std::uint32_t variant) const {
+        return m_options.subPixels.x > 0.0f ? variant : variant & ~kPlanesVariant;
+    }
     void provide(const gpu::Device& device, std::uint32_t variant);
     gpu::Pipeline makeSurfaces(const gpu::Device& device, std::uint32_t variant, Span span) const;
     gpu::Pipeline makeOccluder(const gpu::Device& device, Span span) const;

@@ -18,9 +18,9 @@ namespace cdr::render {
 enum class Snapping : std::uint8_t {
     byDevice, ///< the device rounds them
     /// The vertex shader moves them to the middle of a sub-pixel first, in the plane of their facet: depth stays that of the
-    /// plane. For meshes of facets (each triangle has one normal, its own, and one colour) whose material has no texture,
-    /// mask, layer or further detail, and shows one side. Others are drawn as by `byDevice`. It helps where a device has the
-    /// sub-pixel bits that it tells. Triangles that are cut at a cascade's planes get corners that only the device rounds.
+    /// plane. For meshes of facets: each triangle has one colour and one normal, its own. Other meshes are drawn as by
+    /// `byDevice`. It needs a device that has the sub-pixel bits that it tells. Triangles that are cut at a cascade's planes get
+    /// corners that only the device rounds. Not for blended surfaces, nor with a visibility buffer.
     inPlane,
 };
 
