@@ -98,7 +98,7 @@ TEST(Advice, CountsSnappingWhereAskedTo) {
     ASSERT_TRUE(advise(asked).simplest);
     EXPECT_EQ(explain(asked, advise(asked)).back(),
               "Where vertices snap to 8 sub-pixel bits, faces of slope 1 and unlike outlines may swap below "
-              "0.005524.");
+              "0.005524. With --snapping in-plane, flat facets do not.");
     asked.scene.subPixelBits = 4;
     const Advice snapped = advise(asked);
     EXPECT_FALSE(snapped.simplest);

@@ -98,10 +98,11 @@ std::string snappingLine(const AdviceQuestion& question, const LengthText& lengt
     if (reach < 0.1 * question.separationView) {
         return "";
     }
-    return base::concat(
-        scene.subPixelBits ? "Vertices snap to " : "Where vertices snap to ", bits,
-        scene.subPixelBits ? " sub-pixel bits: faces of slope " : " sub-pixel bits, faces of slope ",
-        base::general(scene.slope, 3), " and unlike outlines may swap below ", lengthText(reach), ".");
+    return base::concat(scene.subPixelBits ? "Vertices snap to " : "Where vertices snap to ", bits,
+                        scene.subPixelBits ? " sub-pixel bits: faces of slope "
+                                           : " sub-pixel bits, faces of slope ",
+                        base::general(scene.slope, 3), " and unlike outlines may swap below ",
+                        lengthText(reach), ". With --snapping in-plane, flat facets do not.");
 }
 
 std::string describe(const AdviceRow& row) {
