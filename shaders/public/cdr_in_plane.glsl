@@ -9,8 +9,10 @@
 
 #include "cdr_float_pair.glsl"
 
-// How far view-space x lies from the middle of a sub-pixel, seen at a view distance. Its terms are exact, since their difference is
-// as small as what float32 rounds them by.
+// How far view-space x lies from the middle of a sub-pixel, or y. Its terms are exact, since their difference is as small as what
+// float32 rounds them by.
+// x: view space. distanceView: of it. subPixel: a whole number, from the picture's middle. perSlope: sub-pixels per unit of x / w.
+// @units Scene units. @range perSlope: not 0.
 float cdrAcrossToSubPixel(float x, float distanceView, float subPixel, float perSlope) {
     vec2 wanted = cdrExactProduct(subPixel, distanceView);
     vec2 given = cdrExactProduct(x, perSlope);
