@@ -86,7 +86,7 @@ class GeometryPipelines {
     std::uint32_t told(std::uint32_t variant) const {
         return m_options.subPixels.x > 0.0f ? variant : variant & ~kPlanesVariant;
     }
-    void provide(const gpu::Device& device, std::uint32_t variant);
+    void provide(const gpu::Device& device, std::uint32_t ofKind);
     gpu::Pipeline makeSurfaces(const gpu::Device& device, std::uint32_t variant, Span span) const;
     gpu::Pipeline makeOccluder(const gpu::Device& device, Span span) const;
 
