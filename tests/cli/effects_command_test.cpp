@@ -39,7 +39,7 @@ TEST(EffectsCommand, OcclusionPerLayerDrawsShinyScenesMattAndSaysSo) {
     const TemporaryFolder folder;
     const std::string render =
         "--validate render '" CDR_SOURCE_DIR "/tests/golden/spheres.gltf' --size 64x36 ";
-    const std::string saying = "drawn otherwise than asked: surfaces are matt";
+    const std::string saying = "not drawn as requested: surfaces are matt";
     const ProgramResult perLayer =
         runProgram(render + "--targets accumulate --occlusion 1:layers", folder.path());
     ASSERT_EQ(perLayer.status, 0) << perLayer.err;

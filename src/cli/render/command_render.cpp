@@ -74,14 +74,14 @@ void requireOneView(const RenderArguments& arguments, const RenderPlan& plan) {
         throw base::InputError("--views six has views of 90 degrees: leave out --fov");
     }
     if (!arguments.certify.empty()) {
-        throw base::InputError("--certify is of one view: leave out --stereo and --views");
+        throw base::InputError("--certify works with one view: leave out --stereo and --views");
     }
     if (plan.division == FrameDivision::cascades) {
-        throw base::InputError("--ranks cascades is of one view: leave out --stereo and --views");
+        throw base::InputError("--ranks cascades works with one view: leave out --stereo and --views");
     }
     if (plan.views.isAnaglyph() && plan.aov != experiments::Aov::color) {
         throw base::InputError(
-            "--stereo-picture anaglyph is of colors: leave out --aov, or take side-by-side");
+            "--stereo-picture anaglyph shows colors: leave out --aov, or take side-by-side");
     }
 }
 

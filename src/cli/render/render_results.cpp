@@ -26,10 +26,10 @@ std::vector<std::string> notesOn(Command& command, bool isFirst, const FrameOutp
         notes.push_back(fmt::format("frame {} drawn with --translucency weighted: {}", made.number(), why));
     }
     if (isFirst && frame.stats.lostEmission) {
-        notes.push_back(fmt::format("drawn otherwise than asked: {}", experiments::noteOnLostEmission()));
+        notes.push_back(fmt::format("not drawn as requested: {}", experiments::noteOnLostEmission()));
     }
     if (isFirst && frame.stats.lostShine) {
-        notes.push_back(fmt::format("drawn otherwise than asked: {}", experiments::noteOnLostShine()));
+        notes.push_back(fmt::format("not drawn as requested: {}", experiments::noteOnLostShine()));
     }
     return notes;
 }

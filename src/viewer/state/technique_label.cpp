@@ -22,12 +22,12 @@ double techniqueStepView(const depth::Technique& technique, const depth::Cascade
 std::string resolvesText(double stepView, double distanceView, base::LengthUnit unit) {
     const std::string distance = base::quantityText(distanceView, unit);
     if (!std::isfinite(stepView)) {
-        return "tells nothing apart at " + distance;
+        return "resolves nothing at " + distance;
     }
     if (stepView >= 0.1 * distanceView) {
         return "a step is over a tenth of " + distance;
     }
-    return fmt::format("tells {} apart at {}", base::quantityText(stepView, unit), distance);
+    return fmt::format("resolves {} at {}", base::quantityText(stepView, unit), distance);
 }
 
 } // namespace cdr::viewer

@@ -17,7 +17,7 @@ std::string techniqueName(const depth::Technique& technique);
 double techniqueStepView(const depth::Technique& technique, const depth::Cascades& cascades,
                          double distanceView);
 
-/// "tells 2.439 µm apart at 420 km"; where a step takes a good part of the way, that alone.
+/// "resolves 2.439 µm at 420 km"; where a step takes a good part of the way, that alone.
 std::string resolvesText(double stepView, double distanceView, base::LengthUnit unit);
 
 } // namespace cdr::viewer

@@ -59,11 +59,11 @@ TEST(TechniqueStep, AnchoredTellsMicrometresApartWhereOthersTellNothing) {
 TEST(ResolvesText, ClaimsNothingWhereAStepTakesAGoodPartOfTheWay) {
     using base::LengthUnit;
     EXPECT_EQ(resolvesText(2.44e-6, 420'001.3, LengthUnit::automatic),
-              "tells 2.44\u00a0µm apart at 420\u00a0km");
-    EXPECT_EQ(resolvesText(2.44e-6, 420'001.3, LengthUnit::none), "tells 2.44·10⁻⁶ apart at 420,001");
+              "resolves 2.44\u00a0µm at 420\u00a0km");
+    EXPECT_EQ(resolvesText(2.44e-6, 420'001.3, LengthUnit::none), "resolves 2.44·10⁻⁶ at 420,001");
     EXPECT_EQ(resolvesText(2.762e6, 0.5, LengthUnit::metre), "a step is over a tenth of 0.5\u00a0m");
     EXPECT_EQ(resolvesText(std::numeric_limits<double>::infinity(), 3.0, LengthUnit::automatic),
-              "tells nothing apart at 3\u00a0m");
+              "resolves nothing at 3\u00a0m");
 }
 
 TEST(Counted, HasItsPlural) {
