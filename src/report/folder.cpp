@@ -156,20 +156,28 @@ PendingFolder::PendingFolder(const fs::path& path, const std::string& state) : m
     m_isInside = fs::exists(m_path) && (isCurrent(m_path) || isMountPoint(m_path));
     const fs::path folder = m_isInside ? m_path : m_path.parent_path();
     m_temporary = state.empty() ? hiddenIn(folder, m_path, "new") : hiddenIn(folder, m_path, kept, "new");
-    makeTemporary(folder, state.empty());
+    if (state.empty()) {
+        makeTemporary(folder);
+    } else {
+        continueEarlier(folder);
+    }
 }
 
-void PendingFolder::makeTemporary(const fs::path& folder, bool isAnew) {
-    if (!isAnew && fs::is_directory(fs::symlink_status(m_temporary))) {
-        m_isKept = true;
-        return;
-    }
+void PendingFolder::makeTemporary(const fs::path& folder) const {
     std::error_code error;
     if (!fs::create_directory(m_temporary, error)) {
         const std::string why = error ? error.message() : m_temporary.filename().string() + " is in the way";
         throw base::InputError(fmt::format("{}: no folder can be made here: {}", folder.string(), why));
     }
-    if (!isAnew && fs::is_regular_file(m_path / kManifest)) {
+}
+
+void PendingFolder::continueEarlier(const fs::path& folder) {
+    if (fs::is_directory(fs::symlink_status(m_temporary))) {
+        m_isKept = true;
+        return;
+    }
+    makeTemporary(folder);
+    if (fs::is_regular_file(m_path / kManifest)) {
         copyFiles(m_path, m_temporary);
     }
 }

@@ -39,7 +39,8 @@ class PendingFolder {
     void commit();
 
   private:
-    void makeTemporary(const std::filesystem::path& folder, bool isAnew);
+    void makeTemporary(const std::filesystem::path& folder) const;
+    void continueEarlier(const std::filesystem::path& folder);
     void renameIntoPlace() const;
     void moveIntoPlace() const;
 

@@ -163,8 +163,8 @@ TEST_F(PartFrames, AreRefusedWhereAPixelNeedsMoreThanItsSurface) {
               "");
     render::RenderOptions beyond = good;
     beyond.part = {.index = 2, .count = 2};
-    EXPECT_THROW(requireDivisible(beyond, false), base::InputError);
-    EXPECT_THROW(requireDivisible(good, true), base::InputError);
+    EXPECT_THROW(requireDivisible(beyond, {}), base::InputError);
+    EXPECT_THROW(requireDivisible(good, {.blended = true}), base::InputError);
 }
 
 TEST_F(PartFrames, RefuseBytesOfAnotherSize) {

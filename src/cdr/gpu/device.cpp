@@ -206,7 +206,10 @@ Device::Device(const Instance& instance, const std::string& choice) : m_handles(
     m_handles->owned = makeDevice(m_handles->physical, m_handles->queueFamily, m_handles->info);
     m_handles->device = *m_handles->owned;
     m_handles->queue = m_handles->device.getQueue(m_handles->queueFamily, 0);
-    finish(instance.handle(), instance.hasDebugNames());
+    if (instance.hasDebugNames()) {
+        loadDebugNames();
+    }
+    finish(instance.handle());
 }
 
 Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Handles>()) {
@@ -239,18 +242,22 @@ Device::Device(const BorrowedDevice& borrowed) : m_handles(std::make_unique<Hand
                                                          : borrowed.hasGpuDrivenFeatures;
     info.hasFloat64 = info.hasFloat64 && hasFloat64;
     info.hasInt64Atomics = false;
-    finish(borrowed.instance, borrowed.hasDebugNames);
+    if (borrowed.hasDebugNames) {
+        loadDebugNames();
+    }
+    finish(borrowed.instance);
 }
 
-void Device::finish(VkInstance instance, bool hasDebugNames) {
-    if (hasDebugNames) {
-        m_handles->setName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
-            m_handles->device.getProcAddr("vkSetDebugUtilsObjectNameEXT"));
-        m_handles->beginLabel = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(
-            m_handles->device.getProcAddr("vkCmdBeginDebugUtilsLabelEXT"));
-        m_handles->endLabel = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
-            m_handles->device.getProcAddr("vkCmdEndDebugUtilsLabelEXT"));
-    }
+void Device::loadDebugNames() {
+    m_handles->setName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
+        m_handles->device.getProcAddr("vkSetDebugUtilsObjectNameEXT"));
+    m_handles->beginLabel = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(
+        m_handles->device.getProcAddr("vkCmdBeginDebugUtilsLabelEXT"));
+    m_handles->endLabel = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
+        m_handles->device.getProcAddr("vkCmdEndDebugUtilsLabelEXT"));
+}
+
+void Device::finish(VkInstance instance) {
     m_handles->pipelineCache = m_handles->device.createPipelineCacheUnique({});
     if (m_handles->allocator != nullptr) {
         return;

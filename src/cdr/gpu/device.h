@@ -165,7 +165,8 @@ class CDR_EXPORT Device {
     friend PipelineObjects& pipelineObjects(const Device& device);
 
     struct Handles;
-    void finish(VkInstance instance, bool hasDebugNames);
+    void loadDebugNames();
+    void finish(VkInstance instance);
     void setObjectName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
 
     std::unique_ptr<Handles> m_handles;

@@ -9,7 +9,7 @@ namespace cdr::render {
 namespace {
 
 /// Null where nothing is in the way.
-const char* whatNeedsAllCascades(const RenderOptions& options, bool hasBlended) {
+const char* whatNeedsAllCascades(const RenderOptions& options, const SceneTraits& scene) {
     if (options.effects.antialias != Antialias::none) {
         return "smoothed edges";
     }
@@ -22,7 +22,7 @@ const char* whatNeedsAllCascades(const RenderOptions& options, bool hasBlended) 
     if (options.motion) {
         return "motion";
     }
-    if (hasBlended) {
+    if (scene.blended) {
         return "blended materials";
     }
     if (options.occlusionCulling) {
@@ -33,8 +33,8 @@ const char* whatNeedsAllCascades(const RenderOptions& options, bool hasBlended) 
 
 } // namespace
 
-void requireDivisible(const RenderOptions& options, bool hasBlended) {
-    if (const char* what = whatNeedsAllCascades(options, hasBlended)) {
+void requireDivisible(const RenderOptions& options, const SceneTraits& scene) {
+    if (const char* what = whatNeedsAllCascades(options, scene)) {
         throw base::InputError(fmt::format("cascades cannot be divided: {} need all of them", what));
     }
     if (options.part.index >= options.part.count) {

@@ -25,11 +25,16 @@ struct CascadePart {
     bool operator==(const CascadePart&) const = default;
 };
 
+/// What of a scene decides how a renderer is set up.
+struct SceneTraits {
+    bool blended = false;  ///< it has blended materials
+    bool daylight = false; ///< it has a sky or air
+};
+
 /// Refuses what several renderers cannot draw together.
 /// @throws base::InputError for what reads more than a pixel's own surface, or needs other cascades.
 ///         Antialiasing, ambient occlusion over the whole picture, a lens with a focus, and motion do. So do
 ///         occlusion culling, blended surfaces and gpu-driven draws. Also for a part that does not exist.
-/// @param hasBlended whether the scene has blended materials.
-CDR_EXPORT void requireDivisible(const RenderOptions& options, bool hasBlended);
+CDR_EXPORT void requireDivisible(const RenderOptions& options, const SceneTraits& scene);
 
 } // namespace cdr::render

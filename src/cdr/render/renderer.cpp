@@ -78,9 +78,9 @@ std::vector<std::uint32_t> blendedVariants(const PrepareFor& prepared) {
 
 Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, const RenderOptions& options,
                          const Needs& needs)
-    : extent(checkedExtent(device, options, needs.blended)),
+    : extent(checkedExtent(device, options, needs.traits())),
       litTargets(makeLitTargets(device, extent, options)),
-      picture(device, pictureOptions(extent, options, needs.blended, needs.sky || needs.air),
+      picture(device, pictureOptions(extent, options, needs.traits()),
               litTargets != nullptr ? &litTargets->gbuffer() : nullptr),
       ownTargets(makeOwnTargets(device, drawn, options, {needs.shiny, needs.emission}, picture)),
       targets(std::visit([](const auto& own) -> Targets& { return *own; }, ownTargets)),
@@ -94,7 +94,7 @@ Renderer::Passes::Passes(const gpu::Device& device, const DrawnScene& drawn, con
                .anchored = depth::isAnchored(options.technique.mapping),
                .sky = needs.sky,
                .air = needs.air,
-               .finishes = !needsLit(pictureOptions(extent, options, needs.blended, needs.sky || needs.air)),
+               .finishes = !needsLit(pictureOptions(extent, options, needs.traits())),
                .emission = targets.emission(),
                .facets = hasFacets(options),
                .marks = needs.air ? nullptr : targets.marks(), // the background has air too
@@ -138,7 +138,7 @@ Renderer::Renderer(const gpu::Device& device, const scene::Scene& scene, const G
     if (options.schedule) {
         m_workers.setSchedule(*options.schedule);
     }
-    checkedExtent(device, options, m_needs.blended);
+    checkedExtent(device, options, m_needs.traits());
     m_paths = std::make_unique<DrawPathFactory>(device, m_drawn, chooseFacets(m_drawn, options), options,
                                                 KeptSurfaces{m_needs.shiny, m_needs.emission});
     makePasses();

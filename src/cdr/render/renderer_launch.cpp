@@ -26,7 +26,7 @@ void Renderer::launch(Slot& slot, const Delivery& delivery) {
     slot.path->begin(slot.view, host);
     if (m_passes->litTargets != nullptr) {
         slot.view.clearColor =
-            glm::vec4(finished(m_drawn.scene.background, m_options.effects.finish, false), 1.0f);
+            glm::vec4(finished(m_drawn.scene.background, m_options.effects.finish, Daylight::absent), 1.0f);
         m_passes->litTargets->record(*slot.path, slot.view);
     } else {
         m_passes->targets.record(*slot.path, slot.view);

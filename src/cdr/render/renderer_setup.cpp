@@ -82,13 +82,12 @@ void requireShadows(const RenderOptions& options) {
 
 } // namespace
 
-PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended,
-                              bool daylight) {
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, const SceneTraits& scene) {
     return {.extent = extent,
-            .hasSteps = hasBlended || options.focus.isOn(),
+            .hasSteps = scene.blended || options.focus.isOn(),
             .antialias = options.effects.antialias,
             .finish = options.effects.finish,
-            .daylight = daylight};
+            .daylight = scene.daylight};
 }
 
 TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options,
@@ -121,14 +120,15 @@ bool keepsEmission(const RenderOptions& options) {
     return keepsShine(options) && !options.focus.isOn();
 }
 
-std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
+std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options,
+                                  const SceneTraits& scene) {
     const vk::Extent2D extent{options.width, options.height};
     const bool hasFacets = options.surface != SurfacePath::gbuffer;
     return predictLayerBytes(device, extent, options.technique.format,
                              hasFacets ? kVisibilityFormat : kGBufferFormat) +
            (hasFacets ? gpu::predictBytes(device, gbufferOptions(extent)) : 0) +
            predictLitBytes(device, extent, options) +
-           Picture::predictBytes(device, pictureOptions(extent, options, hasBlended, false)) +
+           Picture::predictBytes(device, pictureOptions(extent, options, scene)) +
            ShadingPass::predictBytes(extent, options.effects) +
            (options.motion ? MotionPass::predictBytes(device, extent) : 0) +
            predictOcclusionBytes(device, extent, options) +
@@ -140,7 +140,8 @@ std::uint32_t subPixelBits(const gpu::Device& device, const RenderOptions& optio
     return options.snapBits > 0 ? std::min(options.snapBits, ofDevice) : ofDevice;
 }
 
-vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended) {
+vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options,
+                           const SceneTraits& scene) {
     if (options.framesInFlight < 1 || options.framesInFlight > kMaxFramesInFlight) {
         throw base::InputError(fmt::format("frames in flight must be 1 to {}, not {}", kMaxFramesInFlight,
                                            options.framesInFlight));
@@ -155,7 +156,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
     }
     requireUsable(options.effects);
     if (options.part != CascadePart{}) {
-        requireDivisible(options, hasBlended);
+        requireDivisible(options, scene);
     }
     requireFocusable(options);
     requireShadows(options);
@@ -173,7 +174,7 @@ vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& optio
         }
     }
     const vk::Extent2D extent{options.width, options.height};
-    gpu::requireDeviceBytes(device, predictPictureBytes(device, options, hasBlended),
+    gpu::requireDeviceBytes(device, predictPictureBytes(device, options, scene),
                             fmt::format("a {}x{} picture", extent.width, extent.height));
     return extent;
 }

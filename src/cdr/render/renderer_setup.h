@@ -11,16 +11,14 @@ namespace cdr::render {
 
 /// The picture's size. base::InputError for options that cannot be, base::RunError, with both figures, when
 /// the picture's memory does not suffice.
-/// @param hasBlended whether the scene has blended instances.
-vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, bool hasBlended);
+vk::Extent2D checkedExtent(const gpu::Device& device, const RenderOptions& options, const SceneTraits& scene);
 
 /// Device bytes of a picture and what it is drawn through: with a visibility buffer also the G-buffer that is resolved
 /// from it.
-/// @param hasBlended as above.
-std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options, bool hasBlended);
+std::uint64_t predictPictureBytes(const gpu::Device& device, const RenderOptions& options,
+                                  const SceneTraits& scene);
 
-PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, bool hasBlended,
-                              bool daylight);
+PictureOptions pictureOptions(vk::Extent2D extent, const RenderOptions& options, const SceneTraits& scene);
 /// @param emission whether surfaces keep what they emit.
 TargetsOptions targetsOptions(vk::Extent2D extent, vk::Format format, const RenderOptions& options,
                               bool emission);

@@ -146,7 +146,8 @@ scene::SceneSetup openDrawn(Command& command, RenderArguments& arguments, const 
     // An unusable camera ends here, before the device is made.
     plan.views.camerasOf(plan.cameras.at(setup.path, plan.cameras.first));
     if (plan.division == FrameDivision::cascades) {
-        requireDivisible(plan.options, hasBlended(setup.scene)); // one process refuses what several do
+        requireDivisible(plan.options,
+                         {.blended = hasBlended(setup.scene)}); // one process refuses what several do
         if (plan.options.part.count > 1 && !setup.motion && !wanted.truth && !wanted.certificate) {
             dropOtherParts(setup.scene, plan.options, camerasOf(setup.path, plan.cameras), workers);
         }
@@ -186,7 +187,7 @@ void drawFrames(Command& command, const RenderPlan& plan, const scene::CameraPat
         return drawn;
     };
     const auto describe = [&](std::size_t frame, render::Frame drawn) {
-        return results.describe(maker.finish(numberOf(frame), std::move(drawn)), frame == 0);
+        return results.describe(frame, maker.finish(numberOf(frame), std::move(drawn)));
     };
     const auto take = [&](std::size_t frame, experiments::Json made) {
         results.take(frame, std::move(made));

@@ -17,8 +17,10 @@ namespace cdr::cli {
 namespace {
 
 /// What differs from what was asked, in words.
-std::vector<std::string> notesOn(Command& command, bool isFirst, const FrameOutput& made) {
+/// @param index of the frame, counted from the run's first.
+std::vector<std::string> notesOn(Command& command, std::size_t index, const FrameOutput& made) {
     const render::Frame& frame = made.frame();
+    const bool isFirst = index == 0;
     std::vector<std::string> notes;
     if (const auto& refusal = frame.stats.translucency.refusal) {
         const std::string why =
@@ -84,7 +86,7 @@ std::vector<std::size_t> RenderResults::missing() {
     return {frames.begin(), frames.end()};
 }
 
-experiments::Json RenderResults::describe(const FrameOutput& made, bool isFirst) {
+experiments::Json RenderResults::describe(std::size_t frame, const FrameOutput& made) {
     const std::string hash =
         m_arguments.hash || m_command.output().json || !m_arguments.state.empty() ? made.hash(m_aov) : "";
     const RenderRow row{made,
@@ -97,7 +99,7 @@ experiments::Json RenderResults::describe(const FrameOutput& made, bool isFirst)
     const auto& certified = made.certified();
     const bool isWritten = !m_arguments.file.empty() && !(certified && certified->certificate.isRefused());
     return experiments::Json{
-        {"notes", notesOn(m_command, isFirst, made)},
+        {"notes", notesOn(m_command, frame, made)},
         {"row", experiments::jsonOf(m_columns, row)},
         {"cells", experiments::cellsOf(m_columns, row)},
         {"certificate", certified

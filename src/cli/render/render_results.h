@@ -32,8 +32,8 @@ class RenderResults {
     std::vector<std::size_t> missing();
 
     /// All of a frame that take() needs.
-    /// @param isFirst whether it is the first frame of the run, which says what is drawn otherwise than asked.
-    experiments::Json describe(const FrameOutput& made, bool isFirst);
+    /// @param frame counted from the run's first, which says what is not drawn as requested.
+    experiments::Json describe(std::size_t frame, const FrameOutput& made);
     /// Writes the picture and keeps the rows.
     /// @param frame counted from the run's first.
     void take(std::size_t frame, experiments::Json made);

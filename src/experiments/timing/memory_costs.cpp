@@ -143,7 +143,7 @@ MemoryCost pixelCost(const gpu::Device& device, const MemoryOptions& options,
     const double layer = static_cast<double>(render::predictLayerBytes(
                              device, {options.width, options.height}, once.technique.format)) /
                          pixels;
-    const double picture = static_cast<double>(render::predictPictureBytes(device, once, false)) / pixels;
+    const double picture = static_cast<double>(render::predictPictureBytes(device, once, {})) / pixels;
     // The first layer has the final depth buffer for its own.
     const double sharedDepth = layers > 0.0 ? layer - kColor : 0.0;
     return {.what = "targets " + nameOf(targets),

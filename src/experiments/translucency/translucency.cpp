@@ -86,11 +86,11 @@ std::vector<render::RenderOptions> pairsOf(const TranslucencyExperiment& experim
 }
 
 /// For the first rank. The technique is known there.
-Json packedResult(const TranslucencyResult& result, bool keepsPicture) {
+Json packedResult(const TranslucencyResult& result, const TranslucencyExperiment& experiment) {
     const std::vector<Compared> compared{
         {.cascades = result.cascades, .stats = result.stats, .difference = result.difference}};
     Json made{{"compared", packed(compared)}, {"note", result.note}};
-    if (keepsPicture) {
+    if (experiment.keepsPictures) {
         made["picture"] = packedPicture(result.picture);
     }
     return made;
@@ -156,8 +156,7 @@ TranslucencyResults runTranslucency(const gpu::Device& device, const scene::Scen
         ranks, pairs.size(),
         [&](std::size_t unit) {
             progress(unit, steps);
-            return packedResult(compare(device, setup, gpuScene, pairs[unit], truth),
-                                experiment.keepsPictures);
+            return packedResult(compare(device, setup, gpuScene, pairs[unit], truth), experiment);
         },
         [&](std::size_t unit, const Json& made) {
             all.results.push_back(unpackedResult(made));

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cctype>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <sstream>
@@ -105,22 +106,25 @@ void readKey(Words& words, Steps& steps) {
     steps.emplace_back(InputEvent(KeyInput{.key = key, .pressed = false, .modifiers = modifiers}));
 }
 
-void readHeld(Words& words, Steps& steps, bool pressed) {
-    steps.emplace_back(InputEvent(KeyInput{.key = keyOf(words.next("key")), .pressed = pressed}));
+/// What a key or a button does.
+enum class Push : std::uint8_t { down, up };
+
+void readHeld(Words& words, Steps& steps, Push push) {
+    steps.emplace_back(InputEvent(KeyInput{.key = keyOf(words.next("key")), .pressed = push == Push::down}));
 }
 
-void readButton(Words& words, Steps& steps, bool pressed) {
+void readButton(Words& words, Steps& steps, Push push) {
     const int button = Words::wholeOf("button", words.nextOr("0"), 0, 4);
-    steps.emplace_back(InputEvent(ButtonInput{.button = button, .pressed = pressed}));
+    steps.emplace_back(InputEvent(ButtonInput{.button = button, .pressed = push == Push::down}));
 }
 
 const std::map<std::string, Reader, std::less<>>& readers() {
     static const std::map<std::string, Reader, std::less<>> kReaders{
         {"key", readKey},
-        {"hold", [](Words& w, Steps& s) { readHeld(w, s, true); }},
-        {"let", [](Words& w, Steps& s) { readHeld(w, s, false); }},
-        {"press", [](Words& w, Steps& s) { readButton(w, s, true); }},
-        {"release", [](Words& w, Steps& s) { readButton(w, s, false); }},
+        {"hold", [](Words& w, Steps& s) { readHeld(w, s, Push::down); }},
+        {"let", [](Words& w, Steps& s) { readHeld(w, s, Push::up); }},
+        {"press", [](Words& w, Steps& s) { readButton(w, s, Push::down); }},
+        {"release", [](Words& w, Steps& s) { readButton(w, s, Push::up); }},
         {"move",
          [](Words& w, Steps& s) {
              const double x = w.number("x");

@@ -37,7 +37,7 @@ void drawEyesPanel(const Widgets& widgets, ViewerModel& model) {
         if (mode != scene::kStereoModes.front()) {
             widgets.beside();
         }
-        if (widgets.button(nameOf(mode), settings.views.stereo == nameOf(mode))) {
+        if (widgets.toggle(nameOf(mode), settings.views.stereo == nameOf(mode))) {
             settings.views.stereo = nameOf(mode);
         }
     }

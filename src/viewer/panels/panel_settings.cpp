@@ -28,7 +28,7 @@ void choosePresets(const Widgets& widgets, std::string_view prefix, depth::Techn
         if (i % 3 != 0) {
             widgets.beside();
         }
-        if (widgets.button(fmt::format("{}/{}", prefix, presets[i].name),
+        if (widgets.toggle(fmt::format("{}/{}", prefix, presets[i].name),
                            technique == presets[i].technique)) {
             technique = presets[i].technique;
         }

@@ -107,14 +107,19 @@ std::size_t Widgets::combo(std::string_view name, std::string_view shown, std::s
     return chosen;
 }
 
-bool Widgets::button(std::string_view name, bool isOn) const {
+bool Widgets::button(std::string_view name) const {
+    const std::string shown = fmt::format("{}##{}", name.substr(name.find('/') + 1), name);
+    const bool isPressed = ImGui::Button(shown.c_str());
+    m_places.note(name);
+    return isPressed;
+}
+
+bool Widgets::toggle(std::string_view name, bool isOn) const {
     if (isOn) {
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
     }
-    const std::string shown = fmt::format("{}##{}", name.substr(name.find('/') + 1), name);
-    const bool isPressed = ImGui::Button(shown.c_str());
-    m_places.note(name);
+    const bool isPressed = button(name);
     if (isOn) {
         ImGui::PopStyleColor(2);
     }

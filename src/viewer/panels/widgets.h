@@ -33,7 +33,10 @@ class Widgets {
     std::size_t combo(std::string_view name, std::string_view shown, std::size_t count,
                       const std::function<std::string_view(std::size_t)>& nameOf,
                       const PictureOf& pictureOf = {}) const;
-    bool button(std::string_view name, bool isOn = false) const;
+    /// @return whether it was clicked.
+    bool button(std::string_view name) const;
+    /// A button that shows whether what it stands for is on. @return whether it was clicked.
+    bool toggle(std::string_view name, bool isOn) const;
     bool checkbox(std::string_view name, bool& isOn) const;
     bool count(std::string_view name, int& value, int low, int high) const;
     /// A number that is typed. Each letter that makes another number changes it.

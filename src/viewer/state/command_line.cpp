@@ -118,9 +118,10 @@ bool isSamePose(const scene::Camera& a, const scene::Camera& b) {
     return a.position == b.position && a.right == b.right && a.up == b.up && a.back == b.back;
 }
 
-/// @param isOwnFrame whether the scene's own camera is the one of the frame shown
-void addCamera(Words& words, const scene::Camera& camera, const scene::Camera& own, bool isOwnFrame) {
-    if (!isOwnFrame || !isSamePose(camera, own)) {
+void addCamera(Words& words, const ReproducedView& view) {
+    const scene::Camera& camera = view.camera;
+    const scene::Camera& own = view.sceneCamera; // that of frame 0
+    if (view.frame != 0 || !isSamePose(camera, own)) {
         const scene::Camera said = scene::canonical(camera);
         words.add("--eye", exactText(said.position));
         words.add("--direction", exactText(-said.back));
@@ -142,7 +143,7 @@ std::string renderCommand(const ReproducedView& view, std::string_view output) {
     words.add(settings.scene.starts_with('-') ? fmt::format("./{}", settings.scene) : settings.scene);
     addTechnique(words, settings, renderOptions(settings, view.side, view.extent).technique);
     words.addUnless(view.frame == 0, "--frame", fmt::format("{}", view.frame));
-    addCamera(words, view.camera, view.sceneCamera, view.frame == 0);
+    addCamera(words, view);
     addEyes(words, settings);
     const bool isGrey = settings.colours == scenes::Colours::thesis || scene::isGltfPath(settings.scene);
     words.addUnless(isGrey, "--colours", nameOf(settings.colours));

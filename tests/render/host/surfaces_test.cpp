@@ -30,9 +30,9 @@ TEST_F(SurfacesTest, AVisibilityBufferIsNotHandedOutAsAGBuffer) {
 
 TEST_F(SurfacesTest, AVisibilityBufferCountsInThePredictedBytes) {
     render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
-    const std::uint64_t without = predictPictureBytes(device(), options, false);
+    const std::uint64_t without = predictPictureBytes(device(), options, {});
     options.surface = render::SurfacePath::visibility;
-    EXPECT_GE(predictPictureBytes(device(), options, false),
+    EXPECT_GE(predictPictureBytes(device(), options, {}),
               without + std::uint64_t{4} * options.width * options.height);
 }
 

@@ -168,7 +168,7 @@ gpu::Pipeline FacetPipelines::make(const gpu::Device& device, Span span, std::ui
         .depthCompare = depthCompareOf(m_options.technique.mapping)};
     addAttributes(lights, options);
     if (lights > 0) {
-        const auto [finish, exposure] = finishConstants(m_options.finish, false);
+        const auto [finish, exposure] = finishConstants(m_options.finish, Daylight::absent);
         options.name = isWide ? "lit facets, wide" : "lit facets";
         options.constants.insert(options.constants.end(), {finish, exposure});
     }

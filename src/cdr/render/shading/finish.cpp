@@ -13,8 +13,9 @@ float gainOf(const Finish& finish) {
     return static_cast<float>(std::exp2(finish.exposure));
 }
 
-bool isNeutral(const Finish& finish, bool daylight) {
-    return finish.toneMap == ToneMap::neutral || (finish.toneMap == ToneMap::scene && daylight);
+bool isNeutral(const Finish& finish, Daylight daylight) {
+    return finish.toneMap == ToneMap::neutral ||
+           (finish.toneMap == ToneMap::scene && daylight == Daylight::present);
 }
 
 glm::vec3 neutralOf(glm::vec3 color) {
@@ -33,7 +34,7 @@ glm::vec3 neutralOf(glm::vec3 color) {
 
 } // namespace
 
-std::array<std::uint32_t, 2> finishConstants(const Finish& finish, bool daylight) {
+std::array<std::uint32_t, 2> finishConstants(const Finish& finish, Daylight daylight) {
     std::uint32_t kind = finish.exposure != 0.0 ? shaders::kFinishExposed : shaders::kFinishNone;
     if (isNeutral(finish, daylight)) {
         kind = shaders::kFinishNeutral;
@@ -41,7 +42,7 @@ std::array<std::uint32_t, 2> finishConstants(const Finish& finish, bool daylight
     return {kind, std::bit_cast<std::uint32_t>(gainOf(finish))};
 }
 
-glm::vec3 finished(glm::vec3 color, const Finish& finish, bool daylight) {
+glm::vec3 finished(glm::vec3 color, const Finish& finish, Daylight daylight) {
     color *= gainOf(finish);
     return isNeutral(finish, daylight) ? neutralOf(color) : color;
 }

@@ -80,7 +80,7 @@ std::vector<ImageUse> imagesOf(const ShadingOptions& shading) {
 FullscreenPassOptions passOptions(vk::Format format, const ShadingOptions& shading, std::uint32_t lightForm) {
     const Effects& effects = shading.effects;
     const auto [finish, exposure] = finishConstants(shading.finishes ? effects.finish : Finish{ToneMap::none},
-                                                    shading.sky || shading.air);
+                                                    daylightIf(shading.sky || shading.air));
     FullscreenPassOptions options{
         .name = "shading",
         .vertexSpirv = kShadingVert,
@@ -175,7 +175,7 @@ void ShadingInputs::update(const scene::Scene& scene, const scene::Camera& camer
     m_background = fog.visibility > 0.0 ? fog.color : scene.background;
     header.background = m_background;
     if (m_finishes) {
-        m_background = finished(m_background, m_effects.finish, scene.sky || scene.air);
+        m_background = finished(m_background, m_effects.finish, daylightIf(scene.sky || scene.air));
     }
     header.occlusionRadius = static_cast<float>(m_effects.occlusion.radius);
     header.rayScale = glm::vec2(frustum.tanX, frustum.tanY);

@@ -16,10 +16,11 @@ std::vector<vk::DescriptorType> surroundingBindings(const Shadows& shadows) {
 }
 
 /// The extent, once the memory for the images is known to be there.
-vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent, bool countsFragments) {
+vk::Extent2D checkedExtent(const gpu::Device& device, vk::Extent2D extent,
+                           const TranslucencyOptions& options) {
     constexpr std::uint64_t kCountBytes = 2;
     const std::uint64_t counts =
-        countsFragments ? std::uint64_t{extent.width} * extent.height * kCountBytes : 0;
+        options.countsFragments ? std::uint64_t{extent.width} * extent.height * kCountBytes : 0;
     gpu::requireDeviceBytes(device, WeightedBlend::predictBytes(extent) + counts, "translucency");
     return extent;
 }
@@ -47,7 +48,7 @@ TranslucentPass::TranslucentPass(const gpu::Device& device, const DrawnScene& sc
           gpu::makeSetLayout(device, {surroundingBindings(shadows), vk::ShaderStageFlagBits::eFragment},
                              "translucent surroundings")),
       m_weighted(device, scene.uploaded, m_surroundingsLayout,
-                 checkedExtent(device, m_lit.options().extent, options.countsFragments),
+                 checkedExtent(device, m_lit.options().extent, options),
                  {options.countsFragments, shadows.isOn(), variants}),
       m_refusal(refusalOf(device, m_lit.options().extent, options)),
       m_counter(options.countsFragments ? std::make_unique<FragmentCounter>(device, m_lit.options().extent)

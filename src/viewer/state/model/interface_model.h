@@ -38,14 +38,17 @@ struct InterfaceModel {
     FirstSteps firstSteps;
     Notice notice;
 
-    void say(std::string text) { notify(std::move(text), false); }
+    void say(std::string text) { notice = noticeOf(std::move(text)); }
     /// Of what went wrong.
-    void sayProblem(std::string text) { notify(std::move(text), true); }
+    void sayProblem(std::string text) {
+        say(std::move(text));
+        notice.isProblem = true;
+    }
 
   private:
-    void notify(std::string text, bool isProblem) {
+    static Notice noticeOf(std::string text) {
         constexpr std::chrono::seconds kShown{6};
-        notice = {std::move(text), isProblem, std::chrono::steady_clock::now() + kShown};
+        return {.text = std::move(text), .until = std::chrono::steady_clock::now() + kShown};
     }
 };
 

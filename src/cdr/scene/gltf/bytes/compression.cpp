@@ -34,9 +34,9 @@ bool isOverCompressed(const BufferRange& view, const json& compressed) {
 
 } // namespace
 
-const json* meshoptOf(const json& view, const BufferRange& range, const std::string& where, bool hasBuffer) {
+const json* meshoptOf(const json& view, const BufferRange& range, const std::string& where) {
     const auto isAlone = [&](const json* compressed) {
-        return compressed != nullptr && (!hasBuffer || isOverCompressed(range, *compressed));
+        return compressed != nullptr && (!range.hasBytes || isOverCompressed(range, *compressed));
     };
     if (const json* compressed = extensionOf(view, kMeshopt); isAlone(compressed)) {
         return compressed;

@@ -16,13 +16,13 @@ struct BufferRange {
     int buffer = 0;
     std::size_t offset = 0;
     std::size_t length = 0;
+    bool hasBytes = true; ///< whether the file has bytes of the buffer
 };
 
 /// The EXT_meshopt_compression of a buffer view whose bytes it holds and nothing else; null for another view. Refuses one
 /// of KHR_meshopt_compression.
 /// @param range that the view covers.
-/// @param hasBuffer whether there are bytes of the buffer that the view is in.
 const nlohmann::json* meshoptOf(const nlohmann::json& view, const BufferRange& range,
-                                const std::string& where, bool hasBuffer);
+                                const std::string& where);
 
 } // namespace cdr::scene::gltf

@@ -160,9 +160,13 @@ BufferView Buffers::view(int index) const {
     if (stride > kMaxStride || stride % 4 != 0) {
         refuse("{}: its byteStride is {}, not a multiple of 4 up to {}", where, stride, kMaxStride);
     }
-    const bool hasBuffer = itemAt(m_buffers, buffer, "buffer").has_value();
     const nlohmann::json* compressed =
-        meshoptOf(view, {.buffer = buffer, .offset = offset, .length = length}, where, hasBuffer);
+        meshoptOf(view,
+                  {.buffer = buffer,
+                   .offset = offset,
+                   .length = length,
+                   .hasBytes = itemAt(m_buffers, buffer, "buffer").has_value()},
+                  where);
     return {compressed != nullptr ? decoded(index, *compressed, length, where)
                                   : range(buffer, offset, length, where),
             stride};
