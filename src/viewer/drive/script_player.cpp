@@ -124,7 +124,11 @@ void ScriptPlayer::play(const ScriptStep& step, const DrivenViewer& viewer) {
 }
 
 DriverState ScriptPlayer::step(const DrivenViewer& viewer) {
-    if (!m_steps.empty() && !waits(viewer.session, viewer.model)) {
+    if (!m_steps.empty()) {
+        if (waits(viewer.session, viewer.model)) {
+            const bool isForPicture = std::holds_alternative<WaitFrame>(m_steps.front());
+            return isForPicture ? DriverState::waits : m_state;
+        }
         const ScriptStep step = m_steps.front();
         m_steps.pop_front();
         play(step, viewer);

@@ -135,6 +135,8 @@ DriverState Soak::step(const DrivenViewer& viewer) {
             play(viewer);
             ++m_done;
         }
+    } else {
+        return DriverState::waits;
     }
     return isDone() ? DriverState::quits : DriverState::drives;
 }

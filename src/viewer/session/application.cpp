@@ -61,11 +61,17 @@ bool Application::goesOn() const {
     return !m_quits && !isOver && !m_window.isClosing();
 }
 
+bool Application::waitsForPicture() const {
+    return m_driver != nullptr && m_driverWaits && !m_session.isSettled();
+}
+
 void Application::wait() const {
     const bool isDriven = m_driver != nullptr;
     const bool isMinimised = m_window.extent().width == 0 || m_window.extent().height == 0;
     const bool isBusy = isDriven || ((m_redraws > 0 || m_control.isActive()) && !isMinimised);
-    if (isBusy) {
+    if (waitsForPicture()) {
+        m_window.wait(std::chrono::duration<double>(kRedrawEvery).count()); // or until the picture is there
+    } else if (isBusy) {
         m_window.wait(isDriven && m_session.isSettled() ? 0.0 : kBusySeconds);
     } else {
         m_window.wait(isMoving() && !isMinimised ? std::chrono::duration<double>(kRedrawEvery).count()
@@ -81,7 +87,10 @@ void Application::stepDriver() {
                                               .area = pictureArea(),
                                               .capture = m_capture});
     m_quits = m_quits || state == DriverState::quits;
-    m_redraws = std::max(m_redraws, 1);
+    m_driverWaits = state == DriverState::waits;
+    if (!waitsForPicture()) {
+        m_redraws = std::max(m_redraws, 1);
+    }
     if (state == DriverState::hasEnded) {
         m_driver = nullptr;
     }

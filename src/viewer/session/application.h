@@ -40,6 +40,8 @@ class Application {
   private:
     using Clock = std::chrono::steady_clock;
     bool goesOn() const;
+    /// Whether there is nothing to do but for the renderer, which wakes this.
+    bool waitsForPicture() const;
     void wait() const;
     void stepDriver();
     double secondsOfUpdate();
@@ -90,6 +92,7 @@ class Application {
     std::uint64_t m_uiFrames = 0;
     std::vector<double> m_uiIntervals; ///< milliseconds, for --statistics
     bool m_isMissed = false;           ///< the last frame does not show, so another is due
+    bool m_driverWaits = false;        ///< for a picture
     bool m_quits = false;
 };
 

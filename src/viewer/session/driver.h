@@ -25,6 +25,7 @@ struct DrivenViewer {
 
 enum class DriverState : std::uint8_t {
     drives,
+    waits,    ///< for a picture, so that the interface need not be drawn more often than for a person
     hasEnded, ///< the viewer goes on without it
     quits,    ///< the viewer ends
 };
