@@ -21,8 +21,10 @@ namespace {
 constexpr std::uint64_t kMinimisedSteps = 5;
 /// Pictures that are rendered in the view where memory is measured, and then frames of the interface. Drivers
 /// free what they kept for earlier frames while they draw these, and memory is measured after that.
-constexpr std::uint64_t kRestPictures = 30;
-constexpr std::uint64_t kRestFrames = 30;
+constexpr std::uint64_t kRest = 30;
+/// As many of a soak that is too short for its memory to say anything.
+constexpr std::uint64_t kShortRest = 3;
+constexpr double kShortSeconds = 60.0;
 
 double megabytes(std::uint64_t bytes) {
     return static_cast<double>(bytes) / 1e6;
@@ -33,6 +35,7 @@ double megabytes(std::uint64_t bytes) {
 Soak::Soak(double seconds, std::uint64_t seed)
     : m_steps(
           std::max<std::uint64_t>(static_cast<std::uint64_t>(std::llround(seconds * kStepsPerSecond)), 1)),
+      m_rest(seconds < kShortSeconds ? kShortRest : kRest),
       m_input({.seed = seed, .seconds = 1.0 / kStepsPerSecond}) {}
 
 void Soak::play(const DrivenViewer& viewer) {
@@ -95,8 +98,8 @@ void Soak::rest(Window& window, const Session& session, ViewerModel& model) {
 
 void Soak::measure(Window& window, Session& session, ViewerModel& model) {
     window.inject(window.currentSize());
-    model.performance.rendersAlways = session.results() < m_results + kRestPictures;
-    if (model.performance.rendersAlways || !session.isSettled() || ++m_restedFrames < kRestFrames) {
+    model.performance.rendersAlways = session.results() < m_results + m_rest;
+    if (model.performance.rendersAlways || !session.isSettled() || ++m_restedFrames < m_rest) {
         return;
     }
     returnFreeMemory();

@@ -57,6 +57,7 @@ class Soak : public Driver {
     std::uint64_t stepsBeforeRest() const; ///< played before the next measurement
 
     std::uint64_t m_steps;
+    std::uint64_t m_rest; ///< pictures, and then frames, that are drawn before memory is measured
     std::uint64_t m_done = 0;
     std::uint64_t m_restedFrames = 0;
     SoakInput m_input;
