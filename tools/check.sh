@@ -42,7 +42,7 @@ check_all() {
     CDR_ALL_CASES=1 build/release/bin/test_cli --gtest_brief=1 \
         --gtest_filter='*FaultSweep*:*FileFaults*:*NumericOptions*:Signals*:*Killed*'
     CDR_ALL_CASES=1 build/release/bin/test_render --gtest_brief=1 --gtest_filter='WorldTest.*:WorldSoakTest.*'
-    CDR_ALL_CASES=1 ctest --preset release --tests-regex '^Documents$'
+    CDR_ALL_CASES=1 ctest --preset release --tests-regex '^(Documents|Package)$'
     tools/fuzz.sh
     check_mpich
     # Whose status for "cannot be started here" it has explained itself.
