@@ -207,7 +207,7 @@ TEST_F(DetailRenderTest, OneLevelPerObjectOpensNoCrack) {
 
 /// The thesis' variant does crack where an object crosses a boundary. So the search does find cracks.
 TEST_F(DetailRenderTest, OneLevelPerCascadeCracks) {
-    EXPECT_GT(hunt(levelledBoulder(), camerasAround(16), {{.mode = DetailMode::perCascade, .pixels = 2.0}}),
+    EXPECT_GT(hunt(levelledBoulder(), camerasAround(8), {{.mode = DetailMode::perCascade, .pixels = 2.0}}),
               0u);
 }
 

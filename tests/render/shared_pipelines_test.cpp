@@ -14,6 +14,14 @@ namespace {
 
 using SharedPipelinesTest = OwnPipelinesTest;
 
+/// How large a picture is changes no pipeline.
+render::RenderOptions tinyOptions(const depth::Technique& technique) {
+    render::RenderOptions options = smallOptions(technique);
+    options.width = 96;
+    options.height = 54;
+    return options;
+}
+
 /// How many pipelines the device made so far.
 std::uint64_t pipelinesMade(const gpu::Device& device) {
     const gpu::PipelineObjects& objects = gpu::pipelineObjects(device);
@@ -22,7 +30,7 @@ std::uint64_t pipelinesMade(const gpu::Device& device) {
 
 /// Options that have a pipeline of each pass, between them.
 std::vector<render::RenderOptions> optionsOfAllPasses() {
-    render::RenderOptions plain = smallOptions(depth::parseTechnique("anchored"));
+    render::RenderOptions plain = tinyOptions(depth::parseTechnique("anchored"));
     plain.motion = true;
     render::RenderOptions lit = plain;
     lit.effects = {
@@ -33,7 +41,7 @@ std::vector<render::RenderOptions> optionsOfAllPasses() {
     culled.shadows.method = render::ShadowMethod::anchored;
     render::RenderOptions facets = plain;
     facets.surface = render::SurfacePath::visibility;
-    render::RenderOptions focused = smallOptions(depth::parseTechnique("cdr"));
+    render::RenderOptions focused = tinyOptions(depth::parseTechnique("cdr"));
     focused.targets = render::TargetsKind::layers;
     focused.focus = {.distance = 10.0, .aperture = 0.1};
     std::vector<render::RenderOptions> all{plain, lit, culled, facets, focused};
@@ -227,7 +235,7 @@ TEST_F(SharedPipelinesTest, PreparingForTooManyLightsIsRefused) {
 TEST_F(SharedPipelinesTest, ASecondRendererOfTheSameOptionsMakesNoPipelines) {
     const scene::SceneSetup setup = scenes::makeAfc(1);
     const render::GpuScene gpuScene(device(), setup.scene);
-    const auto options = smallOptions(depth::parseTechnique("anchored"));
+    const auto options = tinyOptions(depth::parseTechnique("anchored"));
     const scene::Camera camera = setup.path.at(7);
     auto first = std::make_unique<render::Renderer>(device(), setup.scene, gpuScene, options);
     const std::string picture = hashOf(first->render(camera));

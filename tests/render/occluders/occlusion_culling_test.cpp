@@ -15,7 +15,8 @@ using render::RenderOptions;
 
 /// Many frames of a town of 2,500 boxes, so that what was hidden comes out from behind corners.
 constexpr std::uint32_t kBlocks = 2;
-constexpr std::uint32_t kStep = 12; // frames
+constexpr std::uint32_t kStep = 24;    // frames
+constexpr std::uint32_t kFarStep = 60; // frames
 
 glm::mat3 basisOf(const glm::vec3& sides) {
     return {glm::vec3(sides.x, 0, 0), glm::vec3(0, sides.y, 0), glm::vec3(0, 0, sides.z)};
@@ -44,7 +45,10 @@ class OcclusionCullingTest : public RenderTest {
     /// Draws frames with and without, compares them to the bit, and returns how many instances were hidden.
     std::size_t expectSamePictures(const scene::SceneSetup& setup, const RenderOptions& options,
                                    std::uint32_t step) {
-        const render::GpuScene gpuScene(device(), setup.scene);
+        return expectSamePictures(setup, render::GpuScene(device(), setup.scene), options, step);
+    }
+    std::size_t expectSamePictures(const scene::SceneSetup& setup, const render::GpuScene& gpuScene,
+                                   const RenderOptions& options, std::uint32_t step) {
         render::Renderer whole(device(), setup.scene, gpuScene, options);
         render::Renderer culled(device(), setup.scene, gpuScene, culling(options));
         std::size_t hidden = 0;
@@ -67,7 +71,7 @@ TEST_F(OcclusionCullingTest, LeavesOutMostOfATownAndNoneOfThePicture) {
     for (const char* name : {"standard", "cdr", "log", "logcdr", "reversed", "anchored"}) {
         const std::size_t hidden =
             expectSamePictures(m_city, smallOptions(depth::parseTechnique(name)), kStep);
-        EXPECT_GT(hidden, 5'000u) << name; // of 20 frames
+        EXPECT_GT(hidden, 2'500u) << name; // of 10 frames
     }
 }
 
@@ -96,16 +100,16 @@ TEST_F(OcclusionCullingTest, HoldsForAllTargetsThreadsSubmissionsAndSurfaces) {
     options.technique.split = depth::SplitCount{3};
     for (const char* targets : {"accumulate", "pool", "layers", "one-pass"}) {
         options.targets = render::parseTargets(targets);
-        EXPECT_GT(expectSamePictures(m_city, options, 5 * kStep), 1'500u) << targets;
+        EXPECT_GT(expectSamePictures(m_city, options, kFarStep), 1'500u) << targets;
     }
     options.targets = render::TargetsKind::single;
     options.threads = 4;
     options.submission = render::Submission::primaries;
-    EXPECT_GT(expectSamePictures(m_city, options, 5 * kStep), 1'500u);
+    EXPECT_GT(expectSamePictures(m_city, options, kFarStep), 1'500u);
     options.submission = render::Submission::secondaries;
     for (const render::Batching batching : {render::Batching::perObject, render::Batching::pushConstants}) {
         options.batching = batching;
-        EXPECT_GT(expectSamePictures(m_city, options, 5 * kStep), 1'500u) << nameOf(batching);
+        EXPECT_GT(expectSamePictures(m_city, options, kFarStep), 1'500u) << nameOf(batching);
     }
 }
 
@@ -116,24 +120,25 @@ TEST_F(OcclusionCullingTest, HoldsForAVisibilityBuffer) {
     }
     RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     options.surface = render::SurfacePath::visibility;
-    EXPECT_GT(expectSamePictures(m_city, options, kStep), 5'000u);
+    EXPECT_GT(expectSamePictures(m_city, options, kStep), 2'500u);
 }
 
 TEST_F(OcclusionCullingTest, HoldsGpuDriven) {
     if (!canDrawGpuDriven()) {
         GTEST_SKIP() << "the device cannot draw gpu-driven";
     }
-    std::vector<scene::SceneSetup> others;
-    for (const char* name : {"rotation", "orbit", "mixed"}) {
-        others.push_back(scenes::openScene(name, 2013).setup);
-    }
-    for (const char* name : {"standard", "cdr", "log", "anchored"}) {
-        RenderOptions options = smallOptions(depth::parseTechnique(name));
-        options.submission = render::Submission::gpuDriven;
-        EXPECT_GT(expectSamePictures(m_city, options, kStep), 5'000u) << name;
-        for (const scene::SceneSetup& other : others) {
-            expectSamePictures(other, options, 90);
+    const auto expectAlikeByAllTechniques = [&](const scene::SceneSetup& setup, std::uint32_t step) {
+        const render::GpuScene gpuScene(device(), setup.scene);
+        for (const char* name : {"standard", "cdr", "log", "anchored"}) {
+            RenderOptions options = smallOptions(depth::parseTechnique(name));
+            options.submission = render::Submission::gpuDriven;
+            const std::size_t hidden = expectSamePictures(setup, gpuScene, options, step);
+            EXPECT_TRUE(&setup != &m_city || hidden > 2'500u) << name << " " << hidden;
         }
+    };
+    expectAlikeByAllTechniques(m_city, kStep);
+    for (const char* name : {"rotation", "orbit", "mixed"}) {
+        expectAlikeByAllTechniques(scenes::openScene(name, 2013).setup, 90);
     }
     RenderOptions coarse = smallOptions(depth::parseTechnique("standard"));
     coarse.technique.format = depth::DepthFormat::d16;
@@ -146,7 +151,7 @@ TEST_F(OcclusionCullingTest, HoldsGpuDriven) {
 TEST_F(OcclusionCullingTest, HoldsWhereVerticesAreSnapped) {
     RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
     options.snapBits = 4;
-    EXPECT_GT(expectSamePictures(m_city, options, kStep), 5'000u);
+    EXPECT_GT(expectSamePictures(m_city, options, kStep), 2'500u);
 }
 
 TEST_F(OcclusionCullingTest, HoldsWhereNothingHidesMuch) {

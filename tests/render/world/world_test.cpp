@@ -38,10 +38,14 @@ render::RenderOptions optionsFor(const char* technique, Submission submission, T
 
 using WorldTest = OwnPipelinesTest;
 
+bool takesAll() {
+    return std::getenv("CDR_ALL_CASES") != nullptr;
+}
+
 /// The rule of live worlds: after any edits, drawn in any way, the picture is that of a scene that is built from scratch.
 /// Blended fragments are counted, so each is drawn once. Groups of renderers take turns and so lag behind by a batch.
 TEST_F(WorldTest, AnyEditsGiveThePictureOfASceneBuiltAnew) {
-    constexpr int kBatches = 20;
+    const int batches = takesAll() ? 28 : 14; // each kind of tables with each group
     constexpr int kEdits = 500;
     World world;
     Editor editor(2013, world);
@@ -81,7 +85,7 @@ TEST_F(WorldTest, AnyEditsGiveThePictureOfASceneBuiltAnew) {
         }
         ASSERT_EQ(messageCount(), 0u);
     };
-    for (int batch = 0; batch < kBatches; ++batch) {
+    for (int batch = 0; batch < batches; ++batch) {
         Group& group = groups[static_cast<std::size_t>(batch % 2)];
         // Half a batch, frames that nobody waits for, and the other half while these are in flight. Moves alone, and what
         // removes nothing from a table, go to the device by other ways than the rest.
@@ -170,7 +174,7 @@ std::string describe(const render::RenderOptions& options) {
 
 /// The same rule for renderers of random options, seen from changing places. CDR_ALL_CASES takes more seeds.
 TEST_F(WorldTest, RenderersOfAnyOptionsShowAnyEdits) {
-    const std::uint64_t seeds = std::getenv("CDR_ALL_CASES") != nullptr ? 40 : 3;
+    const std::uint64_t seeds = takesAll() ? 40 : 3;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         std::mt19937_64 random(seed);
         World world;
@@ -223,7 +227,8 @@ TEST_F(WorldTest, EachEditIsShownAtOnce) {
         renderers.push_back(std::make_unique<render::Renderer>(
             device(), onDevice, optionsFor("anchored", submission, TargetsKind::single, 2, 2)));
     }
-    for (std::size_t edit = 0; edit < 150; ++edit) {
+    const std::size_t edits = takesAll() ? 150 : 80;
+    for (std::size_t edit = 0; edit < edits; ++edit) {
         editor.editEvenly();
         const std::string wanted =
             hashOf(draw(editor.expected().build(), ahead(), renderers.front()->options()));
