@@ -127,11 +127,13 @@ Surface surfaceOf(uvec4 texel) {
 vec4 shade(ivec2 pixel, uvec4 texel) {
     Surface surface = surfaceOf(texel);
     vec3 color = surface.albedo;
+#ifdef EMISSION
+    uint emission = (surface.id & kIdEmits) != 0u ? texelFetch(emissionBuffer, pixel, 0).x : 0xff000000u;
+#endif
     if ((surface.id & kIdUnlit) == 0u) {
         uint shine = kShiny != 0u ? surface.shine : 0u;
         float openness = opennessAt(pixel, texel, surface.normal);
 #ifdef EMISSION
-        uint emission = (surface.id & kIdEmits) != 0u ? texelFetch(emissionBuffer, pixel, 0).x : 0xff000000u;
         openness *= opennessOf(emission);
 #endif
         LitPoint point;
@@ -144,10 +146,10 @@ vec4 shade(ivec2 pixel, uvec4 texel) {
         point.reached = texelFetch(shadowMask, pixel, 0);
 #endif
         color = litColor(color, shine, point);
-#ifdef EMISSION
-        color = min(color + emissionOf(emission), kBrightest);
-#endif
     }
+#ifdef EMISSION
+    color = min(color + emissionOf(emission), kBrightest);
+#endif
     if (kFoggy != 0u) {
         color = throughFog(color, surface.ray, surface.anchor.x + surface.ahead);
     }

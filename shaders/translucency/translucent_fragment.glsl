@@ -111,10 +111,10 @@ vec4 seenColor(Surface surface, float ahead) {
         LitPoint point = LitPoint(normal, ray, inCentreRange.xy, ahead, surface.openness);
 #endif
         color = litColor(color, shine, point);
-#ifdef DETAILED
-        color = min(color + surface.emission, kBrightest);
-#endif
     }
+#ifdef DETAILED
+    color = min(color + surface.emission, kBrightest);
+#endif
     color = throughFog(color, ray, distanceView);
     if (kAiry != 0u) {
         color = throughAir(color, ray, distanceView);

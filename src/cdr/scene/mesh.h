@@ -108,7 +108,7 @@ struct TextureUse {
     bool operator==(const TextureUse&) const = default;
 };
 
-/// What a material of glTF 2.0 has beside its base colour and its shine. Unlit ones are drawn without.
+/// What a material of glTF 2.0 has beside its base colour and its shine. Unlit ones are drawn with what they emit alone.
 struct MaterialDetail {
     std::optional<TextureUse> metallicRoughness{}; ///< blue and green, of data, multiply Material::shine
     std::optional<TextureUse> normal{};            ///< in tangent space, of data
@@ -128,7 +128,7 @@ struct Material {
     std::optional<std::uint32_t> baseColorTexture{}; ///< index into Scene::textures
     std::optional<Shine> shine{};                    ///< empty: Lambert's law alone
     bool doubleSided = false;                        ///< else its back is not drawn
-    bool unlit = false;                              ///< shows its base colour, whatever light there is
+    bool unlit = false;                              ///< shows its base colour and emission in any light
     AlphaMode alphaMode = AlphaMode::opaque;         ///< what alpha does
     float alphaCutoff = 0.5f;                        ///< with AlphaMode::mask: below it nothing is drawn
     /// Offset towards the camera, along the view distance, in scene units, finite; below 0 away from it. It decides
@@ -158,13 +158,14 @@ void forEachTexture(AnyMaterial& material, const Visit& visit) {
 
 /// Whether a material is drawn with more than its base colour and its shine.
 inline bool hasDetail(const Material& material) {
-    return !material.unlit && material.detail != MaterialDetail{};
+    return material.unlit ? material.detail.emission != glm::vec3(0.0f) : material.detail != MaterialDetail{};
 }
 
 /// Whether shading must be told of an opaque surface what it emits, and how much ambient light arrives there.
 inline bool hasEmission(const Material& material) {
-    return hasDetail(material) && material.alphaMode != AlphaMode::blend &&
-           (material.detail.occlusion.has_value() || material.detail.emission != glm::vec3(0.0f));
+    const bool isOccluded = !material.unlit && material.detail.occlusion.has_value();
+    return material.alphaMode != AlphaMode::blend &&
+           (isOccluded || material.detail.emission != glm::vec3(0.0f));
 }
 
 /// A box of the given half sides, in object space, about the origin, 24 vertices, flat normals, 12 triangles.

@@ -229,6 +229,22 @@ TEST(Certifier, LightsRepairsAsTheTruthIsLit) {
     EXPECT_EQ(repair.color, (image::Rgba8{137, 137, 137, 255}));
 }
 
+TEST(Certifier, RepairsShowWhatTheirSurfacesEmit) {
+    for (const bool unlit : {false, true}) {
+        scene::Scene scene = makeEmptyScene();
+        scene.ambient = glm::vec3(0.125f);
+        scene.materials[0].unlit = unlit;
+        scene.materials[0].baseColorFactor = glm::vec4(unlit ? 0.125f : 1.0f);
+        scene.materials[0].detail.emission = glm::vec3(0.125f, 0.0f, 0.0f);
+        const DrawnFrame frame = wrongWall(scene, 1e-7);
+        const Certificate certificate = certified(scene, frame);
+        ASSERT_FALSE(certificate.repairs.empty());
+        // An eighth of linear white is 99 of 255 in sRGB.
+        EXPECT_EQ(certificate.repairs[certificate.repairs.size() / 2].color, (image::Rgba8{137, 99, 99, 255}))
+            << unlit;
+    }
+}
+
 TEST(Certifier, FindsTheSameWithAnyNumberOfWorkers) {
     const CertifiedScene made = randomScene(5, 40.0);
     const DrawnFrame frame = drawnByRays(made.scene, made.camera, 1.01 * kRayOff, {.isOff = true});

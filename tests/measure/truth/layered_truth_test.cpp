@@ -92,6 +92,18 @@ TEST(LayeredTruth, BacksShowOnDoubleSidedSurfacesOnly) {
     EXPECT_EQ(stack.middle().fragments, 2u);
 }
 
+TEST(LayeredTruth, UnlitSurfacesAddWhatTheyEmit) {
+    Stack stack;
+    stack.add(2.0, {0.5f, 0.0f, 0.25f, 0.5f}, true);
+    stack.add(4.0, {0.0f, 1.0f, 0.0f, 1.0f}, false);
+    for (scene::Material& material : stack.scene.materials) {
+        material.detail.occlusion = scene::TextureUse{}; // of light, of which there is none
+        material.detail.emission = glm::vec3(0.25f, 0.5f, 0.0f);
+    }
+    stack.scene.textures.push_back({.name = "dark", .pixels = image::ImageRgba8(1, 1)});
+    expectColor(stack.middle(), {0.5 * 0.75 + 0.5 * 0.25, 0.5 * 0.5 + 0.5 * 1.5, 0.5 * 0.25});
+}
+
 TEST(LayeredTruth, PixelsNextToASilhouetteAreNotInner) {
     Stack stack;
     stack.add(4.0, {0.0f, 1.0f, 0.0f, 0.5f}, true);

@@ -84,6 +84,79 @@ TEST_F(PointsTest, ThePictureIsTheSameForAllSubmissions) {
     }
 }
 
+/// The survey, whose unlit points and lines glow.
+scene::SceneSetup glowing(scene::SceneSetup setup) {
+    setup.scene.background = glm::vec3(0.0f);
+    for (scene::Material& material : setup.scene.materials) {
+        if (material.unlit) {
+            material.detail.emission = glm::vec3(0.02f, 0.05f, 0.4f);
+        }
+    }
+    return setup;
+}
+
+TEST_F(PointsTest, UnlitOnesShowWhatTheyEmit) {
+    scene::SceneSetup setup = glowing(survey(0.06));
+    const scene::Camera camera = setup.path.at(0);
+    const scene::SceneSetup dark = survey(0.06);
+    host::WorkerPool workers(2);
+    render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    options.translucency.method = render::Translucency::sorted;
+    for (const scene::AlphaMode alpha : {scene::AlphaMode::opaque, scene::AlphaMode::blend}) {
+        for (scene::Material& material : setup.scene.materials) {
+            material.alphaMode = material.unlit ? alpha : material.alphaMode;
+            material.baseColorFactor.a = material.unlit ? 0.7f : 1.0f;
+        }
+        const image::ImageRgba8 drawn = draw(setup.scene, camera, options).color;
+        const image::ImageRgba8 wanted =
+            pictureOf(measure::castLayers(setup.scene, camera, drawn.width, drawn.height, workers));
+        EXPECT_LE(measure::FlipDifference().mean(wanted, drawn, workers), 0.02);
+        const image::ImageRgba8 without = draw(dark.scene, camera, options).color;
+        EXPECT_GT(measure::FlipDifference().mean(without, drawn, workers), 0.05);
+    }
+}
+
+/// What shows in each path shows in all: see ModelTest for surfaces that are lit.
+TEST_F(PointsTest, WhatUnlitOnesEmitIsTheSameInEveryPath) {
+    const scene::SceneSetup setup = glowing(survey({}));
+    render::RenderOptions options = smallOptions(depth::parseTechnique("cdr"));
+    const std::string wanted = hashOf(draw(setup.scene, setup.path.at(0), options));
+    for (const char* targets : {"accumulate", "pool:2", "layers"}) {
+        options.targets = render::parseTargets(targets);
+        EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(0), options)), wanted) << targets;
+    }
+    for (const render::Submission submission : submissions()) {
+        options.submission = submission;
+        options.threads = 3;
+        EXPECT_EQ(hashOf(draw(setup.scene, setup.path.at(0), options)), wanted) << nameOf(submission);
+    }
+    options.surface = render::SurfacePath::visibility;
+    options.submission = render::Submission::secondaries;
+    EXPECT_NE(refusalOf(setup.scene, options).find("emit light"), std::string::npos);
+}
+
+TEST_F(PointsTest, UnlitOnesMayGlowLater) {
+    const scene::SceneSetup setup = glowing(survey({}));
+    const render::RenderOptions options = smallOptions(depth::parseTechnique("anchored"));
+    scene::Scene dark = setup.scene;
+    for (scene::Material& material : dark.materials) {
+        material.detail = {};
+    }
+    scene::World world(dark);
+    render::GpuScene onDevice(device(), world);
+    render::Renderer renderer(device(), onDevice, options);
+    const std::string before = hashOf(renderer.render(setup.path.at(0)));
+    for (std::size_t i = 0; i < setup.scene.materials.size(); ++i) {
+        world.setMaterial(world.material(i), setup.scene.materials[i]);
+    }
+    EXPECT_EQ(hashOf(renderer.render(setup.path.at(0))),
+              hashOf(draw(setup.scene, setup.path.at(0), options)));
+    for (std::size_t i = 0; i < setup.scene.materials.size(); ++i) {
+        world.setMaterial(world.material(i), dark.materials[i]);
+    }
+    EXPECT_EQ(hashOf(renderer.render(setup.path.at(0))), before);
+}
+
 } // namespace
 
 } // namespace cdr::render_test

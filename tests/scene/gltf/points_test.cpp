@@ -194,7 +194,8 @@ TEST_F(GltfPoints, WithoutNormalsTheyAreUnlitAndWithThemLit) {
     EXPECT_FALSE(unlit.scene.materials[0].shine.has_value());
     EXPECT_FALSE(unlit.scene.materials[0].doubleSided) << "a solid is closed";
     EXPECT_EQ(unlit.scene.materials[0].baseColorFactor, glm::vec4(0.5f, 0.25f, 1, 1));
-    EXPECT_TRUE(anySays(unlit.ignored, "drawn without what they emit"));
+    EXPECT_EQ(unlit.scene.materials[0].detail, MaterialDetail{.emission = glm::vec3(1, 0, 0)});
+    EXPECT_TRUE(unlit.ignored.empty());
     EXPECT_FALSE(unlit.scene.materials[1].unlit) << "triangles of the same material stay";
     EXPECT_TRUE(unlit.scene.materials[1].doubleSided);
 
@@ -209,6 +210,30 @@ TEST_F(GltfPoints, WithoutNormalsTheyAreUnlitAndWithThemLit) {
         EXPECT_EQ(lit.scene.meshes[0].vertices[i].normal, glm::vec3(0, 1, 0));
         EXPECT_EQ(lit.scene.meshes[0].vertices[i + 6].normal, glm::vec3(1, 0, 0));
     }
+}
+
+TEST_F(GltfPoints, WithoutNormalsTheyKeepNoTextureButThoseOfColourAndEmission) {
+    image::writeImage(folder() / "t.png", image::ImageRgba8(2, 2, {128, 128, 255, 255}));
+    Document document = cornersOf(kPoints);
+    document.root["images"] = {{{"uri", "t.png"}}};
+    document.root["textures"] = {{{"source", 0}}};
+    const json use = {{"index", 0}};
+    document.root["materials"] = {
+        {{"emissiveFactor", {0, 1, 0}},
+         {"emissiveTexture", {{"index", 0}, {"texCoord", 1}}},
+         {"normalTexture", use},
+         {"occlusionTexture", use},
+         {"pbrMetallicRoughness", {{"baseColorTexture", use}, {"metallicRoughnessTexture", use}}}}};
+    document.primitive()["material"] = 0;
+    document.primitive()["attributes"]["TEXCOORD_1"] =
+        document.addAccessor(std::vector<float>{0, 0, 1, 0, 0, 1, 0.25, 0.5}, "VEC2", kFloat);
+    const Scene scene = load(document, sized()).scene;
+    EXPECT_EQ(scene.textures.size(), 1u) << "what is not shown is not read";
+    EXPECT_EQ(scene.materials.at(0).baseColorTexture, 0u);
+    EXPECT_EQ(scene.materials[0].detail,
+              (MaterialDetail{.emissive = TextureUse{.texture = 0, .second = true}, .emission = {0, 1, 0}}));
+    ASSERT_EQ(scene.meshes.at(0).details.size(), scene.meshes[0].vertices.size());
+    EXPECT_EQ(scene.meshes[0].details[18].uv, glm::vec2(0.25f, 0.5f));
 }
 
 TEST_F(GltfPoints, NormalTexturesNeedTangents) {

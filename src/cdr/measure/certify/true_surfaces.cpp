@@ -71,13 +71,8 @@ void lightRepairs(const scene::Scene& scene, std::span<const Shape> shapes, cons
             repair.normal = hit->normal;
             repair.baseColor = glm::dvec3(hit->baseColor);
             const glm::dvec3 fromCamera = hit->distanceView * ray;
-            const glm::dvec3 color = hit->isUnlit ? repair.baseColor
-                                                  : lightFrom(scene, camera,
-                                                              {.baseColor = repair.baseColor,
-                                                               .shine = hit->shine,
-                                                               .fromCamera = fromCamera,
-                                                               .normal = hit->normal});
-            repair.color = encode(throughAir(scene, camera.position, fromCamera, color));
+            repair.color = encode(
+                throughAir(scene, camera.position, fromCamera, lightFrom(scene, camera, *hit, fromCamera)));
         }
     });
 }

@@ -82,22 +82,6 @@ glm::dvec4 reachedAt(const View& view, const SurfaceHit& hit, const glm::dvec3& 
     return reached;
 }
 
-glm::dvec3 colorOf(const View& view, const SurfaceHit& hit, const glm::dvec3& fromCamera,
-                   const glm::dvec4& reached) {
-    const glm::dvec3 albedo(hit.baseColor);
-    if (hit.isUnlit) {
-        return albedo;
-    }
-    return lightFrom(view.scene, view.camera,
-                     {.baseColor = albedo,
-                      .shine = hit.shine,
-                      .fromCamera = fromCamera,
-                      .normal = hit.normal,
-                      .openness = hit.openness,
-                      .emission = hit.emission,
-                      .reached = reached});
-}
-
 /// Pixel (x, y) as `pixel` and what it shows as `sequence`.
 void castPixel(const View& view, std::uint32_t x, std::uint32_t y, LayeredPixel& pixel, Sequence& sequence) {
     pixel = {};
@@ -109,9 +93,9 @@ void castPixel(const View& view, std::uint32_t x, std::uint32_t y, LayeredPixel&
         const double alpha = hit.isBlended ? std::clamp(hit.baseColor.a, 0.0, 1.0) : 1.0;
         const glm::dvec3 fromCamera = hit.distanceView * ray;
         const glm::dvec4 reached = reachedAt(view, hit, fromCamera);
-        pixel.color +=
-            transmittance * alpha *
-            throughAir(view.scene, camera.position, fromCamera, colorOf(view, hit, fromCamera, reached));
+        pixel.color += transmittance * alpha *
+                       throughAir(view.scene, camera.position, fromCamera,
+                                  lightFrom(view.scene, camera, hit, fromCamera, reached));
         transmittance *= 1.0 - alpha;
         pixel.fragments += hit.isBlended ? 1 : 0;
         sequence.push_back({hit.id, hit.facet, reached});

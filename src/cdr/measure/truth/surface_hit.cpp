@@ -80,9 +80,15 @@ struct SurfacePoint {
     }
 };
 
-/// Adds to a hit what the material's detail says of it.
+glm::dvec3 emissionAt(const SurfacePoint& point) {
+    const scene::MaterialDetail& detail = point.material.detail;
+    const glm::dvec3 emission(detail.emission);
+    return detail.emissive ? emission * glm::dvec3(point.sample(*detail.emissive)) : emission;
+}
+
+/// Adds to a hit on a lit surface what the material's detail says of its light.
 /// @param side 1 for the front, -1 for the back.
-void addDetail(const SurfacePoint& point, const glm::dmat3& basis, double side, SurfaceHit& hit) {
+void addLitDetail(const SurfacePoint& point, const glm::dmat3& basis, double side, SurfaceHit& hit) {
     const scene::MaterialDetail& detail = point.material.detail;
     if (detail.normal) {
         hit.normal = side * point.bumped(side * hit.normal, basis);
@@ -94,10 +100,6 @@ void addDetail(const SurfacePoint& point, const glm::dmat3& basis, double side, 
     }
     if (detail.occlusion) {
         hit.openness = 1.0 + detail.occlusionStrength * (point.sample(*detail.occlusion).r - 1.0);
-    }
-    hit.emission = glm::dvec3(detail.emission);
-    if (detail.emissive) {
-        hit.emission *= glm::dvec3(point.sample(*detail.emissive));
     }
 }
 
@@ -165,7 +167,10 @@ void appendHits(const scene::Scene& scene, const TruthTextures& textures, const 
                          .baseColor = baseColor,
                          .shine = material.shine};
         if (scene::hasDetail(material)) {
-            addDetail(point, glm::dmat3(instances.basis[visible.instance]), side, found);
+            found.emission = emissionAt(point);
+        }
+        if (scene::hasDetail(material) && !material.unlit) {
+            addLitDetail(point, glm::dmat3(instances.basis[visible.instance]), side, found);
         }
         if (!isMetAgain(found, std::span(hits).subspan(first))) {
             hits.push_back(found);

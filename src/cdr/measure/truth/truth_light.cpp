@@ -151,6 +151,22 @@ glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, con
            (surface.shine ? lightOnShiny(scene, camera, surface) : lightOnMatt(scene, camera, surface));
 }
 
+glm::dvec3 lightFrom(const scene::Scene& scene, const scene::Camera& camera, const SurfaceHit& hit,
+                     const glm::dvec3& fromCamera, const glm::dvec4& reached) {
+    const glm::dvec3 baseColor(hit.baseColor);
+    if (hit.isUnlit) {
+        return baseColor + hit.emission;
+    }
+    return lightFrom(scene, camera,
+                     {.baseColor = baseColor,
+                      .shine = hit.shine,
+                      .fromCamera = fromCamera,
+                      .normal = hit.normal,
+                      .openness = hit.openness,
+                      .emission = hit.emission,
+                      .reached = reached});
+}
+
 image::Rgba8 encode(const glm::dvec3& linear) {
     return {image::srgbOfLinear(linear.r), image::srgbOfLinear(linear.g), image::srgbOfLinear(linear.b), 255};
 }

@@ -102,7 +102,7 @@ std::uint32_t detailPartsOf(const scene::Material& material) {
     for (const DetailPart& part : kDetailParts) {
         parts |= (material.detail.*part.use).has_value() ? part.part : 0u;
     }
-    return parts;
+    return material.unlit ? parts & (shaders::kDetailEmits | shaders::kDetailEmissive) : parts;
 }
 
 SceneTextures::SceneTextures(const gpu::Device& device)

@@ -58,21 +58,15 @@ glm::vec3 emissionOf(const json& material, const std::string& where) {
 }
 
 /// Leaves of a material what points and lines show.
-void showOnSolid(Ground ground, Material& material, UvPlaces& uv, Notes& notes) {
+void showOnSolid(Ground ground, Material& material, UvPlaces& uv) {
     material.doubleSided = false; // a solid is closed, and blending would show its back
     if (ground != Ground::solidWithTangents) {
         material.detail.normal.reset();
         uv.tangents = UvPlaces::Tangents::none;
     }
     if (ground == Ground::solidAlone) {
-        if (material.detail.emission != glm::vec3(0.0f)) {
-            notes.add("points and lines without normals are drawn without what they emit",
-                      fmt::format("material '{}'", oneLine(material.name, kMaxNameLength)));
-        }
         material.unlit = true;
         material.shine.reset();
-        material.detail = {};
-        uv.second.reset();
     }
 }
 
@@ -133,18 +127,28 @@ MaterialUse MaterialImporter::import(int index, Ground ground) {
         if (!material.unlit) {
             material.shine = Shine{.metallic = shareMember(factors, "metallicFactor", where),
                                    .roughness = shareMember(factors, "roughnessFactor", where)};
-            material.detail = detailOf(source, where, use.uv);
+            material.detail = ground == Ground::solidAlone ? emissionOnly(source, where, use.uv)
+                                                           : detailOf(source, where, use.uv);
         } else {
             material.shine.reset();
         }
         material.layer = layerOf(source, where, m_sources.notes).value_or(0.0f);
     }
     if (ground != Ground::surface) {
-        showOnSolid(ground, material, use.uv, m_sources.notes);
+        showOnSolid(ground, material, use.uv);
     }
     use.index = static_cast<std::uint32_t>(m_scene.materials.size());
     m_scene.materials.push_back(std::move(material));
     return use;
+}
+
+MaterialDetail MaterialImporter::emissionOnly(const json& material, const std::string& where, UvPlaces& uv) {
+    MaterialDetail detail;
+    detail.emission = emissionOf(material, where);
+    if (detail.emission != glm::vec3(0.0f)) {
+        detail.emissive = textureOf(material, "emissiveTexture", TextureContent::color, where, uv);
+    }
+    return detail;
 }
 
 MaterialDetail MaterialImporter::detailOf(const json& material, const std::string& where, UvPlaces& uv) {
@@ -154,10 +158,9 @@ MaterialDetail MaterialImporter::detailOf(const json& material, const std::strin
         textureOf(factors, "metallicRoughnessTexture", TextureContent::data, where, uv);
     detail.normal = textureOf(material, "normalTexture", TextureContent::data, where, uv);
     detail.occlusion = textureOf(material, "occlusionTexture", TextureContent::data, where, uv);
-    detail.emission = emissionOf(material, where);
-    if (detail.emission != glm::vec3(0.0f)) {
-        detail.emissive = textureOf(material, "emissiveTexture", TextureContent::color, where, uv);
-    }
+    const MaterialDetail emitted = emissionOnly(material, where, uv);
+    detail.emission = emitted.emission;
+    detail.emissive = emitted.emissive;
     if (detail.normal) {
         const double scale =
             numberMember(objectMember(material, "normalTexture", where), "scale", where).value_or(1.0);

@@ -41,6 +41,8 @@ class MaterialImporter {
     MaterialUse import(int index, Ground ground);
     /// The textures that a lit material has beside its base colour's, and what it emits.
     MaterialDetail detailOf(const nlohmann::json& material, const std::string& where, UvPlaces& uv);
+    /// What a material emits, and nothing else.
+    MaterialDetail emissionOnly(const nlohmann::json& material, const std::string& where, UvPlaces& uv);
     /// A texture that a member names, and its UV; nothing where there is none.
     std::optional<TextureUse> textureOf(const nlohmann::json& object, const char* key, TextureContent content,
                                         const std::string& where, UvPlaces& uv);
