@@ -249,6 +249,27 @@ TEST_F(Gltf, PartsThatAreNotDrawnAreSaid) {
     EXPECT_EQ(ignored.size(), 2u);
 }
 
+TEST_F(Gltf, EachExtensionThatIsNotDrawnIsNamedOnce) {
+    Document document = textured();
+    document.root["extensionsUsed"] = {"KHR_materials_sheen", "KHR_materials_clearcoat",
+                                       "KHR_materials_sheen"};
+    json& material = document.root["materials"][0];
+    material["extensions"] = {
+        {"KHR_materials_clearcoat", json::object()},
+        {"KHR_materials_volume", {{"thicknessTexture", {{"extensions", {{"A_b", 1}}}}}}}};
+    material["extras"] = {{"extensions", {{"of_somebody", 1}}}};
+    EXPECT_EQ(load(document).ignored, (std::vector<std::string>{"KHR_materials_sheen: extension not used",
+                                                                "KHR_materials_clearcoat: extension not used",
+                                                                "KHR_materials_volume: extension not used",
+                                                                "A_b: extension not used"}));
+    for (int i = 0; i < 1000; ++i) {
+        document.root["extensionsUsed"].push_back("OF_" + std::to_string(i));
+    }
+    const std::vector<std::string> many = load(document).ignored;
+    EXPECT_EQ(many.size(), 65u);
+    EXPECT_TRUE(anySays(many, "OF_62 and 939 more: extension not used")) << many.back();
+}
+
 TEST_F(Gltf, PictureThatOnlyAnExtensionSuppliesIsSaid) {
     Document document = textured();
     document.root["textures"] = {{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};

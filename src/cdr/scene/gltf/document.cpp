@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace cdr::scene::gltf {
 
@@ -46,6 +47,36 @@ void requireVersion2(const json& root) {
     }
 }
 
+/// Names of extensions that are not drawn, each once, in the order in which they come up.
+class UnusedExtensions {
+  public:
+    explicit UnusedExtensions(Notes& notes) : m_notes(notes) {}
+
+    void add(const std::string& name) {
+        if (!isSupported(name) && m_names.insert(name).second) {
+            m_notes.addNamed("extension not used", name);
+        }
+    }
+
+    /// Adds those that objects name. Files forget to list them. Recursion is bounded by parseBoundedJson().
+    void addFrom(const json& value) {
+        for (const auto& [key, child] : value.items()) {
+            if (value.is_object() && key == "extensions" && child.is_object()) {
+                for (const auto& [name, extension] : child.items()) {
+                    add(name);
+                }
+            }
+            if (child.is_structured() && key != "extras") {
+                addFrom(child);
+            }
+        }
+    }
+
+  private:
+    Notes& m_notes;
+    std::set<std::string> m_names;
+};
+
 void requireSupportedExtensions(const json& root, Notes& notes) {
     for (const json& name : arrayMember(root, "extensionsRequired")) {
         const std::string extension = requireString(name, "extensionsRequired");
@@ -53,12 +84,11 @@ void requireSupportedExtensions(const json& root, Notes& notes) {
             refuse("requires the extension {}, which is not supported", oneLine(extension));
         }
     }
+    UnusedExtensions unused(notes);
     for (const json& name : arrayMember(root, "extensionsUsed")) {
-        const std::string extension = requireString(name, "extensionsUsed");
-        if (!isSupported(extension)) {
-            notes.add("extension not used", extension);
-        }
+        unused.add(requireString(name, "extensionsUsed"));
     }
+    unused.addFrom(root);
 }
 
 void requireBoundedArrays(const json& root, const GltfLimits& limits) {

@@ -12,6 +12,15 @@ void Notes::add(const std::string& what, const std::string& where) {
     ++m_remarks[found->second].count;
 }
 
+void Notes::addNamed(const std::string& what, const std::string& name) {
+    if (m_named == kMostNamed) {
+        add(what, name);
+        return;
+    }
+    ++m_named;
+    m_remarks.push_back({what, name, 1});
+}
+
 std::vector<std::string> Notes::lines() const {
     std::vector<std::string> lines;
     lines.reserve(m_remarks.size());

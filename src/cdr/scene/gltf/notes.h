@@ -15,8 +15,13 @@ class Notes {
     /// @param where the place in the file; only the first one is shown.
     void add(const std::string& what, const std::string& where);
 
+    /// The same for a name that is a remark of its own. After kMostNamed of them, repeats of `what` make one line again.
+    void addNamed(const std::string& what, const std::string& name);
+
     /// One line per remark, in the order they first came up.
     std::vector<std::string> lines() const;
+
+    static constexpr std::size_t kMostNamed = 64;
 
   private:
     struct Remark {
@@ -26,6 +31,7 @@ class Notes {
     };
     std::vector<Remark> m_remarks;
     std::unordered_map<std::string, std::size_t> m_indexOf;
+    std::size_t m_named = 0;
 };
 
 } // namespace cdr::scene::gltf
