@@ -6,9 +6,11 @@
 #include <cdr/host/standard_streams.h>
 #include <experiments/number_checks.h>
 #include <viewer/session/program.h>
+#include <viewer/session/startup.h>
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace {
 
@@ -21,22 +23,34 @@ struct DriveArguments {
     viewer::Arguments viewer;
     std::optional<std::filesystem::path> script;
     std::optional<double> soakSeconds;
+    std::optional<std::string> largest; ///< window of a soak
 };
 
 void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
     CLI::Option* script =
         program.add_option("--script", arguments.script, "Play input from FILE, one step a line");
+    CLI::Option* soak =
+        program
+            .add_option("--soak", arguments.soakSeconds,
+                        "Play random input worth so many seconds, as fast as frames come, and quit")
+            ->check(cdr::experiments::numberFrom(1.0, kMaxSoakSeconds))
+            ->excludes(script);
     program
-        .add_option("--soak", arguments.soakSeconds,
-                    "Play random input worth so many seconds, as fast as frames come, and quit")
-        ->check(cdr::experiments::numberFrom(1.0, kMaxSoakSeconds))
-        ->excludes(script);
+        .add_option("--largest", arguments.largest,
+                    "WIDTHxHEIGHT of the largest window of a soak, 1920x1080 unless told")
+        ->needs(soak);
 }
 
 void run(const DriveArguments& arguments) {
     if (arguments.soakSeconds) {
         viewer::keepFreeMemoryLow();
-        viewer::Soak soak(*arguments.soakSeconds, arguments.viewer.seed);
+        viewer::SoakOptions input{.seed = arguments.viewer.seed};
+        if (arguments.largest) {
+            viewer::Arguments window;
+            window.size = *arguments.largest;
+            input.largest = viewer::windowSize(window);
+        }
+        viewer::Soak soak(*arguments.soakSeconds, input);
         viewer::runViewer(arguments.viewer, &soak);
         cdr::host::printOutput(soak.report() + "\n");
     } else if (arguments.script) {

@@ -32,11 +32,14 @@ double megabytes(std::uint64_t bytes) {
 
 } // namespace
 
-Soak::Soak(double seconds, std::uint64_t seed)
+Soak::Soak(double seconds, SoakOptions input)
     : m_steps(
           std::max<std::uint64_t>(static_cast<std::uint64_t>(std::llround(seconds * kStepsPerSecond)), 1)),
       m_rest(seconds < kShortSeconds ? kShortRest : kRest),
-      m_input({.seed = seed, .seconds = 1.0 / kStepsPerSecond}) {}
+      m_input([&] {
+          input.seconds = 1.0 / kStepsPerSecond;
+          return std::move(input);
+      }()) {}
 
 void Soak::play(const DrivenViewer& viewer) {
     Window& window = viewer.window;

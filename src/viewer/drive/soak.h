@@ -27,8 +27,8 @@ class Soak : public Driver {
     /// The least of so many measurements counts at the beginning and at the end, since noise only adds.
     static constexpr std::ptrdiff_t kCompared = 4;
 
-    /// @param seconds' worth of input.
-    Soak(double seconds, std::uint64_t seed);
+    /// @param seconds' worth of input. Its frames take 1 / kStepsPerSecond, whatever `input` says.
+    Soak(double seconds, SoakOptions input);
 
     /// Plays a step, if the renderer has taken the last one.
     DriverState step(const DrivenViewer& viewer) override;

@@ -134,11 +134,12 @@ SoakStep SoakInput::next() {
         }
     }
     if (chance(0.01)) {
-        const auto side = [&](double largest) { // small windows as often as large ones
-            return static_cast<std::uint32_t>(std::lround(std::exp(uniform(0.0, std::log(largest)))));
+        const PictureExtent& largest = m_options.largest;
+        const auto side = [&](double most) { // small windows as often as large ones
+            return static_cast<std::uint32_t>(std::lround(std::exp(uniform(0.0, std::log(most)))));
         };
-        m_extent.width = std::clamp(side(kSoakLargest.width), 1u, kSoakLargest.width);
-        m_extent.height = std::clamp(side(kSoakLargest.height), 1u, kSoakLargest.height);
+        m_extent.width = std::clamp(side(largest.width), 1u, largest.width);
+        m_extent.height = std::clamp(side(largest.height), 1u, largest.height);
         step.resize = m_extent;
     }
     if (chance(0.03)) {

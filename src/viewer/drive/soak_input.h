@@ -14,14 +14,14 @@ struct SoakStep {
     bool orbits = false;                  ///< input is for orbit(), not fly()
     bool zooms = false;                   ///< scroll is for the lens, not for the orbit's distance
     std::optional<glm::uvec2> click;      ///< pixel to pick
-    std::optional<PictureExtent> resize;  ///< 1x1 to kSoakLargest
+    std::optional<PictureExtent> resize;  ///< 1x1 to the largest
     std::optional<ViewSettings> settings; ///< all of them, from now on
     bool minimises = false;               ///< the window goes away for the next few frames
     bool screenshot = false;
     bool returnsHome = false; ///< the scene's own camera, before it is lost in space
 };
 
-/// Largest picture a soak asks for: software renderers must keep up.
+/// Largest picture a soak asks for unless told: software renderers must keep up.
 inline constexpr PictureExtent kSoakLargest{1920, 1080};
 
 /// What a soak may choose from.
@@ -29,7 +29,8 @@ struct SoakOptions {
     std::uint64_t seed = 2013;
     std::vector<std::string> scenes{"cubes", "afc", "rotation", "mixed"};
     std::size_t mostThreads = 4;
-    double seconds = 1.0 / 30.0; ///< of a frame
+    double seconds = 1.0 / 30.0;          ///< of a frame
+    PictureExtent largest = kSoakLargest; ///< of the windows, at least 1x1
 };
 
 /// Random input, the same for the same options on every platform. Keys are held for a while, the mouse drags

@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -116,6 +119,20 @@ TEST(SoakInput, IsBoundedAndReachesEverything) {
         }
         return all;
     }();
+}
+
+TEST(SoakInput, KeepsToTheLargestWindowItIsGiven) {
+    SoakInput soak({.largest = {160, 90}});
+    std::uint32_t widest = 0;
+    for (int i = 0; i < kSteps / 4; ++i) {
+        const std::optional<PictureExtent> resize = soak.next().resize;
+        if (resize) {
+            ASSERT_LE(resize->width, 160u);
+            ASSERT_LE(resize->height, 90u);
+            widest = std::max(widest, resize->width);
+        }
+    }
+    EXPECT_GT(widest, 80u);
 }
 
 /// A camera that returns home now and then stays usable under any input. The soak is for this.
