@@ -128,12 +128,15 @@ render::RenderOptions soaked(render::Submission submission) {
     return options;
 }
 
-/// A world that is edited in front of each frame takes no more memory at the end than after the first tenth, within 1 %.
-/// CDR_ALL_CASES draws 100,000 frames instead of 1,600. Without validation, which keeps 3.5 KB a frame itself (1.3.239).
+/// Frames until the driver has what it keeps: on a busy machine llvmpipe takes another 1 % after the first hundreds.
+constexpr std::size_t kWarmUpFrames = 1'600;
+
+/// A world that is edited in front of each frame takes no more memory at the end than after the warm-up, within 1 %.
+/// CDR_ALL_CASES draws 100,000 frames instead of 3,200. Without validation, which keeps 3.5 KB a frame itself (1.3.239).
 TEST(WorldSoakTest, EditsLeaveNoMemoryBehind) {
     const gpu::Instance instance;
     const gpu::Device device(instance, "");
-    const std::size_t cycles = (std::getenv("CDR_ALL_CASES") != nullptr ? 100'000 : 1'600) / kFramesOfCycle;
+    const std::size_t cycles = (std::getenv("CDR_ALL_CASES") != nullptr ? 100'000 : 3'200) / kFramesOfCycle;
     scene::Scene scene = boxScene();
     addBox(scene, glm::dvec3(0.0, 0.0, -10.0));
     World world(std::move(scene));
@@ -167,7 +170,7 @@ TEST(WorldSoakTest, EditsLeaveNoMemoryBehind) {
         return static_cast<double>((*found).*bytes);
     };
     for (std::uint64_t Memory::*bytes : {&Memory::host, &Memory::device}) {
-        const double before = least(cycles / 10, bytes);
+        const double before = least(kWarmUpFrames / kFramesOfCycle, bytes);
         const double after = least(cycles - cycles / 10, bytes);
         EXPECT_LE(after, 1.01 * before) << (bytes == &Memory::host ? "host" : "device");
         std::cout << (bytes == &Memory::host ? "host" : "device") << " bytes grew from " << before << " to "
