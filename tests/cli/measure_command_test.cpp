@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 #include <string>
@@ -134,6 +136,29 @@ TEST(TimingCommand, RefusesWhatIsNoBuild) {
         runProgram("timing --against true --rounds 1 --frames 1 --size 16x16", folder.path());
     EXPECT_EQ(result.status, 2);
     EXPECT_NE(result.err.find("true wrote no timing results"), std::string::npos) << result.err;
+}
+
+/// Programs that write something else where their JSON is asked for.
+TEST(TimingCommand, RefusesWhatIsNoTimingInOneLine) {
+    const TemporaryFolder folder;
+    const auto errorOf = [&](const std::string& text) {
+        std::ofstream(folder.path() / "other")
+            << "#!/bin/sh\nfor last; do :; done\nprintf '" << text << "' >\"$last\"\n";
+        std::filesystem::permissions(folder.path() / "other", std::filesystem::perms::owner_all);
+        const ProgramResult result = runProgram(
+            "timing --against ./other --rounds 1 --frames 1 --size 16x16 --modes log", folder.path());
+        EXPECT_EQ(result.status, 2) << text;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        return result.err;
+    };
+    EXPECT_NE(errorOf(R"({"device": 5, "results": []})").find("cannot be used: "), std::string::npos);
+    EXPECT_NE(errorOf(R"({"device": {}, "results": [3]})").find("no object"), std::string::npos);
+    EXPECT_NE(
+        errorOf(R"({"device": {"name": 3}, "results": [{"name": "log", "median_us": 1}]})").find("'name'"),
+        std::string::npos);
+    EXPECT_NE(errorOf(R"({"device": {}, "results": [{"name": "log", "median_us": 0}]})").find("over 0"),
+              std::string::npos);
+    EXPECT_NE(errorOf("[").find("wrote no timing results"), std::string::npos);
 }
 
 /// Never the times themselves: the stages are there, for each mode, and the frame is the last.

@@ -1,12 +1,14 @@
 #include "against.h"
 
+#include "timing_document.h"
+
 #include <cdr/base/error.h>
 #include <cdr/host/child_process.h>
+#include <cdr/host/file.h>
 #include <experiments/readable.h>
 #include <experiments/shuffled_order.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -15,7 +17,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <system_error>
+#include <utility>
 
 namespace cdr::experiments {
 
@@ -53,11 +56,21 @@ double childCpuUs() {
     return microseconds(usage.ru_utime) + microseconds(usage.ru_stime);
 }
 
-/// A run's JSON, and its CPU time.
+/// What a run said, and its CPU time.
 struct Run {
-    nlohmann::json document;
+    TimingDocument document;
     double cpuUs = 0.0;
 };
+
+/// What a program wrote, if it did.
+TimingDocument documentIn(const fs::path& json, const fs::path& program) {
+    std::error_code error; // readFile() says what is wrong with a file that is there
+    if (!fs::exists(json, error)) {
+        throw base::InputError(program.string() + " wrote no timing results");
+    }
+    const host::Bytes bytes = host::readFile(json, kMostTimingBytes);
+    return readTimingDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, program.string());
+}
 
 Run runOnce(const fs::path& program, const AgainstOptions& options, const fs::path& json) {
     std::vector<std::string> arguments{program.string()};
@@ -67,21 +80,13 @@ Run runOnce(const fs::path& program, const AgainstOptions& options, const fs::pa
     const double before = childCpuUs();
     host::ChildProcess(arguments, {}).finish();
     Run run{.document = {}, .cpuUs = childCpuUs() - before};
-    std::ifstream file(json);
-    run.document = nlohmann::json::parse(file, nullptr, false);
-    if (!run.document.contains("results") || !run.document.contains("device")) {
-        throw base::InputError(program.string() + " wrote no timing results");
-    }
+    run.document = documentIn(json, program);
     return run;
 }
 
 /// Modes by name in the order of the results, then the whole run.
 std::vector<std::pair<std::string, double>> timesOf(const Run& run) {
-    std::vector<std::pair<std::string, double>> times;
-    for (const nlohmann::json& result : run.document["results"]) {
-        times.emplace_back(result.value("name", result.value("mode", std::string())),
-                           result.value("median_us", 0.0));
-    }
+    auto times = run.document.medianUs;
     times.emplace_back(kWholeRun, run.cpuUs);
     return times;
 }
@@ -96,9 +101,9 @@ double timeOf(const Run& run, const std::string& name, const fs::path& program) 
 }
 
 void requireSameDevice(const Run& here, const Run& against, const fs::path& program) {
-    for (const char* part : {"name", "driver"}) {
-        const std::string ours = here.document["device"].value(part, std::string());
-        const std::string theirs = against.document["device"].value(part, std::string());
+    for (const auto part : {&TimingDocument::device, &TimingDocument::driver}) {
+        const std::string& ours = here.document.*part;
+        const std::string& theirs = against.document.*part;
         if (ours != theirs) {
             throw base::InputError(fmt::format("{} draws with another device: {} instead of {}",
                                                program.string(), theirs, ours));
@@ -156,9 +161,9 @@ AgainstReport runAgainst(const AgainstOptions& options,
             for (const auto& [name, us] : timesOf(runs[0])) {
                 times.push_back({.name = name, .hereUs = {}, .againUs = {}, .againstUs = {}});
             }
-            report.againstCommit = runs[1].document.value("commit", std::string("unknown"));
-            report.device = runs[0].document["device"].value("name", std::string());
-            report.driver = runs[0].document["device"].value("driver", std::string());
+            report.againstCommit = runs[1].document.commit;
+            report.device = runs[0].document.device;
+            report.driver = runs[0].document.driver;
         }
         for (BuildTimes& row : times) {
             row.hereUs.push_back(timeOf(runs[0], row.name, options.here));

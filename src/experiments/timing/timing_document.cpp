@@ -1,0 +1,99 @@
+#include "timing_document.h"
+
+#include <cdr/base/error.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace cdr::experiments {
+
+namespace {
+
+constexpr int kDeepestDocument = 16; ///< of nested values
+
+/// Without line ends and other control characters, since messages and tables print it.
+bool isPrintableName(const std::string& text) {
+    return text.size() <= kMostTimingText && std::none_of(text.begin(), text.end(), [](char c) {
+               return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+           });
+}
+
+/// A text of an object, or `otherwise` where it has none of that key.
+std::string textAt(const nlohmann::json& object, const std::string& key, const std::string& otherwise) {
+    const auto found = object.find(key);
+    if (found == object.end()) {
+        return otherwise;
+    }
+    if (!found->is_string() || !isPrintableName(found->get_ref<const std::string&>())) {
+        throw base::InputError(fmt::format("'{}' is no short text in one line", key));
+    }
+    return found->get<std::string>();
+}
+
+std::pair<std::string, double> modeOf(const nlohmann::json& row) {
+    if (!row.is_object()) {
+        throw base::InputError("a result is no object");
+    }
+    const std::string name = textAt(row, "name", textAt(row, "mode", ""));
+    if (name.empty()) {
+        throw base::InputError("a result names no mode");
+    }
+    const auto us = row.find("median_us");
+    if (us == row.end() || !us->is_number() || !std::isfinite(us->get<double>()) ||
+        us->get<double>() <= 0.0) {
+        throw base::InputError(fmt::format("'median_us' of {} is no finite number over 0", name));
+    }
+    return {name, us->get<double>()};
+}
+
+/// Discarded where the text is no JSON.
+nlohmann::json parseBounded(std::string_view text) {
+    const auto isShallow = [](int depth, nlohmann::json::parse_event_t, const nlohmann::json&) {
+        if (depth > kDeepestDocument) {
+            throw base::InputError("its values are nested too deep");
+        }
+        return true;
+    };
+    return nlohmann::json::parse(text, isShallow, false);
+}
+
+TimingDocument documentOf(const nlohmann::json& json) {
+    const nlohmann::json& device = json.at("device");
+    const nlohmann::json& results = json.at("results");
+    if (!device.is_object()) {
+        throw base::InputError("'device' is no object");
+    }
+    if (!results.is_array() || results.empty() || results.size() > kMostTimingRows) {
+        throw base::InputError(fmt::format("'results' is no list of 1 to {} modes", kMostTimingRows));
+    }
+    TimingDocument document{.commit = textAt(json, "commit", "unknown"),
+                            .device = textAt(device, "name", ""),
+                            .driver = textAt(device, "driver", ""),
+                            .medianUs = {}};
+    std::transform(results.begin(), results.end(), std::back_inserter(document.medianUs), modeOf);
+    return document;
+}
+
+} // namespace
+
+TimingDocument readTimingDocument(std::string_view text, const std::string& program) {
+    try {
+        if (text.size() > kMostTimingBytes) {
+            throw base::InputError(fmt::format("they have more than {} MiB", kMostTimingBytes >> 20u));
+        }
+        const nlohmann::json json = parseBounded(text);
+        if (json.is_object() && json.contains("results") && json.contains("device")) {
+            return documentOf(json);
+        }
+    } catch (const base::InputError& error) {
+        throw base::InputError(
+            fmt::format("{} wrote timing results that cannot be used: {}", program, error.what()));
+    }
+    throw base::InputError(program + " wrote no timing results");
+}
+
+} // namespace cdr::experiments
