@@ -169,11 +169,12 @@ fuzz_rooms() { # ROOM...
         case $room in
             scene) parsers+=(gltf camera_path words) ;;
             image) parsers+=(image) ;;
-            experiments) parsers+=(state unit_state) ;;
+            experiments) parsers+=(state unit_state timing) ;;
+            cli) parsers+=(kept_frame) ;;
             scenes | visibility) parsers+=(words) ;;
             report) parsers+=(manifest) ;;
             viewer) parsers+=(script) ;;
-            fuzz) parsers=(gltf camera_path words image state unit_state manifest script) && break ;;
+            fuzz) parsers=(gltf camera_path words image state unit_state timing kept_frame manifest script) && break ;;
         esac
     done
     if ((${#parsers[@]})); then

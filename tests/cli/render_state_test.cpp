@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <sstream>
@@ -155,6 +156,65 @@ TEST_F(RenderState, IsOfTheFilesThatWereRead) {
             kElsewhere);
 }
 
+using Strange = std::pair<const char*, nlohmann::ordered_json>;
+
+/// Where no frame of the run has such a value.
+std::vector<Strange> strangeValues() {
+    return {{"/notes/0", 7},
+            {"/notes/0", "two\nlines"},
+            {"/notes", std::vector<std::string>(1000, "note")},
+            {"/row/frame", 3}, // the run's second has number 4
+            {"/row/frame", -4},
+            {"/row/draws", {1, 2}},
+            {"/row/technique", "\x1b[31mred"},
+            {"/row/technique", std::string(100'000, 'a')},
+            {"/row/nobody", 7},
+            {"/cells/0", "cubes frame 4"},
+            {"/cells/1", "two\nlines"},
+            {"/picture", "0123"},
+            {"/picture", std::string(64, 'x')}};
+}
+
+/// The same of a certificate.
+std::vector<Strange> strangeCertificates() {
+    return {{"/frame", 7},
+            {"/frame", std::uint64_t{1} << 32u},
+            {"/pixels", -1},
+            {"/pixels", "9"},
+            {"/snap_pixels", "0"},
+            {"/camera", 7},
+            {"/camera/eye", {1, 2}},
+            {"/camera/up/0", "1"},
+            {"/camera/fov_y", true},
+            {"/hash", 7},
+            {"/hash", "\n"},
+            {"/refused", nullptr},
+            {"/first_refused", {1, std::uint64_t{1} << 32u}},
+            {"/first_refused", 1}};
+}
+
+TEST_F(RenderState, RefusesWhatIsNoCertificate) {
+    const std::string render =
+        "render cubes --technique anchored --size 16x9 -o f.png --certify c.json --state s";
+    ASSERT_EQ(run(render).status, 0);
+    const std::vector<std::string> lines = linesIn(at("s"));
+    ASSERT_EQ(lines.size(), 2u);
+    for (const auto& [place, value] : strangeCertificates()) {
+        auto record = nlohmann::ordered_json::parse(lines[1].substr(lines[1].find(' ')));
+        record["made"]["certificate"][nlohmann::ordered_json::json_pointer(place)] = value;
+        writeLines(at("s"), {lines[0], host::sha256Of(record.dump()) + " " + record.dump()});
+        expectRefused(render, std::string("s: holds no results of render") + kElsewhere);
+    }
+}
+
+/// What a state cannot hold as it is: bytes that are no UTF-8.
+TEST_F(RenderState, TakesSceneNamesOfAnyBytes) {
+    fs::copy_file(CDR_SOURCE_DIR "/tests/fuzz/seeds/gltf/triangle.gltf", at("odd\xff\tname.gltf"));
+    const std::string render = "render 'odd\xff\tname.gltf' --size 16x9 -o f.png --state s";
+    ASSERT_EQ(run(render).status, 0);
+    EXPECT_EQ(run(render).out.substr(0, 11), "1 of 1 fram");
+}
+
 TEST_F(RenderState, RefusesWhatIsNoStateOfItsOwn) {
     ASSERT_EQ(run(kRender).status, 0);
     const std::vector<std::string> lines = linesIn(at("s"));
@@ -181,6 +241,12 @@ TEST_F(RenderState, RefusesWhatIsNoStateOfItsOwn) {
     made["cells"].push_back("more");
     withRecord(made);
     expectRefused(kRender, std::string("s: holds no results of render") + kElsewhere);
+    for (const auto& [place, value] : strangeValues()) {
+        made = good;
+        made[nlohmann::ordered_json::json_pointer(place)] = value;
+        withRecord(made);
+        expectRefused(kRender, std::string("s: holds no results of render") + kElsewhere);
+    }
 
     auto damaged = lines;
     damaged[3].back() = ' ';

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace cdr::cli {
@@ -45,17 +44,6 @@ nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& 
         json["hash"] = hash;
     }
     return json;
-}
-
-bool isCertificate(const nlohmann::ordered_json& json) {
-    const auto isNumber = [](const nlohmann::ordered_json& value) { return value.is_number_unsigned(); };
-    if (!json.is_object() || !json.contains("first_refused")) {
-        return json.is_object() && json.contains("hash");
-    }
-    const nlohmann::ordered_json& first = json["first_refused"];
-    return json.contains("frame") && isNumber(json["frame"]) && json.contains("refused") &&
-           isNumber(json["refused"]) && first.is_array() && first.size() == 2 &&
-           std::all_of(first.begin(), first.end(), isNumber);
 }
 
 CertificateFile::CertificateFile(std::filesystem::path path, Command& command, nlohmann::ordered_json options)

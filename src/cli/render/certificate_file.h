@@ -25,9 +25,6 @@ struct CertifiedOutput {
 nlohmann::ordered_json certificateOf(std::uint32_t number, const scene::Camera& camera,
                                      const CertifiedOutput& certified, const std::string& hash);
 
-/// Whether CertificateFile takes it.
-bool isCertificate(const nlohmann::ordered_json& json);
-
 /// The file that `render --certify` writes: what all JSON of the program begins with, the rule and the bound, and a result
 /// for each frame.
 class CertificateFile {

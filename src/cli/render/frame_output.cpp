@@ -60,6 +60,10 @@ host::Bytes FrameOutput::encoded(const std::filesystem::path& path, experiments:
                : image::encodeImage(path, experiments::pictureOf(m_frame, aov, truth()));
 }
 
+std::string labelOf(const std::string& scene, std::uint32_t number) {
+    return fmt::format("{} frame {}", scene, number);
+}
+
 experiments::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
     const auto ofStats = [](auto member) {
         return [member](const RenderRow& row) { return row.made.frame().stats.*member; };
@@ -69,8 +73,7 @@ experiments::Columns<RenderRow> renderColumns(const RenderHeadings& shown) {
     };
     experiments::Columns<RenderRow> columns{
         {.heading = "scene",
-         .text =
-             [](const RenderRow& row) { return fmt::format("{} frame {}", row.scene, row.made.number()); }},
+         .text = [](const RenderRow& row) { return labelOf(row.scene, row.made.number()); }},
         {.key = "technique", .value = &RenderRow::technique, .heading = "technique"},
         {.key = "targets", .value = [](const RenderRow& row) { return nameOf(row.options.targets.kind); }},
         {.key = "layers", .value = [](const RenderRow& row) { return row.options.targets.layers; }},

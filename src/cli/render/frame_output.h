@@ -63,6 +63,9 @@ struct RenderHeadings {
     bool certificate = false;
 };
 
+/// The first cell of a frame's row: "cubes frame 3".
+std::string labelOf(const std::string& scene, std::uint32_t number);
+
 experiments::Columns<RenderRow> renderColumns(const RenderHeadings& shown);
 
 } // namespace cdr::cli

@@ -1,15 +1,13 @@
 #include "kept_frames.h"
 
-#include "certificate_file.h"
-
 #include <cdr/base/error.h>
 #include <cdr/host/file.h>
 #include <cdr/host/sha256.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace cdr::cli {
@@ -18,20 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using experiments::Json;
-
-bool isTexts(const Json& json) {
-    return json.is_array() &&
-           std::all_of(json.begin(), json.end(), [](const Json& text) { return text.is_string(); });
-}
-
-/// Whether RenderResults can take it. nlohmann::json::exception where a field is missing.
-bool isOfShape(const Json& made, const KeptFrames::Shape& shape) {
-    const Json& picture = made.at("picture");
-    const Json& certificate = made.at("certificate");
-    return isTexts(made.at("notes")) && made.at("row").is_object() && isTexts(made.at("cells")) &&
-           made.at("cells").size() == shape.cells && (picture.is_null() || picture.is_string()) &&
-           (shape.isCertified ? isCertificate(certificate) : certificate.is_null());
-}
 
 /// Whether the picture of a frame is there as it was written, if it has one.
 bool hasPicture(const Json& made, const fs::path& path) {
@@ -51,15 +35,8 @@ bool hasPicture(const Json& made, const fs::path& path) {
 KeptFrames::KeptFrames(const fs::path& path, experiments::UnitRun run, const Shape& shape)
     : m_file(path, std::move(run)),
       m_made(m_file.made()) {
-    const auto isDamaged = [&](const Json& made) {
-        try {
-            return !isOfShape(made, shape);
-        } catch (const Json::exception&) {
-            return true;
-        }
-    };
     for (const auto& [frame, made] : m_made) {
-        if (isDamaged(made)) {
+        if (!isKeptFrame(made, shape.frame(frame))) {
             throw base::InputError(
                 fmt::format("{}: holds no results of render; remove it or name another file", path.string()));
         }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "kept_frame.h"
+
 #include <experiments/columns.h>
 #include <experiments/unit_state.h>
 
@@ -16,8 +18,7 @@ class KeptFrames {
   public:
     /// What frames of the run are like.
     struct Shape {
-        std::size_t cells = 0; ///< of a row of the table
-        bool isCertified = false;
+        std::function<FrameShape(std::size_t frame)> frame{};
         std::function<std::filesystem::path(std::size_t frame)> picture{};
     };
 

@@ -63,8 +63,7 @@ RenderResults::RenderResults(Command& command, const RenderArguments& arguments,
     if (command.ranks().isFirst()) {
         m_kept.emplace(
             arguments.state, experiments::UnitRun{.digest = command.digestOfRun(), .units = cameras.frames},
-            KeptFrames::Shape{.cells = m_table.header.size(),
-                              .isCertified = m_certificates.has_value(),
+            KeptFrames::Shape{.frame = [this](std::size_t frame) { return shapeOf(frame); },
                               .picture = [this](std::size_t frame) { return m_name.at(numberOf(frame)); }});
         if (m_kept->count() > 0) {
             command.console().line(fmt::format("{} of {} frames are kept in {}", m_kept->count(),
@@ -122,6 +121,20 @@ void RenderResults::take(std::size_t frame, experiments::Json made) {
 
 std::uint32_t RenderResults::numberOf(std::size_t frame) const {
     return m_cameras.first + static_cast<std::uint32_t>(frame);
+}
+
+FrameShape RenderResults::shapeOf(std::size_t frame) const {
+    FrameShape shape{.number = numberOf(frame),
+                     .label = labelOf(m_arguments.scene, numberOf(frame)),
+                     .cells = m_table.header.size(),
+                     .fields = {},
+                     .isCertified = m_certificates.has_value()};
+    for (const auto& column : m_columns) {
+        if (!column.key.empty()) {
+            shape.fields.insert(column.key);
+        }
+    }
+    return shape;
 }
 
 void RenderResults::addKept(std::size_t before) {

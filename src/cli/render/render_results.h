@@ -43,6 +43,7 @@ class RenderResults {
 
   private:
     std::uint32_t numberOf(std::size_t frame) const;
+    FrameShape shapeOf(std::size_t frame) const; ///< as a state must hold it
     /// Those before a frame that no take() has brought yet.
     void addKept(std::size_t before);
     void add(const experiments::Json& made);
