@@ -63,6 +63,21 @@ ProgramResult runProgram(const std::string& arguments, const fs::path& folder,
     return result;
 }
 
+std::vector<std::string> commandNames() {
+    const TemporaryFolder folder;
+    const ProgramResult result = runProgram("completions fish", folder.path());
+    std::vector<std::string> names;
+    std::istringstream lines(result.out);
+    const std::string before = "__fish_use_subcommand -a ";
+    for (std::string line; std::getline(lines, line);) {
+        if (const std::size_t at = line.find(before); at != std::string::npos) {
+            const std::size_t begin = at + before.size();
+            names.push_back(line.substr(begin, line.find(' ', begin) - begin));
+        }
+    }
+    return names;
+}
+
 std::map<std::string, std::string> filesIn(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace cdr::cli_test {
 
@@ -21,6 +22,9 @@ struct ProgramResult {
 /// @param environment assignments for the program alone, as typed before it.
 ProgramResult runProgram(const std::string& arguments, const std::filesystem::path& folder,
                          const std::string& environment = "");
+
+/// The commands that bare `cdr` lists.
+std::vector<std::string> commandNames();
 
 /// The device that the program takes when none is named.
 const gpu::DeviceInfo& deviceInfo();

@@ -10,22 +10,6 @@ namespace cdr::cli_test {
 
 namespace {
 
-/// What bare `cdr` lists.
-std::vector<std::string> commandNames() {
-    const TemporaryFolder folder;
-    const ProgramResult result = runProgram("completions fish", folder.path());
-    std::vector<std::string> names;
-    std::istringstream lines(result.out);
-    const std::string before = "__fish_use_subcommand -a ";
-    for (std::string line; std::getline(lines, line);) {
-        if (const std::size_t at = line.find(before); at != std::string::npos) {
-            const std::size_t begin = at + before.size();
-            names.push_back(line.substr(begin, line.find(' ', begin) - begin));
-        }
-    }
-    return names;
-}
-
 TEST(ShellCommands, NothingAskedForShowsHelp) {
     const TemporaryFolder folder;
     const ProgramResult bare = runProgram("", folder.path());
