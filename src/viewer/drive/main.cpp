@@ -5,12 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <cdr/host/standard_streams.h>
 #include <experiments/number_checks.h>
+#include <scenes/open_scene.h>
 #include <viewer/session/program.h>
 #include <viewer/session/startup.h>
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -24,6 +26,7 @@ struct DriveArguments {
     std::optional<std::filesystem::path> script;
     std::optional<double> soakSeconds;
     std::optional<std::string> largest; ///< window of a soak
+    std::vector<std::string> soakScenes;
 };
 
 void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
@@ -39,6 +42,14 @@ void addDriveOptions(CLI::App& program, DriveArguments& arguments) {
         .add_option("--largest", arguments.largest,
                     "WIDTHxHEIGHT of the largest window of a soak, 1920x1080 unless told")
         ->needs(soak);
+    const auto generated = cdr::scenes::generatedScenes();
+    program
+        .add_option(
+            "--soak-scenes", arguments.soakScenes,
+            "Generated scenes that a soak chooses from, with commas between; cubes,afc,rotation,mixed unless told")
+        ->delimiter(',')
+        ->check(CLI::IsMember(std::vector<std::string>(generated.begin(), generated.end())))
+        ->needs(soak);
 }
 
 void run(const DriveArguments& arguments) {
@@ -49,6 +60,9 @@ void run(const DriveArguments& arguments) {
             viewer::Arguments window;
             window.size = *arguments.largest;
             input.largest = viewer::windowSize(window);
+        }
+        if (!arguments.soakScenes.empty()) {
+            input.scenes = arguments.soakScenes;
         }
         viewer::Soak soak(*arguments.soakSeconds, input);
         viewer::runViewer(arguments.viewer, &soak);
