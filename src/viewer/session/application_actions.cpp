@@ -6,6 +6,7 @@
 #include <cdr/host/file.h>
 #include <cdr/image/codec.h>
 #include <viewer/state/camera/framing.h>
+#include <viewer/state/camera/obstacles.h>
 #include <viewer/state/plain_words.h>
 #include <viewer/state/shown_picture.h>
 
@@ -121,7 +122,7 @@ void Application::frameSelected() {
         return;
     }
     const double aspect = pictureArea().extent.aspect();
-    const Ball ball = ballOf(m_model.picture.shown->scene->setup.scene.instances, last->object);
+    const Ball ball = ballOf(m_model.picture.shown->obstacles->instances(), last->object);
     m_model.camera.motion = Motion::free;
     m_model.camera.now = scene::canonical(framed(m_model.camera.now, ball, aspect));
     m_model.camera.pivot = ball.centre;

@@ -24,6 +24,9 @@ class Obstacles {
     Obstacles moved(const scene::Scene& shown, std::span<const std::uint32_t> deformed,
                     host::WorkerPool& workers) const;
 
+    /// Of the scene, where they are now. They live no longer than the scene and the obstacles.
+    const scene::Instances& instances() const { return *m_instances; }
+
     /// How far a straight way leads before a surface, at most its own length. From the back of a single-sided one it
     /// leads out.
     double clearWay(const glm::dvec3& from, const glm::dvec3& to) const;

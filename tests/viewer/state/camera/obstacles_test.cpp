@@ -80,6 +80,8 @@ TEST(Obstacles, MoveWithTheScene) {
     EXPECT_EQ(before.clearWay(from, right), 100.0);
     EXPECT_EQ(after.clearWay(from, ahead), 100.0);
     EXPECT_NEAR(after.clearWay(from, right), 19.5, 1e-9);
+    EXPECT_EQ(before.instances().position(0), glm::dvec3(0.0, 0.0, -5.0));
+    EXPECT_EQ(after.instances().position(0), glm::dvec3(20.0, 0.0, 0.0));
 }
 
 /// What boxes of neighbours leave out changes nothing: ways past each cube, and into it.
