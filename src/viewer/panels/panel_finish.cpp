@@ -1,6 +1,5 @@
+#include "choice.h"
 #include "panels.h"
-
-#include <viewer/state/finish.h>
 
 #include <fmt/format.h>
 
@@ -36,41 +35,11 @@ void chooseLength(const Widgets& widgets, std::string_view name, double& length)
 void drawFinishPanel(const Widgets& widgets, ViewSettings& settings) {
     widgets.heading("Finish");
     Finish& finish = settings.finish;
-    const std::size_t detail =
-        widgets.combo("detail", nameOf(finish.detail), visibility::kDetailModes.size(),
-                      [](std::size_t i) { return nameOf(visibility::kDetailModes[i]); });
-    if (detail < visibility::kDetailModes.size()) {
-        finish.detail = visibility::kDetailModes[detail];
-    }
-    widgets.sentence(explain(finish.detail));
-    const std::size_t method =
-        widgets.combo("translucency", nameOf(finish.translucency), render::kTranslucencies.size(),
-                      [](std::size_t i) { return nameOf(render::kTranslucencies[i]); });
-    if (method < render::kTranslucencies.size()) {
-        finish.translucency = render::kTranslucencies[method];
-    }
-    widgets.sentence(explain(finish.translucency));
-    const std::size_t shadows =
-        widgets.combo("shadows", nameOf(finish.shadows), render::kShadowMethods.size(),
-                      [](std::size_t i) { return nameOf(render::kShadowMethods[i]); });
-    if (shadows < render::kShadowMethods.size()) {
-        finish.shadows = render::kShadowMethods[shadows];
-    }
-    widgets.sentence(explain(finish.shadows));
-    const std::size_t antialias =
-        widgets.combo("edges", nameOf(finish.effects.antialias), render::kAntialiases.size(),
-                      [](std::size_t i) { return nameOf(render::kAntialiases[i]); });
-    if (antialias < render::kAntialiases.size()) {
-        finish.effects.antialias = render::kAntialiases[antialias];
-    }
-    widgets.sentence(explain(finish.effects.antialias));
-    const std::size_t toneMap =
-        widgets.combo("tone mapping", nameOf(finish.effects.finish.toneMap), render::kToneMaps.size(),
-                      [](std::size_t i) { return nameOf(render::kToneMaps[i]); });
-    if (toneMap < render::kToneMaps.size()) {
-        finish.effects.finish.toneMap = render::kToneMaps[toneMap];
-    }
-    widgets.sentence(explain(finish.effects.finish.toneMap));
+    choose(widgets, "detail", visibility::kDetailModes, finish.detail);
+    choose(widgets, "translucency", render::kTranslucencies, finish.translucency);
+    choose(widgets, "shadows", render::kShadowMethods, finish.shadows);
+    choose(widgets, "edges", render::kAntialiases, finish.effects.antialias);
+    choose(widgets, "tone mapping", render::kToneMaps, finish.effects.finish.toneMap);
     chooseLength(widgets, "occlusion", finish.effects.occlusion.radius);
     if (hasLayers(settings.targets.kind)) {
         widgets.checkbox("on each layer alone", finish.effects.occlusion.perLayer);

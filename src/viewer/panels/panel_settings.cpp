@@ -1,7 +1,7 @@
+#include "choice.h"
 #include "panels.h"
 #include "thumbnails.h"
 
-#include <viewer/state/explanations.h>
 #include <viewer/state/light_list.h>
 #include <viewer/state/plain_words.h>
 
@@ -38,26 +38,14 @@ void choosePresets(const Widgets& widgets, std::string_view prefix, depth::Techn
 void chooseTechnique(const Widgets& widgets, std::string_view prefix, depth::Technique& technique) {
     choosePresets(widgets, prefix, technique);
     depth::Technique wanted = technique;
-    const std::size_t mapping =
-        widgets.combo(fmt::format("{}/mapping", prefix), nameOf(technique.mapping), depth::kMappings.size(),
-                      [](std::size_t i) { return nameOf(depth::kMappings[i]); });
-    if (mapping < depth::kMappings.size()) {
-        wanted.mapping = depth::kMappings[mapping];
-    }
-    widgets.sentence(explain(technique.mapping));
+    choose(widgets, fmt::format("{}/mapping", prefix), depth::kMappings, wanted.mapping);
     const std::size_t split = widgets.combo(fmt::format("{}/split", prefix), nameOf(technique.split),
                                             kSplits.size(), [](std::size_t i) { return kSplits[i]; });
     if (split < kSplits.size()) {
         wanted.split = depth::parseSplit(std::string(kSplits[split]));
     }
     widgets.sentence(explain(technique.split));
-    const std::size_t format =
-        widgets.combo(fmt::format("{}/format", prefix), nameOf(technique.format), depth::kDepthFormats.size(),
-                      [](std::size_t i) { return nameOf(depth::kDepthFormats[i]); });
-    if (format < depth::kDepthFormats.size()) {
-        wanted.format = depth::kDepthFormats[format];
-    }
-    widgets.sentence(explain(technique.format));
+    choose(widgets, fmt::format("{}/format", prefix), depth::kDepthFormats, wanted.format);
     technique = wanted;
 }
 
@@ -146,27 +134,9 @@ void drawRenderingPanel(const Widgets& widgets, ViewSettings& settings) {
         settings.threads = static_cast<std::size_t>(std::clamp(threads, 1, kMostThreads));
     }
     widgets.sentence(explainThreads());
-    const std::size_t submission =
-        widgets.combo("submission", nameOf(settings.submission), render::kSubmissions.size(),
-                      [](std::size_t i) { return nameOf(render::kSubmissions[i]); });
-    if (submission < render::kSubmissions.size()) {
-        settings.submission = render::kSubmissions[submission];
-    }
-    widgets.sentence(explain(settings.submission));
-    const std::size_t batching =
-        widgets.combo("batching", nameOf(settings.batching), render::kBatchings.size(),
-                      [](std::size_t i) { return nameOf(render::kBatchings[i]); });
-    if (batching < render::kBatchings.size()) {
-        settings.batching = render::kBatchings[batching];
-    }
-    widgets.sentence(explain(settings.batching));
-    const std::size_t snapping =
-        widgets.combo("snapping", nameOf(settings.snapping), render::kSnappings.size(),
-                      [](std::size_t i) { return nameOf(render::kSnappings[i]); });
-    if (snapping < render::kSnappings.size()) {
-        settings.snapping = render::kSnappings[snapping];
-    }
-    widgets.sentence(explain(settings.snapping));
+    choose(widgets, "submission", render::kSubmissions, settings.submission);
+    choose(widgets, "batching", render::kBatchings, settings.batching);
+    choose(widgets, "snapping", render::kSnappings, settings.snapping);
 }
 
 } // namespace cdr::viewer
