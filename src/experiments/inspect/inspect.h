@@ -5,8 +5,8 @@
 #include <cdr/depth/technique.h>
 #include <cdr/gpu/device.h>
 #include <cdr/image/image.h>
-#include <cdr/render/geometry/snapping.h>
 #include <cdr/measure/compare/wrong_pixels.h>
+#include <cdr/render/geometry/snapping.h>
 #include <cdr/scene/scene.h>
 #include <experiments/pictures/pictures.h>
 
